@@ -51,6 +51,8 @@ public:
     [[nodiscard]] virtual MeasuredPart part() const = 0;
     [[nodiscard]] virtual const Warnings& warnings() const = 0;
     [[nodiscard]] virtual double seconds() const = 0;  ///< taken to compute it
+    /// Whether both answer the same question about the same scenarios, whatever their buildings.
+    [[nodiscard]] virtual bool asksSameAs(const Answer& other) const;
 
     /// The answer in sentences and charts.
     [[nodiscard]] virtual AnswerPage page() const { return {}; }

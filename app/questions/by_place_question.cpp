@@ -2,6 +2,7 @@
 #include "app/questions/question.h"
 #include "app/report/files/output_folder.h"
 #include "core/base/progress_share.h"
+#include "core/describe/field_json.h"
 #include "core/describe/text.h"
 #include "core/study/elements/element_tables.h"
 #include "scenarios/project/results/save_result.h"
@@ -9,6 +10,11 @@
 namespace noonmark {
 
 namespace {
+
+nlohmann::ordered_json fieldsOf(const SunOfCities& sun) {
+    SunByPlaceSettings settings = sun.baseline.settings;
+    return fieldsJson(sunByPlaceFields().of(settings), {.which = FieldJson::Which::all});
+}
 
 /// How much sun places get in one scenario, and what it takes from or gives to those of a baseline.
 class ByPlaceAnswer final : public AnswerOf<SunOfCities> {
@@ -25,6 +31,12 @@ public:
     }
     [[nodiscard]] const Warnings& warnings() const override { return content().baseline.warnings; }
     [[nodiscard]] double seconds() const override { return content().baseline.seconds.at("total"); }
+
+    [[nodiscard]] bool asksSameAs(const Answer& other) const override {
+        const auto* sun = other.as<SunOfCities>();
+        return sun && Answer::asksSameAs(other) && sun->baseline.places == content().baseline.places &&
+               fieldsOf(*sun) == fieldsOf(content());
+    }
 
     /// The baseline of a comparison keeps its name: another one may be chosen while this answer is shown.
     [[nodiscard]] std::shared_ptr<const Answer> updated(const Project&, const std::string& scenario,

@@ -22,7 +22,8 @@ std::vector<std::string> listChanges(const SavedContent& saved) {
 AnswerPage pageOf(const SavedStudy& study, const SavedContent& saved) {
     Region region;
     region.name = saved.answer.origin.region;
-    return makePage(study.field, study.statistics, nameOf(region));
+    return withMonths(makePage(study.field, study.statistics, nameOf(region)),
+                      makeMonthBars(study.months, study.start, study.field.days));
 }
 
 AnswerPage pageOf(const SavedImpact& impact, const SavedContent&) {

@@ -43,10 +43,8 @@ public:
     }
 
     [[nodiscard]] AnswerPage page() const override {
-        AnswerPage page = makePage(content().field, content().statistics, nameOf(content().settings.region));
-        if (Bars months = makeMonthBars(content()); !months.groups.empty())
-            page.charts.insert(page.charts.begin(), std::move(months));
-        return page;
+        return withMonths(makePage(content().field, content().statistics, nameOf(content().settings.region)),
+                          makeMonthBars(content()));
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::string json() const override { return studyJson(content()); }

@@ -222,14 +222,32 @@ TEST_F(ContributionsWindow, APlaceOutsideTheStudySaysSo) {
     EXPECT_THAT(why().toStdString(), HasSubstr("Far"));
 }
 
-TEST_F(ContributionsWindow, ASavedResultInFrontIsNotMistakenForTheStudyBehindIt) {
+TEST_F(ContributionsWindow, ASavedStudyShowsWhatBuildingsTakeFromItsRegion) {
     ask(false, true);
     study();
     keep("March");
-    EXPECT_FALSE(sheet().rows.empty());
+    const ContributionSheet before = sheet();
+    ASSERT_FALSE(before.rows.empty());
     showSaved("March");
+    ASSERT_EQ(sheet().rows.size(), before.rows.size());
+    EXPECT_EQ(sheet().rows[0].name, before.rows[0].name);
+    EXPECT_EQ(sheet().rows[0].building, before.rows[0].building);
+    EXPECT_NEAR(sheet().rows[0].share, before.rows[0].share, 1e-6);
+    EXPECT_EQ(sheet().headline, before.headline);
+}
+
+TEST_F(ContributionsWindow, ASavedResultInFrontIsNotMistakenForTheStudyBehindIt) {
+    ask(false, true);
+    study();
+    ask(false, false);
+    study();
+    keep("Without");
+    showSaved("Without");
     EXPECT_TRUE(sheet().rows.empty());
     EXPECT_THAT(why().toStdString(), HasSubstr("saved result"));
+    ask(false, true);
+    study();
+    showSaved("Without");
     workbench().showStudyAgain();
     EXPECT_FALSE(sheet().rows.empty());
 }

@@ -313,5 +313,44 @@ TEST(SavedAnswers, AResultWithoutAHashSaysThatChangesAreNotKnown) {
     EXPECT_THAT(findChangesSince(result, saved.origin, town()), ElementsAre(HasSubstr("not known")));
 }
 
+TEST(SavedAnswers, AStudyKeepsItsMonthsAndWhatBuildingsTake) {
+    const Project project = town();
+    StudySettings settings = question();
+    settings.engine = "horizon";
+    settings.byMonth = settings.contributions = true;
+    settings.period.start = 2026y / May / 31;
+    NoProgress progress;
+    const Study study = runStudy(*project.city, settings, progress, {}).value();
+    const auto answer = readSavedAnswer(makeSavedResult(project, existingCity, study, keptAt)).value();
+    const auto& saved = std::get<SavedStudy>(answer.answer);
+    const std::vector<MonthShadow> months = monthsOf(*study.breakdown);
+    ASSERT_EQ(saved.months.size(), 2U);
+    EXPECT_EQ(saved.months[1].month, "2026-06");
+    EXPECT_NEAR(saved.months[1].meanMinutes, months[1].meanMinutes, 0.005);
+    const Bars now = makeMonthBars(study), then = makeMonthBars(saved.months, saved.start, saved.field.days);
+    ASSERT_EQ(then.groups.size(), now.groups.size());
+    for (std::size_t i = 0; i < now.groups.size(); ++i)
+        EXPECT_NEAR(then.groups[i].values[0], now.groups[i].values[0], 0.001);
+    const auto rows = listContributions(study.city, *study.breakdown, study.sun.dayCount());
+    ASSERT_TRUE(saved.contributions);
+    ASSERT_EQ(saved.contributions->size(), rows.size());
+    EXPECT_EQ(saved.contributions->front().id, rows.front().id);
+    EXPECT_NEAR(saved.contributions->front().attributedMin, rows.front().attributedMin, 0.0001);
+}
+
+TEST(SavedAnswers, OutdatedResultsAreFoundWithoutReadingTheirMaps) {
+    Project project = town();
+    const Project before = addResult(project, "June", existingCity, studied(project), keptAt);
+    auto results = before.results;
+    EXPECT_TRUE(findOutdated(results, before, {}).value().empty());
+    auto broken = std::make_shared<SavedResult>(*results[0]);
+    broken->name = "Broken";
+    broken->settings = "{}";
+    results.push_back(broken);
+    project.city = std::make_shared<const City>();
+    EXPECT_EQ(findOutdated(results, project, {}).value(), (std::set<std::string>{"Broken", "June"}));
+    EXPECT_EQ(findOutdated(results, before, {}).value(), (std::set<std::string>{"Broken"}));
+}
+
 }  // namespace
 }  // namespace noonmark::tests

@@ -80,7 +80,7 @@ MainWindow::MainWindow(QSettings& settings)
       view_(workbench_, *panel_, mode_, review_),
       store_(unsavedFolder(settings)),
       saving_(
-          workbench_, store_, [this] { return viewToSave(); }, panel_->messages(), *this),
+          workbench_, store_, [this] { return projectToSave(); }, panel_->messages(), *this),
       opening_(workbench_, saving_, settings, panel_->messages(), *this),
       recovery_(workbench_, store_, saving_, panel_->messages()),
       links_(*docks_.elements, *panel_),
@@ -401,13 +401,16 @@ void MainWindow::showCity() {
     study_.runAgainIfQuick();
 }
 
-// The state of the view, and what the docks show beside it.
-std::map<std::string, std::string> MainWindow::viewToSave() {
-    auto view = view_.toSave();
-    view[chosenWeightsKey] = docks_.weights->model().table().name;
+// With the state of the view, what the docks show beside it, and the answers.
+ProjectSaving::Compose MainWindow::projectToSave() {
+    Project project = workbench_.session().project();
+    project.view = view_.toSave();
+    project.view[chosenWeightsKey] = docks_.weights->model().table().name;
     if (std::string figures = answers_.figuresToSave(); !figures.empty())
-        view[viewFiguresKey] = std::move(figures);
-    return view;
+        project.view[viewFiguresKey] = std::move(figures);
+    return [project = std::move(project), measured = workbench_.measured()] {
+        return withMeasured(project, measured);
+    };
 }
 
 // The last message stays: recovery comes before what was assumed of the files.

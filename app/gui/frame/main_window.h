@@ -120,7 +120,7 @@ private:
     void showDock(const QWidget* content);
     void savePoint();
     void showCity();
-    std::map<std::string, std::string> viewToSave();
+    ProjectSaving::Compose projectToSave();
     void showProject();
     void showDocument();
     void showTitle();

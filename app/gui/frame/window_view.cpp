@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-ProjectSaving::View WindowView::toSave() const {
+std::map<std::string, std::string> WindowView::toSave() const {
     const ProjectSession& session = workbench_.session();
     ViewState state{.camera = panel_.view().pose(),
                     .section = panel_.view().section(),
@@ -25,6 +25,7 @@ ProjectSaving::View WindowView::toSave() const {
         state.answer = answer->as<ImpactAnswer>() ? "comparison" : "study";
         state.answerSeconds = workbench_.answerSeconds();
     }
+    if (const auto measured = workbench_.measuredShown()) state.shown = measured->name();
     return textsOf(state);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/gui/session/project/project_saving.h"
+#include <map>
+#include <string>
 
 namespace noonmark {
 
@@ -16,7 +17,7 @@ public:
     WindowView(Workbench& workbench, ViewPanel& panel, ModeSwitch& mode, ReviewSession& review)
         : workbench_(workbench), panel_(panel), mode_(mode), review_(review) {}
 
-    [[nodiscard]] ProjectSaving::View toSave() const;
+    [[nodiscard]] std::map<std::string, std::string> toSave() const;
     /// Shows the project that has been opened as it was saved; a new one from the south, its region in the
     /// middle. Scenario and study are in the workbench already.
     void restore();

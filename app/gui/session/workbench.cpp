@@ -27,6 +27,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
         if (!following_.busy()) findBase();
     });
     connect(&session_, &ProjectSession::changed, this, &Workbench::updateAnswers);
+    connect(&session_, &ProjectSession::changed, this, &Workbench::findOutdated);
     connect(&session_, &ProjectSession::refused, this, &Workbench::report);
 }
 
@@ -58,7 +59,9 @@ void Workbench::adoptProject(Result<OpenProject> opened, int version) {
     past_.reset();
     studies_.clear();
     comparison_ = {};
-    measured_.clear();
+    measured_ = takeMeasured(opened->project);
+    named_.clear();
+    outdated_.clear();
     saving_.drop();
     answerSeconds_ = std::numeric_limits<double>::infinity();  // not known for this city yet
     session_.open(std::move(opened->project), std::move(opened->file), openedView_.scenario,
@@ -86,8 +89,13 @@ void Workbench::recover(const std::filesystem::path& recovery) {
 
 void Workbench::adoptRecovered(Result<ProjectFile> saved) {
     if (!saved) return report(saved.error());
-    const ViewState view = parseViewState(saved->project().view);
-    if (!session_.change(saved->project(), tr("recover unsaved changes"), view.scenario)) return;
+    Project project = saved->project();
+    MeasuredAnswers measured = takeMeasured(project);
+    const ViewState view = parseViewState(project.view);
+    if (!session_.change(std::move(project), tr("recover unsaved changes"), view.scenario)) return;
+    measured_ = std::move(measured);
+    named_.clear();
+    findOutdated();
     Q_EMIT recovered(saved->path());
     Q_EMIT noted(tr("Unsaved changes recovered. Save keeps them, Undo discards them."));
 }

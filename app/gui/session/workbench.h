@@ -5,9 +5,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "app/gui/base/jobs/job_slot.h"
 #include "app/gui/session/answers/export_choice.h"
+#include "app/gui/session/answers/measured_answers.h"
 #include "app/gui/session/project/open_project.h"
 #include "app/gui/session/project/project_session.h"
 #include "app/gui/session/study/open_city.h"
@@ -42,6 +44,8 @@ public:
     /// Asks the document's question of the displayed scenario: a comparison if a baseline is chosen, else
     /// points or cells. The previous answer stays until then. Replaces a run that is in progress.
     void run();
+    /// As run(), without being asked by the user: its answer is saved with the project, but is no unsaved work.
+    void runAgain();
     /// Asks a question, which must outlive the workbench. `weights`: the name of the table of a score.
     void ask(const Question& question, const std::string& weights = {});
     /// Asks for the score of the displayed scenario with a weight table of the project.
@@ -66,10 +70,21 @@ public:
     [[nodiscard]] bool canShowStudyAgain() const;
     /// Ends the display of the answer in front.
     void showStudyAgain();
-    /// The latest answers since the project was opened, newest first, at most 20.
-    [[nodiscard]] std::vector<std::shared_ptr<const Answer>> measured() const;
-    /// Shows one of them, in its scenario; where its buildings have changed since, as past().
-    void showMeasured(std::size_t index);
+    /// The latest answers, oldest first, to each question the last, without those that the user has saved
+    /// under a name. They are saved with the project.
+    [[nodiscard]] MeasuredAnswers measured() const;
+    /// The one that has been saved under this name in this session; null: none.
+    [[nodiscard]] std::shared_ptr<const MeasuredAnswer> measuredSavedAs(const std::string& name) const;
+    /// The name under which the displayed answer is saved; empty: under none.
+    [[nodiscard]] std::string savedName() const;
+    /// Shows one of them, in its scenario; where its buildings have changed since, as past(). One that was
+    /// read from the project file is shown as a saved result.
+    void showMeasured(const MeasuredAnswer& measured);
+    [[nodiscard]] std::shared_ptr<const MeasuredAnswer> measuredShown() const;  ///< null: none of them
+    /// Whether the buildings, or the files that they were read from, have changed since. Of results in the
+    /// project file this becomes known some time after a change: measuredUpdated().
+    [[nodiscard]] bool isOutdated(const MeasuredAnswer& measured);
+    [[nodiscard]] bool isOutdated(const SavedResult& result) const { return outdated_.contains(result.name); }
     /// The answer that was displayed before the buildings changed, until a new one is computed. Its figures
     /// belong to the previous buildings. Null: none.
     [[nodiscard]] std::shared_ptr<const Answer> past() const { return past_; }
@@ -147,6 +162,7 @@ Q_SIGNALS:
     void cityShown();      ///< city() has changed
     void projectOpened();  ///< another project, after cityShown()
     void answered();       ///< an answer has arrived or was returned to: answer(), studies()
+    void measuredUpdated();  ///< isOutdated() of results
     void answerUpdated();  ///< answer() has other names, or agrees otherwise with the changed project
     void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the running study
     /// The requested run would take long and waits for runAnyway() or runQuicker(). The estimate covers all
@@ -161,12 +177,6 @@ Q_SIGNALS:
 
 private:
     using SharedAnswer = std::shared_ptr<const Answer>;
-    /// The answer for a city, which identifies it, since scenarios may be renamed.
-    struct KnownAnswer {
-        std::shared_ptr<const City> city;
-        std::shared_ptr<const City> before;  ///< of a comparison
-        SharedAnswer answer;                 ///< null: not computed yet
-    };
     void adoptProject(Result<OpenProject> opened, int version);
     void adoptRecovered(Result<ProjectFile> saved);
     [[nodiscard]] StudySettings firstQuestion() const;
@@ -176,6 +186,10 @@ private:
     void updateAnswers();
     void putInFront(SharedAnswer answer);
     void remember(const KnownAnswer& known);
+    [[nodiscard]] std::string savedNameOf(const std::shared_ptr<const MeasuredAnswer>& measured) const;
+    void showResult(const std::shared_ptr<const SavedResult>& result);
+    void findOutdated();
+    [[nodiscard]] bool isThere(const std::string& scenario, const std::shared_ptr<const City>& city);
     [[nodiscard]] std::string scenarioOf(const std::shared_ptr<const City>& city);
     void showPast(SharedAnswer answer);
     void findBase();
@@ -190,8 +204,7 @@ private:
     void askNow(const Question& question, const std::string& weights);
     void compute(const Question& question, Asked asked);
     void adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer);
-    /// `toSave`: the figures are work of the user's that is saved with the project.
-    void measure(const QString& what, std::vector<KnownAnswer> wanted, bool toSave = false);
+    void measure(const QString& what, std::vector<KnownAnswer> wanted);
     void adoptStudies(Result<std::vector<KnownAnswer>> made);
     void adoptStudy(const KnownAnswer& study);
     std::vector<KnownAnswer> listUnmeasured();
@@ -212,7 +225,10 @@ private:
     std::shared_ptr<const OpenCity> city_;
     std::vector<KnownAnswer> studies_;
     KnownAnswer comparison_;             ///< the latest
-    std::vector<KnownAnswer> measured_;  ///< oldest first
+    MeasuredAnswers measured_;
+    std::map<std::shared_ptr<const MeasuredAnswer>, std::string> named_;  ///< saved under these names
+    std::set<std::string> outdated_;
+    bool again_ = false;  ///< the latest question is that of runAgain()
     std::shared_ptr<const Study> study_;
     SharedAnswer base_, front_, past_;
     ListAnswers scenarioAnswers_;
@@ -223,6 +239,7 @@ private:
     JobSlot following_;
     JobSlot running_;
     JobSlot reading_;
+    JobSlot checking_;
     JobSlot writing_;
     JobSlot saving_;
 };

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/gui/base/widgets/translated.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/input/find_element_parts.h"
 #include "app/questions/saved_question.h"
@@ -47,8 +48,14 @@ bool Workbench::canShowStudyAgain() const { return front_ && (base_ || !front_->
 
 void Workbench::run() { ask(questionOfRun()); }
 
+void Workbench::runAgain() {
+    run();
+    again_ = true;
+}
+
 void Workbench::ask(const Question& question, const std::string& weights) {
     if (!city_) return report({"No city is open", {}, "Open a file or a sample first"});
+    again_ = false;
     const Start start = [this, &question, weights] { askNow(question, weights); };
     question.ofPoints ? startPoints(start) : startUnlessLong(question.fields, start);
 }
@@ -137,6 +144,7 @@ void Workbench::runByPlace(std::vector<Place> places, const SunByPlaceSettings& 
     if (!city_) return report({"No city is open", {}, "Open a file or a sample first"});
     auto asked = makeAsked(byPlaceQuestion(), {});
     if (!asked) return report(asked.error());
+    again_ = false;
     asked->places = std::move(places);
     asked->byPlace = settings;
     compute(byPlaceQuestion(), *std::move(asked));
@@ -174,7 +182,7 @@ void Workbench::adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer) {
     putInFront(nullptr);
 }
 
-void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted, bool toSave) {
+void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted) {
     const auto asked = makeAsked(studyQuestion(), {});
     if (!asked) return report(asked.error());
     using Made = std::vector<KnownAnswer>;
@@ -191,10 +199,7 @@ void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted, bo
             }
             return wanted;
         },
-        [this, toSave](Result<Made> made) {
-            if (made && !made->empty() && toSave) session_.noteFigures();
-            adoptStudies(std::move(made));
-        });
+        [this](Result<Made> made) { adoptStudies(std::move(made)); });
 }
 
 void Workbench::adoptStudies(Result<std::vector<KnownAnswer>> made) {
@@ -217,7 +222,7 @@ void Workbench::adoptStudy(const KnownAnswer& study) {
     if (std::ssize(studies_) > maxStudies) studies_.erase(studies_.begin());
 }
 
-std::vector<Workbench::KnownAnswer> Workbench::listUnmeasured() {
+std::vector<KnownAnswer> Workbench::listUnmeasured() {
     std::vector<KnownAnswer> unmeasured;
     const auto known = studies();
     for (const std::string& name : listNames(session_.project().scenarios)) {
@@ -229,9 +234,10 @@ std::vector<Workbench::KnownAnswer> Workbench::listUnmeasured() {
 }
 
 void Workbench::measureAll() {
-    if (city_)
-        startUnlessLong(double(listUnmeasured().size()),
-                        [this] { measure(tr("All scenarios"), listUnmeasured(), true); });
+    if (!city_) return;
+    again_ = false;
+    startUnlessLong(double(listUnmeasured().size()),
+                    [this] { measure(tr("All scenarios"), listUnmeasured()); });
 }
 
 // Null: what is behind is displayed again.
@@ -275,14 +281,17 @@ void Workbench::updateAnswers() {
     if (base || front) Q_EMIT answerUpdated();
 }
 
-// Shows the result on the buildings it was computed for, if its scenario still exists.
 void Workbench::showSaved(const std::string& name) {
     const auto result = findResult(session_.project(), name);
-    if (!result) return report(result.error());
-    if (session_.cityOf((*result)->scenario)) session_.goTo((*result)->scenario);
+    result ? showResult(*result) : report(result.error());
+}
+
+// On the buildings it was computed for, if its scenario still exists.
+void Workbench::showResult(const std::shared_ptr<const SavedResult>& result) {
+    if (session_.cityOf(result->scenario)) session_.goTo(result->scenario);
     reading_.start<SharedAnswer>(
-        tr("Showing %1").arg(QString::fromStdString(name)),
-        [result = *result, project = session_.project()](Progress&, const std::stop_token&) {
+        tr("Showing %1").arg(QString::fromStdString(result->name)),
+        [result, project = session_.project()](Progress&, const std::stop_token&) {
             return readSaved(result, project);
         },
         [this](Result<SharedAnswer> saved) {
@@ -292,15 +301,80 @@ void Workbench::showSaved(const std::string& name) {
         });
 }
 
+// In place of the last answer to the same question.
 void Workbench::remember(const KnownAnswer& known) {
+    const Answer& answer = *known.answer;
+    const auto replaced =
+        std::erase_if(measured_, [&](const auto& one) { return one->isReplacedBy(answer); });
     if (measured_.size() == maxMeasured) measured_.erase(measured_.begin());
-    measured_.push_back(known);
+    measured_.push_back(
+        std::make_shared<const MeasuredAnswer>(known, session_, listedName(answer).toStdString()));
+    if (replaced == 0 && !again_) session_.noteAnswer();
 }
 
-std::vector<std::shared_ptr<const Answer>> Workbench::measured() const {
-    std::vector<SharedAnswer> answers;
-    for (const KnownAnswer& known : measured_) answers.insert(answers.begin(), known.answer);
-    return answers;
+MeasuredAnswers Workbench::measured() const {
+    MeasuredAnswers unnamed = measured_;
+    std::erase_if(unnamed, [this](const auto& one) { return !savedNameOf(one).empty(); });
+    return unnamed;
+}
+
+// Saving it may have been undone.
+std::string Workbench::savedNameOf(const std::shared_ptr<const MeasuredAnswer>& measured) const {
+    const auto named = named_.find(measured);
+    return named != named_.end() && findResult(session_.project(), named->second) ? named->second
+                                                                                  : std::string();
+}
+
+std::shared_ptr<const MeasuredAnswer> Workbench::measuredSavedAs(const std::string& name) const {
+    const auto at = std::ranges::find_if(measured_, [&](const auto& one) { return savedNameOf(one) == name; });
+    return at == measured_.end() ? nullptr : *at;
+}
+
+std::string Workbench::savedName() const {
+    if (const auto measured = measuredShown()) return savedNameOf(measured);
+    const auto saved = answerAs<SavedContent>();
+    return saved ? saved->result->name : std::string();
+}
+
+std::shared_ptr<const MeasuredAnswer> Workbench::measuredShown() const {
+    const auto saved = answerAs<SavedContent>();
+    const auto shown = answer() ? answer() : past();
+    const auto at = std::ranges::find_if(measured_, [&](const auto& one) {
+        const SharedAnswer& known = one->known().answer;
+        return known ? known == shown : saved && one->toSave() == saved->result;
+    });
+    return at == measured_.end() ? nullptr : *at;
+}
+
+bool Workbench::isOutdated(const MeasuredAnswer& measured) {
+    const KnownAnswer& known = measured.known();
+    if (!known.answer) return isOutdated(*measured.toSave());
+    const MeasuredPart part = known.answer->part();
+    return !isThere(part.scenario, known.city) || (known.before && !isThere(part.baseline, known.before));
+}
+
+bool Workbench::isThere(const std::string& scenario, const std::shared_ptr<const City>& city) {
+    const auto now = session_.cityOf(scenario);  // an error: it was renamed or removed
+    return now ? *now == city : !scenarioOf(city).empty();
+}
+
+// Costs a hash of the city of each scenario that a result is about.
+void Workbench::findOutdated() {
+    std::vector<std::shared_ptr<const SavedResult>> results = session_.project().results;
+    for (const auto& one : measured_)
+        if (!one->known().answer) results.push_back(one->toSave());
+    if (results.empty()) return checking_.drop();
+    using Names = std::set<std::string>;
+    checking_.start<Names>(
+        tr("Comparing results with the buildings"),
+        [results, project = session_.project()](Progress&, const std::stop_token& stop) -> Result<Names> {
+            return noonmark::findOutdated(results, project, stop);
+        },
+        [this](Result<Names> outdated) {
+            if (!outdated || *outdated == outdated_) return;
+            outdated_ = *std::move(outdated);
+            Q_EMIT measuredUpdated();
+        });
 }
 
 // Empty: no scenario has these buildings.
@@ -311,9 +385,9 @@ std::string Workbench::scenarioOf(const std::shared_ptr<const City>& city) {
     return {};
 }
 
-void Workbench::showMeasured(std::size_t index) {
-    if (index >= measured_.size()) return;
-    const KnownAnswer known = measured_[measured_.size() - 1 - index];
+void Workbench::showMeasured(const MeasuredAnswer& measured) {
+    const KnownAnswer known = measured.known();
+    if (!known.answer) return showResult(measured.toSave());
     const std::string scenario = scenarioOf(known.city);
     const std::string baseline = known.before ? scenarioOf(known.before) : session_.baseline();
     if (scenario.empty() || (known.before && baseline.empty())) return showPast(known.answer);

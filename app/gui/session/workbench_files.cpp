@@ -128,8 +128,8 @@ void Workbench::findCommand() {
 }
 
 void Workbench::saveAnswer(const QString& name) {
-    if (const auto saved = answerAs<SavedContent>())
-        return report({"This result is already saved", saved->result->name, {}});
+    if (const std::string saved = savedName(); !saved.empty())
+        return report({"This result is already saved", saved, {}});
     if (saving_.busy()) return report({"Another result is being saved", {}, "Wait until it is saved"});
     if (!answer()) return report({"There is no result to save", {}, "Press Run first"});
     saving_.start<SavedResult>(
@@ -138,9 +138,10 @@ void Workbench::saveAnswer(const QString& name) {
             Progress&, const std::stop_token&) -> Result<SavedResult> {
             return origin.stated(answer)->toSave(project);
         },
-        [this, name](Result<SavedResult> result) {
+        [this, name, measured = measuredShown()](Result<SavedResult> result) {
             if (!result) return report(result.error());
             result->name = freeName(session_.project(), ProjectPart::result, name.toStdString());
+            if (measured) named_[measured] = result->name;
             const QString what = tr("save result %1").arg(QString::fromStdString(result->name));
             session_.change(addResult(session_.project(), *std::move(result)), what);
         });

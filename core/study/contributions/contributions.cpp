@@ -141,7 +141,7 @@ std::vector<Contribution> listContributions(const City& city, const ShadowBreakd
     }
     if (!breakdown.terrain) return rows;
     rows.push_back(makeContribution(*breakdown.terrain, all));
-    rows.back().id = rows.back().name = "terrain";
+    rows.back().id = rows.back().name = terrainId;
     return rows;
 }
 

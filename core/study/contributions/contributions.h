@@ -16,13 +16,15 @@ namespace noonmark {
 /// The shadow of one building, or of the terrain, on the cells of a breakdown.
 struct Contribution {
     std::optional<std::uint32_t> building;      ///< index in City::buildings; none: the terrain
-    std::string id;                             ///< of the source; "terrain"
+    std::string id;                             ///< of the source; terrainId
     std::string name;                           ///< may be empty
     BuildingShadow shadow;                      ///< by set of steps
     double attributedMinM2 = 0, soleMinM2 = 0;  ///< of the whole period
     double attributedMin = 0, soleMin = 0;      ///< a day, mean over the cells
     double share = 0;                           ///< of all shadow on the cells, 0 to 1
 };
+
+inline constexpr const char* terrainId = "terrain";
 
 /// Glossary: attributed shadow, sole contribution. These rows hold their definitions.
 const Figures<Contribution>& contributionFigures();

@@ -21,10 +21,11 @@ struct MonthDays {
     double days = 0;  // of the period, with those on which the sun does not rise
 };
 
-std::vector<MonthDays> countDays(const SunSteps& sun) {
+std::vector<MonthDays> countDays(CivilDate start, int days) {
     std::vector<MonthDays> months;
-    for (const SunDay& day : sun.days) {
-        const std::chrono::year_month month{day.date.year(), day.date.month()};
+    for (int day = 0; day < days; ++day) {
+        const CivilDate date = std::chrono::sys_days(start) + std::chrono::days(day);
+        const std::chrono::year_month month{date.year(), date.month()};
         if (months.empty() || months.back().month != month) months.push_back({month});
         ++months.back().days;
     }
@@ -72,16 +73,26 @@ std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown) {
                           breakdown.grid.cellAreaM2());
 }
 
-Bars makeMonthBars(const Study& study) {
+Bars makeMonthBars(const std::vector<MonthShadow>& months, CivilDate start, int days) {
     Bars bars{.title = NM_TEXT("Hours of sun a day by month")};
-    if (!study.settings.byMonth || !study.breakdown) return bars;
-    const std::vector<MonthDays> days = countDays(study.sun);  // as many as sets (monthsOf in step_sets.h)
-    const std::vector<MonthShadow> months = monthsOf(*study.breakdown);
-    for (std::size_t i = 0; i < std::min(days.size(), months.size()); ++i) {
+    const std::vector<MonthDays> counted = countDays(start, days);  // as many as sets (monthsOf in step_sets.h)
+    for (std::size_t i = 0; i < std::min(counted.size(), months.size()); ++i) {
         const double sunMin = months[i].sunlitMinutes - months[i].meanMinutes;
-        bars.groups.push_back({days[i].month, {sunMin / minutesOfHour / days[i].days}, BarTone::sun});
+        bars.groups.push_back({counted[i].month, {sunMin / minutesOfHour / counted[i].days}, BarTone::sun});
     }
     return bars;
+}
+
+Bars makeMonthBars(const Study& study) {
+    const bool hasMonths = study.settings.byMonth && study.breakdown;
+    const Period& period = study.settings.period;
+    return makeMonthBars(hasMonths ? monthsOf(*study.breakdown) : std::vector<MonthShadow>(), period.start,
+                         period.days);
+}
+
+AnswerPage withMonths(AnswerPage page, Bars months) {
+    if (!months.groups.empty()) page.charts.insert(page.charts.begin(), std::move(months));
+    return page;
 }
 
 const Figures<MonthShadow>& monthFigures() {
@@ -116,6 +127,15 @@ nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months) {
         json.back().update(figuresJson(monthFigures().of(month)));
     }
     return json;
+}
+
+std::vector<MonthShadow> parseMonths(const nlohmann::ordered_json& json) {
+    std::vector<MonthShadow> months;
+    for (const auto& one : json) {
+        months.push_back(readFigures(monthFigures(), one));
+        months.back().month = one.at("month");
+    }
+    return months;
 }
 
 std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance) {

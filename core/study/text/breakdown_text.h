@@ -34,11 +34,17 @@ double sumOf(const std::vector<double>& minM2);
 /// The breakdown's buildings, those with the most attributed shadow first.
 std::vector<BuildingShadow> sortContributions(const ShadowBreakdown& breakdown);
 
-/// Hours of sun a day, mean over the receivers, of each month. No groups: of a study without months.
+/// Hours of sun a day, mean over the receivers, of each month of so many days from `start`. No groups: of a
+/// study without months.
+Bars makeMonthBars(const std::vector<MonthShadow>& months, CivilDate start, int days);
 Bars makeMonthBars(const Study& study);
+/// The page with these bars before its other charts; as it is where they have no groups.
+AnswerPage withMonths(AnswerPage page, Bars months);
 
 /// One object for each month: month, and its figures.
 nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months);
+/// The inverse. Throws where the JSON has another shape.
+std::vector<MonthShadow> parseMonths(const nlohmann::ordered_json& json);
 
 /// Columns: month,sunlit_min,shadow_area_m2,mean_shadow_min and the source columns (source_columns.h); one
 /// row per set of the study's breakdown, which must exist.

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/describe/figure_text.h"
+#include "core/study/contributions/contributions.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/study_hash.h"
@@ -48,6 +50,17 @@ Json originOf(const Project& project, const ImpactAnswer& answer, std::chrono::s
 Json originOf(const Project& project, const ScoreAnswer& answer, std::chrono::sys_seconds at) {
     Json json = originJson(at, hashOf(project, answer.scenario), answer.settings);
     json["weights"] = Json::parse(weightsJson(answer.weights));
+    return json;
+}
+
+// As study.json leaves them to their own file. Null: none were asked for.
+Json contributionsJson(const Study& study) {
+    if (!study.settings.contributions || !study.breakdown) return {};
+    Json json = Json::array();
+    for (const Contribution& one : listContributions(study.city, *study.breakdown, study.sun.dayCount())) {
+        json.push_back({{"source_id", one.id}, {"name", one.name}});
+        json.back().update(figuresJson(contributionFigures().of(one)));
+    }
     return json;
 }
 
@@ -99,11 +112,14 @@ Project nameResult(Project project, const std::string& name, SavedResult result)
 SavedResult makeSavedResult(const Project& project, const std::string& scenario, const Study& study,
                             std::chrono::sys_seconds at) {
     const ShadowField& field = study.field;
+    Json origin = originJson(at, hashCity(study.city), study.settings);
+    if (Json contributions = contributionsJson(study); !contributions.is_null())
+        origin["contributions"] = std::move(contributions);
     return {{},
             "study",
             scenario,
             {},
-            withOrigin(studyJson(study), originJson(at, hashCity(study.city), study.settings)),
+            withOrigin(studyJson(study), std::move(origin)),
             inputsOf(project),
             field.grid,
             layersOf(field)};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "core/base/json_number.h"
 #include "core/describe/figure_text.h"
@@ -61,6 +62,16 @@ double countedStepOf(const Json& json) {
     return period.value("counted_step_min", period.at("step_min").get<double>());
 }
 
+std::vector<Contribution> contributionsOf(const Json& json) {
+    std::vector<Contribution> contributions;
+    for (const Json& one : json) {
+        contributions.push_back(readFigures(contributionFigures(), one));
+        contributions.back().id = one.at("source_id");
+        contributions.back().name = one.at("name");
+    }
+    return contributions;
+}
+
 SavedStudy studyOf(const SavedResult& result, const Json& json) {
     SavedStudy study;
     ShadowField& field = study.field;
@@ -76,6 +87,10 @@ SavedStudy studyOf(const SavedResult& result, const Json& json) {
     study.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
     study.seconds = json.at("seconds").value("accumulate", 0.0);
     study.error = parseErrorText(json);
+    study.start = parseDate(json.at("period").at("start").get<std::string>()).value_or(CivilDate());
+    study.months = parseMonths(json.value("by_month", Json::array()));
+    const Json saved = json.value("kept", Json::object());
+    if (saved.contains("contributions")) study.contributions = contributionsOf(saved.at("contributions"));
     return study;
 }
 
@@ -228,14 +243,51 @@ SavedSunByPlace sunByPlaceOf(const SavedResult& result, const Json& json) {
     return saved;
 }
 
-void compareCity(std::vector<std::string>& changes, const Project& project, const std::string& scenario,
-                 const std::string& hash) {
-    const auto city = cityOf(project, scenario);
-    if (!city)
+/// hashCity() of the scenarios of a project, each computed once.
+class CityHashes {
+public:
+    explicit CityHashes(const Project& project) : project_(project) {}
+    /// None: there is no such scenario.
+    const std::optional<std::string>& of(const std::string& scenario) {
+        const auto [at, isNew] = hashes_.try_emplace(scenario);
+        if (!isNew) return at->second;
+        if (const auto city = cityOf(project_, scenario)) at->second = hashCity(city->city);
+        return at->second;
+    }
+
+private:
+    const Project& project_;
+    std::map<std::string, std::optional<std::string>> hashes_;
+};
+
+void compareCity(std::vector<std::string>& changes, const std::string& scenario, const std::string& hash,
+                 CityHashes& hashes) {
+    const auto& now = hashes.of(scenario);
+    if (!now)
         changes.push_back(fmt::format("The scenario '{}' no longer exists.", scenario));
-    else if (!hash.empty() && hashCity(city->city) != hash)
+    else if (!hash.empty() && *now != hash)
         changes.push_back(
             fmt::format("'{}' has changed since: its buildings, its terrain or its water.", scenario));
+}
+
+std::vector<std::string> listChanges(const SavedResult& result, const SavedOrigin& origin,
+                                     const Project& project, CityHashes& hashes) {
+    std::vector<std::string> changes;
+    compareCity(changes, result.scenario, origin.citySha256, hashes);
+    if (!result.baseline.empty()) compareCity(changes, result.baseline, origin.baselineSha256, hashes);
+    if (result.inputs != inputsJson(project.inputs).dump())
+        changes.emplace_back("The city has been read from other files since.");
+    if (origin.citySha256.empty())
+        changes.emplace_back(
+            "It is not known whether buildings have changed since: the result was saved without a hash.");
+    return changes;
+}
+
+bool isOutdated(const SavedResult& result, const Project& project, CityHashes& hashes) try {
+    const Json json = Json::parse(result.settings);
+    return !listChanges(result, originOf(json), project, hashes).empty();
+} catch (const std::exception&) {  // JSON of the wrong shape
+    return true;
 }
 
 }  // namespace
@@ -257,15 +309,19 @@ Result<SavedAnswer> readSavedAnswer(const SavedResult& result) try {
 
 std::vector<std::string> findChangesSince(const SavedResult& result, const SavedOrigin& origin,
                                           const Project& project) {
-    std::vector<std::string> changes;
-    compareCity(changes, project, result.scenario, origin.citySha256);
-    if (!result.baseline.empty()) compareCity(changes, project, result.baseline, origin.baselineSha256);
-    if (result.inputs != inputsJson(project.inputs).dump())
-        changes.emplace_back("The city has been read from other files since.");
-    if (origin.citySha256.empty())
-        changes.emplace_back(
-            "It is not known whether buildings have changed since: the result was saved without a hash.");
-    return changes;
+    CityHashes hashes(project);
+    return listChanges(result, origin, project, hashes);
+}
+
+Result<std::set<std::string>> findOutdated(const std::vector<std::shared_ptr<const SavedResult>>& results,
+                                           const Project& project, const std::stop_token& stop) {
+    CityHashes hashes(project);
+    std::set<std::string> outdated;
+    for (const auto& result : results) {
+        if (stop.stop_requested()) return cancelled();
+        if (isOutdated(*result, project, hashes)) outdated.insert(result->name);
+    }
+    return outdated;
 }
 
 // The name does not matter: a table with equal intervals counts as unchanged.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <stop_token>
 #include <string>
 #include <variant>
 #include <vector>
@@ -8,7 +10,9 @@
 #include "core/engines/api/shadow_field.h"
 #include "core/measures/statistics.h"
 #include "core/study/by_place/sun_by_place.h"
+#include "core/study/contributions/contributions.h"
 #include "core/study/elements/element_tables.h"
+#include "core/study/text/breakdown_text.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/project/project.h"
 #include "scenarios/weights/score.h"
@@ -35,6 +39,11 @@ struct SavedStudy {
     std::uint64_t belowHorizon = 0;  ///< steps left out because the sun was below the horizon
     double seconds = 0;              ///< run time of the engine; 0: unknown
     std::string error;               ///< against the ray reference, as text
+    CivilDate start{};               ///< of its period
+    std::vector<MonthShadow> months{};  ///< empty: not asked for
+    /// Of the region to the buildings, without indices in City::buildings and sets of steps. None: not asked for,
+    /// or not stored by the version.
+    std::optional<std::vector<Contribution>> contributions{};
 };
 
 struct SavedImpact {
@@ -77,6 +86,11 @@ Result<SavedAnswer> readSavedAnswer(const SavedResult& result);
 /// files. Empty where there is none. Costs a hash of the scenario's city and of the baseline's.
 std::vector<std::string> findChangesSince(const SavedResult& result, const SavedOrigin& origin,
                                           const Project& project);
+
+/// Names of the results that the project would not give now: those of which findChangesSince() would state
+/// any, and damaged ones. Costs a hash of the city of each scenario that they are about. Error: cancelled().
+Result<std::set<std::string>> findOutdated(const std::vector<std::shared_ptr<const SavedResult>>& results,
+                                           const Project& project, const std::stop_token& stop);
 
 /// The same for the weight table of a score; needs no hash.
 std::vector<std::string> findWeightChangesSince(const SavedOrigin& origin, const Project& project);

@@ -100,8 +100,7 @@ void ContributionLinks::refresh() {
         return dock_.show(
             makeContributionSheet(*comparison, workbench_.city()->city(), place ? &*place : nullptr));
     }
-    if (workbench_.answerAs<SavedContent>())
-        return dock_.explain(tr("A saved result does not hold what buildings take. Show the study again."));
+    if (const auto saved = workbench_.answerAs<SavedContent>()) return showSaved(*saved);
     if (study_) return showStudy(*study_);
     dock_.explain(
         tr("No study yet. Run one (Ctrl+R), then click a place in the view to see which buildings "
@@ -118,6 +117,16 @@ void ContributionLinks::showStudy(const Study& study) {
     dock_.explain(tr("Click a place in the view to see which buildings shade it, or attribute the shadow of "
                      "the whole region."),
                   true, study.breakdown ? monthsOf(*study.breakdown) : std::vector<MonthShadow>());
+}
+
+// What a place gets is computed from a study, which the project file does not hold.
+void ContributionLinks::showSaved(const SavedContent& saved) {
+    const auto* study = std::get_if<SavedStudy>(&saved.answer.answer);
+    if (study && study->contributions && dock_.subject().empty() && workbench_.city())
+        return dock_.show(makeContributionSheet(*study, workbench_.city()->city()));
+    dock_.explain(tr("A saved result holds what buildings take from its whole region, if that was asked for. "
+                     "For a place, show the study again."),
+                  false, study ? study->months : std::vector<MonthShadow>());
 }
 
 std::shared_ptr<const PlaceContributions> ContributionLinks::shown() const {

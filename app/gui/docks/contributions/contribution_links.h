@@ -13,6 +13,7 @@ class ContributionsDock;
 class EditTools;
 class ViewPanel;
 class Workbench;
+struct SavedContent;
 
 /// Asks what each building takes from the displayed study or comparison, in the whole region or in the place
 /// that is clicked, and connects the answer with the view: buildings are coloured by what they take, a row
@@ -39,6 +40,7 @@ private:
     void follow();
     void refresh();
     void showStudy(const Study& study);
+    void showSaved(const SavedContent& saved);
     void attribute();
     void take(const std::string& place, Result<PlaceContributions> made);
     void click(QPointF pixel);

@@ -48,13 +48,18 @@ std::vector<ContributionColumn> columnsOfStudy() {
     return columns;
 }
 
-ContributionRow makeRow(const Contribution& one, const City& city) {
-    ContributionRow row{.name = one.building ? nameOf(one.name, one.id) : QObject::tr("Terrain"),
-                        .building = one.building ? city.buildings[*one.building] : nullptr,
-                        .share = one.share};
-    if (row.name.isEmpty()) row.name = QObject::tr("Building %1").arg(*one.building);
+ContributionRow makeRow(const Contribution& one, const QString& name,
+                        std::shared_ptr<const Building> building) {
+    ContributionRow row{.name = name, .building = std::move(building), .share = one.share};
     for (const Figure* figure : shownFigures()) row.values.push_back(figure->get(&one));
     return row;
+}
+
+ContributionRow makeRow(const Contribution& one, const City& city) {
+    if (!one.building) return makeRow(one, QObject::tr("Terrain"), nullptr);
+    const QString name = nameOf(one.name, one.id);
+    return makeRow(one, name.isEmpty() ? QObject::tr("Building %1").arg(*one.building) : name,
+                   city.buildings[*one.building]);
 }
 
 // Small amounts with two significant digits: much of a park may have hardly any shadow.
@@ -79,11 +84,11 @@ QString describeLargest(const std::vector<ContributionRow>& rows) {
 }
 
 QString describeSum(const ContributionSheet& sheet, const std::vector<Contribution>& rows,
-                    const Study& study) {
+                    const ShadowField& field) {
     if (rows.empty()) return QObject::tr("No building shades it in the period.");
     double minutes = 0;
     for (const Contribution& row : rows) minutes += row.attributedMin;
-    return QStringLiteral("%1. %2.").arg(describeShadow(minutes, study.field.sunlitMinutesPerDay),
+    return QStringLiteral("%1. %2.").arg(describeShadow(minutes, field.sunlitMinutesPerDay),
                                          describeLargest(sheet.rows));
 }
 
@@ -126,6 +131,9 @@ std::shared_ptr<const Building> findBuilding(const City& city, const std::string
     return found == city.buildings.end() ? nullptr : *found;
 }
 
+// Of a saved study, whose buildings have no index.
+bool isTerrain(const Contribution& one) { return one.id == terrainId; }
+
 // Shares of the sum of what is added; a building that takes shadow away has none.
 void shareOut(ContributionSheet& sheet) {
     double added = 0;
@@ -141,7 +149,7 @@ ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdow
                                         const std::vector<Contribution>& rows) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
     for (const Contribution& one : rows) sheet.rows.push_back(makeRow(one, study.city));
-    sheet.headline = describeSum(sheet, rows, study);
+    sheet.headline = describeSum(sheet, rows, study.field);
     sheet.method = QString::fromStdString(breakdown.engine);
     if (breakdown.sets.names.size() > 1 || study.settings.byMonth) sheet.months = monthsOf(breakdown);
     return sheet;
@@ -156,6 +164,18 @@ ContributionSheet makeContributionSheet(const Study& study, const PlaceContribut
     sheet.method =
         QObject::tr("Attributed by: %1\nThe study: %2")
             .arg(QString::fromStdString(of.breakdown.engine), QString::fromStdString(study.field.engine));
+    return sheet;
+}
+
+ContributionSheet makeContributionSheet(const SavedStudy& study, const City& city) {
+    ContributionSheet sheet{.columns = columnsOfStudy()};
+    for (const Contribution& one : *study.contributions) {
+        const QString name = isTerrain(one) ? QObject::tr("Terrain") : nameOf(one.name, one.id);
+        sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : findBuilding(city, one.id)));
+    }
+    sheet.headline = describeSum(sheet, *study.contributions, study.field);
+    sheet.method = QString::fromStdString(study.field.engine);
+    sheet.months = study.months;
     return sheet;
 }
 

@@ -13,6 +13,7 @@
 #include "core/study/contributions/place_contributions.h"
 #include "core/study/text/breakdown_text.h"
 #include "scenarios/impact/impact_text.h"
+#include "scenarios/project/results/saved_answer.h"
 
 namespace noonmark {
 
@@ -46,6 +47,8 @@ ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdow
                                         const std::vector<Contribution>& rows);
 /// With the study's own figure of the same cells beside it.
 ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of);
+/// Of a saved study that states contributions(), for the buildings that still stand in `city`.
+ContributionSheet makeContributionSheet(const SavedStudy& study, const City& city);
 /// Of a comparison: the new buildings, by what each of them adds alone. `place`: null is the whole region.
 /// `after`: the city with the new buildings.
 ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place);

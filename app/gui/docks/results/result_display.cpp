@@ -40,6 +40,7 @@ ResultDisplay::ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditP
     : workbench_(workbench), mode_(mode), preview_(preview), places_(places) {
     connect(&workbench_, &Workbench::answered, this, &ResultDisplay::showAnswered);
     connect(&workbench_, &Workbench::answerUpdated, this, &ResultDisplay::show);
+    connect(&workbench_, &Workbench::measuredUpdated, this, &ResultDisplay::listAnswers);
     connect(&workbench_, &Workbench::studyPartial, this,
             [this](const auto& partial) { places_.layer.setPartial(partial); });
     connect(&workbench_, &Workbench::studyStopped, this, [this] { places_.layer.setPartial(nullptr); });
@@ -106,28 +107,36 @@ void ResultDisplay::showFigures(const Answer& answer) {
     places_.figures.setWarningCount(answer.warnings().size());
 }
 
-// The measured ones, then those saved in the project.
+// The measured ones, then those saved under a name; the newest first.
 void ResultDisplay::listAnswers() {
-    const auto shown = workbench_.answer() ? workbench_.answer() : workbench_.past();
+    listed_.clear();
     QStringList names;
-    int at = -1;
-    for (const auto& answer : workbench_.measured()) {
-        if (answer == shown) at = int(names.size());
-        const QString day = QString::fromStdString(formatText(answer->settings()->period.start));
-        names << tr("%1, %2").arg(viewerOf(*answer).title(*answer), day);
-    }
-    const auto saved = contentOf<SavedContent>(shown);
-    for (const auto& result : workbench_.session().project().results) {
-        if (saved && saved->result->name == result->name) at = int(names.size());
-        names << tr("Saved: %1").arg(QString::fromStdString(result->name));
-    }
-    places_.figures.setAnswers(names, at);
+    int shown = -1;
+    const auto list = [&](const QString& name, bool isShown, bool isOutdated, std::function<void()> show) {
+        if (isShown) shown = int(names.size());
+        names << (isOutdated ? tr("%1 (buildings have changed)").arg(name) : name);
+        listed_.push_back(std::move(show));
+    };
+    const auto measured = workbench_.measured();
+    for (auto one = measured.rbegin(); one != measured.rend(); ++one)
+        list(QString::fromStdString((*one)->name()), *one == workbench_.measuredShown(),
+             workbench_.isOutdated(**one), [this, one = *one] { workbench_.showMeasured(*one); });
+    const std::string saved = workbench_.savedName();
+    for (const auto& result : workbench_.session().project().results)
+        list(tr("Saved: %1").arg(QString::fromStdString(result->name)), result->name == saved,
+             workbench_.isOutdated(*result), [this, result] { showNamed(result->name); });
+    places_.figures.setAnswers(names, shown);
+}
+
+// As it was computed, where that was in this session: it can be explored and is quicker to show.
+void ResultDisplay::showNamed(const std::string& name) {
+    const auto measured = workbench_.measuredSavedAs(name);
+    measured ? workbench_.showMeasured(*measured) : workbench_.showSaved(name);
 }
 
 void ResultDisplay::showListed(int answer) {
-    const auto measured = std::ptrdiff_t(workbench_.measured().size());
-    if (answer < measured) return workbench_.showMeasured(std::size_t(answer));
-    workbench_.showSaved(workbench_.session().project().results[std::size_t(answer - measured)]->name);
+    const auto show = listed_.at(std::size_t(answer));  // which lists them anew
+    show();
 }
 
 void ResultDisplay::update() {

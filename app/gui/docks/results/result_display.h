@@ -54,6 +54,7 @@ private:
     void showLayer(const std::optional<AnswerLayer>& layer, bool isStudy);
     void showFigures(const Answer& answer);
     void listAnswers();
+    void showNamed(const std::string& name);
     void showListed(int answer);
     void update();
     void showOutdated();
@@ -63,6 +64,7 @@ private:
     ModeSwitch& mode_;
     const EditPreview& preview_;
     Places places_;
+    std::vector<std::function<void()>> listed_;  ///< shows the answers of the list, in its order
     bool anyShown_ = false;
     StudySettings settings_;
 };

@@ -87,7 +87,7 @@ void LatestAnswers::scoreAll() {
                 add({lacking[i],
                      nullptr,
                      {.question = hashQuestion(settings), .weights = weights, .score = scores->made[i]}});
-            if (!scores->made.empty()) from_.workbench.session().noteFigures();
+            if (!scores->made.empty()) from_.workbench.session().noteAnswer();
             update();
             if (!scores->error || isCancelled(*scores->error)) return;
             table_.noteFailure(names[scores->made.size()], ScenarioWork::scoring,

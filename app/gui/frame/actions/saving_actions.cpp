@@ -10,12 +10,13 @@
 namespace noonmark {
 
 SavingActions::SavingActions(Workbench& workbench, RecoveryStore& store,
-                             std::function<ProjectSaving::View()> view, MessageBar& messages, QWidget& window)
+                             std::function<ProjectSaving::Compose()> capture, MessageBar& messages,
+                             QWidget& window)
     : workbench_(workbench),
       store_(store),
       messages_(messages),
       window_(window),
-      saving_(workbench.session(), std::move(view), store.file()),
+      saving_(workbench.session(), std::move(capture), store.file()),
       save_(makeAction(this, tr("&Save project"), QKeySequence::Save,
                        tr("City, scenarios, lots, results and view in one file"), "save")),
       saveAs_(makeAction(this, tr("Save project &as..."), QKeySequence(tr("Ctrl+Shift+S")), {}, "save-as")),

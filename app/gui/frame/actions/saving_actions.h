@@ -22,10 +22,10 @@ class Workbench;
 class SavingActions final : public QObject {
     Q_OBJECT
 public:
-    /// `view` returns the window's state to save; `store` names the recovery file of a project without a
+    /// `capture` returns what is to be saved now; `store` names the recovery file of a project without a
     /// file; dialogs belong to `window`. All must outlive this object.
-    SavingActions(Workbench& workbench, RecoveryStore& store, std::function<ProjectSaving::View()> view,
-                  MessageBar& messages, QWidget& window);
+    SavingActions(Workbench& workbench, RecoveryStore& store,
+                  std::function<ProjectSaving::Compose()> capture, MessageBar& messages, QWidget& window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {save_, saveAs_}; }
     [[nodiscard]] JobSlot& writing() { return saving_.writing(); }

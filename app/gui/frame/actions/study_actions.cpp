@@ -1,5 +1,7 @@
 #include "app/gui/frame/actions/study_actions.h"
 
+#include <algorithm>
+
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
@@ -68,16 +70,19 @@ void StudyActions::runAgainIfQuick() {
     if (const auto answer = workbench_.answer(); answer && !answer->settings()) return;  // a saved result
     if (workbench_.reading().busy()) return;
     if (workbench_.running().busy()) return;  // the running study already uses the change
-    if (workbench_.answerSeconds() < quickSeconds) workbench_.run();
+    if (workbench_.answerSeconds() < quickSeconds) workbench_.runAgain();
 }
 
-// The project file holds no results except saved ones. A quick result is recomputed at once; for a slow one
-// the results dock says how to compute it again.
+// A quick result is recomputed at once, so that it can be explored; of a slow one the results dock shows what
+// the project file holds, or says how to compute it again.
 void StudyActions::repeatSaved() {
     const ViewState& view = workbench_.openedView();
     display_.setHint({});
+    const bool isExploring = view.mode == ViewMode::exploration;
+    if (!view.answer.empty() && !isExploring && view.answerSeconds < quickSeconds)
+        return workbench_.runAgain();
+    if (!isExploring && showMeasured()) return;
     if (view.answer.empty()) return;
-    if (view.mode != ViewMode::exploration && view.answerSeconds < quickSeconds) return workbench_.run();
     display_.setHint(
         view.answer == "comparison"
             ? tr("%1 was compared with %2 when the project was saved. Run (Ctrl+R) repeats the comparison, "
@@ -86,6 +91,16 @@ void StudyActions::repeatSaved() {
                        describeAbout(view.answerSeconds))
             : tr("A study was shown when the project was saved. Run (Ctrl+R) computes it again, in %1.")
                   .arg(describeAbout(view.answerSeconds)));
+}
+
+// Whether the project file holds the answer that was displayed.
+bool StudyActions::showMeasured() {
+    const MeasuredAnswers measured = workbench_.measured();
+    const auto shown = std::ranges::find_if(
+        measured, [&](const auto& one) { return one->name() == workbench_.openedView().shown; });
+    if (shown == measured.end()) return false;
+    workbench_.showMeasured(**shown);
+    return true;
 }
 
 void StudyActions::announceLongRun(const RunEstimate& estimate) {

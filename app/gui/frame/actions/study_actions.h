@@ -40,6 +40,7 @@ private:
     void setPeriod(const Period& period);
     void savePeriod();
     void compare();
+    [[nodiscard]] bool showMeasured();
     void announceLongRun(const RunEstimate& estimate);
     void showStopped(bool cancelled);
 

@@ -12,6 +12,7 @@ public:
     explicit AnswerOrigin(const ProjectSession& session)
         : project_(session.project()), file_(session.file()) {}
 
+    [[nodiscard]] const Project& project() const { return project_; }
     /// A saved result states its own origin and stays as it is.
     [[nodiscard]] std::shared_ptr<const Answer> stated(const std::shared_ptr<const Answer>& answer) const {
         return answer->settings() ? answer->stated(of(answer->part())) : answer;

@@ -28,6 +28,13 @@ const AnswerViewer anyViewer{{}, layerOfAny, rowsOfAny, titleOfAny};
 
 }  // namespace
 
+QString listedName(const Answer& answer) {
+    const QString title = viewerOf(answer).title(answer);
+    if (!answer.settings()) return title;
+    return QObject::tr("%1, %2").arg(title,
+                                     QString::fromStdString(formatText(answer.settings()->period.start)));
+}
+
 const AnswerViewer& viewerOf(const Answer& answer) {
     static const std::array all{&studyViewer(),  &comparisonViewer(), &scoreViewer(),
                                 &pointsViewer(), &byPlaceViewer(),    &savedViewer()};

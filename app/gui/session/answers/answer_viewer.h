@@ -30,6 +30,9 @@ struct AnswerViewer {
     AnswerNote (*note)(const Answer&) = nullptr;  ///< null: none
 };
 
+/// As lists name an answer, and the project file: "Study of Tower, 2026-06-21".
+QString listedName(const Answer& answer);
+
 /// The row of the answer's question, or that of all others.
 const AnswerViewer& viewerOf(const Answer& answer);
 

@@ -52,9 +52,12 @@ private:
     bool movedAside_ = false;
 };
 
-ProjectSaving::ProjectSaving(ProjectSession& session, std::function<View()> view, fs::path unsavedFile,
+ProjectSaving::ProjectSaving(ProjectSession& session, std::function<Compose()> capture, fs::path unsavedFile,
                              QObject* parent)
-    : QObject(parent), session_(session), view_(std::move(view)), unsavedFile_(std::move(unsavedFile)) {
+    : QObject(parent),
+      session_(session),
+      capture_(std::move(capture)),
+      unsavedFile_(std::move(unsavedFile)) {
     timer_.setSingleShot(true);
     timer_.setInterval(autosaveMs);
     connect(&timer_, &QTimer::timeout, this, &ProjectSaving::keepUnsaved);
@@ -68,14 +71,15 @@ void ProjectSaving::save() {
     if (!session_.file()) return;
     if (writing_.busy()) return void(next_ = [this] { save(); });
     write(session_.file()->path(),
-          [file = *session_.file(), project = session_.withView(view_())]() mutable -> Result<ProjectFile> {
-              return file.save(project).map([&] { return std::move(file); });
+          [file = *session_.file(), compose = capture_()]() mutable -> Result<ProjectFile> {
+              return file.save(compose()).map([&] { return std::move(file); });
           });
 }
 
 void ProjectSaving::saveAs(const fs::path& file) {
     if (writing_.busy()) return void(next_ = [this, file] { saveAs(file); });
-    write(file, [file, project = session_.withView(view_())]() -> Result<ProjectFile> {
+    write(file, [file, compose = capture_()]() -> Result<ProjectFile> {
+        const Project project = compose();
         return checkOutput(file, OutputKind::project, outputRules({}, project.inputs, true)).and_then([&] {
             return ProjectFile::create(file, project, ProjectFile::IfThere::replace);
         });
@@ -119,8 +123,8 @@ void ProjectSaving::keepUnsaved() {
     if (!saved_) saved_ = std::make_shared<RecoveredWork>(savedBeside());
     keeping_.start<bool>(
         tr("Saving recovery file"),
-        [saved = saved_, project = session_.withView(view_())](Progress&, std::stop_token) {
-            return saved->keep(project).map([] { return true; });
+        [saved = saved_, compose = capture_()](Progress&, std::stop_token) {
+            return saved->keep(compose()).map([] { return true; });
         },
         [this](const Result<bool>& saved) {
             if (!saved) Q_EMIT notSaved(saved.error());

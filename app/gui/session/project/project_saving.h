@@ -4,7 +4,6 @@
 #include <QTimer>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 
 #include "app/gui/base/jobs/job_slot.h"
@@ -20,11 +19,12 @@ class ProjectSession;
 class ProjectSaving final : public QObject {
     Q_OBJECT
 public:
-    using View = std::map<std::string, std::string>;
-    /// `view` returns the window's state to save. `unsavedFile`: the recovery file of a project without a
+    /// Makes the project as it is saved, on another thread.
+    using Compose = std::function<Project()>;
+    /// `capture` returns what is to be saved now. `unsavedFile`: the recovery file of a project without a
     /// file is written beside this path; empty: it is not written. `session` must outlive this object.
-    ProjectSaving(ProjectSession& session, std::function<View()> view, std::filesystem::path unsavedFile,
-                  QObject* parent = nullptr);
+    ProjectSaving(ProjectSession& session, std::function<Compose()> capture,
+                  std::filesystem::path unsavedFile, QObject* parent = nullptr);
 
     void save();                                     ///< only if the session has a file
     void saveAs(const std::filesystem::path& file);  ///< replaces a project file, never another file
@@ -64,7 +64,7 @@ private:
     [[nodiscard]] std::filesystem::path savedBeside() const;
 
     ProjectSession& session_;
-    std::function<View()> view_;
+    std::function<Compose()> capture_;
     std::filesystem::path unsavedFile_;
     std::shared_ptr<RecoveredWork> saved_;  // null: no recovery file written since the last save
     std::weak_ptr<RecoveredWork> leaving_;  // still being written when discarded

@@ -38,7 +38,7 @@ void ProjectSession::open(Project project, std::optional<ProjectFile> file, cons
                           const std::string& baseline) {
     now_ = {std::move(project), existingCity, {}};
     file_ = std::move(file);
-    recovered_ = newFigures_ = false;
+    recovered_ = newAnswers_ = false;
     if (cityOf(scenario)) now_.scenario = scenario;
     if (!baseline.empty() && cityOf(baseline)) now_.baseline = baseline;
     takeCity();
@@ -156,11 +156,11 @@ bool ProjectSession::projectChanged() const {
 }
 
 bool ProjectSession::hasUnsavedWork() const {
-    return recovered_ || (newFigures_ && file_) || (!undo_.isClean() && (file_ || projectChanged()));
+    return recovered_ || (newAnswers_ && file_) || (!undo_.isClean() && (file_ || projectChanged()));
 }
 
-void ProjectSession::noteFigures() {
-    newFigures_ = true;
+void ProjectSession::noteAnswer() {
+    newAnswers_ = true;
     ++version_;
     Q_EMIT unsavedChanged();
 }
@@ -174,18 +174,12 @@ void ProjectSession::setSaved(ProjectFile file, int version) {
     file_ = std::move(file);
     recovered_ = false;
     if (version == version_) {
-        newFigures_ = false;
+        newAnswers_ = false;
         undo_.setClean();
     } else {
         undo_.resetClean();
     }
     Q_EMIT unsavedChanged();
-}
-
-Project ProjectSession::withView(std::map<std::string, std::string> view) const {
-    Project project = now_.project;
-    project.view = std::move(view);
-    return project;
 }
 
 }  // namespace noonmark

@@ -62,13 +62,12 @@ public:
     [[nodiscard]] int version() const { return version_; }
     /// Marks the project as recovered: work that an earlier run left unsaved.
     void setRecovered();
-    /// Figures of all scenarios were computed: work that closing would lose, where the project has a file.
-    void noteFigures();
+    /// Something was computed that is saved with the project: work that closing would lose, where the project
+    /// has a file.
+    void noteAnswer();
     [[nodiscard]] bool recovered() const { return recovered_; }  ///< until it is saved
     /// Records that the state of version `version` was saved in `file`.
     void setSaved(ProjectFile file, int version);
-    /// The project as it is saved: with the window's state in it.
-    [[nodiscard]] Project withView(std::map<std::string, std::string> view) const;
 
 Q_SIGNALS:
     void changed();          ///< something that lists display has changed
@@ -105,7 +104,7 @@ private:
     std::shared_ptr<const City> city_;
     int version_ = 0;
     bool recovered_ = false;
-    bool newFigures_ = false;
+    bool newAnswers_ = false;
 };
 
 }  // namespace noonmark

@@ -142,6 +142,7 @@ Texts textsOf(const ViewState& state) {
         texts["answer"] = state.answer;
         texts["answer_seconds"] = Json(state.answerSeconds).dump();
     }
+    if (!state.shown.empty()) texts["shown"] = state.shown;
     if (state.legend != LegendChoice()) texts["legend"] = formatText(state.legend);
     if (!state.review.empty()) texts["review"] = state.review;
     if (state.camera) texts["camera"] = cameraText(*state.camera);
@@ -162,6 +163,7 @@ ViewState parseViewState(const Texts& texts) {
     if (const std::string name = found(texts, "scenario"); !name.empty()) state.scenario = name;
     state.baseline = found(texts, "baseline");
     state.answer = found(texts, "answer");
+    state.shown = found(texts, "shown");
     state.answerSeconds = secondsFrom(found(texts, "answer_seconds"));
     state.study = studyFrom(found(texts, "study"));
     state.elements = elementsFrom(found(texts, "elements"));

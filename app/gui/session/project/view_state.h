@@ -26,6 +26,7 @@ struct ViewState {
     std::string scenario = existingCity;
     std::string baseline;                     ///< empty: none
     std::string answer;                       ///< "study" or "comparison" was displayed; empty: neither
+    std::string shown;                        ///< the name of the result displayed; empty: none in the file
     double answerSeconds = 0;                 ///< time to compute it
     std::optional<StudySettings> study;       ///< region, cells, period, engine
     std::optional<ElementSettings> elements;  ///< where the study has points
@@ -33,7 +34,7 @@ struct ViewState {
 };
 
 /// Keys: "camera", "section", "mode", "measure", "change_scale", "legend" (JSON), "scenario", "baseline",
-/// "answer", "answer_seconds", "study" (JSON), "elements" (JSON), "review" (JSON). The window adds "weights",
+/// "answer", "answer_seconds", "shown", "study" (JSON), "elements" (JSON), "review" (JSON). The window adds "weights",
 /// the chosen table, and "figures" (saved_figures.h).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 

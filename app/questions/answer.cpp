@@ -1,0 +1,23 @@
+#include "app/questions/answer.h"
+
+#include "core/study/elements/place_elements.h"
+
+namespace noonmark {
+
+namespace {
+
+template <class T>
+bool isSame(const T* a, const T* b) {
+    return a && b ? *a == *b : a == b;
+}
+
+}  // namespace
+
+bool Answer::asksSameAs(const Answer& other) const {
+    const MeasuredPart mine = part(), theirs = other.part();
+    return &question() == &other.question() && isSame(settings(), other.settings()) &&
+           isSame(points(), other.points()) && mine.scenario == theirs.scenario &&
+           mine.baseline == theirs.baseline && mine.weights == theirs.weights;
+}
+
+}  // namespace noonmark

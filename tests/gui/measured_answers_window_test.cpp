@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+
+#include "app/gui/docks/results/results_dock.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "tests/gui/answers_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+
+struct MeasuredAnswersWindow : test::AnswersWindow {
+    void saveAndOpenAgain() {
+        window->saving().save();
+        ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy() && session().file(); }));
+        const auto before = workbench().city();
+        window->open({QString::fromStdString(session().file()->path().string())});
+        ASSERT_TRUE(waitFor([&] {
+            return !workbench().opening().busy() && workbench().city() != before &&
+                   !workbench().running().busy() && !workbench().reading().busy();
+        }));
+    }
+};
+
+// What was measured is there again after the project was saved and opened, without being saved by name.
+TEST_F(MeasuredAnswersWindow, MeasuredAnswersAreThereAgainTomorrow) {
+    study();
+    EXPECT_TRUE(session().hasUnsavedWork());
+    const QString area = figures()[figures().indexOf(QStringLiteral("Shadow area")) + 1];
+    session().goTo("Tower");
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ScoreAnswer>() != nullptr; }));
+    saveAndOpenAgain();
+    EXPECT_TRUE(session().project().results.empty()) << "they are no results saved under a name";
+    EXPECT_FALSE(session().hasUnsavedWork());
+    ASSERT_GE(workbench().measured().size(), 2U);
+    auto* list = window->findChild<QComboBox*>(QStringLiteral("answers"));
+    const int at = list->findText(QStringLiteral("Study of %1").arg(QString::fromStdString(existingCity)), Qt::MatchStartsWith);
+    ASSERT_GE(at, 0);
+    Q_EMIT list->activated(at);
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<SavedContent>() != nullptr; }));
+    EXPECT_TRUE(figures().contains(area));
+    EXPECT_EQ(list->currentIndex(), at);
+}
+
+TEST_F(MeasuredAnswersWindow, MeasuredAnswersOfOtherBuildingsAreMarkedTomorrow) {
+    session().goTo("Tower");
+    study();
+    window->mode().setMode(ViewMode::exploration);  // nothing is computed automatically
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
+    saveAndOpenAgain();
+    auto* list = window->findChild<QComboBox*>(QStringLiteral("answers"));
+    EXPECT_TRUE(waitFor([&] {
+        return list->findText(QStringLiteral("Study of Tower"), Qt::MatchStartsWith) >= 0 &&
+               list->itemText(list->findText(QStringLiteral("Study of Tower"), Qt::MatchStartsWith))
+                   .contains(QStringLiteral("buildings have changed"));
+    }));
+}
+
+TEST_F(MeasuredAnswersWindow, TheSameQuestionIsListedOnce) {
+    study();
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
+    EXPECT_EQ(workbench().measured().size(), 1U);
+    StudySettings other = workbench().document().settings();
+    other.period.days = 10;
+    workbench().document().change(other, QStringLiteral("days"));
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
+    EXPECT_EQ(workbench().measured().size(), 2U);
+}
+
+// Its name is one of the file's own: what is saved under it replaces the answer kept without being asked.
+TEST_F(MeasuredAnswersWindow, WhatIsSavedUnderANameIsInTheFileOnce) {
+    study();
+    keep("June");
+    EXPECT_TRUE(workbench().measured().empty());
+    workbench().document().undoStack().undo();
+    EXPECT_EQ(workbench().measured().size(), 1U) << "saving it was undone";
+    workbench().document().undoStack().redo();
+    saveAndOpenAgain();
+    const Project file = ProjectFile::open(session().file()->path()).value().project();
+    EXPECT_EQ(std::ranges::count(file.results, std::string("June"), [](const auto& one) { return one->name; }), 1);
+}
+
+TEST(MeasuredAnswers, NamesThatTheUserHasTakenSinceAreNumberedAndAnyTextIsRead) {
+    SavedResult result{.name = "Study", .kind = "study", .grid = {0, 0, 1, 1, 1}};
+    const auto one = std::make_shared<const SavedResult>(result);
+    Project project;
+    project.results.push_back(one);
+    Project saved = withMeasured(project, {std::make_shared<const MeasuredAnswer>(one)});
+    ASSERT_EQ(saved.results.size(), 2U);
+    EXPECT_NE(saved.results[1]->name, "Study");
+    EXPECT_EQ(takeMeasured(saved).size(), 1U);
+    EXPECT_EQ(saved.results.size(), 1U);
+    for (const char* text : {"", "{", "[1,null,\"Study 9\"]", "{\"a\":1}"}) {
+        saved.view["measured"] = text;
+        EXPECT_TRUE(takeMeasured(saved).empty()) << text;
+    }
+}
+
+TEST(MeasuredAnswers, TheOldestAreLeftOutWhereMapsAreTooLarge) {
+    SavedResult result{.name = "Old", .kind = "study", .grid = {0, 0, 1, 5000, 5000}, .layers = {{}, {}}};
+    MeasuredAnswers measured;
+    for (const char* name : {"Old", "New"}) {
+        result.name = name;
+        result.layers.resize(std::string(name) == "Old" ? 2 : 1);
+        measured.push_back(std::make_shared<const MeasuredAnswer>(std::make_shared<const SavedResult>(result)));
+    }
+    const Project saved = withMeasured({}, measured);
+    ASSERT_EQ(saved.results.size(), 1U);
+    EXPECT_EQ(saved.results[0]->name, "New");
+}
+
+}  // namespace
+}  // namespace noonmark
