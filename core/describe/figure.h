@@ -39,6 +39,14 @@ enum class Together {
     max,
 };
 
+/// Which of several values of a figure is the best one.
+enum class Better {
+    none,  ///< none is better than another
+    higher,
+    lower,
+    lessShadow,  ///< lower, but higher for those who want shade
+};
+
 /// What a figure is a part of; its share is shown, too.
 enum class Whole { none, area, sunlitTime };
 
@@ -57,6 +65,7 @@ struct FigureFacts {
     Whole whole = Whole::none;
     int shownDecimals = 1;  ///< to people; areas are shown without
     Together together = Together::sum;
+    Better better = Better::none;
     bool isChange = false;      ///< shown with its sign
     bool whenPositive = false;  ///< shown only then
     bool byThreshold = false;   ///< counts what is over a threshold

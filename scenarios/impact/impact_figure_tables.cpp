@@ -64,6 +64,7 @@ const Figures<ImpactFigures>& impactFigures() {
                 .definition = NM_TEXT("change of the sum over the receivers of (share of the sunlit time in "
                                       "shadow x cell area)"),
                 .unit = FigureUnit::squareMetres,
+                .better = Better::lessShadow,
                 .isChange = true}),
         figure(&ImpactFigures::becameBuildingM2,
                {.key = "became_building_m2",

@@ -22,6 +22,7 @@ Figure weightedShade() {
                      "the weight table is cut into intervals does not change it"),
          .whenMissing = std::numeric_limits<double>::quiet_NaN(),
          .unit = FigureUnit::squareMetreHours,
+         .better = Better::higher,
          .isChange = true});
 }
 
@@ -35,6 +36,7 @@ Figure scoreM2() {
              NM_TEXT("sum over the intervals of the weight table of weight x share of the interval's sunlit "
                      "time in shadow, times cell area; an interval that is cut in two counts twice"),
          .unit = FigureUnit::squareMetres,
+         .better = Better::higher,
          .isChange = true});
 }
 

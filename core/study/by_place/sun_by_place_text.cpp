@@ -28,7 +28,8 @@ Figure hours(double SunOfPlace::*member, std::string_view key, std::string_view 
                            .definition = definition,
                            .decimals = 3,
                            .jsonDecimals = digits,
-                           .shownDecimals = 2});
+                           .shownDecimals = 2,
+                           .better = Better::higher});
 }
 
 std::string monthKey(const std::string& month) { return "hours_" + month; }
@@ -185,7 +186,8 @@ const Figures<SunOfPlace>& sunOfPlaceFigures() {
              .definition = NM_TEXT("share of the area with the hours of sun a day that are enough, or more"),
              .decimals = digits,
              .jsonDecimals = digits,
-             .unit = FigureUnit::share}),
+             .unit = FigureUnit::share,
+             .better = Better::higher}),
     };
     return figures;
 }
@@ -200,6 +202,7 @@ const Figures<SunChange>& sunChangeFigures() {
                 .decimals = digits,
                 .jsonDecimals = digits,
                 .shownDecimals = 2,
+                .better = Better::higher,
                 .isChange = true}),
         figure(
             &SunChange::maxLossMin,
@@ -208,7 +211,8 @@ const Figures<SunChange>& sunChangeFigures() {
              .definition = NM_TEXT("minutes of sun a day less than in the baseline, mean over the days, at "
                                    "the cell that loses most"),
              .jsonDecimals = 2,
-             .unit = FigureUnit::minutesADay}),
+             .unit = FigureUnit::minutesADay,
+             .better = Better::lower}),
         figure(
             &SunChange::maxGainMin,
             {.key = "max_gain_min",
@@ -216,7 +220,8 @@ const Figures<SunChange>& sunChangeFigures() {
              .definition = NM_TEXT("minutes of sun a day more than in the baseline, mean over the days, at "
                                    "the cell that gains most"),
              .jsonDecimals = 2,
-             .unit = FigureUnit::minutesADay}),
+             .unit = FigureUnit::minutesADay,
+             .better = Better::higher}),
         figure(&SunChange::lostShare,
                {.key = "share_lost",
                 .label = NM_TEXT("Share that loses sun"),

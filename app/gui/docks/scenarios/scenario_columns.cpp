@@ -90,7 +90,7 @@ ScenarioColumn verdictsColumn() {
                                      "By the rule and the baseline that the dock Review shows; sorted by the "
                                      "number that fail, then by borderline ones"),
             .work = ScenarioWork::reviewing,
-            .best = BestValue::least,
+            .better = Better::lower,
             .isNumber = false,
             .value = [](const ScenarioRow&, const ScenarioAnswers& answers) {
                 return answers.verdicts ? QVariant(rankOf(answers.verdicts->counts)) : QVariant();
@@ -102,7 +102,6 @@ ScenarioColumn shadowColumn(const Figure& figure) {
     return {.key = figure.key,
             .figure = &figure,
             .work = ScenarioWork::measuring,
-            .best = BestValue::leastShadow,
             .isCompared = true,
             .value = [&figure, isOfRuns](const ScenarioRow&, const ScenarioAnswers& answers) -> QVariant {
                 const auto& measured = answers.measured;
@@ -119,7 +118,6 @@ ScenarioColumn impactColumn(const Figure& figure) {
                                      "Change of the shadow area from the chosen baseline, else from the "
                                      "existing city, on the receivers of both"),
             .work = ScenarioWork::comparing,
-            .best = BestValue::leastShadow,
             .value = [&figure](const ScenarioRow&, const ScenarioAnswers& answers) {
                 return answers.impact ? orNone(figure.get(&answers.impact->figures)) : QVariant();
             }};
@@ -129,7 +127,6 @@ ScenarioColumn scoreColumn(const Figure& figure) {
     return {.key = figure.key,
             .figure = &figure,
             .work = ScenarioWork::scoring,
-            .best = BestValue::most,
             .isCompared = true,
             .value = [&figure](const ScenarioRow&, const ScenarioAnswers& answers) {
                 return answers.score ? orNone(figure.get(&answers.score->totals)) : QVariant();
@@ -179,6 +176,10 @@ const std::vector<ScenarioColumn>& scenarioColumns() {
 int scenarioColumn(std::string_view key) {
     const auto& columns = scenarioColumns();
     return int(std::ranges::find(columns, key, &ScenarioColumn::key) - columns.begin());
+}
+
+Better betterOf(const ScenarioColumn& column) {
+    return column.figure ? column.figure->better : column.better;
 }
 
 QString titleOf(const ScenarioColumn& column) {

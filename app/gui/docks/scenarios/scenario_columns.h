@@ -26,9 +26,6 @@ struct ScenarioRow {
 /// What fills a column.
 enum class ScenarioWork { none, measuring, comparing, scoring, reviewing };
 
-/// Which value of a column is the best one. Less shadow is, unless the user wants shade.
-enum class BestValue { none, least, most, leastShadow };
-
 /// A column of the table of scenarios. One that shows a figure has its label, definition and unit from there.
 struct ScenarioColumn {
     std::string_view key;  ///< of settings and CSV, the same in all languages
@@ -36,8 +33,8 @@ struct ScenarioColumn {
     const char* title = nullptr;  ///< %1: the unit; null: the figure's label
     const char* tip = nullptr;    ///< null: the figure's definition
     ScenarioWork work = ScenarioWork::none;
-    BestValue best = BestValue::none;
-    bool isCompared = false;  ///< also as a difference to the baseline
+    Better better = Better::none;  ///< where it shows no figure
+    bool isCompared = false;       ///< also as a difference to the baseline
     bool isNumber = true;
     /// What it is sorted by; invalid: the scenario has no such value.
     std::function<QVariant(const ScenarioRow&, const ScenarioAnswers&)> value{};
@@ -48,6 +45,9 @@ const std::vector<ScenarioColumn>& scenarioColumns();
 
 /// The position of the column with this key, which must exist.
 int scenarioColumn(std::string_view key);
+
+/// Which of its values is the best one.
+Better betterOf(const ScenarioColumn& column);
 
 /// The title with the unit in use.
 QString titleOf(const ScenarioColumn& column);
