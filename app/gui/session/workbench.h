@@ -51,8 +51,9 @@ public:
     /// Asks for the score of the displayed scenario with a weight table of the project.
     void runScore(const std::string& weights) { ask(scoreQuestion(), weights); }
     /// Asks how much sun places get in the displayed scenario, and what changes against the baseline if one
-    /// is chosen. The study of `settings` is the document's, without its region.
-    void runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings);
+    /// is chosen: also in all other scenarios if they are wanted. The study of `settings` is the document's,
+    /// without its region.
+    void runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings, bool allScenarios = false);
     /// Starts the run announced by longRun(): with the chosen engine, or with the automatic engine.
     void runAnyway();
     void runQuicker();
@@ -168,8 +169,10 @@ Q_SIGNALS:
     /// The requested run would take long and waits for runAnyway() or runQuicker(). The estimate covers all
     /// its fields.
     void longRun(noonmark::RunEstimate estimate);
-    void studyStopped(bool cancelled);               ///< without an answer; the previous one stays
-    void failed(noonmark::Error error);              ///< not emitted for cancelled work
+    void studyStopped(bool cancelled);   ///< without an answer; the previous one stays
+    void failed(noonmark::Error error);  ///< not emitted for cancelled work
+    /// One of several that were to be measured; the others are there.
+    void scenarioFailed(std::string scenario, noonmark::Error error);
     void openFailed(noonmark::Error error);          ///< or cancelled: the current project stays
     void recovered(std::filesystem::path recovery);  ///< recover() has finished
     void noted(QString text);
@@ -201,11 +204,18 @@ private:
     void startPoints(Start start);
     void announceIfLong(const Result<RunEstimate>& one, double fields, const Start& start);
     [[nodiscard]] Result<Asked> makeAsked(const Question& question, const std::string& weights);
+    [[nodiscard]] std::vector<NamedCity> listOthers(const Asked& asked);
     void askNow(const Question& question, const std::string& weights);
     void compute(const Question& question, Asked asked);
     void adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer);
     void measure(const QString& what, std::vector<KnownAnswer> wanted);
-    void adoptStudies(Result<std::vector<KnownAnswer>> made);
+    /// What came of a city that was to be measured.
+    struct Measured {
+        KnownAnswer study;
+        std::optional<Error> error;  ///< of several: the others are measured all the same
+    };
+    void adoptStudies(Result<std::vector<Measured>> made);
+    void tellAll(const std::vector<Measured>& made);
     void adoptStudy(const KnownAnswer& study);
     std::vector<KnownAnswer> listUnmeasured();
     using Files = Result<std::vector<std::filesystem::path>>;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/translated.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
@@ -140,13 +141,24 @@ void Workbench::askNow(const Question& question, const std::string& weights) {
     asked ? compute(question, *asked) : report(asked.error());
 }
 
-void Workbench::runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings) {
+// The scenarios that are neither displayed nor the baseline; those whose base is missing have no city.
+std::vector<NamedCity> Workbench::listOthers(const Asked& asked) {
+    std::vector<NamedCity> others;
+    for (const std::string& name : listNames(session_.project().scenarios)) {
+        if (name == asked.scenario || name == asked.baseline) continue;
+        if (const auto city = session_.cityOf(name)) others.push_back({name, **city});
+    }
+    return others;
+}
+
+void Workbench::runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings, bool allScenarios) {
     if (!city_) return report({"No city is open", {}, "Open a file or a sample first"});
     auto asked = makeAsked(byPlaceQuestion(), {});
     if (!asked) return report(asked.error());
     again_ = false;
     asked->places = std::move(places);
     asked->byPlace = settings;
+    if (allScenarios && comparing()) asked->others = listOthers(*asked);
     compute(byPlaceQuestion(), *std::move(asked));
 }
 
@@ -185,34 +197,55 @@ void Workbench::adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer) {
 void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted) {
     const auto asked = makeAsked(studyQuestion(), {});
     if (!asked) return report(asked.error());
-    using Made = std::vector<KnownAnswer>;
+    using Made = std::vector<Measured>;
+    const std::size_t count = wanted.size();
     running_.start<Made>(
         what,
         [wanted = std::move(wanted), shown = city_, asked = *asked](
             Progress& progress, const std::stop_token& stop) mutable -> Result<Made> {
+            Made made;
             for (std::size_t i = 0; i < wanted.size(); ++i) {
                 ProgressShare share(progress, i, wanted.size());
                 asked.loaded = withCity(shown->loaded, *wanted[i].city);
                 auto study = studyQuestion().compute(asked, wanted.size() > 1 ? share : progress, stop);
-                if (!study) return tl::make_unexpected(study.error());
-                wanted[i].answer = *std::move(study);
+                if (!study && isCancelled(study.error()) && !made.empty()) return made;
+                if (!study && (wanted.size() == 1 || isCancelled(study.error())))
+                    return tl::make_unexpected(study.error());
+                if (study) wanted[i].answer = *std::move(study);
+                made.push_back({wanted[i], study ? std::nullopt : std::optional(study.error())});
             }
-            return wanted;
+            return made;
         },
-        [this](Result<Made> made) { adoptStudies(std::move(made)); });
+        [this, count](Result<Made> made) {
+            const bool isCutShort = made && made->size() < count;
+            adoptStudies(std::move(made));
+            if (isCutShort) Q_EMIT studyStopped(true);
+        });
 }
 
-void Workbench::adoptStudies(Result<std::vector<KnownAnswer>> made) {
+void Workbench::adoptStudies(Result<std::vector<Measured>> made) {
     if (!made) {
         Q_EMIT studyStopped(isCancelled(made.error()));
         return report(made.error());
     }
-    for (const KnownAnswer& one : *made) {
-        adoptStudy(one);
-        remember(one);
+    for (const auto& [study, error] : *made) {
+        if (error) continue;
+        adoptStudy(study);
+        remember(study);
+        answerSeconds_ = study.answer->seconds();
     }
-    if (!made->empty()) answerSeconds_ = made->back().answer->seconds();
     putInFront(nullptr);
+    tellAll(*made);
+}
+
+void Workbench::tellAll(const std::vector<Measured>& made) {
+    ScenarioErrors errors;
+    for (const auto& [study, error] : made)
+        if (error) errors.emplace_back(scenarioOf(study.city), *error);
+    for (const auto& [scenario, error] : errors) Q_EMIT scenarioFailed(scenario, error);
+    if (errors.empty()) return;
+    if (errors.size() == made.size()) Q_EMIT studyStopped(false);
+    report(sumUp(errors, made.size()));
 }
 
 // In place of an earlier one of the same buildings.

@@ -1,6 +1,7 @@
 #include "app/gui/base/widgets/error_words.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace noonmark {
 
@@ -55,7 +56,9 @@ namespace {
     QT_TRANSLATE_NOOP("Error", "Draw it again with corners farther apart"),
     QT_TRANSLATE_NOOP("Error", "Click more corners, or press Esc"),
     QT_TRANSLATE_NOOP("Error", "There is no region or place of this name"),
-    QT_TRANSLATE_NOOP("Error", "Choose one from the list")};
+    QT_TRANSLATE_NOOP("Error", "Choose one from the list"),
+    QT_TRANSLATE_NOOP("Error", "Some scenarios could not be computed"),
+    QT_TRANSLATE_NOOP("Error", "The dock Scenarios says why in the row of each")};
 
 std::string translateErrorWord(const std::string& english) {
     if (english.empty()) return english;
@@ -69,6 +72,19 @@ QString describeError(const Error& error) {
     local.what = translateErrorWord(error.what);
     local.advice = translateErrorWord(error.advice);
     return QString::fromStdString(local.text());
+}
+
+Error sumUp(const ScenarioErrors& errors, std::size_t asked) {
+    const auto textOf = [](const auto& one) { return one.second.text(); };
+    const bool same =
+        std::ranges::all_of(errors, [&](const auto& one) { return textOf(one) == textOf(errors.front()); });
+    if (same && errors.size() == asked) return errors.front().second;
+    Error all{"Some scenarios could not be computed", {}, "The dock Scenarios says why in the row of each"};
+    if (same) all = errors.front().second;
+    std::string names;
+    for (const auto& [scenario, error] : errors) names += (names.empty() ? "" : ", ") + scenario;
+    all.where = all.where.empty() ? names : names + ", " + all.where;
+    return all;
 }
 
 }  // namespace noonmark

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <stop_token>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "app/gui/base/widgets/error_words.h"
 #include "app/questions/review_question.h"
 #include "core/base/progress_share.h"
 #include "core/base/result.h"
@@ -41,28 +43,32 @@ private:
     std::vector<Shared> all_;  // oldest first
 };
 
-/// Answers, and why there are no more; empty: these are all.
-template <class Answer>
-struct ComputedAnswers {
-    std::vector<Answer> made;
-    std::optional<Error> error;
-};
-
-/// Answers questions one after the other by `compute(question, progress, stop)`; the first error ends it, and
-/// what was computed before stays.
+/// Answers questions one after the other by `compute(question, progress, stop)`: what each of them gave, in
+/// their order. Fewer than questions: it was cancelled, and what was computed before stays.
 template <class Answer, class Question, class Compute>
-ComputedAnswers<Answer> computeEach(const std::vector<Question>& questions, const Compute& compute,
-                                    Progress& progress, const std::stop_token& stop) {
-    ComputedAnswers<Answer> answers;
-    for (std::size_t i = 0; i < questions.size() && !answers.error; ++i) {
+std::vector<Result<Answer>> computeEach(const std::vector<Question>& questions, const Compute& compute,
+                                        Progress& progress, const std::stop_token& stop) {
+    std::vector<Result<Answer>> answers;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
         ProgressShare share(progress, i, questions.size());
         Result<Answer> answer = compute(questions[i], share, stop);
-        if (answer)
-            answers.made.push_back(*std::move(answer));
-        else
-            answers.error = answer.error();
+        if (!answer && isCancelled(answer.error())) break;
+        answers.push_back(std::move(answer));
     }
     return answers;
+}
+
+/// Hands each answer of computeEach() to `adopt(answer, i)`, and returns the errors of the other scenarios.
+template <class Answer, class Adopt>
+ScenarioErrors adoptEach(std::vector<Result<Answer>> answers, const std::vector<std::string>& scenarios,
+                         const Adopt& adopt) {
+    ScenarioErrors errors;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        if (answers[i])
+            adopt(*std::move(answers[i]), i);
+        else
+            errors.emplace_back(scenarios[i], answers[i].error());
+    return errors;
 }
 
 }  // namespace noonmark

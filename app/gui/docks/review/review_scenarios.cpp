@@ -68,25 +68,41 @@ void ReviewSession::recall() {
 void ReviewSession::runAll() {
     const auto known = latest();
     std::vector<ReviewQuestion> questions;
+    std::vector<std::string> names;
+    ScenarioErrors refused;
     for (const std::string& name : comparedScenarios()) {
         if (known.contains(name)) continue;
         auto question = questionOf(name);
-        if (!question) return tell(question.error());
+        if (!question) {
+            refused.emplace_back(name, question.error());
+            continue;
+        }
         questions.push_back(*std::move(question));
+        names.push_back(name);
     }
-    runningAll_.start<ComputedAnswers<ReviewAnswer>>(
+    if (questions.empty() && !refused.empty()) return tellAll(refused, refused.size());
+    const std::size_t asked = names.size() + refused.size();
+    using Made = std::vector<Result<ReviewAnswer>>;
+    runningAll_.start<Made>(
         tr("All reviews"),
-        [questions = std::move(questions)](
-            Progress& progress, const std::stop_token& stop) -> Result<ComputedAnswers<ReviewAnswer>> {
+        [questions = std::move(questions)](Progress& progress, const std::stop_token& stop) -> Result<Made> {
             return computeEach<ReviewAnswer>(questions, computeReview, progress, stop);
         },
-        [this](Result<ComputedAnswers<ReviewAnswer>> answers) {
+        [this, names, refused, asked](Result<Made> answers) {
             if (!answers) return tell(answers.error());
-            for (ReviewAnswer& one : answers->made) cached_.add(std::move(one));
+            ScenarioErrors errors =
+                adoptEach(*std::move(answers), names,
+                          [this](ReviewAnswer answer, std::size_t) { cached_.add(std::move(answer)); });
+            errors.insert(errors.begin(), refused.begin(), refused.end());
             recall();
             Q_EMIT answered();
-            if (answers->error) tell(*answers->error);
+            tellAll(errors, asked);
         });
+}
+
+void ReviewSession::tellAll(const ScenarioErrors& errors, std::size_t asked) {
+    for (const auto& [scenario, error] : errors) Q_EMIT scenarioFailed(scenario, error);
+    if (!errors.empty()) tell(sumUp(errors, asked));
 }
 
 }  // namespace noonmark

@@ -87,8 +87,11 @@ Q_SIGNALS:
     void screeningDone(std::size_t reached, std::size_t of);
     void noted(QString text);
     void failed(noonmark::Error error);  ///< not emitted for cancelled work
+    /// Of the reviews of all scenarios.
+    void scenarioFailed(std::string scenario, noonmark::Error error);
 
 private:
+    void tellAll(const ScenarioErrors& errors, std::size_t asked);
     void follow();
     [[nodiscard]] bool isKnownAsQuick() const;
     void dropLive();

@@ -87,16 +87,24 @@ std::map<std::string, std::shared_ptr<const GlazingAnswer>> GlazingSession::late
 void GlazingSession::runAll() {
     const auto known = latest();
     std::vector<GlazingQuestion> questions;
+    std::vector<std::string> names;
+    ScenarioErrors refused;
     for (const std::string& name : review_.comparedScenarios()) {
         if (known.contains(name)) continue;
         auto question = questionOf(review_.comparedCities(name));
-        if (!question) return tell(question.error());
+        if (!question) {
+            refused.emplace_back(name, question.error());
+            continue;
+        }
         questions.push_back(*std::move(question));
+        names.push_back(name);
     }
-    runningAll_.start<ComputedAnswers<GlazingAnswer>>(
+    if (questions.empty() && !refused.empty()) return tellAll(refused, refused.size());
+    const std::size_t asked = names.size() + refused.size();
+    using Made = std::vector<Result<GlazingAnswer>>;
+    runningAll_.start<Made>(
         tr("All reviews"),
-        [questions = std::move(questions)](
-            Progress& progress, const std::stop_token& stop) -> Result<ComputedAnswers<GlazingAnswer>> {
+        [questions = std::move(questions)](Progress& progress, const std::stop_token& stop) -> Result<Made> {
             return computeEach<GlazingAnswer>(
                 questions,
                 [](const GlazingQuestion& one, Progress& share, const std::stop_token& stopped) {
@@ -104,12 +112,20 @@ void GlazingSession::runAll() {
                 },
                 progress, stop);
         },
-        [this](Result<ComputedAnswers<GlazingAnswer>> answers) {
+        [this, names, refused, asked](Result<Made> answers) {
             if (!answers) return tell(answers.error());
-            for (GlazingAnswer& one : answers->made) cached_.add(std::move(one));
+            ScenarioErrors errors =
+                adoptEach(*std::move(answers), names,
+                          [this](GlazingAnswer answer, std::size_t) { cached_.add(std::move(answer)); });
+            errors.insert(errors.begin(), refused.begin(), refused.end());
             Q_EMIT answered();
-            if (answers->error) tell(*answers->error);
+            tellAll(errors, asked);
         });
+}
+
+void GlazingSession::tellAll(const ScenarioErrors& errors, std::size_t asked) {
+    for (const auto& [scenario, error] : errors) Q_EMIT scenarioFailed(scenario, error);
+    if (!errors.empty()) tell(sumUp(errors, asked));
 }
 
 void GlazingSession::estimate() {

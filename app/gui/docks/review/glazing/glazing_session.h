@@ -46,8 +46,11 @@ Q_SIGNALS:
     void estimated(QString words);  ///< empty: run() would be refused
     void written(QString folder);
     void failed(noonmark::Error error);  ///< not emitted for cancelled work
+    /// Of the reviews of all scenarios.
+    void scenarioFailed(std::string scenario, noonmark::Error error);
 
 private:
+    void tellAll(const ScenarioErrors& errors, std::size_t asked);
     void tell(const Error& error);
     [[nodiscard]] Result<GlazingQuestion> questionOf(const Result<ReviewedCities>& cities);
 
