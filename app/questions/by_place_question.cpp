@@ -43,7 +43,7 @@ public:
                                                         const std::string&) const override {
         if (shownCity(content()).name == scenario) return nullptr;
         auto sun = std::make_shared<SunOfCities>(content());
-        (sun->compared.empty() ? sun->baseline : sun->compared.front().sun).name = scenario;
+        (sun->compared.empty() ? sun->baseline : sun->compared.back().sun).name = scenario;
         return std::make_shared<ByPlaceAnswer>(std::move(sun), asked_);
     }
     [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance provenance) const override {
@@ -82,6 +82,7 @@ private:
 std::vector<NamedCity> listCities(const Asked& asked) {
     std::vector<NamedCity> cities;
     if (asked.before) cities.push_back({asked.baseline, *asked.before});
+    cities.insert(cities.end(), asked.others.begin(), asked.others.end());
     cities.push_back({asked.scenario, asked.loaded.read.city});
     return cities;
 }

@@ -22,6 +22,7 @@ struct Asked {
     std::optional<TimeWeights> weights{};     ///< of a score only
     std::vector<Place> places{};              ///< of sun by place only
     SunByPlaceSettings byPlace{};             ///< likewise; its study is `settings`
+    std::vector<NamedCity> others{};          ///< likewise: further scenarios, beside that of the question
     bool byBuilding = false;                  ///< a comparison: the contribution of each new building, too
     std::vector<double> thresholdsMin{};      ///< a comparison: of the change, minutes a day
     Provenance provenance{};  ///< what the cities were made from; empty: stated later (Answer::stated)

@@ -22,14 +22,27 @@ enum class BarTone {
 struct Bars {
     struct Group {
         std::variant<std::string, std::chrono::year_month> name;
-        std::vector<double> values;  ///< as many as series
+        std::vector<double> values;  ///< as many as series; NaN: no bar
         BarTone tone = BarTone::amount;
+        bool operator==(const Group&) const = default;
     };
     std::string_view title = {};      ///< NM_TEXT, with its unit: "Hours of sun a day by month"
     std::string_view groupName = {};  ///< NM_TEXT: what the groups are, with its unit; empty: months
     std::vector<std::string> series{std::string()};  ///< names of scenarios; a single one may have none
     std::vector<Group> groups{};
+    /// What each series has more than another one, which has no bars here: the first of the chart above.
+    bool isChange = false;
+    bool operator==(const Bars&) const = default;
 };
+
+/// What each further series has more than the first. Without groups where there is only one.
+Bars changesOf(const Bars& bars, std::string_view title);
+
+/// The first `most` series.
+Bars firstSeries(Bars bars, std::size_t most);
+
+/// "2026-01" of a month.
+std::string groupKey(const Bars::Group& group);
 
 /// What an answer states, as data: the window, sheets and the command line draw it. Its map, figures and
 /// settings are members of the answer itself.

@@ -196,6 +196,29 @@ TEST_F(SunByPlaceWindow, AScenarioIsSetAgainstItsBaseline) {
     EXPECT_TRUE(count().contains(QStringLiteral("lose more than a minute"))) << count().toStdString();
 }
 
+TEST_F(SunByPlaceWindow, AllScenariosAreMeasuredSideBySide) {
+    auto& all = field<QCheckBox>("placesAllScenarios");
+    EXPECT_TRUE(all.isHidden()) << "two scenarios are compared without it";
+    ASSERT_TRUE(session().change(withScenario(session().project(), "Copy", "Tower"), QStringLiteral("copy")));
+    EXPECT_FALSE(all.isHidden());
+    EXPECT_FALSE(all.isEnabled()) << "no baseline is chosen";
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([&] { return !workbench().following().busy() && !workbench().running().busy(); }));
+    ASSERT_TRUE(all.isEnabled());
+    all.setChecked(true);
+    measure();
+    ASSERT_EQ(sun()->compared.size(), 2U);
+    EXPECT_EQ(sun()->compared[0].sun.name, "Copy");
+    EXPECT_EQ(sun()->compared[1].sun.name, "Tower") << "the displayed one is what table and map show";
+    EXPECT_EQ(sun()->compared[0].changes[0].meanHours, sun()->compared[1].changes[0].meanHours);
+    EXPECT_EQ(workbench().answer()->page().charts.size(), 4U);
+    keep("All");
+    showSaved("All");
+    ASSERT_EQ(sun()->compared.size(), 2U);
+    EXPECT_EQ(sun()->compared[1].sun.name, "Tower");
+}
+
 TEST_F(SunByPlaceWindow, ASavedAnswerComesBack) {
     measure();
     const auto measured = sun();

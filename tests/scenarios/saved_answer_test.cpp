@@ -212,6 +212,30 @@ TEST(SavedAnswers, SunByPlaceComesBackWithOutlinesDatesAndChanges) {
     EXPECT_LT(back.sun.compared[0].changes[1].meanHours, 0) << "north of the tower";
 }
 
+// The names of the keys order the cities of a place otherwise.
+TEST(SavedAnswers, SunByPlaceOfSeveralScenariosComesBackInTheirOrder) {
+    const Project project = town();
+    SunByPlaceSettings settings;
+    settings.study = question();
+    settings.study.engine = StudySettings().engine;
+    const NamedCity cities[]{
+        {existingCity, *project.city}, {"Wide", *project.city}, {"Tower", cityOf(project, "Tower")->city}};
+    NoProgress progress;
+    const SunOfCities answer =
+        compareSunByPlace(cities, {lawn("Lawn", box(12, 12, 40, 40))}, settings, progress, {}).value();
+    SavedResult result = makeSavedResult(project, answer, keptAt);
+    EXPECT_EQ(result.scenario, "Tower");
+    result.scenario = "Renamed";
+    const auto read = readSavedAnswer(result);
+    ASSERT_TRUE(read) << read.error().text();
+    const SunOfCities& back = std::get<SavedSunByPlace>(read->answer).sun;
+    ASSERT_EQ(back.compared.size(), 2U);
+    EXPECT_EQ(back.compared[0].sun.name, "Wide");
+    EXPECT_EQ(back.compared[0].changes[0].meanHours, 0);
+    EXPECT_EQ(back.compared[1].sun.name, "Renamed");
+    EXPECT_NEAR(back.compared[1].changes[0].meanHours, answer.compared[1].changes[0].meanHours, 1e-4);
+}
+
 TEST(SavedAnswers, SunByPlaceOfAnotherShapeIsAnError) {
     SavedResult result = makeSavedResult(town(), sunny(town()), keptAt);
     nlohmann::ordered_json json = nlohmann::ordered_json::parse(result.settings);

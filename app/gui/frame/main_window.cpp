@@ -35,6 +35,7 @@
 #include "app/gui/view/panel/view_panel.h"
 #include "app/input/find_element_parts.h"
 #include "render/view/software_drawing.h"
+#include "scenarios/scenario_list.h"
 
 namespace noonmark {
 
@@ -291,6 +292,7 @@ void MainWindow::connectStudyForm() {
     connect(&workbench_.session(), &ProjectSession::changed, &form, [this, &form] {
         form.setComparing(workbench_.comparing());
         form.setPlaces(workbench_.session().project().places);
+        form.setScenarioCount(listNames(workbench_.session().project().scenarios).size());
     });
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -81,11 +82,49 @@ Bars monthBars(const SunOfCities& sun) {
     return bars;
 }
 
+std::vector<std::size_t> listMostChanged(const SunOfCities& sun) {
+    constexpr std::size_t maxCharted = 12;  // names below the bars stay readable
+    const auto largest = [&](std::size_t place) {
+        double change = 0;
+        for (const ComparedSun& compared : sun.compared)
+            change = std::fmax(change, std::abs(compared.changes[place].meanHours));
+        return change;
+    };
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < sun.baseline.sun.size(); ++i)
+        if (largest(i) > 0) places.push_back(i);
+    std::ranges::stable_sort(places, std::ranges::greater{}, largest);
+    if (places.size() > maxCharted) places.resize(maxCharted);
+    return places;
+}
+
+Bars placeBars(const SunOfCities& sun) {
+    Bars bars{.title = NM_TEXT("Hours of sun a day of the places that change most"),
+              .groupName = NM_TEXT("places"),
+              .series = {sun.baseline.name}};
+    for (const ComparedSun& compared : sun.compared) bars.series.push_back(compared.sun.name);
+    for (const std::size_t place : listMostChanged(sun)) {
+        Bars::Group group{sun.baseline.places[place].name, {sun.baseline.sun[place].meanHours}, BarTone::sun};
+        for (const ComparedSun& compared : sun.compared)
+            group.values.push_back(compared.sun.sun[place].meanHours);
+        bars.groups.push_back(std::move(group));
+    }
+    return bars;
+}
+
+// Of several cities side by side, each with what changes against the baseline.
+std::vector<Bars> chartsOf(const SunOfCities& sun) {
+    const Bars months = monthBars(sun), places = placeBars(sun);
+    if (sun.compared.empty()) return {months};
+    return {months, changesOf(months, NM_TEXT("Change of the hours of sun a day by month")), places,
+            changesOf(places, NM_TEXT("Change of the hours of sun a day of these places"))};
+}
+
 }  // namespace
 
 AnswerPage makePage(const SunOfCities& sun) {
-    const SunByPlace& shown = sun.compared.empty() ? sun.baseline : sun.compared.front().sun;
-    AnswerPage page{countDark(shown), {describeMean(shown)}, {monthBars(sun)}};
+    const SunByPlace& shown = sun.compared.empty() ? sun.baseline : sun.compared.back().sun;
+    AnswerPage page{countDark(shown), {describeMean(shown)}, chartsOf(sun)};
     for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeLosses(compared));
     return page;
 }

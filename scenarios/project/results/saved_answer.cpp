@@ -221,21 +221,30 @@ std::string placeErrorOf(const Json& error) {
     return parseErrorText(study);
 }
 
+// The compared cities by the names that they had, without figures.
+std::vector<ComparedSun> citiesOf(const Json& json, const SunByPlace& baseline) {
+    std::vector<ComparedSun> cities;
+    for (const Json& scenario : json.at("scenarios")) {
+        cities.push_back({baseline, {}});
+        cities.back().sun.name = scenario.at("name");
+    }
+    return cities;
+}
+
 SavedSunByPlace sunByPlaceOf(const SavedResult& result, const Json& json) {
     SavedSunByPlace saved{.sun = {.baseline = sunWithoutFigures(json), .compared = {}}};
     SunOfCities& sun = saved.sun;
     sun.baseline.name = result.baseline.empty() ? result.scenario : result.baseline;
-    if (!result.baseline.empty()) {
-        sun.compared.push_back({sun.baseline, {}});
-        sun.compared.front().sun.name = result.scenario;
-    }
+    if (!result.baseline.empty()) sun.compared = citiesOf(json, sun.baseline);
     for (const Json& place : json.at("places")) {
         sun.baseline.sun.push_back(sunOfPlace(place));
-        if (sun.compared.empty()) continue;
-        const Json& other = place.at("scenarios").begin().value();
-        sun.compared.front().sun.sun.push_back(sunOfPlace(other));
-        sun.compared.front().changes.push_back(readFigures(sunChangeFigures(), other));
+        for (ComparedSun& compared : sun.compared) {
+            const Json& other = place.at("scenarios").at(compared.sun.name);
+            compared.sun.sun.push_back(sunOfPlace(other));
+            compared.changes.push_back(readFigures(sunChangeFigures(), other));
+        }
     }
+    if (!sun.compared.empty()) sun.compared.back().sun.name = result.scenario;  // it may have been renamed
     saved.steps = wholeNumberFrom<std::uint64_t>(json.at("steps"));
     saved.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
     saved.seconds = json.at("seconds").value("total", 0.0);

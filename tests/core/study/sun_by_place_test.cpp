@@ -188,6 +188,24 @@ TEST(SunByPlace, ChangesEqualThoseOfCitiesMeasuredApart) {
     EXPECT_EQ(wall.changes[1].lostShare, 0);
 }
 
+TEST(SunByPlace, PlacesThatChangeStandSideBySideAboveTheirChanges) {
+    const std::vector<Place> places{namedPlace("Far", -400, -400, -360, -360),
+                                    namedPlace("Park", -30, 20, 50, 60)};
+    const SunOfCities all =
+        compared({{"Now", tower()}, {"Wall", withWall(tower())}, {"Same", tower()}}, places, ofDays(3));
+    const AnswerPage page = makePage(all);
+    ASSERT_EQ(page.charts.size(), 4U) << "months and places, each above what changes";
+    const Bars &hours = page.charts[2], &changes = page.charts[3];
+    EXPECT_EQ(hours.series, (std::vector<std::string>{"Now", "Wall", "Same"}));
+    ASSERT_EQ(hours.groups.size(), 1U) << "nothing changes in the far place";
+    EXPECT_EQ(groupKey(hours.groups[0]), "Park");
+    EXPECT_DOUBLE_EQ(hours.groups[0].values[0], all.baseline.sun[1].meanHours);
+    EXPECT_TRUE(changes.isChange);
+    EXPECT_DOUBLE_EQ(changes.groups[0].values[0], all.compared[0].changes[1].meanHours);
+    EXPECT_EQ(changes.groups[0].values[1], 0);
+    EXPECT_EQ(makePage({all.baseline, {}}).charts.size(), 1U) << "of one city, its months alone";
+}
+
 // A building of the scenario stands on a fifth of the park: that ground counts in neither city.
 TEST(SunByPlace, CitiesAreComparedOnGroundThatIsOpenInAllOfThem) {
     City built = tower();

@@ -1,5 +1,6 @@
 #include "app/gui/docks/study_form/places_form.h"
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -39,6 +40,7 @@ PlacesForm::PlacesForm(QWidget* parent)
       none_(new QLabel(tr("The project has no places. Read some (Study > Read places...) or draw one."))),
       enough_(numberField(0, SunByPlaceSettings::maxHours, 1, 0.5, tr(" h"))),
       dates_(new QLineEdit(defaultDates(year_))),
+      all_(new QCheckBox(tr("All scenarios"))),
       refusal_(new QLabel) {
     kinds_->setObjectName(QStringLiteral("placeKinds"));
     kinds_->setToolTip(tr("Places of the ticked kinds are measured, all in one run"));
@@ -51,6 +53,10 @@ PlacesForm::PlacesForm(QWidget* parent)
     dates_->setCursorPosition(0);
     dates_->setToolTip(
         tr("Days on which the hours of sun of each place are stated, too, with commas between"));
+    all_->setObjectName(QStringLiteral("placesAllScenarios"));
+    all_->setToolTip(
+        tr("Measures the places in all scenarios and compares each with the baseline, which is "
+           "chosen at the top"));
     refusal_->setWordWrap(true);
     showAsError(*refusal_);
     auto* form = new QFormLayout;
@@ -62,12 +68,40 @@ PlacesForm::PlacesForm(QWidget* parent)
     for (QWidget* widget : {static_cast<QWidget*>(kinds_), static_cast<QWidget*>(none_)})
         column->addWidget(widget);
     column->addLayout(form);
+    column->addWidget(all_);
     column->addWidget(refusal_);
     connect(kinds_, &QListWidget::itemChanged, this, &PlacesForm::follow);
     connect(enough_, &QDoubleSpinBox::valueChanged, this, &PlacesForm::edited);
     connect(dates_, &QLineEdit::textChanged, this, &PlacesForm::follow);
+    connect(all_, &QCheckBox::toggled, this, &PlacesForm::edited);
     fill();
     follow();
+    enable();
+}
+
+void PlacesForm::setComparing(bool comparing) {
+    comparing_ = comparing;
+    enable();
+}
+
+void PlacesForm::setScenarioCount(std::size_t scenarios) {
+    if (scenarios == scenarios_) return;
+    scenarios_ = scenarios;
+    enable();
+    Q_EMIT edited();
+}
+
+// Two are compared without it.
+void PlacesForm::enable() {
+    all_->setVisible(scenarios_ > 2);
+    all_->setEnabled(comparing_);
+}
+
+bool PlacesForm::allScenarios() const { return comparing_ && scenarios_ > 2 && all_->isChecked(); }
+
+std::size_t PlacesForm::cityCount() const {
+    if (!comparing_) return 1;
+    return allScenarios() ? scenarios_ : 2;
 }
 
 void PlacesForm::setPlaces(const std::vector<Place>& places) {

@@ -5,6 +5,7 @@
 
 #include "core/study/by_place/sun_by_place.h"
 
+class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
@@ -22,6 +23,11 @@ public:
     void setPlaces(const std::vector<Place>& places);  ///< of the project; ticks stay
     /// The dates follow the year of the period until others are typed.
     void setYear(std::chrono::year year);
+    void setComparing(bool comparing);             ///< a baseline is chosen
+    void setScenarioCount(std::size_t scenarios);  ///< of the project, with the existing city
+    /// The places are measured in all scenarios, not only in the displayed one and its baseline.
+    [[nodiscard]] bool allScenarios() const;
+    [[nodiscard]] std::size_t cityCount() const;  ///< in which they are measured
     [[nodiscard]] std::vector<Place> chosen() const;
     /// Without a study. Error: a date that is none.
     [[nodiscard]] Result<SunByPlaceSettings> settings() const;
@@ -31,6 +37,7 @@ Q_SIGNALS:
 
 private:
     void fill();
+    void enable();
     void follow();
 
     std::vector<Place> places_;
@@ -40,6 +47,9 @@ private:
     QLabel* none_;  ///< where the project has no places
     QDoubleSpinBox* enough_;
     QLineEdit* dates_;
+    QCheckBox* all_;
+    bool comparing_ = false;
+    std::size_t scenarios_ = 1;
     QLabel* refusal_;  ///< what is wrong with the dates
 };
 

@@ -153,7 +153,8 @@ void StudyDock::run() {
 
 // What is wrong with the settings is said in the form.
 void StudyDock::runByPlace() {
-    if (const auto settings = places_->settings()) Q_EMIT sunByPlaceRequested(places_->chosen(), *settings);
+    if (const auto settings = places_->settings())
+        Q_EMIT sunByPlaceRequested(places_->chosen(), *settings, places_->allScenarios());
 }
 
 // The sun of places is asked for over a year, until the user chooses other days; other questions get their
@@ -172,6 +173,8 @@ void StudyDock::usePeriodOf(StudyKind kind) {
 }
 
 void StudyDock::setPlaces(const std::vector<Place>& places) { places_->setPlaces(places); }
+
+void StudyDock::setScenarioCount(std::size_t count) { places_->setScenarioCount(count); }
 
 void StudyDock::setRegions(const QStringList& names) { where_->setNames(names); }
 void StudyDock::setDrawing(bool drawing) { where_->setDrawing(drawing); }
@@ -195,6 +198,7 @@ void StudyDock::setElementFinder(ElementFinder find) { find_ = std::move(find); 
 void StudyDock::setComparing(bool comparing) {
     if (comparing == comparing_) return;
     comparing_ = comparing;
+    places_->setComparing(comparing);
     const StudyKind kind = what_->kind() == StudyKind::places ? StudyKind::places
                            : comparing                        ? StudyKind::change
                                                               : StudyKind::shadow;
@@ -265,8 +269,8 @@ std::optional<RunEstimate> StudyDock::estimate() const {
     std::optional<RunEstimate> whole = forecast_->estimate();
     if (!whole || what_->kind() != StudyKind::places) return whole;
     const auto settings = places_->settings();
-    const double cities = comparing_ ? 2 : 1;
-    const double fields = cities * fieldsOfPlaces(settings ? settings->dates.size() : 0);
+    const double fields =
+        double(places_->cityCount()) * fieldsOfPlaces(settings ? settings->dates.size() : 0);
     for (double* seconds : {&whole->seconds, &whole->raySeconds, &whole->quickerSeconds}) *seconds *= fields;
     return whole;
 }

@@ -40,6 +40,7 @@ public:
     void setRunning(bool running);
     /// The names of regions and places that can be chosen.
     void setRegions(const QStringList& names);
+    void setScenarioCount(std::size_t count);          ///< of the project, with the existing city
     void setPlaces(const std::vector<Place>& places);  ///< of the project
     void setCity(std::shared_ptr<const City> city);    ///< of the displayed scenario
     void setRules(const std::vector<Rule>& rules);     ///< whose days and hours are offered
@@ -57,7 +58,8 @@ public:
 
 Q_SIGNALS:
     void runRequested();
-    void sunByPlaceRequested(std::vector<noonmark::Place> places, noonmark::SunByPlaceSettings settings);
+    void sunByPlaceRequested(std::vector<noonmark::Place> places, noonmark::SunByPlaceSettings settings,
+                             bool allScenarios);
     void drawRequested(bool draw);
     void viewRegionRequested();
     void wholeCityRequested();
