@@ -135,6 +135,18 @@ TEST_F(ExportWindow, AMovieOfADayIsWritten) {
     EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("movie.txt"))));
 }
 
+TEST_F(ExportWindow, AMovieSaysWhichTimesHaveNoFrame) {
+    const QString file = folder.filePath(QStringLiteral("year.gif"));
+    MovieChoice choice;
+    choice.kind = MovieChoice::Kind::year;
+    choice.area = MovieChoice::Area::region;
+    choice.at = std::chrono::hours(7);  // before sunrise in winter
+    choice.format.size = {64, 64};
+    window->movies().writeTo(file, choice);
+    ASSERT_TRUE(waitFor([this] { return !window->movies().writing().busy(); }));
+    EXPECT_THAT(message(), HasSubstr("sun below the horizon"));
+}
+
 TEST_F(ExportWindow, ASwipeIsOfferedOnlyWithABaseline) {
     auto* alone = openDialog<MovieDialog>("Ctrl+Shift+E");
     ASSERT_NE(alone, nullptr);

@@ -148,6 +148,13 @@ TEST(DxfMasses, APolyfaceMeshIsRead) {
     EXPECT_NEAR(extentOf(piece).topM, 12, 1e-3);
 }
 
+TEST(DxfMasses, ADrawingIsOneWhateverItIsCalled) {
+    const TemporaryFolder folder;
+    const auto piece = readMass(folder.file("mass.cad", drawing(outline(), header(6))));
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_EQ(piece->format, "DXF");
+}
+
 TEST(DxfMasses, BlocksAreInsertedScaledAndTurned) {
     const std::string blocks = groups({{0, "SECTION"}, {2, "BLOCKS"}, {0, "BLOCK"}, {2, "t"}, {10, "0"}}) +
                                outline() + groups({{0, "ENDBLK"}, {0, "ENDSEC"}});
