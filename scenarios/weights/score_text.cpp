@@ -44,6 +44,10 @@ Result<std::string> makeRepeatCommand(const ScoreAnswer& answer, std::size_t wid
         width);
 }
 
+Json monthsJson(const std::vector<MonthFigures>& months) {
+    return listJson(months, "month", &monthOf, scoreMonthFigures());
+}
+
 std::string scoreJson(const ScoreAnswer& answer) {
     Json json = settingsJson(answer.settings);
     addProvenance(json, answer.provenance);
@@ -55,7 +59,7 @@ std::string scoreJson(const ScoreAnswer& answer) {
     json["water_m2"] = answer.score.waterM2;
     const ScoreTotals totals = totalsOf(answer.score);
     json.update(figuresJson(scoreFigures().of(totals)));
-    json["months"] = listJson(answer.score.months, "month", &monthOf, scoreMonthFigures());
+    json["months"] = monthsJson(answer.score.months);
     json["intervals"] = listJson(
         answer.score.intervals, "name", [](const IntervalFigures& interval) { return interval.name; },
         scoreIntervalFigures());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "scenarios/weights/score.h"
@@ -17,6 +18,9 @@ struct ScoreAnswer {
 
 /// The command line that repeats it; see core/study/provenance/repeat_command.h.
 Result<std::string> makeRepeatCommand(const ScoreAnswer& answer, std::size_t width = 120);
+
+/// An object for each month: month, and its figures.
+nlohmann::ordered_json monthsJson(const std::vector<MonthFigures>& months);
 
 /// Stable keys with their units; lists months, and intervals with their weights.
 std::string scoreJson(const ScoreAnswer& answer);

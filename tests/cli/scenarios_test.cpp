@@ -59,6 +59,26 @@ TEST_F(ScenariosCommand, AgreesWithTheStudyOfEachScenario) {
               json.at("scenarios")[1]["figures"]["shadow_area_m2"]);
 }
 
+TEST_F(ScenariosCommand, MonthsAndScoresAreThoseOfStudyAndScoreSideBySide) {
+    const Spoken all = atNoon("scenarios", {"--scenario", "Existing", "--scenario", "Lower", "--by", "month",
+                                            "--weights", "default", "--engine", "horizon", "--json"});
+    ASSERT_EQ(all.code, 0) << all.err;
+    const auto json = all.json();
+    const auto &existing = json["scenarios"][0]["months"][0], &lower = json["scenarios"][1]["months"][0];
+    EXPECT_EQ(lower["month"], "2026-12");
+    EXPECT_GT(lower["sun_change_hours"], 0) << "lower towers leave more sun";
+    EXPECT_DOUBLE_EQ(lower["sun_change_hours"],
+                     lower["sun_hours"].get<double>() - existing["sun_hours"].get<double>());
+    EXPECT_TRUE(existing["sun_change_hours"].is_null());
+    const Spoken score = atNoon("score", {"--scenario", "Lower", "--weights", "default", "--engine",
+                                          "horizon", "--overwrite", "--json"});
+    ASSERT_EQ(score.code, 0) << score.err;
+    EXPECT_EQ(lower["score_m2"], score.json()["months"][0]["score_m2"]);
+    EXPECT_EQ(json["scenarios"][1]["score"]["score_m2"], score.json()["score_m2"]);
+    EXPECT_TRUE(std::filesystem::exists(folder_.path("out") / "scenario_months.csv"));
+    EXPECT_EQ(atNoon("scenarios", {"--weights", "none", "--overwrite"}).code, 2);
+}
+
 TEST_F(ScenariosCommand, RefusesAnUnknownScenarioBeforeTheWork) {
     const Spoken unknown = atNoon("scenarios", {"--scenario", "Existing", "--scenario", "Nowhere"});
     EXPECT_EQ(unknown.code, 2);

@@ -2,13 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
+#include <QBarSeries>
+#include <QBarSet>
 #include <QChart>
 #include <QChartView>
+#include <QClipboard>
 #include <QCoreApplication>
 #include <QGraphicsTextItem>
+#include <QGuiApplication>
+#include <QLegend>
 #include <QLocale>
 #include <QTextDocument>
 #include <QValueAxis>
+#include <cmath>
+#include <set>
 
 namespace noonmark {
 namespace {
@@ -52,6 +60,32 @@ TEST(BarCharts, AChartWithoutGroupsIsLeftOut) {
     EXPECT_EQ(chart.findChildren<QChartView*>().size(), 1);
     chart.show({});
     EXPECT_TRUE(chart.isHidden());
+}
+
+TEST(BarCharts, SeriesSideBySideHaveColoursOfTheirOwnAlsoInTheChartOfTheirChanges) {
+    const Bars hours{.title = "Sun",
+                     .series = {"Existing", "Low", "Tall", "Wide"},
+                     .groups = {{2026y / January, {4, 3, 2, std::nan("")}}}};
+    BarCharts chart;
+    chart.show({hours, changesOf(hours, "Change")});
+    const auto views = chart.findChildren<QChartView*>();
+    ASSERT_EQ(views.size(), 2);
+    const auto setsOf = [&](int view) {
+        return qobject_cast<QBarSeries*>(views[view]->chart()->series().front())->barSets();
+    };
+    std::set<QRgb> colours;
+    for (QBarSet* set : setsOf(0)) colours.insert(set->color().rgb());
+    EXPECT_EQ(colours.size(), 4U) << "the third and the fourth had the colour of the second";
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(setsOf(1)[i]->color(), setsOf(0)[i + 1]->color()) << i;
+    EXPECT_EQ(setsOf(0)[3]->at(0), 0) << "a scenario without a value has no bar";
+    EXPECT_TRUE(views[1]->chart()->legend()->isVisible());
+}
+
+TEST(BarCharts, TheirValuesCanBeCopied) {
+    BarCharts chart;
+    chart.show({{.title = "Sun", .series = {"Existing", "Low"}, .groups = {{2026y / January, {4, 3.25}}}}});
+    chart.findChild<QChartView*>()->actions().front()->trigger();
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), QStringLiteral("\tExisting\tLow\nJan 2026\t4\t3.25\n"));
 }
 
 // The months from October on are longer than January there.

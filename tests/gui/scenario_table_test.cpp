@@ -4,19 +4,28 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QBarSeries>
+#include <QBarSet>
+#include <QChart>
+#include <QChartView>
 #include <QCheckBox>
 #include <QClipboard>
+#include <QComboBox>
 #include <QFile>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QTableView>
 #include <QUndoStack>
+#include <algorithm>
 #include <cmath>
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/column_menu.h"
+#include "app/gui/docks/scenarios/latest_answers.h"
+#include "app/gui/docks/scenarios/scenario_charts.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
 #include "app/gui/docks/weights/weights_dock.h"
 #include "app/gui/frame/actions/scenario_actions.h"
@@ -437,6 +446,96 @@ TEST_F(ScenarioTableWindow, TheExportedTableHasItsFiguresWithUnits) {
     EXPECT_NEAR(field("impact_m2").toDouble(), value(2, "shadow_area_change_m2"), 0.06);
     EXPECT_NEAR(field("score_m2").toDouble(), value(2, "score_m2"), 0.06);
     EXPECT_EQ(field("pass"), "") << "not reviewed";
+}
+
+// A building over the whole region leaves no open ground to measure.
+Edit coverOf(const Region& region) {
+    const Box2 box = bounds(region.polygons.front());
+    const glm::vec2 size = box.high - box.low;
+    const Footprint outline = square(box.low - 5.0F, std::max(size.x, size.y) + 10);
+    Building building{.sourceId = "Cover", .name = "Cover"};
+    building.parts.push_back({.sourceId = "Cover", .footprint = outline, .topM = 10});
+    return AddBuilding{std::make_shared<const Building>(std::move(building)), nullptr};
+}
+
+TEST_F(ScenarioTableWindow, AScenarioThatFailsSaysWhyInItsRowAndTheOthersAreMeasured) {
+    Project next = session().project();
+    next.scenarios[0].edits = {coverOf(next.regions[0])};
+    ASSERT_TRUE(session().change(std::move(next), QStringLiteral("cover")));
+    session().goTo(existingCity);
+    settle();
+    press("measureAll");
+    EXPECT_TRUE(hasValue(0, "shadow_area_m2"));
+    EXPECT_TRUE(hasValue(2, "shadow_area_m2")) << "it comes after the one that fails";
+    EXPECT_EQ(text(1, "shadow_area_m2"), QStringLiteral("failed"));
+    EXPECT_THAT(tip(1, "shadow_area_m2").toStdString(), HasSubstr("open ground"));
+    EXPECT_THAT(message().toStdString(), HasSubstr("Low"));
+    press("scoreAll");
+    EXPECT_TRUE(hasValue(2, "score_m2"));
+    EXPECT_EQ(text(1, "score_m2"), QStringLiteral("failed"));
+    const std::string csv = window->findChild<ScenariosDock*>()->table().csv();
+    EXPECT_THAT(csv, HasSubstr("shadow_area_m2: ")) << "what it lacks, and why";
+}
+
+struct ScenarioChartsWindow : ScenarioTableWindow {
+    void choose(const char* figure) {
+        auto* list = window->findChild<QComboBox*>(QStringLiteral("scenarioChart"));
+        list->setCurrentIndex(list->findData(QString::fromLatin1(figure)));
+    }
+    [[nodiscard]] QList<QChartView*> charts() const {
+        return window->findChild<ScenarioCharts*>()->findChildren<QChartView*>();
+    }
+    [[nodiscard]] std::string note() const {
+        return window->findChild<QLabel*>(QStringLiteral("scenarioChartNote"))->text().toStdString();
+    }
+    void measureMonths() {
+        StudySettings question = workbench().document().settings();
+        question.byMonth = true;
+        question.engine = "horizon";
+        workbench().document().change(question, QStringLiteral("months"));
+        settle();
+        press("measureAll");
+    }
+};
+
+TEST_F(ScenarioChartsWindow, ShowTheMonthsOfAllScenariosAboveTheirDifferences) {
+    choose("sun_hours");
+    EXPECT_TRUE(charts().isEmpty());
+    EXPECT_THAT(note(), HasSubstr("Measure all")) << "how to get months";
+    measureMonths();
+    choose("");
+    choose("sun_hours");
+    ASSERT_EQ(charts().size(), 2);
+    const auto* hours = qobject_cast<QBarSeries*>(charts()[0]->chart()->series().front());
+    const auto* changes = qobject_cast<QBarSeries*>(charts()[1]->chart()->series().front());
+    ASSERT_EQ(hours->barSets().size(), 3);
+    ASSERT_EQ(changes->barSets().size(), 2) << "the baseline does not differ from itself";
+    EXPECT_NEAR(changes->barSets()[1]->at(0), hours->barSets()[2]->at(0) - hours->barSets()[0]->at(0), 1e-9);
+    EXPECT_LT(changes->barSets()[1]->at(0), 0) << "the tall tower takes sun";
+    EXPECT_EQ(changes->barSets()[0]->color(), hours->barSets()[1]->color()) << "a scenario keeps its colour";
+    EXPECT_NE(hours->barSets()[1]->color(), hours->barSets()[2]->color());
+}
+
+TEST_F(ScenarioChartsWindow, ShowScoresByMonthAlsoAfterTheProjectWasOpenedAgain) {
+    choose("score_m2");
+    EXPECT_THAT(note(), HasSubstr("Score all"));
+    press("scoreAll");
+    choose("shadow_area_m2");
+    EXPECT_EQ(charts().size(), 2) << "a score counts the shadow area of its months";
+    choose("score_m2");
+    ASSERT_EQ(charts().size(), 2);
+    const QString file = folder.filePath(QStringLiteral("months.csv"));
+    window->findChild<ScenarioActions*>()->saveMonths(file);
+    QFile saved(file);
+    ASSERT_TRUE(saved.open(QFile::ReadOnly));
+    const QByteArray csv = saved.readAll();
+    EXPECT_TRUE(csv.startsWith("scenario,month,shadow_area_m2,")) << csv.toStdString();
+    EXPECT_TRUE(csv.contains("\r\nTall,")) << csv.toStdString();
+    const auto figures = parseViewFigures(window->answers().figuresToSave());
+    const auto scored =
+        std::ranges::find_if(figures, [](const auto& one) { return one.figures.weights.has_value(); });
+    ASSERT_NE(scored, figures.end());
+    EXPECT_FALSE(scored->figures.scoreMonths.empty()) << "saved with the project";
 }
 
 }  // namespace

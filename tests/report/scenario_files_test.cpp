@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/files/read_report.h"
+#include "app/report/scenarios/scenario_months.h"
 #include "app/report/scenarios/scenario_text.h"
 #include "app/report/sheets/study_report.h"
 #include "core/io/write_raster.h"
@@ -119,13 +120,71 @@ TEST(ScenarioTables, LeaveContinuousShadowOutWhereItWasNotCounted) {
     EXPECT_THAT(scenariosCsv(one), testing::Not(HasSubstr("nan")));
 }
 
+Score scoreOf(double january, double february) {
+    using namespace std::chrono;
+    Score score;
+    score.months = {{2026y / January, 100, january, 600, 50}, {2026y / February, 200, february, 600, 80}};
+    return score;
+}
+
+ScenarioStudies scoredScenarios() {
+    ScenarioStudies three = makeTwoScenarios();
+    three.push_back({"Not scored", three[0].study});
+    three[0].answers.score = ScenarioScore{"default", {}, scoreOf(-10, 5).months};
+    three[1].answers.score = ScenarioScore{"default", {}, scoreOf(-12.5, 9).months};
+    return three;
+}
+
+TEST(ScenarioMonths, StandSideBySideWithTheirChangesFromTheFirst) {
+    const auto charts = makeMonthCharts(listMonths(scoredScenarios()));
+    ASSERT_EQ(charts.size(), 3U) << "shadow area, weighted shade and score; the studies have no months";
+    const MonthChart& score = charts[2];
+    EXPECT_EQ(score.key, "score_m2");
+    EXPECT_EQ(score.values.series, (std::vector<std::string>{"Existing", "Tower \"A\""}));
+    EXPECT_EQ(score.values.groups[1].values, (std::vector<double>{5, 9}));
+    EXPECT_EQ(score.changes.groups[0].values, (std::vector<double>{-2.5}));
+    EXPECT_EQ(monthsCsv(charts),
+              "scenario,month,shadow_area_m2,shadow_area_change_m2,weighted_shade_m2h,"
+              "weighted_shade_change_m2h,score_m2,score_change_m2\r\n"
+              "Existing,2026-01,100.0,,50.0,,-10.0,\r\nExisting,2026-02,200.0,,80.0,,5.0,\r\n"
+              "\"Tower \"\"A\"\"\",2026-01,100.0,0.0,50.0,0.0,-12.5,-2.5\r\n"
+              "\"Tower \"\"A\"\"\",2026-02,200.0,0.0,80.0,0.0,9.0,4.0\r\n");
+}
+
+TEST(ScenarioMonths, HaveNoChangesWhereTheFirstScenarioLacksThem) {
+    ScenarioStudies three = scoredScenarios();
+    std::swap(three[0], three[2]);
+    const auto charts = makeMonthCharts(listMonths(three));
+    ASSERT_EQ(charts.size(), 3U);
+    EXPECT_TRUE(charts[2].changes.groups.empty()) << "a change from another one than stated would mislead";
+}
+
+TEST(ScenarioMonths, AreInTheRecordAndTheSheets) {
+    const ScenarioStudies three = scoredScenarios();
+    const auto json = nlohmann::json::parse(scenariosJson(three));
+    const auto& tower = json["scenarios"][1]["months"];
+    ASSERT_EQ(tower.size(), 2U);
+    EXPECT_EQ(tower[1]["month"], "2026-02");
+    EXPECT_EQ(tower[1]["score_change_m2"], 4);
+    EXPECT_TRUE(json["scenarios"][2]["months"][0]["score_m2"].is_null());
+    EXPECT_TRUE(json["definitions"].contains("score_m2"));
+    const QTemporaryDir folder;
+    const std::filesystem::path out = folder.filePath(QStringLiteral("out")).toStdString();
+    const auto paths = writeScenarioFiles(three, {}, out);
+    ASSERT_TRUE(paths) << paths.error().text();
+    EXPECT_TRUE(std::filesystem::exists(out / "scenario_months.csv"));
+    const auto words = readPrintedWords(out / "scenarios.pdf");
+    ASSERT_TRUE(words) << words.error().text();
+    EXPECT_THAT(*words, HasSubstr("score"));
+}
+
 TEST(ScenarioFiles, AreOneSetWithABandForEachScenario) {
     const QTemporaryDir folder;
     const std::filesystem::path out = folder.filePath(QStringLiteral("out")).toStdString();
     const ScenarioStudies two = makeTwoScenarios();
     const auto paths = writeScenarioFiles(two, {}, out);
     ASSERT_TRUE(paths) << paths.error().text();
-    ASSERT_EQ(paths->size(), scenarioFileNames().size());
+    ASSERT_EQ(paths->size(), scenarioFileNames().size() - 1) << "all but the months, which were not computed";
     const auto bands = readGeoTiff(out / "scenarios.tif", two[0].study->field.grid);
     ASSERT_TRUE(bands) << bands.error().text();
     ASSERT_EQ(bands->size(), 2U);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <set>
 
@@ -23,6 +24,7 @@
 #include "core/measures/shadow_figures.h"
 #include "scenarios/project/project_provenance.h"
 #include "scenarios/scenario_list.h"
+#include "scenarios/weights/score_figures.h"
 
 namespace noonmark::cli {
 
@@ -32,33 +34,59 @@ struct ScenariosOptions {
     MeasureOptions measure;
     SheetOptions sheets;
     std::vector<std::string> names;  // empty: all
+    std::string weights;             // name of a table; empty: no scores
+};
+
+// What is asked of each scenario.
+struct ScenariosQuestion {
+    StudySettings study;
+    std::optional<TimeWeights> weights;
 };
 
 std::vector<std::string> chooseScenarios(const ScenariosOptions& options, const Project& project) {
     return options.names.empty() ? listNames(project.scenarios) : options.names;
 }
 
-Result<ScenarioStudy> measureScenario(const std::string& name, const StudySettings& settings,
+Result<void> addScore(ScenarioStudy& scenario, const ScenariosQuestion& question, Progress& progress,
+                      const std::stop_token& stop) {
+    const StudySettings& settings = question.study;
+    auto score = runScore(scenario.study->city, settings, *question.weights, progress, stop,
+                          enginesWith(settings.engine));
+    if (!score) return tl::make_unexpected(score.error());
+    scenario.answers.score =
+        ScenarioScore{question.weights->name, totalsOf(*score), std::move(score->months)};
+    return {};
+}
+
+Result<ScenarioStudy> measureScenario(const std::string& name, const ScenariosQuestion& question,
                                       const ProjectFile& disk, Progress& progress,
                                       const std::stop_token& stop) {
     const Project& project = disk.project();
+    const StudySettings& settings = question.study;
     const auto city = cityOf(project, name);
     if (!city) return tl::make_unexpected(city.error());
-    auto study = runStudy(city->city, settings, progress, stop, enginesWith(settings.engine));
+    const std::size_t parts = question.weights ? 2 : 1;
+    ProgressShare first(progress, 0, parts), second(progress, parts - 1, parts);
+    auto study = runStudy(city->city, settings, first, stop, enginesWith(settings.engine));
     if (!study) return tl::make_unexpected(study.error());
     putBefore(study->warnings, project.reading->warnings);
-    study->provenance = provenanceOf(project, &disk, {name, {}, settings.region, {}});
-    return makeScenarioStudy(project.scenarios, name, std::make_shared<const Study>(*std::move(study)));
+    study->provenance = provenanceOf(project, &disk, {name, {}, settings.region, question.weights});
+    ScenarioStudy scenario =
+        makeScenarioStudy(project.scenarios, name, std::make_shared<const Study>(*std::move(study)));
+    if (question.weights)
+        if (auto scored = addScore(scenario, question, second, stop); !scored)
+            return tl::make_unexpected(scored.error());
+    return scenario;
 }
 
-Result<ScenarioStudies> measureAll(const std::vector<std::string>& names, const StudySettings& settings,
+Result<ScenarioStudies> measureAll(const std::vector<std::string>& names, const ScenariosQuestion& question,
                                    const ProjectFile& disk, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
     ScenarioStudies studies;
     for (std::size_t i = 0; i < names.size(); ++i) {
         ProgressShare share(progress, i, names.size());
-        auto study = measureScenario(names[i], settings, disk, share, interrupt.token());
+        auto study = measureScenario(names[i], question, disk, share, interrupt.token());
         if (!study) return tl::make_unexpected(study.error());
         studies.push_back(*std::move(study));
     }
@@ -66,8 +94,8 @@ Result<ScenarioStudies> measureAll(const std::vector<std::string>& names, const 
 }
 
 // Everything that can be wrong with the request is found before the first scenario is measured.
-Result<StudySettings> checkRequest(const ScenariosOptions& options, const std::vector<std::string>& names,
-                                   const Project& project) {
+Result<ScenariosQuestion> checkRequest(const ScenariosOptions& options, const std::vector<std::string>& names,
+                                       const Project& project) {
     for (const std::string& name : names) {
         if (std::ranges::count(names, name) > 1)
             return failure("The scenario is named twice", "--scenario " + name, "Name each scenario once");
@@ -79,7 +107,14 @@ Result<StudySettings> checkRequest(const ScenariosOptions& options, const std::v
             checkOutputs(options.measure.out, scenarioFileNames(), outputRulesOf(options.measure, project));
         !may)
         return tl::make_unexpected(may.error());
-    return settingsFrom(options.measure, project);
+    auto settings = settingsFrom(options.measure, project);
+    if (!settings) return tl::make_unexpected(settings.error());
+    ScenariosQuestion question{*std::move(settings), {}};
+    if (options.weights.empty()) return question;
+    auto weights = findWeights(project, options.weights);
+    if (!weights) return tl::make_unexpected(weights.error());
+    question.weights = *std::move(weights);
+    return question;
 }
 
 Result<void> writeFiles(const ScenarioStudies& studies, const ScenariosOptions& options,
@@ -117,6 +152,8 @@ void print(const ScenarioStudies& studies, std::ostream& out) {
         addFigures(table, scenario.name, listLines(shadowFigures().of(figures), FigureUse::result));
         table.add("", fmt::format("change of the shadow area {:+.0f} m2{}",
                                   computeShadowAreaChange(studies, scenario), describeBuilt(scenario)));
+        if (const auto& score = scenario.answers.score)
+            addFigures(table, "", listLines(scoreFigures().of(score->totals), FigureUse::result));
     }
     table.print(out);
     printWarnings(out, collectWarnings(studies));
@@ -126,9 +163,9 @@ int runScenariosCommand(const ScenariosOptions& options, const Console& console)
     const auto disk = openProject(options.measure.file, console);
     if (!disk) return fail(console, disk.error(), exitUsage);
     const std::vector<std::string> names = chooseScenarios(options, disk->project());
-    const auto settings = checkRequest(options, names, disk->project());
-    if (!settings) return fail(console, settings.error(), exitUsage);
-    const auto studies = measureAll(names, *settings, *disk, console);
+    const auto question = checkRequest(options, names, disk->project());
+    if (!question) return fail(console, question.error(), exitUsage);
+    const auto studies = measureAll(names, *question, *disk, console);
     if (!studies) return fail(console, studies.error(), exitFailed);
     if (const auto written = writeFiles(*studies, options, disk->project()); !written)
         return fail(console, written.error(), exitFailed);
@@ -148,6 +185,12 @@ void addScenariosCommand(CLI::App& app, Run& run) {
     addMeasureOptions(*command, options->measure);
     addSheetOptions(*command, options->sheets);
     addErrorOptions(*command, options->measure.settings.errorSample);
+    addMonthOption(*command, options->measure.settings);
+    command
+        ->add_option(flags::weights, options->weights,
+                     "Also score each scenario, in all and by month, with this time-weight table of the "
+                     "project")
+        ->type_name("NAME");
     command
         ->add_option(flags::scenario, options->names,
                      "A scenario to measure; may be repeated; the first is what the others are compared with "

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "app/report/maps/palette.h"
@@ -19,7 +20,7 @@ struct BarAxes {
 };
 
 BarAxes axesOf(const QRectF& area, double point, const BarChart& chart) {
-    const AreaUnit unit = areaUnitOf(chart.units);
+    const AreaUnit unit = chart.unit.isEmpty() ? areaUnitOf(chart.units) : AreaUnit{1, chart.unit};
     double least = 0, most = 0;
     for (const auto& group : chart.groups)
         for (const double value : group.values) most = std::max(most, value), least = std::min(least, value);
@@ -36,6 +37,7 @@ void paintGroup(const Canvas& canvas, const BarAxes& axes, const BarChart& chart
     const auto& values = chart.groups[index].values;
     const double width = groupShare / double(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
+        if (std::isnan(values[i])) continue;
         const double from = double(index) + (1 - groupShare) / 2 + double(i) * width;
         const QPointF top(xOf(axes.across, axes.plot, from),
                           yOf(axes.up, axes.plot, values[i] / axes.unitM2));
@@ -43,6 +45,10 @@ void paintGroup(const Canvas& canvas, const BarAxes& axes, const BarChart& chart
         canvas.painter.fillRect(QRectF(top, foot).normalized(),
                                 readableOn(canvas.inks.paper, chart.series[i].colour));
     }
+}
+
+QString shortened(const QString& name, qsizetype letters) {
+    return name.size() <= letters ? name : name.left(letters - 1) + QChar(0x2026);
 }
 
 }  // namespace
@@ -65,6 +71,18 @@ BarChart makeMonthBars(const PlaceReview& place, UnitSystem units) {
     const QLocale english(QLocale::English);
     for (const auto& [month, sums] : months)
         chart.groups.push_back({english.monthName(int(month), QLocale::ShortFormat), sums});
+    return chart;
+}
+
+BarChart makeBarChart(const Bars& bars, FigureUnit figure, UnitSystem units, const QString& unit) {
+    constexpr std::size_t keyLetters = 100;  // of all names together have room in one line
+    BarChart chart{{}, {}, figure == FigureUnit::squareMetreHours, units, unit};
+    for (std::size_t i = 0; i < bars.series.size(); ++i)
+        chart.series.push_back(
+            {shortened(QString::fromStdString(bars.series[i]), qsizetype(keyLetters / bars.series.size())),
+             seriesColour(i + (bars.isChange ? 1 : 0))});
+    for (const Bars::Group& group : bars.groups)
+        chart.groups.push_back({QString::fromStdString(groupKey(group)), group.values});
     return chart;
 }
 
@@ -94,6 +112,10 @@ QString describeGroup(const BarChart& chart, std::size_t group) {
     const auto& [name, values] = chart.groups[group];
     QStringList parts;
     for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!chart.unit.isEmpty()) {
+            parts << QStringLiteral("%1 %2 %3").arg(chart.series[i].name).arg(values[i]).arg(chart.unit);
+            continue;
+        }
         const std::string value =
             chart.isAreaHours ? formatAreaHours(values[i], chart.units) : formatArea(values[i], chart.units);
         parts << chart.series[i].name.toLower() + u' ' + QString::fromStdString(value);

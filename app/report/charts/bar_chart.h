@@ -4,11 +4,13 @@
 #include <optional>
 
 #include "app/report/charts/chart_axes.h"
+#include "core/describe/answer_page.h"
+#include "core/describe/figure.h"
 #include "core/review/places/place_review.h"
 
 namespace noonmark {
 
-/// Bars in groups, one bar a series: areas, or areas x hours, by month. Values may be negative.
+/// Bars in groups, one bar a series: areas, or areas x hours, by month. Values may be negative; NaN: no bar.
 struct BarChart {
     struct Series {
         QString name;
@@ -22,7 +24,11 @@ struct BarChart {
     std::vector<Group> groups;
     bool isAreaHours = false;  ///< values are m2 h
     UnitSystem units = UnitSystem::metric;
+    QString unit{};  ///< of values that are no areas: "h"
 };
+
+/// Bars of areas, of areas x hours, or of what `unit` says, as a chart.
+BarChart makeBarChart(const Bars& bars, FigureUnit figure, UnitSystem units, const QString& unit = {});
 
 /// Area x hours in shadow of the months in which the review has days: baseline, scenario and incremental.
 BarChart makeMonthBars(const PlaceReview& place, UnitSystem units);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <cstddef>
 
 #include "core/measures/palette.h"
 
@@ -9,6 +10,11 @@ namespace noonmark {
 /// The colours of core/measures/palette.h as QColor.
 QColor shadowColour(double share);
 QColor impactColour(double share);
+
+/// Colours of series side by side, the first of which is what the others are compared with; told apart by
+/// colour-blind readers (after Okabe and Ito). They repeat after maxSeries.
+QColor seriesColour(std::size_t series);
+inline constexpr std::size_t maxSeries = 8;
 
 /// Colours of shadows, told apart by colour-blind readers and by lightness in grey print.
 namespace shade {

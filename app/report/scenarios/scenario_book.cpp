@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/report/book/flow.h"
+#include "app/report/maps/palette.h"
+#include "app/report/scenarios/scenario_months.h"
 #include "app/report/scenarios/scenario_text.h"
 #include "app/report/sheets/period_words.h"
 #include "core/measures/shadow_figures.h"
@@ -77,6 +79,31 @@ BookPage mapPage(const ScenarioStudy& scenario, const Legend& legend, const Page
             {{contentArea(setup), PageMap{std::make_shared<const SheetMap>(map)}}}};
 }
 
+PageChart chartOf(const MonthChart& chart, const Bars& bars, const BookSettings& settings) {
+    const bool isArea = chart.unit == FigureUnit::squareMetres || chart.unit == FigureUnit::squareMetreHours;
+    const Bars shown = firstSeries(bars, bars.isChange ? maxSeries - 1 : maxSeries);
+    const QString more = shown.series.size() == bars.series.size()
+                             ? QString()
+                             : QStringLiteral("The first %1 of %2 scenarios; scenario_months.csv has all")
+                                   .arg(shown.series.size())
+                                   .arg(bars.series.size());
+    return {makeBarChart(shown, chart.unit, settings.units, isArea ? QString() : QStringLiteral("h")),
+            {plainText(bars.title), more}};
+}
+
+/// A figure by month, above its changes.
+BookPage monthPage(const MonthChart& chart, const BookSettings& settings) {
+    BookPage page{plainText(chart.values.title), {}, plainText(chart.values.title), 0, {}};
+    const QRectF all = contentArea(settings.setup);
+    const double gap = 14 * textScale(settings.setup), height = (all.height() - gap) / 2;
+    page.items.push_back(
+        {{all.left(), all.top(), all.width(), height}, chartOf(chart, chart.values, settings)});
+    if (!chart.changes.groups.empty())
+        page.items.push_back({{all.left(), all.top() + height + gap, all.width(), height},
+                              chartOf(chart, chart.changes, settings)});
+    return page;
+}
+
 }  // namespace
 
 Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& settings) {
@@ -84,6 +111,8 @@ Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& sett
                           scenarios.front().study->provenance.attribution);
     book.record = {QStringLiteral("scenarios.json"), scenariosJson(scenarios)};
     book.pages = tablePages(scenarios, settings);
+    for (const MonthChart& chart : makeMonthCharts(listMonths(scenarios)))
+        book.pages.push_back(monthPage(chart, settings));
     const Legend legend = commonLegend(scenarios);
     for (const ScenarioStudy& scenario : scenarios)
         book.pages.push_back(mapPage(scenario, legend, settings.setup));

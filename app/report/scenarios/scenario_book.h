@@ -5,8 +5,9 @@
 
 namespace noonmark {
 
-/// The book of several scenarios: their figures in one table, then a page for each with its map of gross
-/// shadow, all on the scale of the largest value. `scenarios`, at least one, must outlive the book.
+/// The book of several scenarios: their figures in one table, a page of charts for each figure of months
+/// (scenario_months.h), then a page for each scenario with its map of gross shadow, all on the scale of the
+/// largest value. `scenarios`, at least one, must outlive the book.
 Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& settings);
 
 }  // namespace noonmark

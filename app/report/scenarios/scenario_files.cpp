@@ -6,6 +6,7 @@
 #include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/scenarios/scenario_book.h"
+#include "app/report/scenarios/scenario_months.h"
 #include "app/report/scenarios/scenario_text.h"
 #include "core/io/write_raster.h"
 #include "core/study/provenance/provenance_tags.h"
@@ -26,7 +27,8 @@ Result<void> writeGrossBands(const ScenarioStudies& scenarios, const std::filesy
 }  // namespace
 
 std::vector<std::string> scenarioFileNames() {
-    return {"scenarios.csv", "scenario_uses.csv", "scenarios.json", "scenarios.pdf", "scenarios.tif"};
+    return {"scenarios.csv",  "scenario_uses.csv", "scenario_months.csv",
+            "scenarios.json", "scenarios.pdf",     "scenarios.tif"};
 }
 
 Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStudies& scenarios,
@@ -47,6 +49,8 @@ Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStud
     OutputFolder files(folder, rules);
     files.add("scenarios.csv", textContent(scenariosCsv(scenarios)));
     files.add("scenario_uses.csv", textContent(scenarioUsesCsv(scenarios)));
+    if (const auto months = makeMonthCharts(listMonths(scenarios)); !months.empty())
+        files.add("scenario_months.csv", textContent(monthsCsv(months)));
     files.add("scenarios.json", textContent(scenariosJson(scenarios)));
     files.add("scenarios.pdf", textContent(pdf->toStdString()));
     files.add("scenarios.tif",

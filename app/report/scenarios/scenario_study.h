@@ -26,6 +26,7 @@ struct ScenarioImpact {
 struct ScenarioScore {
     std::string weights;  ///< name of the table
     ScoreTotals totals;
+    std::vector<MonthFigures> months{};  ///< empty: of a result saved before they were kept
 };
 
 /// The review by a rule: the number of places or windows with each verdict.

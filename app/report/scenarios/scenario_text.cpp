@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/report/scenarios/scenario_months.h"
 #include "core/describe/figure_text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_json.h"
@@ -139,6 +140,7 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
     Json json = settingsJson(scenarios.front().study->settings);
     json["compared_with"] = scenarios.front().name;
     json["scenarios"] = Json::array();
+    const std::vector<MonthChart> months = makeMonthCharts(listMonths(scenarios));
     for (const ScenarioStudy& scenario : scenarios) {
         Json one{{"name", scenario.name},
                  {"changes", countChanges(scenario)},
@@ -150,13 +152,15 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
                  {"height_m", orNull(scenario.heightM)},
                  {"impact", impactJson(scenario.answers.impact)},
                  {"score", scoreJson(scenario.answers.score)},
-                 {"verdicts", verdictsJson(scenario.answers.verdicts)}};
+                 {"verdicts", verdictsJson(scenario.answers.verdicts)},
+                 {"months", monthsJson(months, scenario.name)}};
         addProvenance(one, scenario.study->provenance);
         one["warnings"] = warningsJson(scenario.study->warnings);
         json["scenarios"].push_back(std::move(one));
     }
     json["definitions"] = definitionsJson(shadowFigures().rows());
     json["definitions"].update(definitionsJson(scoreFigures().rows()));
+    json["definitions"].update(definitionsJson(months));
     json["definitions"].update(
         {{"shadow_area_change_m2", "shadow area minus that of the scenario named by compared_with"},
          {"floor_area_by_use",
@@ -170,6 +174,9 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
          {"verdicts",
           "places or windows with each verdict of the rule; not_judged: it does not apply to them, "
           "or was not checked"},
+         {"months",
+          "figures of each month, as far as they were computed, and their changes from the scenario named by "
+          "compared_with"},
          {"gross", "minutes in shadow per day, mean over the days"},
          {"continuous", "longest unbroken run in shadow on any day, minutes"}});
     return toJsonText(json);

@@ -15,6 +15,7 @@ namespace noonmark {
 namespace {
 
 constexpr double minutesOfHour = 60;
+constexpr std::string_view monthTitle = NM_TEXT("Hours of sun a day by month");
 
 struct MonthDays {
     std::chrono::year_month month;
@@ -74,7 +75,7 @@ std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown) {
 }
 
 Bars makeMonthBars(const std::vector<MonthShadow>& months, CivilDate start, int days) {
-    Bars bars{.title = NM_TEXT("Hours of sun a day by month")};
+    Bars bars{.title = monthTitle};
     const std::vector<MonthDays> counted = countDays(start, days);  // as many as sets (monthsOf in step_sets.h)
     for (std::size_t i = 0; i < std::min(counted.size(), months.size()); ++i) {
         const double sunMin = months[i].sunlitMinutes - months[i].meanMinutes;
@@ -83,11 +84,14 @@ Bars makeMonthBars(const std::vector<MonthShadow>& months, CivilDate start, int 
     return bars;
 }
 
+Bars makeMonthBars(const ShadowBreakdown& breakdown, const SunSteps& sun) {
+    if (sun.days.empty()) return {.title = monthTitle};
+    return makeMonthBars(monthsOf(breakdown), sun.days.front().date, int(sun.days.size()));
+}
+
 Bars makeMonthBars(const Study& study) {
-    const bool hasMonths = study.settings.byMonth && study.breakdown;
-    const Period& period = study.settings.period;
-    return makeMonthBars(hasMonths ? monthsOf(*study.breakdown) : std::vector<MonthShadow>(), period.start,
-                         period.days);
+    if (!study.settings.byMonth || !study.breakdown) return {.title = monthTitle};
+    return makeMonthBars(*study.breakdown, study.sun);
 }
 
 AnswerPage withMonths(AnswerPage page, Bars months) {

@@ -56,6 +56,15 @@ ComparisonFigures parseComparison(const Json& impact) {
     return figures;
 }
 
+std::vector<MonthFigures> parseScoreMonths(const Json& months) {
+    std::vector<MonthFigures> parsed;
+    for (const Json& month : months) {
+        MonthFigures& figures = parsed.emplace_back(readFigures(scoreMonthFigures(), month));
+        figures.month = monthFrom(month.at("month"));
+    }
+    return parsed;
+}
+
 Score parseScore(const Json& json) {
     Score score;
     const auto totals = readFigures(scoreFigures(), json);
@@ -63,10 +72,7 @@ Score parseScore(const Json& json) {
     score.weightedShadeM2h = totals.weightedShadeM2h;
     score.receiverAreaM2 = json.at("receiver_area_m2");
     score.waterM2 = json.value("water_m2", 0.0);
-    for (const Json& month : json.at("months")) {
-        MonthFigures& figures = score.months.emplace_back(readFigures(scoreMonthFigures(), month));
-        figures.month = monthFrom(month.at("month"));
-    }
+    score.months = parseScoreMonths(json.at("months"));
     for (const Json& interval : json.at("intervals")) {
         IntervalFigures& figures =
             score.intervals.emplace_back(readFigures(scoreIntervalFigures(), interval));

@@ -13,6 +13,7 @@ namespace noonmark {
 ShadowStatistics parseStatistics(const nlohmann::ordered_json& study);
 ImpactFigures parseImpactFigures(const nlohmann::ordered_json& figures);  ///< as of figuresJson()
 ComparisonFigures parseComparison(const nlohmann::ordered_json& impact);
+std::vector<MonthFigures> parseScoreMonths(const nlohmann::ordered_json& months);  ///< as of monthsJson()
 Score parseScore(const nlohmann::ordered_json& score);  ///< without grid, cells and warnings
 
 /// The study's error against the ray reference in one line, or the reason why it was not measured; empty

@@ -116,7 +116,7 @@ void ContributionLinks::showStudy(const Study& study) {
             study, *study.breakdown, listContributions(study.city, *study.breakdown, study.sun.dayCount())));
     dock_.explain(tr("Click a place in the view to see which buildings shade it, or attribute the shadow of "
                      "the whole region."),
-                  true, study.breakdown ? monthsOf(*study.breakdown) : std::vector<MonthShadow>());
+                  true, makeMonthBars(study));
 }
 
 // What a place gets is computed from a study, which the project file does not hold.

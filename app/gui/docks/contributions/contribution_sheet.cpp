@@ -151,13 +151,13 @@ ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdow
     for (const Contribution& one : rows) sheet.rows.push_back(makeRow(one, study.city));
     sheet.headline = describeSum(sheet, rows, study.field);
     sheet.method = QString::fromStdString(breakdown.engine);
-    if (breakdown.sets.names.size() > 1 || study.settings.byMonth) sheet.months = monthsOf(breakdown);
+    sheet.months = makeMonthBars(study);
     return sheet;
 }
 
 ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of) {
     ContributionSheet sheet = makeContributionSheet(study, of.breakdown, of.rows);
-    sheet.months = monthsOf(of.breakdown);
+    sheet.months = makeMonthBars(of.breakdown, study.sun);
     const double cellDays = double(of.cells) * of.breakdown.grid.cellAreaM2() * double(of.days);
     sheet.note = QObject::tr("%1 cell(s); in the study itself %2 min a day.", "", pluralNumber(of.cells))
                      .arg(formatCount(of.cells), describeNumber(of.studyMinM2 / cellDays));

@@ -39,7 +39,7 @@ struct ContributionSheet {
     QString method;    ///< how it was found: the tooltip of both
     std::vector<ContributionColumn> columns;
     std::vector<ContributionRow> rows;
-    std::vector<MonthShadow> months;  ///< empty: no bars
+    Bars months{};  ///< hours of sun; without groups: none
 };
 
 /// Of a study: the buildings of `rows`, over the cells of `breakdown`.

@@ -13,39 +13,23 @@
 #include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
 #include <QTableView>
-#include <QToolTip>
 #include <QVBoxLayout>
-#include <cstdio>
+#include <algorithm>
 
-#include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/base/widgets/progress_strip.h"
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/contributions/contribution_model.h"
-#include "app/gui/docks/review/chart_widget.h"
-#include "app/gui/session/answers/result_rows.h"
-#include "app/report/maps/palette.h"
+#include "app/gui/docks/results/bar_charts.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr int barsPx = 125;
-constexpr int tablePx = 160;          // at least
-constexpr int namePx = 150;           // of the names of buildings, at most at first
-constexpr std::size_t fewMonths = 4;  // have room for their names below the bars
+constexpr int tablePx = 160;  // at least
+constexpr int namePx = 150;   // of the names of buildings, at most at first
 constexpr int swatchPx = 12;
-constexpr int barAlpha = 60;       // of 255: the number on it stays readable
-constexpr double barsShare = 0.6;  // of the palette of shadow
-
-// "2026-01" in words: "Jan 2026", or below one of several bars "J".
-QString describeMonthOf(const std::string& name, bool asLetter) {
-    int year = 0;
-    unsigned month = 0;
-    if (std::sscanf(name.c_str(), "%d-%u", &year, &month) != 2) return QString::fromStdString(name);
-    if (asLetter) return QLocale().standaloneMonthName(int(month), QLocale::NarrowFormat);
-    return describeMonth(std::chrono::year{year} / std::chrono::month{month});
-}
+constexpr int barAlpha = 60;  // of 255: the number on it stays readable
 
 /// Draws a share as a bar behind its number, as long as it is of the largest share.
 class ShareBars final : public QStyledItemDelegate {
@@ -85,7 +69,7 @@ ContributionsDock::ContributionsDock(QWidget* parent)
                             tr("Finds what each building takes, by month, with the engine and the steps of "
                                "the study"))),
       progress_(new ProgressStrip(QBoxLayout::TopToBottom)),
-      bars_(new ChartWidget),
+      months_(new BarCharts),
       table_(new QTableView),
       colours_(new QCheckBox(tr("Colour the buildings"))),
       legend_(makeLegend()) {
@@ -111,8 +95,7 @@ void ContributionsDock::makeFields() {
     bold.setBold(true);
     headline_->setFont(bold);
     note_->setForegroundRole(QPalette::PlaceholderText);
-    bars_->setObjectName(QStringLiteral("contributionMonths"));
-    bars_->setFixedHeight(barsPx);
+    months_->setObjectName(QStringLiteral("contributionMonths"));
     colours_->setObjectName(QStringLiteral("colourBuildings"));
     colours_->setChecked(true);
     colours_->setToolTip(tr("Colours the buildings in the view by their share of the shadow"));
@@ -157,7 +140,7 @@ void ContributionsDock::placeFields() {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
     for (QWidget* widget :
-         std::initializer_list<QWidget*>{place_, headline_, note_, attribute_, progress_, bars_})
+         std::initializer_list<QWidget*>{place_, headline_, note_, attribute_, progress_, months_})
         column->addWidget(widget);
     column->addWidget(table_, 100);
     column->addWidget(colours_);
@@ -183,7 +166,6 @@ void ContributionsDock::connectFields() {
     connect(table_, &QTableView::activated, this, [this, buildingAt](const QModelIndex& index) {
         if (const auto building = buildingAt(index)) Q_EMIT wanted(building);
     });
-    connect(bars_, &ChartWidget::hovered, this, &ContributionsDock::tellMonth);
 }
 
 void ContributionsDock::chooseSubject(const QString& text) {
@@ -216,7 +198,7 @@ void ContributionsDock::show(ContributionSheet sheet) {
     note_->setVisible(!sheet.note.isEmpty());
     for (QLabel* label : {headline_, note_}) label->setToolTip(sheet.method);
     attribute_->hide();
-    showMonths(sheet.months);
+    months_->show({sheet.months});
     const bool any = !sheet.rows.empty();
     model_->show(std::move(sheet));
     for (QWidget* widget : std::initializer_list<QWidget*>{table_, colours_}) widget->setVisible(any);
@@ -228,29 +210,9 @@ void ContributionsDock::show(ContributionSheet sheet) {
     Q_EMIT coloursChanged();
 }
 
-void ContributionsDock::explain(const QString& why, bool offer, const std::vector<MonthShadow>& months) {
+void ContributionsDock::explain(const QString& why, bool offer, const Bars& months) {
     show({.note = why, .months = months});
     attribute_->setVisible(offer);
-}
-
-void ContributionsDock::showMonths(const std::vector<MonthShadow>& months) {
-    chart_ = {{{tr("Shadow area by month"), shadowColour(barsShare)}}, {}, false, unitsInUse()};
-    months_ = months;
-    for (const MonthShadow& month : months)
-        chart_.groups.push_back(
-            {describeMonthOf(month.month, months.size() > fewMonths), {month.shadowAreaM2}});
-    bars_->setVisible(months.size() > 1);
-    bars_->show([this](const Canvas& canvas, const QRectF& area) { paintBars(canvas, area, chart_); });
-}
-
-void ContributionsDock::tellMonth(QPointF at) {
-    const auto month = findGroupAt(bars_->area(), bars_->point(), chart_, at);
-    if (!month) return QToolTip::hideText();
-    const MonthShadow& shown = months_[*month];
-    QToolTip::showText(bars_->mapToGlobal(at.toPoint()),
-                       tr("%1: on average over the sunlit time %2 in shadow", "a month and an area")
-                           .arg(describeMonthOf(shown.month, false), describeArea(shown.shadowAreaM2)),
-                       bars_);
 }
 
 void ContributionsDock::select(const Building* building) {

@@ -3,7 +3,6 @@
 #include <QWidget>
 
 #include "app/gui/docks/contributions/contribution_sheet.h"
-#include "app/report/charts/bar_chart.h"
 
 class QCheckBox;
 class QComboBox;
@@ -14,7 +13,7 @@ class QTableView;
 
 namespace noonmark {
 
-class ChartWidget;
+class BarCharts;
 class ContributionModel;
 class ProgressStrip;
 
@@ -32,7 +31,7 @@ public:
     void show(ContributionSheet sheet);
     /// No buildings to show, and why, but months where there are any. `offer`: a button that attributes the
     /// subject's shadow.
-    void explain(const QString& why, bool offer = false, const std::vector<MonthShadow>& months = {});
+    void explain(const QString& why, bool offer = false, const Bars& months = {});
     [[nodiscard]] const ContributionModel& model() const { return *model_; }
     /// Selects the row of a building, if it has one; without a signal. Null: none.
     void select(const Building* building);
@@ -59,8 +58,6 @@ private:
     void makeTable();
     void placeFields();
     void connectFields();
-    void showMonths(const std::vector<MonthShadow>& months);
-    void tellMonth(QPointF at);
     void chooseSubject(const QString& text);
     [[nodiscard]] QWidget* makeLegend();
 
@@ -73,9 +70,7 @@ private:
     QLabel* note_;
     QPushButton* attribute_;
     ProgressStrip* progress_;
-    ChartWidget* bars_;
-    BarChart chart_;
-    std::vector<MonthShadow> months_;  // of the bars
+    BarCharts* months_;
     QTableView* table_;
     QCheckBox* colours_;
     QWidget* legend_;

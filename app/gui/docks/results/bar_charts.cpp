@@ -1,13 +1,17 @@
 #include "app/gui/docks/results/bar_charts.h"
 
+#include <QAction>
 #include <QBarCategoryAxis>
 #include <QBarSeries>
 #include <QBarSet>
 #include <QChart>
 #include <QChartView>
+#include <QClipboard>
 #include <QFontMetrics>
 #include <QGraphicsLayout>
+#include <QGuiApplication>
 #include <QLegend>
+#include <QLocale>
 #include <QStackedBarSeries>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -52,12 +56,12 @@ QColor colourOf(BarTone tone) {
     return impactColour(tone == BarTone::gain ? -0.8 : 0.8);
 }
 
-QColor colourOf(std::size_t series) { return series == 0 ? QColor(shade::baseline) : QColor(shade::sun); }
-
 // "Jun 2026: 1,204.5"
 QString describeBar(const Bars& bars, int group, std::size_t series) {
     const Bars::Group& of = bars.groups[std::size_t(group)];
-    const QString value = formatAmount(of.values[series], std::abs(of.values[series]) < 100 ? 2 : 0);
+    const double amount = of.values[series];
+    const QString sign = bars.isChange && amount > 0 ? QStringLiteral("+") : QString();
+    const QString value = sign + formatAmount(amount, std::abs(amount) < 100 ? 2 : 0);
     QString text = QObject::tr("%1: %2").arg(nameOf(of), value);
     if (!bars.series[series].empty())
         text = QString::fromStdString(bars.series[series]) + QStringLiteral(", ") + text;
@@ -77,24 +81,29 @@ QBarSet* setOf(const Bars& bars, std::size_t series, const QColor& colour) {
     return set;
 }
 
+// The series have colours of their own, and a legend.
+bool isNamed(const Bars& bars) { return bars.series.size() > 1 || bars.isChange; }
+
+double heightOf(double value) { return std::isnan(value) ? 0 : value; }
+
 // A set for each tone: those of the others are empty, and stand on one another.
 QAbstractBarSeries* tonedSeries(const Bars& bars) {
     auto* series = new QStackedBarSeries;
     for (const BarTone tone : {BarTone::amount, BarTone::sun, BarTone::gain, BarTone::loss}) {
         QBarSet* set = setOf(bars, 0, colourOf(tone));
         for (const Bars::Group& group : bars.groups)
-            *set << (group.tone == tone ? group.values.front() : 0.0);
+            *set << (group.tone == tone ? heightOf(group.values.front()) : 0.0);
         series->append(set);
     }
     return series;
 }
 
 QAbstractBarSeries* seriesOf(const Bars& bars) {
-    if (bars.series.size() == 1) return tonedSeries(bars);
+    if (!isNamed(bars)) return tonedSeries(bars);
     auto* all = new QBarSeries;
     for (std::size_t i = 0; i < bars.series.size(); ++i) {
-        QBarSet* set = setOf(bars, i, colourOf(i));
-        for (const Bars::Group& group : bars.groups) *set << group.values[i];
+        QBarSet* set = setOf(bars, i, seriesColour(bars.isChange ? i + 1 : i));
+        for (const Bars::Group& group : bars.groups) *set << heightOf(group.values[i]);
         all->append(set);
     }
     return all;
@@ -147,11 +156,23 @@ QString titleOf(const Bars& bars) {
         .arg(title, translated(bars.groupName).toHtmlEscaped());
 }
 
+// For spreadsheets: a row for each group, with tabs.
+QString tableText(const Bars& bars) {
+    QString text = bars.groupName.empty() ? QString() : translated(bars.groupName);
+    for (const std::string& name : bars.series) text += u'\t' + QString::fromStdString(name);
+    for (const Bars::Group& group : bars.groups) {
+        text += u'\n' + nameOf(group);
+        for (const double value : group.values)
+            text += u'\t' + (std::isnan(value) ? QString() : QLocale().toString(value, 'g', 10));
+    }
+    return text + u'\n';
+}
+
 QChartView* viewOf(const Bars& bars, const QFont& font) {
     const Inks inks = inksOf(themeInUse());
     auto* chart = new QChart;
     chart->setAnimationOptions(QChart::NoAnimation);
-    chart->legend()->setVisible(bars.series.size() > 1);
+    chart->legend()->setVisible(isNamed(bars));
     chart->legend()->setFont(smallFont(font));
     chart->legend()->setLabelColor(inks.text);
     chart->setTitle(titleOf(bars));
@@ -168,6 +189,11 @@ QChartView* viewOf(const Bars& bars, const QFont& font) {
     view->setRenderHint(QPainter::Antialiasing);
     view->setFixedHeight(chartHeightPx);
     view->setFrameShape(QFrame::NoFrame);
+    view->setContextMenuPolicy(Qt::ActionsContextMenu);
+    auto* copy = new QAction(QObject::tr("&Copy the values"), view);
+    QObject::connect(copy, &QAction::triggered, view,
+                     [bars] { QGuiApplication::clipboard()->setText(tableText(bars)); });
+    view->addAction(copy);
     return view;
 }
 

@@ -7,7 +7,8 @@
 
 namespace noonmark {
 
-/// The charts of an answer, one below the other. A tooltip names the bar below the mouse with its value.
+/// The charts of an answer, one below the other. A tooltip names the bar below the mouse with its value;
+/// the context menu copies all values.
 class BarCharts final : public QWidget {
     Q_OBJECT
 public:

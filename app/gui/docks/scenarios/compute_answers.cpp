@@ -70,30 +70,39 @@ void LatestAnswers::scoreAll() {
             lacking.push_back(city);
             names.push_back(name);
         }
-    using Made = ComputedAnswers<ScoreTotals>;
+    using Made = std::vector<Result<Score>>;
     scoring_.start<Made>(
         tr("All scores"),
         [lacking, settings, weights](Progress& progress, const std::stop_token& stop) -> Result<Made> {
             const auto compute = [&](const CityPointer& city, Progress& share,
-                                     const std::stop_token& stopped) {
-                return runScore(*city, settings, weights, share, stopped, enginesWith(settings.engine))
-                    .map(totalsOf);
+                                     const std::stop_token& stopped) -> Result<Score> {
+                auto score = runScore(*city, settings, weights, share, stopped, enginesWith(settings.engine));
+                if (score) score->score.clear();  // of each cell: only its sums are shown
+                return score;
             };
-            return computeEach<ScoreTotals>(lacking, compute, progress, stop);
+            return computeEach<Score>(lacking, compute, progress, stop);
         },
-        [this, lacking, names, settings, weights](const Result<Made>& scores) {
+        [this, lacking, names, settings, weights](Result<Made> scores) {
             if (!scores) return isCancelled(scores.error()) ? void() : Q_EMIT failed(scores.error());
-            for (std::size_t i = 0; i < scores->made.size(); ++i)
-                add({lacking[i],
-                     nullptr,
-                     {.question = hashQuestion(settings), .weights = weights, .score = scores->made[i]}});
-            if (!scores->made.empty()) from_.workbench.session().noteAnswer();
+            const std::size_t all = scores->size();
+            const ScenarioErrors errors =
+                adoptEach(*std::move(scores), names, [&](Score score, std::size_t i) {
+                    add({lacking[i],
+                         nullptr,
+                         {.question = hashQuestion(settings),
+                          .weights = weights,
+                          .score = totalsOf(score),
+                          .scoreMonths = std::move(score.months)}});
+                });
+            if (errors.size() < all) from_.workbench.session().noteAnswer();
             update();
-            if (!scores->error || isCancelled(*scores->error)) return;
-            table_.noteFailure(names[scores->made.size()], ScenarioWork::scoring,
-                               describeError(*scores->error));
-            Q_EMIT failed(*scores->error);
+            for (const auto& [scenario, error] : errors) noteFailure(scenario, ScenarioWork::scoring, error);
+            if (!errors.empty()) Q_EMIT failed(sumUp(errors, all));
         });
+}
+
+void LatestAnswers::noteFailure(const std::string& scenario, ScenarioWork work, const Error& error) {
+    table_.noteFailure(scenario, work, describeError(error));
 }
 
 // Each saved result is read once, for the cities of that time: after an edit it counts no longer.

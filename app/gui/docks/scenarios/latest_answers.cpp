@@ -59,6 +59,14 @@ LatestAnswers::LatestAnswers(const Sources& sources, ScenarioTable& table, QObje
     };
     connect(&from_.review, &ReviewSession::answered, this, unlessShaping);
     connect(&from_.windows, &GlazingSession::answered, this, unlessShaping);
+    connect(&workbench, &Workbench::scenarioFailed, this, [this](const auto& scenario, const Error& error) {
+        noteFailure(scenario, ScenarioWork::measuring, error);
+    });
+    const auto noteReview = [this](const std::string& scenario, const Error& error) {
+        noteFailure(scenario, ScenarioWork::reviewing, error);
+    };
+    connect(&from_.review, &ReviewSession::scenarioFailed, this, noteReview);
+    connect(&from_.windows, &GlazingSession::scenarioFailed, this, noteReview);
     connect(&from_.weights, &WeightsModel::chosen, this, &LatestAnswers::update);
 }
 
@@ -134,7 +142,7 @@ std::optional<ScenarioScore> LatestAnswers::scoreOf(const CityPointer& city) con
         return one.city == city && one.figures.weights && one.figures.weights->intervals == weights.intervals;
     });
     if (!found) return std::nullopt;
-    return ScenarioScore{weights.name, found->score};
+    return ScenarioScore{weights.name, found->score, found->scoreMonths};
 }
 
 std::optional<ShadowStatistics> LatestAnswers::measuredOf(const CityPointer& city) const {
@@ -158,7 +166,8 @@ void LatestAnswers::adoptAnswer() {
              nullptr,
              {.question = hashQuestion(score->settings),
               .weights = score->weights,
-              .score = totalsOf(score->score)}});
+              .score = totalsOf(score->score),
+              .scoreMonths = score->score.months}});
     update();
 }
 

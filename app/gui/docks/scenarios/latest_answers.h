@@ -9,6 +9,7 @@
 
 namespace noonmark {
 
+enum class ScenarioWork;
 class ReviewSession;
 class ScenarioTable;
 class WeightsModel;
@@ -59,6 +60,7 @@ private:
     void update();
     void forget();
     void adoptAnswer();
+    void noteFailure(const std::string& scenario, ScenarioWork work, const Error& error);
     void compareStudies();
     void readSaved();
     [[nodiscard]] std::string figuresInView() const;

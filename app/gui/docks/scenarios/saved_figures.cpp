@@ -8,6 +8,7 @@
 #include "scenarios/project/results/saved_figures_json.h"
 #include "scenarios/settings_json.h"
 #include "scenarios/weights/score_figures.h"
+#include "scenarios/weights/score_text.h"
 #include "scenarios/weights/weights_text.h"
 
 namespace noonmark {
@@ -43,6 +44,7 @@ Json viewJson(const ViewFigures& saved) {
     json["score"] = {{"table", figures.weights->name},
                      {"weights", Json::parse(weightsJson(*figures.weights))}};
     json["score"].update(figuresJson(scoreFigures().of(figures.score)));
+    json["score"]["months"] = monthsJson(figures.scoreMonths);
     return json;
 }
 
@@ -61,6 +63,7 @@ std::optional<ViewFigures> viewFiguresFrom(const Json& json) try {
     if (json.contains("score")) {
         figures.weights = weightsFrom(json.at("score"));
         figures.score = readFigures(scoreFigures(), json.at("score"));
+        figures.scoreMonths = parseScoreMonths(json.at("score").value("months", Json::array()));
     }
     return saved;
 } catch (const std::exception&) {  // JSON of another shape
@@ -76,7 +79,10 @@ std::optional<SavedFigures> readSavedFigures(const SavedResult& result, const Pr
     SavedFigures figures{.question = saved->origin.questionSha256, .weights = saved->origin.weights};
     figures.grid = result.grid;
     if (const auto* study = std::get_if<SavedStudy>(&saved->answer)) figures.measured = study->statistics;
-    if (const auto* score = std::get_if<SavedScore>(&saved->answer)) figures.score = totalsOf(score->score);
+    if (const auto* score = std::get_if<SavedScore>(&saved->answer)) {
+        figures.score = totalsOf(score->score);
+        figures.scoreMonths = score->score.months;
+    }
     if (const auto* impact = std::get_if<SavedImpact>(&saved->answer))
         figures.impact = impact->figures.all.front();
     if (!figures.measured) figures.settings = questionOf(Json::parse(result.settings)).dump();

@@ -19,6 +19,7 @@ struct SavedFigures {
     std::optional<ImpactFigures> impact;       ///< of a comparison, for its first threshold
     std::optional<TimeWeights> weights;        ///< of a score
     ScoreTotals score;
+    std::vector<MonthFigures> scoreMonths;  ///< of it; empty in results of versions that did not save them
     std::string settings;  ///< JSON: period, engine, cells and region's name, where there is no question
     Grid grid;             ///< likewise
 };

@@ -67,9 +67,9 @@ const ScenarioColumn& firstColumnOf(ScenarioWork work) {
     return *std::ranges::find(scenarioColumns(), work, &ScenarioColumn::work);
 }
 
-bool isBetter(double one, double other, BestValue best, bool shadeWanted) {
-    const bool less = best == BestValue::least || (best == BestValue::leastShadow && !shadeWanted);
-    return less ? one < other : one > other;
+bool isBetter(double one, double other, Better better, bool shadeWanted) {
+    const bool lower = better == Better::lower || (better == Better::lessShadow && !shadeWanted);
+    return lower ? one < other : one > other;
 }
 
 }  // namespace
@@ -186,14 +186,14 @@ QVariant ScenarioTable::shownValueAt(const Row& row, int column) const {
 }
 
 bool ScenarioTable::isBest(const Row& row, int column) const {
-    const BestValue best = scenarioColumns()[std::size_t(column)].best;
+    const Better better = betterOf(scenarioColumns()[std::size_t(column)]);
     const QVariant value = valueAt(row, column);
-    if (best == BestValue::none || !value.isValid()) return false;
+    if (better == Better::none || !value.isValid()) return false;
     bool beats = false;
     for (const Row& other : rows_) {
         const QVariant rival = valueAt(other, column);
         if (!rival.isValid()) continue;
-        if (isBetter(rival.toDouble(), value.toDouble(), best, shadeWanted_)) return false;
+        if (isBetter(rival.toDouble(), value.toDouble(), better, shadeWanted_)) return false;
         beats |= rival.toDouble() != value.toDouble();
     }
     return beats;
@@ -285,6 +285,18 @@ QString ScenarioTable::tipOfLack(const Row& row, const ScenarioColumn& column) c
     if (row.scenario == basis_.baseline) return tr("The other scenarios are compared with this one");
     return tr("Not compared with %1 with these settings since buildings last changed: press Measure all")
         .arg(named(basis_.baseline));
+}
+
+std::vector<ScenarioMonths> ScenarioTable::months() const {
+    std::vector<ScenarioMonths> all;
+    for (const Row& row : rows_) {
+        ScenarioMonths months{row.scenario};
+        if (const auto study = studies_.find(row.scenario); study != studies_.end())
+            months.study = study->second;
+        if (const auto score = answersOf(row).score) months.score = score->months;
+        all.insert(row.scenario == basis_.baseline ? all.begin() : all.end(), std::move(months));
+    }
+    return all;
 }
 
 std::string ScenarioTable::csv() const {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/gui/docks/scenarios/scenario_columns.h"
+#include "app/report/scenarios/scenario_months.h"
 
 namespace noonmark {
 
@@ -52,6 +53,8 @@ public:
     void forgetPast();
 
     [[nodiscard]] std::string scenarioAt(int row) const;
+    /// Their months, the baseline first.
+    [[nodiscard]] std::vector<ScenarioMonths> months() const;
     /// All scenarios as CSV, whatever is hidden: numbers in metres and square metres, empty where there is
     /// none, and last what each scenario lacks, in words.
     [[nodiscard]] std::string csv() const;

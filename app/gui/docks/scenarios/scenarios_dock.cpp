@@ -13,6 +13,7 @@
 #include "app/gui/base/widgets/column_menu.h"
 #include "app/gui/base/widgets/frozen_column.h"
 #include "app/gui/base/widgets/push_button.h"
+#include "app/gui/docks/scenarios/scenario_charts.h"
 #include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/session/project/project_session.h"
 
@@ -53,11 +54,14 @@ ScenariosDock::ScenariosDock(ProjectSession& session, QSettings& settings, QWidg
     const auto follow = [hint, &session] { hint->setVisible(session.project().scenarios.empty()); };
     connect(&session, &ProjectSession::changed, hint, follow);
     follow();
+    auto* charts = new ScenarioCharts(*table_, settings);
+    connect(charts, &ScenarioCharts::exportRequested, this, &ScenariosDock::monthsExportRequested);
     auto* column = new QVBoxLayout(this);
-    column->addWidget(view);
+    column->addWidget(view, 1);
     column->addWidget(makeSwitches(settings));
     column->addWidget(hint);
     column->addWidget(makeButtons());
+    column->addWidget(charts, 1);
     connect(view, &QTableView::doubleClicked, this, [this, &session](const QModelIndex& index) {
         session.goTo(table_->scenarioAt(sorted_->mapToSource(index).row()));
     });

@@ -15,7 +15,8 @@ namespace noonmark {
 class ProjectSession;
 class ScenarioTable;
 
-/// All scenarios with their figures side by side, and buttons that compute the missing ones.
+/// All scenarios with their figures side by side, buttons that compute the missing ones, and charts of the
+/// months (ScenarioCharts).
 class ScenariosDock final : public QWidget {
     Q_OBJECT
 public:
@@ -32,6 +33,7 @@ Q_SIGNALS:
     void reviewAllRequested();
     void copyRequested();
     void exportRequested();
+    void monthsExportRequested();
 
 private:
     QTableView* makeView(QSettings& settings);

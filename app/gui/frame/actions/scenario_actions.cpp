@@ -59,6 +59,8 @@ ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, P
     });
     connect(&scenarios, &ScenariosDock::exportRequested, this,
             [this] { saveTable(askForTable(&dock_, QStringLiteral("scenarios.csv"))); });
+    connect(&scenarios, &ScenariosDock::monthsExportRequested, this,
+            [this] { saveMonths(askForTable(&dock_, QStringLiteral("scenario_months.csv"))); });
 }
 
 // The difference at once where it is known. Else both scenarios side by side, with the shadows of the present
@@ -98,11 +100,17 @@ void ScenarioActions::endWaiting() {
     if (beside_ && beside_->isChecked()) beside_->trigger();
 }
 
-void ScenarioActions::saveTable(const QString& file) {
+void ScenarioActions::saveTable(const QString& file) { save(file, dock_.table().csv()); }
+
+void ScenarioActions::saveMonths(const QString& file) {
+    save(file, monthsCsv(makeMonthCharts(dock_.table().months())));
+}
+
+void ScenarioActions::save(const QString& file, const std::string& csv) {
     if (file.isEmpty()) return;
     const std::filesystem::path path = file.toStdString();
     auto saved = checkOutput(path, OutputKind::table, workbench_.exportRules());
-    if (saved) saved = writeText(path, dock_.table().csv());
+    if (saved) saved = writeText(path, csv);
     if (!saved) return Q_EMIT workbench_.failed(saved.error());
     Q_EMIT workbench_.noted(tr("Saved as %1").arg(file));
 }

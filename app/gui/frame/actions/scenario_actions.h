@@ -24,6 +24,8 @@ public:
     [[nodiscard]] QAction* compareAction() const { return compare_; }
     /// Writes the table of scenarios as CSV; asks for no file. Empty: nothing.
     void saveTable(const QString& file);
+    /// Likewise the months of the scenarios.
+    void saveMonths(const QString& file);
     /// What shows both scenarios side by side until their comparison is computed; it must outlive this
     /// object.
     void setSideBySide(QAction* beside) { beside_ = beside; }
@@ -33,6 +35,7 @@ Q_SIGNALS:
 
 private:
     void compare(bool on);
+    void save(const QString& file, const std::string& csv);
     void awaitComparison();
     void stopWaiting();
     void endWaiting();
