@@ -1,4 +1,4 @@
-#include "app/gui/docks/results/bar_charts.h"
+#include "app/gui/session/answers/bar_charts.h"
 
 #include <gtest/gtest.h>
 

@@ -20,7 +20,7 @@
 #include "app/gui/base/widgets/progress_strip.h"
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/contributions/contribution_model.h"
-#include "app/gui/docks/results/bar_charts.h"
+#include "app/gui/session/answers/bar_charts.h"
 
 namespace noonmark {
 

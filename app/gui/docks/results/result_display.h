@@ -1,7 +1,7 @@
 #pragma once
 
 // What the window shows of results. ResultDisplay fills the docks and the ResultLayer of the view,
-// ResultsDock is the sheet of an answer, BarCharts draws the charts on it.
+// ResultsDock is the sheet of an answer.
 
 #include <QObject>
 

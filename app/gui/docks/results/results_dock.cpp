@@ -14,7 +14,7 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/base/widgets/push_button.h"
-#include "app/gui/docks/results/bar_charts.h"
+#include "app/gui/session/answers/bar_charts.h"
 
 namespace noonmark {
 

@@ -13,8 +13,8 @@
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/base/widgets/translated.h"
-#include "app/gui/docks/results/bar_charts.h"
 #include "app/gui/docks/scenarios/scenario_table.h"
+#include "app/gui/session/answers/bar_charts.h"
 #include "app/report/maps/palette.h"
 #include "app/report/scenarios/scenario_months.h"
 
