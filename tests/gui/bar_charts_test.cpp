@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QBarCategoryAxis>
 #include <QBarSeries>
 #include <QBarSet>
 #include <QChart>
@@ -79,6 +80,23 @@ TEST(BarCharts, SeriesSideBySideHaveColoursOfTheirOwnAlsoInTheChartOfTheirChange
     for (int i = 0; i < 3; ++i) EXPECT_EQ(setsOf(1)[i]->color(), setsOf(0)[i + 1]->color()) << i;
     EXPECT_EQ(setsOf(0)[3]->at(0), 0) << "a scenario without a value has no bar";
     EXPECT_TRUE(views[1]->chart()->legend()->isVisible());
+}
+
+// Most small places of a map are called by their number, and some alike.
+TEST(BarCharts, LongAndEqualNamesLeaveRoomForTheBars) {
+    Bars places{.title = "Sun", .groupName = "places", .series = {"Existing", "Low"}};
+    for (const char* name : {"Plaza", "Plaza", "greenstreet (OSM way 1175460594) beside the long boulevard"})
+        places.groups.push_back({std::string(name), {4, 3}});
+    BarCharts chart;
+    chart.resize(320, 320);
+    chart.show({places});
+    static_cast<QWidget&>(chart).show();
+    QCoreApplication::processEvents();
+    const QChart& drawn = *chart.findChild<QChartView*>()->chart();
+    const auto* names = qobject_cast<QBarCategoryAxis*>(drawn.axes(Qt::Horizontal).front());
+    EXPECT_EQ(names->count(), 3) << "places of the same name stand side by side";
+    EXPECT_GT(drawn.plotArea().height(), 50);
+    EXPECT_GT(drawn.plotArea().width(), 150);
 }
 
 TEST(BarCharts, TheirValuesCanBeCopied) {

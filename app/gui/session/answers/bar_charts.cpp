@@ -30,6 +30,8 @@ namespace noonmark {
 namespace {
 
 constexpr int chartHeightPx = 170;
+constexpr int maxNamePx = 80;
+constexpr int monthNamePx = 50;  // has room in a chart of this height
 constexpr int letterPx = 10;
 constexpr int marginPx = 4;
 
@@ -44,9 +46,16 @@ QString nameOf(const Bars::Group& group) {
     return localiseNumbers(QString::fromStdString(std::get<std::string>(group.name)));
 }
 
-QStringList namesOf(const Bars& bars) {
+// Below the axis: long names are cut, and equal ones told apart by marks without width, since the axis takes
+// each name once only.
+QStringList namesOf(const Bars& bars, const QFont& font) {
+    const QFontMetrics metrics(smallFont(font));
     QStringList names;
-    for (const Bars::Group& group : bars.groups) names << nameOf(group);
+    for (const Bars::Group& group : bars.groups) {
+        QString name = metrics.elidedText(nameOf(group), Qt::ElideMiddle, maxNamePx);
+        while (names.contains(name)) name += QChar(0x200b);
+        names << name;
+    }
     return names;
 }
 
@@ -122,7 +131,7 @@ Axis* axisOf(const QFont& font) {
 
 void addAxes(QChart& chart, QAbstractBarSeries& series, const Bars& bars, const QFont& font) {
     auto* groups = axisOf<QBarCategoryAxis>(font);
-    groups->append(namesOf(bars));
+    groups->append(namesOf(bars, font));
     groups->setLabelsAngle(-90);
     groups->setTruncateLabels(false);
     groups->setGridLineVisible(false);
@@ -168,8 +177,16 @@ QString tableText(const Bars& bars) {
     return text + u'\n';
 }
 
+int longestOf(const QStringList& names, const QFont& font) {
+    const QFontMetrics metrics(smallFont(font));
+    int longest = 0;
+    for (const QString& name : names) longest = std::max(longest, metrics.horizontalAdvance(name));
+    return longest;
+}
+
 QChartView* viewOf(const Bars& bars, const QFont& font) {
     const Inks inks = inksOf(themeInUse());
+    const QStringList names = namesOf(bars, font);
     auto* chart = new QChart;
     chart->setAnimationOptions(QChart::NoAnimation);
     chart->legend()->setVisible(isNamed(bars));
@@ -179,7 +196,7 @@ QChartView* viewOf(const Bars& bars, const QFont& font) {
     chart->setTitleFont(smallFont(font, true));
     chart->setTitleBrush(inks.text);
     chart->setBackgroundBrush(inks.paper);
-    chart->setMargins({0, 0, marginPx, roomForLongerNames(namesOf(bars), font)});
+    chart->setMargins({0, 0, marginPx, roomForLongerNames(names, font)});
     chart->layout()->setContentsMargins(0, 0, 0, 0);
     QAbstractBarSeries* series = seriesOf(bars);
     series->setBarWidth(0.8);
@@ -187,7 +204,7 @@ QChartView* viewOf(const Bars& bars, const QFont& font) {
     addAxes(*chart, *series, bars, font);
     auto* view = new QChartView(chart);  // owns the chart
     view->setRenderHint(QPainter::Antialiasing);
-    view->setFixedHeight(chartHeightPx);
+    view->setFixedHeight(chartHeightPx + 2 * std::max(0, longestOf(names, font) - monthNamePx));
     view->setFrameShape(QFrame::NoFrame);
     view->setContextMenuPolicy(Qt::ActionsContextMenu);
     auto* copy = new QAction(QObject::tr("&Copy the values"), view);
