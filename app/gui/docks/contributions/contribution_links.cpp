@@ -126,7 +126,7 @@ void ContributionLinks::showSaved(const SavedContent& saved) {
         return dock_.show(makeContributionSheet(*study, workbench_.city()->city()));
     dock_.explain(tr("A saved result holds what buildings take from its whole region, if that was asked for. "
                      "For a place, show the study again."),
-                  false, study ? study->months : std::vector<MonthShadow>());
+                  false, study ? makeMonthBars(study->months, study->start, study->field.days) : Bars());
 }
 
 std::shared_ptr<const PlaceContributions> ContributionLinks::shown() const {

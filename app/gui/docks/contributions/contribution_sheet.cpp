@@ -175,7 +175,7 @@ ContributionSheet makeContributionSheet(const SavedStudy& study, const City& cit
     }
     sheet.headline = describeSum(sheet, *study.contributions, study.field);
     sheet.method = QString::fromStdString(study.field.engine);
-    sheet.months = study.months;
+    sheet.months = makeMonthBars(study.months, study.start, study.field.days);
     return sheet;
 }
 
