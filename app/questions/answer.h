@@ -55,11 +55,14 @@ public:
     [[nodiscard]] virtual bool asksSameAs(const Answer& other) const;
 
     /// The answer in sentences and charts.
-    [[nodiscard]] virtual AnswerPage page() const { return {}; }
+    [[nodiscard]] virtual AnswerPage page(ShownAs) const { return {}; }
     /// The command line that asks the same, of an answer that is stated(); error: why there is none.
     [[nodiscard]] virtual Result<std::string> command() const {
         return failure("No command asks this question", {}, "Ask it in the window");
     }
+
+    /// The options that such a command needs to draw the same.
+    [[nodiscard]] virtual std::vector<CommandOption> drawnOptions(const AnswerFiles&) const { return {}; }
 
     /// Its figures and its minutes by cell, as the window shows those of a question that has no viewer of its
     /// own (app/gui/session/answers/answer_viewer.h).

@@ -52,7 +52,7 @@ public:
         return std::make_shared<ByPlaceAnswer>(std::move(sun), asked_);
     }
 
-    [[nodiscard]] AnswerPage page() const override { return makePage(content()); }
+    [[nodiscard]] AnswerPage page(ShownAs) const override { return makePage(content()); }
 
     [[nodiscard]] std::string json() const override { return toJson(content().baseline, content().compared); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {

@@ -1,6 +1,7 @@
 #include "app/input/all_engines.h"
 #include "app/questions/question.h"
 #include "app/report/files/answer_files.h"
+#include "app/report/sheets/impact_report.h"
 #include "core/base/stopwatch.h"
 #include "core/describe/text.h"
 #include "core/study/text/region_text.h"
@@ -38,10 +39,13 @@ public:
         return std::make_shared<ComparisonAnswer>(std::move(impact), seconds_);
     }
 
-    [[nodiscard]] AnswerPage page() const override {
-        return makePage(content().study.total, computeFigures(content()));
+    [[nodiscard]] AnswerPage page(ShownAs show) const override {
+        return makePage(content().study.total, computeFigures(content()), show);
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
+    [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
+        return noonmark::drawnOptions(how.scale, how.legend);
+    }
     [[nodiscard]] std::string json() const override { return impactJson(content()); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
         return makeSavedResult(project, content());
@@ -55,7 +59,7 @@ public:
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
         return writeImpactFiles(content(), {city}, how.scale, folder, how.rules,
-                                how.sheets ? &how.book : nullptr, how.pictureWidth);
+                                how.sheets ? &how.book : nullptr, how.pictureWidth, how.legend);
     }
 
 private:

@@ -34,7 +34,7 @@ public:
         return std::make_shared<PointsAnswer>(std::move(answer), scenario_);
     }
 
-    [[nodiscard]] AnswerPage page() const override {
+    [[nodiscard]] AnswerPage page(ShownAs) const override {
         return makePage(content().map, computeFigures(content().study));
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content().study); }

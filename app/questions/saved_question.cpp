@@ -4,6 +4,7 @@
 
 #include "app/questions/question.h"
 #include "app/report/files/saved_files.h"
+#include "app/report/sheets/impact_report.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/text/region_text.h"
@@ -19,26 +20,28 @@ std::vector<std::string> listChanges(const SavedContent& saved) {
     return all;
 }
 
-AnswerPage pageOf(const SavedStudy& study, const SavedContent& saved) {
+AnswerPage pageOf(const SavedStudy& study, const SavedContent& saved, ShownAs show) {
     Region region;
     region.name = saved.answer.origin.region;
-    return withMonths(makePage(study.field, study.statistics, nameOf(region)),
+    return withMonths(makePage(study.field, study.statistics, nameOf(region), show),
                       makeMonthBars(study.months, study.start, study.field.days));
 }
 
-AnswerPage pageOf(const SavedImpact& impact, const SavedContent&) {
-    return makePage(impact.impact, impact.figures);
+AnswerPage pageOf(const SavedImpact& impact, const SavedContent&, ShownAs show) {
+    return makePage(impact.impact, impact.figures, show);
 }
 
-AnswerPage pageOf(const SavedScore& score, const SavedContent& saved) {
-    return makePage(score.score, saved.result->scenario);
+AnswerPage pageOf(const SavedScore& score, const SavedContent& saved, ShownAs show) {
+    return makePage(score.score, saved.result->scenario, show);
 }
 
-AnswerPage pageOf(const SavedElements& points, const SavedContent&) {
+AnswerPage pageOf(const SavedElements& points, const SavedContent&, ShownAs) {
     return makePage(points.map, points.figures);
 }
 
-AnswerPage pageOf(const SavedSunByPlace& places, const SavedContent&) { return makePage(places.sun); }
+AnswerPage pageOf(const SavedSunByPlace& places, const SavedContent&, ShownAs) {
+    return makePage(places.sun);
+}
 
 // Its JSON states it, or why there is none (addRepeat() in provenance_json.h).
 Result<std::string> commandOf(const SavedResult& result) {
@@ -81,12 +84,18 @@ public:
         return std::make_shared<SavedResultAnswer>(shared());
     }
 
-    [[nodiscard]] AnswerPage page() const override {
-        return std::visit([&](const auto& saved) { return pageOf(saved, content()); },
+    [[nodiscard]] AnswerPage page(ShownAs show) const override {
+        return std::visit([&](const auto& saved) { return pageOf(saved, content(), show); },
                           content().answer.answer);
     }
     [[nodiscard]] Result<std::string> command() const override { return commandOf(*content().result); }
 
+    [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
+        if (content().result->kind == "study") return listLegendOptions(how.legend, false);
+        if (content().result->kind == "impact") return noonmark::drawnOptions(how.scale, how.legend);
+        if (content().result->kind == "score") return listLegendOptions(how.legend, true);
+        return {};
+    }
     [[nodiscard]] std::string json() const override { return content().result->settings; }
     [[nodiscard]] SavedResult toSave(const Project&) const override { return *content().result; }
     [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {

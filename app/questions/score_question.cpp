@@ -39,8 +39,13 @@ public:
         return std::make_shared<WeighedAnswer>(std::move(score), seconds_);
     }
 
-    [[nodiscard]] AnswerPage page() const override { return makePage(content().score, content().scenario); }
+    [[nodiscard]] AnswerPage page(ShownAs show) const override {
+        return makePage(content().score, content().scenario, show);
+    }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
+    [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
+        return listLegendOptions(how.legend, true);
+    }
     [[nodiscard]] std::string json() const override { return scoreJson(content()); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
         return makeSavedResult(project, content());
@@ -54,7 +59,7 @@ public:
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
         return writeScoreFiles(content(), {city}, folder, how.rules, how.sheets ? &how.book : nullptr,
-                               how.pictureWidth);
+                               how.pictureWidth, how.legend);
     }
 
 private:

@@ -42,11 +42,15 @@ public:
         return std::make_shared<StudyAnswer>(std::move(study), scenario_);
     }
 
-    [[nodiscard]] AnswerPage page() const override {
-        return withMonths(makePage(content().field, content().statistics, nameOf(content().settings.region)),
-                          makeMonthBars(content()));
+    [[nodiscard]] AnswerPage page(ShownAs show) const override {
+        return withMonths(
+            makePage(content().field, content().statistics, nameOf(content().settings.region), show),
+            makeMonthBars(content()));
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
+    [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
+        return listLegendOptions(how.legend, false);
+    }
     [[nodiscard]] std::string json() const override { return studyJson(content()); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
         return makeSavedResult(project, scenario_, content());

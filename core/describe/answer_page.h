@@ -20,8 +20,13 @@ enum class BarTone {
 
 /// Bars in groups, one bar of each series: by month, or by class of a histogram.
 struct Bars {
+    /// A class of a histogram, in the unit of groupName; high is excluded.
+    struct Class {
+        double low = 0, high = 0;
+        bool operator==(const Class&) const = default;
+    };
     struct Group {
-        std::variant<std::string, std::chrono::year_month> name;
+        std::variant<std::string, std::chrono::year_month, Class> name;
         std::vector<double> values;  ///< as many as series; NaN: no bar
         BarTone tone = BarTone::amount;
         bool operator==(const Group&) const = default;

@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/describe/shown_as.h"
+
 namespace noonmark {
 
 /// What people read a number in. Areas are written in the units in use, all others as they are.
@@ -69,8 +71,9 @@ struct FigureFacts {
     bool isChange = false;      ///< shown with its sign
     bool whenPositive = false;  ///< shown only then
     bool byThreshold = false;   ///< counts what is over a threshold
-    bool inTable = false;       ///< a column of the tables that show only some of the figures
-    bool inFiles = true;        ///< false: only people read it; it follows from others
+    Tells tells = Tells::always;
+    bool inTable = false;  ///< a column of the tables that show only some of the figures
+    bool inFiles = true;   ///< false: only people read it; it follows from others
 };
 
 /// A row of a table of figures. NaN stands for what was not counted. Its functions take the struct that the
@@ -80,6 +83,9 @@ struct Figure : FigureFacts {
     std::function<double(const void*)> get{};
     std::function<void(void*, double)> set{};
 };
+
+/// Whether people are shown the figure where shadow or sun is shown. Files state all figures.
+inline bool isTold(const FigureFacts& figure, ShownAs show) { return isTold(figure.tells, show); }
 
 /// A result with its figures, as surfaces take it. Refers to both: of a temporary only within its expression.
 struct DescribedFigures {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <iterator>
@@ -19,6 +20,12 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr double minutesOfHour = 60;
+
+constexpr std::array shownList{
+    Choice<ShownAs>{ShownAs::shadow, "shadow", NM_TEXT("Shadow")},
+    Choice<ShownAs>{ShownAs::sun, "sun", NM_TEXT("Sun")},
+    Choice<ShownAs>{ShownAs::share, "share", NM_TEXT("Share of the sunlit time")},
+};
 
 bool isTime(FigureUnit unit) {
     return unit == FigureUnit::minutes || unit == FigureUnit::minutesADay || unit == FigureUnit::hours ||
@@ -58,6 +65,8 @@ std::string amountOf(const FigureLine& line, UnitSystem units) {
 
 }  // namespace
 
+std::span<const Choice<ShownAs>> shownChoices() { return shownList; }
+
 std::string_view unitText(FigureUnit unit) {
     switch (unit) {
         case FigureUnit::minutes:
@@ -81,7 +90,7 @@ std::vector<FigureLine> listLines(const DescribedFigures& figures, FigureUse use
     std::vector<FigureLine> lines;
     for (const Figure& figure : figures.figures) {
         const double value = figures.get(figure);
-        if (figure.use != use || (context.isInstant && isTime(figure.unit)) ||
+        if (figure.use != use || !isTold(figure, context.show) || (context.isInstant && isTime(figure.unit)) ||
             (figure.whenPositive && !(value > 0)))
             continue;
         lines.push_back({&figure, value, computeShare(figure, value, context)});

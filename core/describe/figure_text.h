@@ -32,6 +32,7 @@ struct FigureContext {
     double areaM2 = 0;       ///< of the receivers; 0: no shares of it
     double sunlitMin = 0;    ///< a day; 0: no shares of it
     bool isInstant = false;  ///< of one moment: minutes mean nothing
+    ShownAs show = ShownAs::shadow;
 };
 
 /// A figure with its value, for people.
@@ -43,7 +44,8 @@ struct FigureLine {
     std::optional<double> thresholdMin = {};  ///< of figures by threshold
 };
 
-/// The lines of one use, in the order of the table, without those that have nothing to show.
+/// The lines of one use, in the order of the table, without those that have nothing to show and those that
+/// are not told where shadow or sun is shown.
 std::vector<FigureLine> listLines(const DescribedFigures& figures, FigureUse use,
                                   const FigureContext& context = {});
 /// Results, then what they refer to.

@@ -37,7 +37,7 @@ std::vector<double> equalBreaks(const ColourScale& scale, int count) {
 std::vector<double> quantileBreaks(const ColourScale& scale, std::span<const float> minutes, int count) {
     std::vector<double> values;
     for (const float one : minutes)
-        if (scale.pick(double(one))) values.push_back(scale.quantity.of(double(one)));
+        if (scale.pick(double(one))) values.push_back(scale.shownOf(double(one)));
     std::ranges::sort(values);
     std::vector<double> breaks;
     for (int i = 1; i < count && !values.empty(); ++i) {
@@ -70,27 +70,50 @@ double shareOfClass(std::size_t index, std::size_t count) {
 }
 
 std::string labelOf(const ColourClass& one, std::string_view unit) {
-    if (one.low == -infinite) return fmt::format("below {:.6g} {}", one.high, unit);
-    if (one.high == infinite) return fmt::format("{:.6g} {} and more", one.low, unit);
-    return fmt::format("{:.6g} to {:.6g} {}", one.low, one.high, unit);
+    const std::string in = unit.empty() ? std::string() : fmt::format(" {}", unit);
+    if (one.low == -infinite) return fmt::format("below {:.6g}{}", one.high, in);
+    if (one.high == infinite) return fmt::format("{:.6g}{} and more", one.low, in);
+    return fmt::format("{:.6g} to {:.6g}{}", one.low, one.high, in);
 }
 
 // Sun is bright at the high end, shadow at the low one.
 Rgb colourAlong(const ColourScale& scale, double share) {
-    return rampRgb(scale.ramp, scale.quantity.isSun() != scale.reversed ? 1 - share : share);
+    return rampRgb(scale.ramp, scale.isWanted() != scale.reversed ? 1 - share : share);
+}
+
+// Of two decimals, as those of quantiles.
+std::vector<double> thirdsOf(double from, double to) {
+    const auto round = [](double value) { return std::round(value * 100) / 100; };
+    return {round(std::lerp(from, to, 1.0 / 3)), round(std::lerp(from, to, 2.0 / 3))};
 }
 
 }  // namespace
 
-std::optional<Rgb> ColourScale::pick(double minutes) const {
-    if (std::isnan(minutes)) return std::nullopt;
-    if (!paintsZero && !quantity.isSun() && minutes <= 0) return std::nullopt;
-    return colourOf(quantity.of(minutes));
+std::optional<Rgb> ColourScale::pick(double value) const {
+    if (std::isnan(value)) return std::nullopt;
+    const double amount = of == Of::minutes ? value : std::abs(value);
+    if (leavesZeroFree() && amount <= zero) return std::nullopt;
+    return colourOf(shownOf(value));
 }
 
-Rgb ColourScale::colourOf(double value) const {
-    if (breaks.empty()) return colourAlong(*this, std::clamp((value - low) / (high - low), 0.0, 1.0));
-    const auto index = std::size_t(std::ranges::upper_bound(breaks, value) - breaks.begin());
+double ColourScale::shownOf(double value) const {
+    if (of == Of::wanted) return value;
+    return of == Of::change ? quantity.ofChange(value) : quantity.of(value);
+}
+
+double ColourScale::valueOf(double shown) const {
+    if (of == Of::wanted) return shown;
+    return of == Of::change ? quantity.ofChange(shown) : quantity.minutesOf(shown);
+}
+
+std::string_view ColourScale::unit() const {
+    if (of == Of::wanted) return {};
+    return of == Of::change ? ShownQuantity{}.shortUnit() : quantity.shortUnit();
+}
+
+Rgb ColourScale::colourOf(double shown) const {
+    if (breaks.empty()) return colourAlong(*this, std::clamp((shown - low) / (high - low), 0.0, 1.0));
+    const auto index = std::size_t(std::ranges::upper_bound(breaks, shown) - breaks.begin());
     return colourAlong(*this, shareOfClass(index, breaks.size() + 1));
 }
 
@@ -101,7 +124,8 @@ std::vector<ColourClass> ColourScale::classes() const {
                         i == breaks.size() ? infinite : breaks[i],
                         colourAlong(*this, shareOfClass(i, breaks.size() + 1)),
                         {}};
-        one.label = labelOf(one, quantity.shortUnit());
+        if (!(one.low < one.high)) continue;  // a threshold at the scale's end leaves no room beyond
+        one.label = labelOf(one, unit());
         list.push_back(std::move(one));
     }
     return list;
@@ -116,6 +140,49 @@ ColourScale makeColourScale(const LegendChoice& choice, const ShownQuantity& qua
     scale.high = range.high;
     scale.tick = choice.range ? tickWithin(range) : fitted.tick;
     scale.breaks = breaksOf(choice.classes, scale, minutes);
+    return scale;
+}
+
+ColourScale makeSignedScale(const LegendChoice& choice, ColourScale::Of of, const ShownQuantity& quantity,
+                            LegendScale ends, double zero, std::span<const float> values) {
+    ColourScale scale{.quantity = quantity, .ramp = choice.changeRamp, .reversed = choice.changeReversed};
+    scale.of = of;
+    scale.zero = zero;
+    scale.low = -ends.top;
+    scale.high = ends.top;
+    scale.tick = ends.tick;
+    scale.breaks = breaksOf(choice.changeClasses, scale, values);
+    return scale;
+}
+
+ColourScale makeThresholdScale(const LegendChoice& choice, double thresholdHours, double topHours) {
+    const double top = std::max(topHours, thresholdHours + 1);
+    ColourScale scale{.quantity = {ShownAs::sun}, .reversed = choice.reversed};
+    scale.ramp = choice.ramp == LegendChoice{}.ramp ? Ramp::violetOrange : choice.ramp;
+    scale.high = top;
+    scale.breaks = thirdsOf(0, thresholdHours);
+    scale.breaks.push_back(thresholdHours);
+    for (const double above : thirdsOf(thresholdHours, top)) scale.breaks.push_back(above);
+    return scale;
+}
+
+ColourScale makePlaceChangeScale(const LegendChoice& choice) {
+    ColourScale scale{
+        .quantity = {ShownAs::sun}, .ramp = choice.changeRamp, .reversed = choice.changeReversed};
+    scale.of = ColourScale::Of::change;
+    scale.breaks = {-30, -10, -1, 1, 10, 30};
+    scale.high = scale.breaks.back();
+    scale.low = -scale.high;
+    return scale;
+}
+
+ColourScale makeWantedScale(LegendScale ends, bool aroundZero) {
+    ColourScale scale{.ramp = aroundZero ? Ramp::greenBrown : Ramp::noonmark,
+                      .paintsZero = true,
+                      .low = aroundZero ? -ends.top : 0,
+                      .high = ends.top,
+                      .tick = ends.tick};
+    scale.of = ColourScale::Of::wanted;
     return scale;
 }
 

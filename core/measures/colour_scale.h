@@ -15,23 +15,41 @@ struct ColourClass {
     std::string label;  ///< "2 to 4 h"
 };
 
-/// How one map colours its minutes: a legend's choice fitted to the map. Pictures, legends and styles of QGIS
+/// How one map colours its values: a legend's choice fitted to the map. Pictures, legends and styles of QGIS
 /// all take their colours from here. A value.
 struct ColourScale {
+    enum class Of {
+        minutes,  ///< of shadow a day
+        change,   ///< minutes a day more or less than before
+        wanted,   ///< of which more is better: a score, light at a window
+    };
+
     ShownQuantity quantity;
     Ramp ramp = Ramp::noonmark;
     bool reversed = false;
-    bool paintsZero = false;             ///< false: cells without any shadow stay free, where shadow is shown
+    bool paintsZero = false;             ///< false: cells without any shadow, change or score stay free
     double low = 0, high = 1, tick = 1;  ///< in the unit shown
     std::vector<double> breaks{};        ///< ascending, between the classes; empty: continuous
+    Of of = Of::minutes;
+    double zero = 0;  ///< values up to this, of either sign, count as 0
 
-    /// The colour of gross minutes a day, or of continuous minutes where these are shown; none for NaN and
-    /// for what stays free. O(log classes).
-    [[nodiscard]] std::optional<Rgb> pick(double minutes) const;
+    /// The colour of a value as files hold it: gross or continuous minutes, their change, what is wanted. None for
+    /// NaN and for what stays free. O(log classes).
+    [[nodiscard]] std::optional<Rgb> pick(double value) const;
+    /// What the legend shows of such a value, and back.
+    [[nodiscard]] double shownOf(double value) const;
+    [[nodiscard]] double valueOf(double shown) const;
     /// Of a value in the unit shown.
-    [[nodiscard]] Rgb colourOf(double value) const;
-    /// Empty for a continuous scale.
+    [[nodiscard]] Rgb colourOf(double shown) const;
+    /// Those between breaks; empty for a continuous scale.
     [[nodiscard]] std::vector<ColourClass> classes() const;
+    [[nodiscard]] std::string_view unit() const;  ///< "h"; empty of what is wanted
+    /// Whether the colours run against the values of files: more of what is shown is less shadow.
+    [[nodiscard]] bool isWanted() const { return quantity.isSun() || of == Of::wanted; }
+    /// Whether 0 is left free: never where sun is shown, of which no shadow is most.
+    [[nodiscard]] bool leavesZeroFree() const {
+        return !paintsZero && (of != Of::minutes || !quantity.isSun());
+    }
 };
 
 /// The scale of a map. `topMin`: minutes of the end of a fitted scale of shadow, which becomes round;
@@ -39,6 +57,22 @@ struct ColourScale {
 /// quantiles O(cells log cells).
 ColourScale makeColourScale(const LegendChoice& choice, const ShownQuantity& quantity, double topMin,
                             std::span<const float> minutes);
+
+/// The scale of values around zero, from -ends.top to ends.top; those up to `zero` stay free. `quantity`: of a
+/// change. Cost as of makeColourScale().
+ColourScale makeSignedScale(const LegendChoice& choice, ColourScale::Of of, const ShownQuantity& quantity,
+                            LegendScale ends, double zero, std::span<const float> values);
+
+/// The scale of hours of sun a day of places: three classes on each side of a threshold, the outermost of
+/// which are open. In violet below the threshold and orange from it on, unless the choice names other colours.
+ColourScale makeThresholdScale(const LegendChoice& choice, double thresholdHours, double topHours);
+
+/// The scale of the change of sun of places, minutes of sun a day.
+ColourScale makePlaceChangeScale(const LegendChoice& choice);
+
+/// The scale in the usual colours of values of which more is better, from 0, or around zero from -ends.top, to
+/// ends.top.
+ColourScale makeWantedScale(LegendScale ends, bool aroundZero);
 
 /// A scale of minutes of shadow from 0 to `topMin` in the usual colours.
 ColourScale plainScale(double topMin);

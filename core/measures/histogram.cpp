@@ -1,12 +1,11 @@
 #include "core/measures/histogram.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/describe/text.h"
+#include "core/measures/shown_quantity.h"
 
 namespace noonmark {
 
@@ -38,13 +37,10 @@ Classes classify(double low, double high, std::span<const double> widths) {
         }
 }
 
-std::string nameOf(const Classes& classes, std::size_t index, double unit) {
-    return fmt::format("{:g}–{:g}", classes.limit(index) / unit, classes.limit(index + 1) / unit);
-}
-
 void addGroups(Bars& bars, const Classes& classes, const std::vector<double>& sums, double unit) {
     for (std::size_t i = 0; i < classes.count; ++i)
-        bars.groups.push_back({nameOf(classes, i, unit), {sums[i]}});
+        bars.groups.push_back(
+            {Bars::Class{classes.limit(i) / unit, classes.limit(i + 1) / unit}, {sums[i]}});
 }
 
 }  // namespace
@@ -74,25 +70,29 @@ Bars makeSunHistogram(const ShadowField& field) {
     return makeSunHistogram(sunMin, field.sunlitMinutesPerDay, NM_TEXT("Share of the area, %"));
 }
 
-Bars makeChangeHistogram(std::span<const float> minutes, double cellAreaM2, double noChangeMin) {
+Bars makeChangeHistogram(std::span<const float> minutes, double cellAreaM2, double noChangeMin,
+                         ShownAs show) {
     constexpr std::array widths{1.0, 2.0, 5.0};
+    const ShownQuantity quantity{show, 0};
     Bars bars{.title = NM_TEXT("Area that changes, m²"),
-              .groupName = NM_TEXT("minutes of shadow a day, more than before")};
+              .groupName = quantity.isSun() ? NM_TEXT("minutes of sun a day, more than before")
+                                            : NM_TEXT("minutes of shadow a day, more than before")};
     const auto changes = [&](float value) { return std::abs(double(value)) > noChangeMin; };  // not of NaN
     double low = 0, high = 0;
     for (const float value : minutes)
         if (changes(value)) {
-            low = std::min(low, double(value));
-            high = std::max(high, double(value));
+            low = std::min(low, quantity.ofChange(double(value)));
+            high = std::max(high, quantity.ofChange(double(value)));
         }
     if (low == high) return bars;
     const Classes classes = classify(low, high, widths);
     std::vector<double> sums(classes.count);
     for (const float value : minutes)
-        if (changes(value)) sums[classes.of(double(value))] += cellAreaM2;
+        if (changes(value)) sums[classes.of(quantity.ofChange(double(value)))] += cellAreaM2;
     addGroups(bars, classes, sums, 1);
     for (std::size_t i = 0; i < classes.count; ++i)
-        bars.groups[i].tone = classes.limit(i) < 0 ? BarTone::gain : BarTone::loss;
+        bars.groups[i].tone =
+            (classes.limit(i) < 0) == quantity.isSun() ? BarTone::loss : BarTone::gain;
     return bars;
 }
 

@@ -24,6 +24,14 @@ constexpr std::array rampList{
     Choice<Ramp>{Ramp::magma, "magma", NM_TEXT("Magma")},
     Choice<Ramp>{Ramp::grey, "grey", NM_TEXT("Grey")},
     Choice<Ramp>{Ramp::trafficLight, "traffic-light", NM_TEXT("Green to red")},
+    Choice<Ramp>{Ramp::violetOrange, "violet-orange", NM_TEXT("Orange to violet")},
+};
+
+constexpr std::array changeRampList{
+    Choice<Ramp>{Ramp::greenBrown, "green-brown", NM_TEXT("Green-blue to brown")},
+    Choice<Ramp>{Ramp::orangePurple, "orange-purple", NM_TEXT("Orange to purple")},
+    Choice<Ramp>{Ramp::blueRed, "blue-red", NM_TEXT("Blue to red")},
+    Choice<Ramp>{Ramp::greenRed, "green-red", NM_TEXT("Green to red, pale in the middle")},
 };
 
 // Independent of the locale; nothing may follow the number.
@@ -59,6 +67,8 @@ std::optional<std::vector<double>> ascendingNumbersIn(std::string_view text) {
 }  // namespace
 
 std::span<const Choice<Ramp>> rampChoices() { return rampList; }
+
+std::span<const Choice<Ramp>> changeRampChoices() { return changeRampList; }
 
 std::string formatText(LegendRange range) { return fmt::format("{}:{}", range.low, range.high); }
 
@@ -100,6 +110,21 @@ Result<LegendClasses> parseLegendClasses(std::string_view text) {
                    "the classes like 2,4,6");
 }
 
+std::vector<CommandOption> listLegendOptions(const LegendChoice& choice, bool aroundZero) {
+    LegendChoice drawn{.show = choice.show};
+    if (aroundZero) {
+        drawn.changeRamp = choice.changeRamp;
+        drawn.changeReversed = choice.changeReversed;
+        drawn.changeClasses = choice.changeClasses;
+    } else {
+        drawn.ramp = choice.ramp;
+        drawn.reversed = choice.reversed;
+        drawn.range = choice.range;
+        drawn.classes = choice.classes;
+    }
+    return listOptions(legendFields().of(drawn));
+}
+
 std::string formatText(const LegendChoice& choice) {
     return fieldsJson(legendFields().of(choice), {.which = FieldJson::Which::changed}).dump();
 }
@@ -124,6 +149,11 @@ LegendChoice showAs(const LegendChoice& choice, ShownAs as, double sunlitMin) {
     std::ranges::sort(shown.classes.breaks);
     const auto equal = std::ranges::unique(shown.classes.breaks);
     shown.classes.breaks.erase(equal.begin(), equal.end());
+    // Minutes of sun that are gained are those of shadow that are lost.
+    if (from.isSun() != to.isSun()) {
+        for (double& value : shown.changeClasses.breaks) value = -value;
+        std::ranges::reverse(shown.changeClasses.breaks);
+    }
     return shown;
 }
 

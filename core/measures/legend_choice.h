@@ -5,13 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "core/describe/field.h"
+#include "core/describe/command_options.h"
 #include "core/measures/palette.h"
 #include "core/measures/shown_quantity.h"
 
 namespace noonmark {
 
-std::span<const Choice<Ramp>> rampChoices();
+std::span<const Choice<Ramp>> rampChoices();        ///< from much sun to much shadow
+std::span<const Choice<Ramp>> changeRampChoices();  ///< around zero
 
 /// The values of the two ends of a scale, in the unit shown.
 struct LegendRange {
@@ -42,19 +43,26 @@ std::string formatText(LegendClasses classes);  ///< "continuous", "equal:5", "q
 /// Error: neither of these.
 Result<LegendClasses> parseLegendClasses(std::string_view text);
 
-/// What a user chose for the legend of maps. The ramp and classes of a map of minutes; differences and scores
-/// have colours of their own and take `show` alone.
+/// What a user chose for the legends of maps: of minutes, and around zero, of differences and scores.
 struct LegendChoice {
     ShownAs show = ShownAs::shadow;
     Ramp ramp = Ramp::noonmark;
     bool reversed = false;               ///< dark where the ramp is bright
     std::optional<LegendRange> range{};  ///< unset: fitted to each map
     LegendClasses classes{};
+    Ramp changeRamp = Ramp::greenBrown;  ///< of differences and scores
+    bool changeReversed = false;
+    LegendClasses changeClasses{};  ///< breaks: of differences in minutes, of scores in theirs
     bool operator==(const LegendChoice&) const = default;
 };
 
-/// Flags --show, --ramp, --reverse-ramp, --range, --classes. No result depends on them.
+/// Flags --show, --ramp, --reverse-ramp, --range, --classes, --change-ramp, --reverse-change-ramp,
+/// --change-classes. No result depends on them.
 const Fields<LegendChoice>& legendFields();
+
+/// The options that state what a command would draw otherwise without them: of a map of minutes, or of one
+/// around zero.
+std::vector<CommandOption> listLegendOptions(const LegendChoice& choice, bool aroundZero);
 
 /// The choice as the JSON of its fields that differ from their default, and back: what is not valid there
 /// stays as it is in LegendChoice{}.

@@ -17,7 +17,8 @@ const Fields<LegendChoice>& legendFields() {
             {.key = "ramp",
              .flag = "--ramp",
              .label = NM_TEXT("Colours"),
-             .help = NM_TEXT("Colours of maps; all but traffic-light are safe for colour-blind readers"),
+             .help = NM_TEXT("Colours of maps; all but traffic-light are safe for colour-blind readers. "
+                             "Maps of sun by place take violet-orange unless another is named"),
              .role = SettingRole::none}),
         field(&LegendChoice::reversed,
               {.key = "reversed",
@@ -42,6 +43,29 @@ const Fields<LegendChoice>& legendFields() {
                    .label = NM_TEXT("Classes"),
                    .help = NM_TEXT("Classes of the legend: continuous, equal:5, quantiles:5, or the numbers "
                                    "between them: 2,4,6; one number is a threshold"),
+                   .hint = "CLASSES",
+                   .role = SettingRole::none}),
+        choiceField(
+            &LegendChoice::changeRamp, changeRampChoices(),
+            {.key = "change_ramp",
+             .flag = "--change-ramp",
+             .label = NM_TEXT("Colours of changes"),
+             .help = NM_TEXT("Colours of differences and scores; all but green-red are safe for colour-blind "
+                             "readers"),
+             .role = SettingRole::none}),
+        field(&LegendChoice::changeReversed,
+              {.key = "change_reversed",
+               .flag = "--reverse-change-ramp",
+               .label = NM_TEXT("Changes reversed"),
+               .help = NM_TEXT("Turn the colours of differences and scores round"),
+               .role = SettingRole::none}),
+        textField(&LegendChoice::changeClasses,
+                  +[](LegendClasses classes) { return formatText(std::move(classes)); }, &parseLegendClasses,
+                  {.key = "change_classes",
+                   .flag = "--change-classes",
+                   .label = NM_TEXT("Classes of changes"),
+                   .help = NM_TEXT("Classes of the legend of differences and scores, as of --classes; numbers "
+                                   "in minutes of a difference: -30,-10,10,30"),
                    .hint = "CLASSES",
                    .role = SettingRole::none}),
     };

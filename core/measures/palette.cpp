@@ -79,6 +79,17 @@ constexpr std::array greyStops{Rgb{0xf7, 0xf7, 0xf7}, Rgb{0x1f, 0x1f, 0x1f}};
 constexpr std::array trafficStops{Rgb{0x1a, 0x98, 0x50}, Rgb{0x91, 0xcf, 0x60}, Rgb{0xff, 0xff, 0xbf},
                                   Rgb{0xfc, 0x8d, 0x59}, Rgb{0xd7, 0x30, 0x27}};
 
+// The more sun, the lighter, also in grey print. Violet and orange differ for all kinds of colour blindness.
+constexpr std::array violetOrangeStops{Rgb{0xfe, 0xec, 0xb5}, Rgb{0xfc, 0xc8, 0x6a}, Rgb{0xf1, 0xa3, 0x40},
+                                       Rgb{0x99, 0x8e, 0xc3}, Rgb{0x5b, 0x3a, 0x9b}, Rgb{0x2d, 0x10, 0x60}};
+// ColorBrewer's PuOr, RdBu and RdYlGn; the last is not safe for colour-blind readers.
+constexpr std::array orangePurpleStops{Rgb{0xb3, 0x58, 0x06}, Rgb{0xf1, 0xa3, 0x40}, Rgb{0xf7, 0xf7, 0xf7},
+                                       Rgb{0x99, 0x8e, 0xc3}, Rgb{0x54, 0x27, 0x88}};
+constexpr std::array blueRedStops{Rgb{0x21, 0x66, 0xac}, Rgb{0x67, 0xa9, 0xcf}, Rgb{0xf7, 0xf7, 0xf7},
+                                  Rgb{0xef, 0x8a, 0x62}, Rgb{0xb2, 0x18, 0x2b}};
+constexpr std::array greenRedStops{Rgb{0x1a, 0x98, 0x50}, Rgb{0x91, 0xcf, 0x60}, Rgb{0xff, 0xff, 0xbf},
+                                   Rgb{0xfc, 0x8d, 0x59}, Rgb{0xd7, 0x30, 0x27}};
+
 std::span<const Rgb> stopsOf(Ramp ramp) {
     switch (ramp) {
         case Ramp::viridis:
@@ -89,6 +100,14 @@ std::span<const Rgb> stopsOf(Ramp ramp) {
             return magmaStops;
         case Ramp::trafficLight:
             return trafficStops;
+        case Ramp::violetOrange:
+            return violetOrangeStops;
+        case Ramp::orangePurple:
+            return orangePurpleStops;
+        case Ramp::blueRed:
+            return blueRedStops;
+        case Ramp::greenRed:
+            return greenRedStops;
         default:
             return greyStops;
     }
@@ -118,8 +137,10 @@ Rgb shadowRgb(double share) {
 }
 
 Rgb rampRgb(Ramp ramp, double share) {
-    if (ramp == Ramp::noonmark) return shadowRgb(share);
-    return mixStops(stopsOf(ramp), share > 0 ? std::min(share, 1.0) : 0.0);  // NaN is not above 0
+    const double clamped = share > 0 ? std::min(share, 1.0) : 0.0;  // NaN is not above 0
+    if (ramp == Ramp::noonmark) return shadowRgb(clamped);
+    if (ramp == Ramp::greenBrown) return impactRgb(2 * clamped - 1);
+    return mixStops(stopsOf(ramp), clamped);
 }
 
 Rgb impactRgb(double share) {

@@ -15,11 +15,26 @@ struct Rgb {
 /// shadow. A table look-up, for use per cell.
 Rgb shadowRgb(double share);  ///< share of the legend's range, 0 to 1, clamped; NaN counts as 0
 
-/// Colours from much sun (bright) to much shadow (dark).
-enum class Ramp { noonmark, viridis, cividis, magma, grey, trafficLight };
+/// Colours of a legend.
+enum class Ramp {
+    // From much sun (bright) to much shadow (dark).
+    noonmark,
+    viridis,
+    cividis,
+    magma,
+    grey,
+    trafficLight,
+    violetOrange,  ///< orange changes to violet in the middle, where a threshold may lie
+    // Around a pale middle, which is no change, from less shadow to more.
+    greenBrown,  ///< impactRgb()
+    orangePurple,
+    blueRed,
+    greenRed,
+};
 /// Whether its colours are told apart by readers who see no difference of red and green.
-constexpr bool isColourBlindSafe(Ramp ramp) { return ramp != Ramp::trafficLight; }
-/// The same of any ramp: 0 is bright, 1 dark. Ramp::noonmark is shadowRgb().
+constexpr bool isColourBlindSafe(Ramp ramp) { return ramp != Ramp::trafficLight && ramp != Ramp::greenRed; }
+/// The colour at a share of the ramp, 0 to 1, clamped: 0 is bright and 1 dark, or 0 is least and 1 most
+/// shadow. NaN counts as 0. Ramp::noonmark is shadowRgb().
 Rgb rampRgb(Ramp ramp, double share);
 
 /// Colours for a field of changes: green-blue is less shadow (-1), nearly white no change (0), red-brown more

@@ -1,5 +1,6 @@
 #include "core/measures/shadow_figures.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/describe/text.h"
@@ -16,21 +17,42 @@ Sentence describeMoment(const ShadowStatistics& statistics, const std::string& w
     return {NM_TEXT("%1: %2 in shadow"), {where, shade}};
 }
 
-Sentence describeHours(const ShadowField& field, const ShadowStatistics& statistics,
-                       const std::string& where) {
+// Sun beside its share of what is possible, the one that is shown first.
+Sentence describeSun(const Amount& sun, const Amount& share, const std::string& where, ShownAs show) {
+    if (show == ShownAs::sun && where.empty())
+        return {NM_TEXT("%1 of sun a day, %2 of what is possible"), {sun, share}};
+    if (show == ShownAs::sun)
+        return {NM_TEXT("%1: %2 of sun a day, %3 of what is possible"), {where, sun, share}};
+    if (where.empty()) return {NM_TEXT("%1 of the possible sun, %2 a day"), {share, sun}};
+    return {NM_TEXT("%1: %2 of the possible sun, %3 a day"), {where, share, sun}};
+}
+
+Sentence describeHours(const ShadowField& field, const ShadowStatistics& statistics, const std::string& where,
+                       ShownAs show) {
     const double possible = field.sunlitMinutesPerDay;
     const Amount sun{possible - statistics.meanGrossMin, FigureUnit::hours};
+    if (show != ShownAs::shadow)
+        return describeSun(sun, {1 - statistics.meanGrossMin / possible, FigureUnit::share, 0}, where, show);
     const Amount shade{statistics.meanGrossMin / possible, FigureUnit::share, 0};
     if (where.empty()) return {NM_TEXT("%1 of sun a day, %2 in shade"), {sun, shade}};
     return {NM_TEXT("%1: %2 of sun a day, %3 in shade"), {where, sun, shade}};
 }
 
+double sunAreaM2(const ShadowStatistics& statistics) {
+    return statistics.receiverAreaM2 - statistics.shadowAreaM2;
+}
+
+double leastSunMin(const ShadowStatistics& statistics) {
+    return std::max(statistics.meanSunMin + statistics.meanGrossMin - statistics.maxGrossMin, 0.0);
+}
+
 }  // namespace
 
-AnswerPage makePage(const ShadowField& field, const ShadowStatistics& statistics, const std::string& where) {
+AnswerPage makePage(const ShadowField& field, const ShadowStatistics& statistics, const std::string& where,
+                    ShownAs show) {
     if (statistics.receivers == 0) return {};
     if (isInstant(field)) return {describeMoment(statistics, where)};
-    AnswerPage page{describeHours(field, statistics, where)};
+    AnswerPage page{describeHours(field, statistics, where, show)};
     const double possible = field.sunlitMinutesPerDay;
     page.findings.push_back({NM_TEXT("Of %1 a day with the sun up, the darkest spot gets %2."),
                              {Amount{possible, FigureUnit::hours},
@@ -71,6 +93,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .unit = FigureUnit::squareMetres,
                 .whole = Whole::area,
                 .better = Better::lessShadow,
+                .tells = Tells::shadow,
                 .inTable = true}),
         figure(&ShadowStatistics::meanGrossMin,
                {.key = "mean_gross_min",
@@ -81,6 +104,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .whole = Whole::sunlitTime,
                 .together = Together::mean,
                 .better = Better::lessShadow,
+                .tells = Tells::shadow,
                 .inTable = true}),
         figure(&ShadowStatistics::maxGrossMin,
                {.key = "max_gross_min",
@@ -92,6 +116,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .whole = Whole::sunlitTime,
                 .together = Together::max,
                 .better = Better::lessShadow}),
+                .tells = Tells::shadow}),
         figure(&ShadowStatistics::meanSunMin,
                {.key = "mean_sun_min",
                 .label = NM_TEXT("Mean sun"),
@@ -101,6 +126,24 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .unit = FigureUnit::hoursADay,
                 .whole = Whole::sunlitTime,
                 .together = Together::mean}),
+        derivedFigure(&leastSunMin,
+                      {.key = "least_sun_min",
+                       .label = NM_TEXT("Least sun"),
+                       .definition = NM_TEXT("sunlit time minus gross shadow per day, at the receiver that "
+                                             "has most shadow"),
+                       .unit = FigureUnit::hoursADay,
+                       .whole = Whole::sunlitTime,
+                       .tells = Tells::sunInstead,
+                       .inFiles = false}),
+        derivedFigure(&sunAreaM2,
+                      {.key = "sun_area_m2",
+                       .label = NM_TEXT("Sunlit area"),
+                       .definition =
+                           NM_TEXT("sum over the receivers of (share of the sunlit time in the sun x cell area)"),
+                       .unit = FigureUnit::squareMetres,
+                       .whole = Whole::area,
+                       .tells = Tells::sunInstead,
+                       .inFiles = false}),
         figure(&ShadowStatistics::meanContinuousMin,
                {.key = "mean_continuous_min",
                 .label = NM_TEXT("Mean continuous"),

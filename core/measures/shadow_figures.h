@@ -10,6 +10,7 @@ const Figures<ShadowStatistics>& shadowFigures();
 
 /// What a field says: hours of sun a day and the share in shade, the darkest spot, how the area divides into
 /// hours of sun. `where`: the name of the region; empty: it has none. O(cells).
-AnswerPage makePage(const ShadowField& field, const ShadowStatistics& statistics, const std::string& where);
+AnswerPage makePage(const ShadowField& field, const ShadowStatistics& statistics, const std::string& where,
+                    ShownAs show = ShownAs::shadow);
 
 }  // namespace noonmark

@@ -1,9 +1,6 @@
 #include "core/measures/shown_quantity.h"
 
 #include <algorithm>
-#include <array>
-
-#include "core/describe/text.h"
 
 namespace noonmark {
 
@@ -12,17 +9,9 @@ namespace {
 constexpr double minutesAnHour = 60;
 constexpr double wholePct = 100;
 
-constexpr std::array shownList{
-    Choice<ShownAs>{ShownAs::shadow, "shadow", NM_TEXT("Shadow")},
-    Choice<ShownAs>{ShownAs::sun, "sun", NM_TEXT("Sun")},
-    Choice<ShownAs>{ShownAs::share, "share", NM_TEXT("Share of the sunlit time")},
-};
-
 double pctOf(double minutes, double sunlitMin) { return sunlitMin > 0 ? wholePct * minutes / sunlitMin : 0; }
 
 }  // namespace
-
-std::span<const Choice<ShownAs>> shownChoices() { return shownList; }
 
 double ShownQuantity::of(double grossMin) const {
     const double sunMin = std::max(sunlitMin - grossMin, 0.0);  // NaN stays NaN

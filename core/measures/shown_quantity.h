@@ -1,19 +1,10 @@
 #pragma once
 
-#include <span>
 #include <string_view>
 
-#include "core/describe/choice.h"
+#include "core/describe/shown_as.h"
 
 namespace noonmark {
-
-/// What is told of the time that a place spends in shadow.
-enum class ShownAs {
-    shadow,  ///< minutes in shadow a day
-    sun,     ///< hours of sun a day: the sunlit time minus gross shadow
-    share,   ///< per cent of the sunlit time that the place lies in the sun
-};
-std::span<const Choice<ShownAs>> shownChoices();
 
 /// The one conversion from gross shadow to what legends, pictures, texts and files show of it. Continuous
 /// shadow has no such complement, since the longest run in the sun does not follow from the longest run in

@@ -103,10 +103,10 @@ ComparisonFigures computeFigures(const ImpactAnswer& answer) {
 namespace {
 
 void addChange(std::vector<FigureLine>& lines, std::string_view measure, const ChangeFigures& change,
-               std::optional<double> thresholdMin) {
+               std::optional<double> thresholdMin, ShownAs show) {
     const DescribedFigures figures = changeFigures().of(change);
     for (const Figure& figure : figures.figures)
-        if (figure.byThreshold == thresholdMin.has_value())
+        if (figure.byThreshold == thresholdMin.has_value() && isTold(figure, show))
             lines.push_back({.figure = &figure,
                              .value = figures.get(figure),
                              .measure = measure,
@@ -115,18 +115,21 @@ void addChange(std::vector<FigureLine>& lines, std::string_view measure, const C
 
 }  // namespace
 
-std::vector<FigureLine> listLines(const ComparisonFigures& figures) {
-    constexpr std::string_view gross = NM_TEXT("Gross"), continuous = NM_TEXT("Continuous");
+// Of runs in shadow nothing can be told as sun.
+std::vector<FigureLine> listLines(const ComparisonFigures& figures, ShownAs show) {
+    constexpr std::string_view continuous = NM_TEXT("Continuous");
+    const std::string_view gross = show == ShownAs::shadow ? NM_TEXT("Gross") : NM_TEXT("Sun");
     const ImpactFigures& first = figures.all.front();
-    std::vector<FigureLine> lines = listLines(impactFigures().of(first), FigureUse::result);
-    for (const ImpactFigures& one : figures.all) addChange(lines, gross, one.gross, one.thresholdMin);
+    const FigureContext context{.show = show};
+    std::vector<FigureLine> lines = listLines(impactFigures().of(first), FigureUse::result, context);
+    for (const ImpactFigures& one : figures.all) addChange(lines, gross, one.gross, one.thresholdMin, show);
     for (const ImpactFigures& one : figures.all)
-        if (hasRuns(one)) addChange(lines, continuous, one.continuous, one.thresholdMin);
+        if (hasRuns(one)) addChange(lines, continuous, one.continuous, one.thresholdMin, ShownAs::shadow);
     if (!hasRuns(first))
         lines.push_back({.figure = &findFigure(changeFigures().rows(), "mean_min"),
                          .value = first.continuous.meanMin,
                          .measure = continuous});
-    addChange(lines, gross, first.gross, std::nullopt);
+    addChange(lines, gross, first.gross, std::nullopt, show);
     std::ranges::copy(listLines(impactFigures().of(first), FigureUse::basis), std::back_inserter(lines));
     if (figures.waterM2 > 0)
         lines.push_back({&findFigure(shadowFigures().rows(), "water_m2"), figures.waterM2});
@@ -135,16 +138,18 @@ std::vector<FigureLine> listLines(const ComparisonFigures& figures) {
 
 std::vector<FigureLine> listThresholdLines(const ImpactFigures& figures) {
     std::vector<FigureLine> lines;
-    addChange(lines, {}, figures.gross, figures.thresholdMin);
+    addChange(lines, {}, figures.gross, figures.thresholdMin, ShownAs::shadow);
     return lines;
 }
 
 namespace {
 
-Sentence describeChange(const std::string& scenario, const ChangeFigures& change) {
+Sentence describeChange(const std::string& scenario, const ChangeFigures& change, ShownAs show) {
     const auto minutes = [](double value) { return Amount{value, FigureUnit::minutes}; };
     if (change.mostGainedMin == 0 && change.mostLostMin == 0)
-        return {NM_TEXT("%1 changes no shadow here"), {scenario}};
+        return {show == ShownAs::shadow ? NM_TEXT("%1 changes no shadow here")
+                                        : NM_TEXT("%1 changes no sun here"),
+                {scenario}};
     if (change.meanMin >= 0)
         return {NM_TEXT("%1 takes %2 of sun a day on average, at most %3 at one spot"),
                 {scenario, minutes(change.meanMin), minutes(change.mostGainedMin)}};
@@ -152,9 +157,11 @@ Sentence describeChange(const std::string& scenario, const ChangeFigures& change
             {scenario, minutes(-change.meanMin), minutes(change.mostLostMin)}};
 }
 
-Sentence describeAreas(const ImpactFigures& figures) {
+Sentence describeAreas(const ImpactFigures& figures, ShownAs show) {
     const auto area = [](double m2) { return Amount{m2, FigureUnit::squareMetres}; };
-    return {NM_TEXT("More shadow on %1, less on %2; by more than %3 a day on %4 and %5."),
+    return {show == ShownAs::shadow
+                ? NM_TEXT("More shadow on %1, less on %2; by more than %3 a day on %4 and %5.")
+                : NM_TEXT("Less sun on %1, more on %2; by more than %3 a day on %4 and %5."),
             {area(figures.gross.touchedM2), area(figures.gross.easedM2),
              Amount{figures.thresholdMin, FigureUnit::minutes}, area(figures.gross.gainedM2),
              area(figures.gross.lostM2)}};
@@ -162,14 +169,14 @@ Sentence describeAreas(const ImpactFigures& figures) {
 
 }  // namespace
 
-AnswerPage makePage(const Impact& impact, const ComparisonFigures& figures) {
+AnswerPage makePage(const Impact& impact, const ComparisonFigures& figures, ShownAs show) {
     const ImpactFigures& first = figures.all.front();
     if (impact.sunlitMinutesPerDay <= 1)
         return {{NM_TEXT("%1 changes the shadow by %2 at this moment"),
                  {figures.to, Amount{first.shadowAreaChangeM2, FigureUnit::squareMetres, 0, true}}}};
-    return {describeChange(figures.to, first.gross),
-            {describeAreas(first)},
-            {makeChangeHistogram(impact.grossMin, impact.grid.cellAreaM2(), noChangeMin)}};
+    return {describeChange(figures.to, first.gross, show),
+            {describeAreas(first, show)},
+            {makeChangeHistogram(impact.grossMin, impact.grid.cellAreaM2(), noChangeMin, show)}};
 }
 
 Result<std::string> makeRepeatCommand(const ImpactAnswer& answer, std::size_t width) {

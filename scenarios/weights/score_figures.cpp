@@ -120,15 +120,26 @@ Bars weightedBars(const Score& score) {
     return bars;
 }
 
+// Where sun is shown, the rest of the receivers' area.
+Bars areaBars(const Score& score, ShownAs show) {
+    if (show == ShownAs::shadow)
+        return monthBars(score, NM_TEXT("Shadow area by month, m²"), &MonthFigures::shadowAreaM2);
+    Bars bars = monthBars(score, NM_TEXT("Sunlit area by month, m²"), &MonthFigures::shadowAreaM2);
+    for (Bars::Group& group : bars.groups) {
+        group.values.front() = score.receiverAreaM2 - group.values.front();
+        group.tone = BarTone::sun;
+    }
+    return bars;
+}
+
 }  // namespace
 
-AnswerPage makePage(const Score& score, const std::string& scenario) {
+AnswerPage makePage(const Score& score, const std::string& scenario, ShownAs show) {
     AnswerPage page{describeBalance(score, scenario)};
     if (!std::isnan(score.weightedShadeM2h))
         page.findings.push_back({NM_TEXT("Weighted by time: %1."),
                                  {Amount{score.weightedShadeM2h, FigureUnit::squareMetreHours, 0, true}}});
-    page.charts = {weightedBars(score),
-                   monthBars(score, NM_TEXT("Shadow area by month, m²"), &MonthFigures::shadowAreaM2)};
+    page.charts = {weightedBars(score), areaBars(score, show)};
     return page;
 }
 

@@ -11,6 +11,6 @@ const Figures<MonthFigures>& scoreMonthFigures();        ///< of a month, withou
 const Figures<IntervalFigures>& scoreIntervalFigures();  ///< of an interval, without its name
 
 /// What a score says: whether wanted shade outweighs unwanted shadow, and both by month.
-AnswerPage makePage(const Score& score, const std::string& scenario);
+AnswerPage makePage(const Score& score, const std::string& scenario, ShownAs show = ShownAs::shadow);
 
 }  // namespace noonmark

@@ -66,8 +66,8 @@ TEST(ScoreShown, WantedShadeHasTheColourOfLessShadow) {
     score.score = {1, -1, std::numeric_limits<float>::quiet_NaN()};
     const Legend legend = makeLegend(score);
     EXPECT_EQ(legend.scale.top, 1);
-    EXPECT_TRUE(legend.wanted);
-    const GroundPicture picture = scorePicture(score, legend.scale.top);
+    EXPECT_TRUE(legend.colours->isWanted());
+    const GroundPicture picture = scorePicture(score, coloursOf(legend));
     EXPECT_EQ(picture.pixels[0], pixelOf(impactColour(-1)));
     EXPECT_EQ(picture.pixels[1], pixelOf(impactColour(1)));
     EXPECT_EQ(picture.pixels[2].a, 0);

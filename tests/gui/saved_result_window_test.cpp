@@ -83,7 +83,7 @@ TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {
         runScore(*session().city(), workbench().document().settings(), makeMonthlyWeights(), progress, {})
             .value();
     EXPECT_EQ(score.scoreM2, again.scoreM2) << "as the command line has it";
-    EXPECT_TRUE(window->panel().legend().legend()->wanted);
+    EXPECT_TRUE(window->panel().legend().legend()->colours->isWanted());
     EXPECT_TRUE(figures().contains(QStringLiteral("Shadow score")));
     EXPECT_EQ(note(), QString());
     keep("Score");
@@ -93,7 +93,7 @@ TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {
     ASSERT_TRUE(session().change(next, QStringLiteral("weights")));
     EXPECT_TRUE(note().contains(QStringLiteral("weight table has changed"))) << note().toStdString();
     showSaved("Score");
-    EXPECT_TRUE(window->panel().legend().legend()->wanted);
+    EXPECT_TRUE(window->panel().legend().legend()->colours->isWanted());
     EXPECT_TRUE(figures().contains(QStringLiteral("Shadow score")));
     const auto legendNote = [this] { return window->panel().legend().note(); };
     EXPECT_TRUE(note().contains(QStringLiteral("'default' has changed since"))) << note().toStdString();

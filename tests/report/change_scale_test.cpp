@@ -36,8 +36,10 @@ TEST(ChangeScales, LockedTheColoursOfTwoProposalsAreTheSame) {
     EXPECT_EQ(legend(small, {}).scale.top, 60);
     EXPECT_EQ(legend(large, {}).scale.top, 60);
     EXPECT_EQ(legend(large, {}).unit, QStringLiteral("min a day, scale locked: ±60 min, largest 230"));
-    EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 1, 60), pickColour(large, ShadowMeasure::gross, 1, 60));
-    EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 0, 60), std::nullopt);
+    const ColourScale colours = coloursOf(legend(small, {}));
+    EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 1, colours),
+              pickColour(large, ShadowMeasure::gross, 1, coloursOf(legend(large, {}))));
+    EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 0, colours), std::nullopt);
     EXPECT_EQ(legend(small, {25}).scale.top, 25) << "exactly what was asked for";
     EXPECT_EQ(legend(small, {7}).scale.top, 7);
     const ChangeScale fitted{std::nullopt};

@@ -8,7 +8,6 @@
 #include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
-#include "app/cli/options/field_options.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/picture_option.h"
 #include "app/cli/options/sheet_options.h"
@@ -34,9 +33,7 @@ struct ImpactOptions {
 
 // The scale given by the user, otherwise that of the project.
 ChangeScale scaleOf(const ImpactOptions& options, const Project& project) {
-    ChangeScale scale = parseChangeScale(options.scale).value_or(changeScaleIn(project.view));
-    scale.show = options.measure.legend.show;
-    return scale;
+    return parseChangeScale(options.scale).value_or(changeScaleIn(project.view));
 }
 
 void printComparison(const Answer& compared, std::ostream& out) {
@@ -85,7 +82,7 @@ void addImpactCommand(CLI::App& app, Run& run) {
     addMeasureOptions(*command, options->measure);
     addSaveOption(*command, options->measure);
     addPictureOption(*command, options->measure.pictureWidth);
-    addFieldOptions(*command, {legendFields().rows().first(1), &options->measure.legend});
+    addLegendOptions(*command, options->measure.legend);
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets);
     addErrorOptions(*command, options->measure.settings.errorSample);
@@ -102,7 +99,7 @@ void addImpactCommand(CLI::App& app, Run& run) {
     command->add_flag(flags::byBuilding, options->byBuilding,
                       "Also measure the sole contribution of each new building");
     command
-        ->add_option("--scale", options->scale,
+        ->add_option(changeScaleFlag, options->scale,
                      "Ends of the picture's colour scale, minutes of change, or auto: fitted to this "
                      "difference (default: the project's scale, 60)")
         ->check([](const std::string& text) {

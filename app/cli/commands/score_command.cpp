@@ -68,6 +68,7 @@ void addScoreCommand(CLI::App& app, Run& run) {
     addMeasureOptions(*command, options->measure);
     addSaveOption(*command, options->measure);
     addPictureOption(*command, options->measure.pictureWidth);
+    addLegendOptions(*command, options->measure.legend);
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets);
     command->add_option(flags::scenario, options->scenario, "The scenario to measure")

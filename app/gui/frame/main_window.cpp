@@ -78,7 +78,7 @@ MainWindow::MainWindow(QSettings& settings)
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       hover_(new QLabel),
       mode_(workbench_.document()),
-      view_(workbench_, *panel_, mode_, review_),
+      view_(workbench_, *panel_, mode_, review_, settings),
       store_(unsavedFolder(settings)),
       saving_(
           workbench_, store_, [this] { return projectToSave(); }, panel_->messages(), *this),
@@ -90,7 +90,7 @@ MainWindow::MainWindow(QSettings& settings)
       contributions_(*docks_.contributions, workbench_, tools_, *panel_),
       display_(workbench_, mode_, tools_.context().preview,
                {panel_->results(), *docks_.results, *docks_.elements, *docks_.warnings,
-                docks_.scenarios->table()}),
+                docks_.scenarios->table(), panel_->legend()}),
       placeLinks_(workbench_, display_, *docks_.places, *panel_),
       results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, glazingReview_, *this),
       copying_(results_, *docks_.results, *panel_),
@@ -255,7 +255,10 @@ void MainWindow::connectDocks() {
     });
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
     docks_.results->setActions(results_.saveResult(), scenarios_.compareAction(), results_.exportAction());
-    connect(docks_.results, &ResultsDock::commandWanted, &workbench_, &Workbench::findCommand);
+    connect(&panel_->legend(), &LegendStrip::shownChosen, this, [this] { view_.keepShown(); });
+    connect(docks_.results, &ResultsDock::commandWanted, this, [this] {
+        workbench_.findCommand({.scale = panel_->legend().changeScale(), .legend = panel_->legend().choice()});
+    });
     connect(docks_.results, &ResultsDock::warningsWanted, this, [this] { showDock(docks_.warnings); });
     connect(&workbench_, &Workbench::commandFound, &copying_, &CopyActions::copyCommand);
     scenarios_.setSideBySide(comparing_.actions().front());

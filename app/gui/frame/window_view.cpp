@@ -1,5 +1,7 @@
 #include "app/gui/frame/window_view.h"
 
+#include <QSettings>
+
 #include "app/gui/docks/review/review_session.h"
 #include "app/gui/frame/actions/view_actions.h"
 #include "app/gui/session/workbench.h"
@@ -7,6 +9,22 @@
 #include "app/gui/view/panel/view_panel.h"
 
 namespace noonmark {
+
+namespace {
+
+const QString shownKey = QStringLiteral("legendShow");
+
+ShownAs lastShown(const QSettings& settings) {
+    const std::string key = settings.value(shownKey).toString().toStdString();
+    return findChoice(shownChoices(), key).value_or(ShownAs::shadow);
+}
+
+}  // namespace
+
+void WindowView::keepShown() {
+    const std::string_view key = keyOf(shownChoices(), panel_.legend().choice().show);
+    settings_.setValue(shownKey, QString::fromUtf8(key.data(), qsizetype(key.size())));
+}
 
 std::map<std::string, std::string> WindowView::toSave() const {
     const ProjectSession& session = workbench_.session();
@@ -37,6 +55,8 @@ void WindowView::restore() {
         mode_.setMode(view.mode);
         panel_.legend().setMeasure(view.measure);
         panel_.legend().setChoice(view.legend);
+    } else {
+        panel_.legend().setChoice({.show = lastShown(settings_)});
     }
     panel_.legend().setChangeScale(view.changeScale);
     panel_.section().set(view.section);

@@ -3,6 +3,8 @@
 #include <map>
 #include <string>
 
+class QSettings;
+
 namespace noonmark {
 
 class ModeSwitch;
@@ -14,19 +16,23 @@ class Workbench;
 class WindowView {
 public:
     /// All must outlive this object.
-    WindowView(Workbench& workbench, ViewPanel& panel, ModeSwitch& mode, ReviewSession& review)
-        : workbench_(workbench), panel_(panel), mode_(mode), review_(review) {}
+    WindowView(Workbench& workbench, ViewPanel& panel, ModeSwitch& mode, ReviewSession& review,
+               QSettings& settings)
+        : workbench_(workbench), panel_(panel), mode_(mode), review_(review), settings_(settings) {}
 
     [[nodiscard]] std::map<std::string, std::string> toSave() const;
     /// Shows the project that has been opened as it was saved; a new one from the south, its region in the
-    /// middle. Scenario and study are in the workbench already.
+    /// middle, with shadow or sun as it was last chosen. Scenario and study are in the workbench already.
     void restore();
+    /// For new projects: shadow or sun, as it is shown now.
+    void keepShown();
 
 private:
     Workbench& workbench_;
     ViewPanel& panel_;
     ModeSwitch& mode_;
     ReviewSession& review_;
+    QSettings& settings_;
 };
 
 }  // namespace noonmark

@@ -111,7 +111,8 @@ public:
     void saveAnswer(const QString& name);
 
     /// Finds the command line that asks the same as the displayed answer; costs a hash of its files.
-    void findCommand();
+    /// With the options that draw the same as `drawn`.
+    void findCommand(const AnswerFiles& drawn);
 
     /// Writes the same files as the command line. Existing ones are replaced as far as exportRules() allow;
     /// ask the user before, see filesInTheWay().

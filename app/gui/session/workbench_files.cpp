@@ -7,6 +7,7 @@
 #include "app/questions/saved_question.h"
 #include "app/report/files/contribution_files.h"
 #include "app/report/scenarios/scenario_files.h"
+#include "core/study/provenance/command_words.h"
 #include "scenarios/project/results/save_result.h"
 #include "scenarios/scenario_list.h"
 
@@ -16,6 +17,7 @@ namespace noonmark {
 namespace {
 
 using WrittenPaths = std::vector<std::filesystem::path>;
+constexpr std::size_t commandLetters = 120;
 
 }  // namespace
 
@@ -114,12 +116,14 @@ void Workbench::exportShown(const std::filesystem::path& folder, const ExportCho
         });
 }
 
-void Workbench::findCommand() {
+void Workbench::findCommand(const AnswerFiles& drawn) {
     if (!answer()) return report({"There is no result", {}, "Press Run first"});
     writing_.start<std::string>(
         tr("Finding the command"),
-        [answer = answer(), origin = AnswerOrigin(session_)](Progress&, const std::stop_token&) {
-            return origin.stated(answer)->command();
+        [answer = answer(), drawn, origin = AnswerOrigin(session_)](Progress&, const std::stop_token&) {
+            return origin.stated(answer)->command().map([&](const std::string& command) {
+                return extendCommand(command, answer->drawnOptions(drawn), commandLetters);
+            });
         },
         [this](const Result<std::string>& command) {
             if (!command) return report(command.error());

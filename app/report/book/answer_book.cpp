@@ -7,6 +7,7 @@
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/score_report.h"
 #include "core/describe/figure_text.h"
+#include "core/measures/shadow_figures.h"
 #include "scenarios/impact/impact_figure_tables.h"
 #include "scenarios/settings_json.h"
 #include "scenarios/weights/score_figures.h"
@@ -75,11 +76,16 @@ PageMap grossMap(const ImpactAnswer& answer, const AnswerSource& source, const S
     return {std::make_shared<const SheetMap>(map), {plainText(name), legend.unit}};
 }
 
-BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, const PageSetup& setup) {
+BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, const PageSetup& setup,
+                    const LegendChoice& choice) {
     const QString title = QStringLiteral("Scenarios side by side");
+    const ShadowField &before = answer.study.before, &after = answer.study.after;
+    const bool beforeIsDarker = topOf(before, ShadowMeasure::gross) > topOf(after, ShadowMeasure::gross);
+    const Legend legend = makeLegend(beforeIsDarker ? before : after, ShadowMeasure::gross, choice);
     BookPage page{
         title,
-        QStringLiteral("Gross shadow on one scale. Buildings are those of %1.").arg(plainText(answer.to)),
+        QStringLiteral("%1 on one scale. Buildings are those of %2.")
+            .arg(legend.title, plainText(answer.to)),
         title,
         0,
         {}};
@@ -89,10 +95,6 @@ BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, cons
                                         : QSizeF(all.width(), (all.height() - gap) / 2);
     const QPointF second = setup.landscape ? QPointF(all.left() + half.width() + gap, all.top())
                                            : QPointF(all.left(), all.top() + half.height() + gap);
-    const ShadowField &before = answer.study.before, &after = answer.study.after;
-    const Legend legend = topOf(before, ShadowMeasure::gross) > topOf(after, ShadowMeasure::gross)
-                              ? makeLegend(before, ShadowMeasure::gross)
-                              : makeLegend(after, ShadowMeasure::gross);
     page.items.push_back({{all.topLeft(), half}, grossMap(answer, source, before, legend, answer.from)});
     page.items.push_back({{second, half}, grossMap(answer, source, after, legend, answer.to)});
     return page;
@@ -100,13 +102,15 @@ BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, cons
 
 QString titleOf(const Figure& figure) { return plainText(figure.label); }
 
-void addCells(std::vector<QString>& row, const DescribedFigures& figures, const BookSettings& settings) {
+void addCells(std::vector<QString>& row, const DescribedFigures& figures, const BookSettings& settings,
+              ShownAs show) {
     for (const Figure& figure : figures.figures)
-        row.push_back(plainText(valueOf({&figure, figures.get(figure)}, settings.units)));
+        if (isTold(figure, show)) row.push_back(plainText(valueOf({&figure, figures.get(figure)}, settings.units)));
 }
 
 /// The sole contribution of each new building.
-std::vector<BookPage> contributionPages(const ImpactAnswer& answer, const BookSettings& settings) {
+std::vector<BookPage> contributionPages(const ImpactAnswer& answer, const BookSettings& settings,
+                                        ShownAs show) {
     const ComparisonFigures figures = computeFigures(answer);
     if (figures.byBuilding.empty()) return {};
     PageTable table{{QStringLiteral("Building"), QStringLiteral("Threshold")},
@@ -114,11 +118,12 @@ std::vector<BookPage> contributionPages(const ImpactAnswer& answer, const BookSe
                     {},
                     {},
                     tablePt * textScale(settings.setup)};
-    for (const Figure& figure : changeFigures().rows()) table.titles.push_back(titleOf(figure));
+    for (const Figure& figure : changeFigures().rows())
+        if (isTold(figure, show)) table.titles.push_back(titleOf(figure));
     for (const auto& building : figures.byBuilding) {
         table.rows.push_back({plainText(building.name), describeAmount(building.figures.thresholdMin, 2) +
                                                             QStringLiteral(" min a day")});
-        addCells(table.rows.back(), changeFigures().of(building.figures.gross), settings);
+        addCells(table.rows.back(), changeFigures().of(building.figures.gross), settings, show);
     }
     const QString title = QStringLiteral("Contributions");
     return makeTablePages(settings.setup, {title, {}, title, 0, {}},
@@ -139,11 +144,22 @@ PageChart monthChart(const Score& score, std::string_view key, QColor colour, co
     return {std::move(chart), {titleOf(figure) + QStringLiteral(" by month"), plainText(figure.definition)}};
 }
 
-BookPage monthPage(const Score& score, const BookSettings& settings) {
+// The rest of the receivers' area, in each month.
+PageChart sunChart(const Score& score, const BookSettings& settings) {
+    const Figure& figure = findFigure(shadowFigures().rows(), "sun_area_m2");
+    BarChart chart{{{titleOf(figure), shade::sun}}, {}, false, settings.units};
+    for (const MonthFigures& month : score.months)
+        chart.groups.push_back({monthText(month.month), {score.receiverAreaM2 - month.shadowAreaM2}});
+    return {std::move(chart), {titleOf(figure) + QStringLiteral(" by month"), plainText(figure.definition)}};
+}
+
+BookPage monthPage(const Score& score, const BookSettings& settings, ShownAs show) {
     const QString title = QStringLiteral("Months");
     BookPage page{title, {}, title, 0, {}};
     const QRectF all = contentArea(settings.setup);
-    const PageChart charts[]{monthChart(score, "shadow_area_m2", shade::proposal, settings),
+    const PageChart charts[]{show == ShownAs::shadow
+                                 ? monthChart(score, "shadow_area_m2", shade::proposal, settings)
+                                 : sunChart(score, settings),
                              monthChart(score, "weighted_shade_m2h", shade::incremental, settings)};
     const double gap = 14 * textScale(settings.setup);
     const double height = (all.height() - gap) / double(std::size(charts));
@@ -155,12 +171,13 @@ BookPage monthPage(const Score& score, const BookSettings& settings) {
     return page;
 }
 
-std::vector<BookPage> intervalPages(const ScoreAnswer& answer, const BookSettings& settings) {
+std::vector<BookPage> intervalPages(const ScoreAnswer& answer, const BookSettings& settings, ShownAs show) {
     PageTable table{{QStringLiteral("Interval")}, {}, {}, {}, tablePt * textScale(settings.setup)};
-    for (const Figure& figure : scoreIntervalFigures().rows()) table.titles.push_back(titleOf(figure));
+    for (const Figure& figure : scoreIntervalFigures().rows())
+        if (isTold(figure, show)) table.titles.push_back(titleOf(figure));
     for (const IntervalFigures& interval : answer.score.intervals) {
         table.rows.push_back({plainText(interval.name)});
-        addCells(table.rows.back(), scoreIntervalFigures().of(interval), settings);
+        addCells(table.rows.back(), scoreIntervalFigures().of(interval), settings, show);
     }
     if (table.rows.empty()) return {};
     const QString title = QStringLiteral("Weights");
@@ -171,27 +188,30 @@ std::vector<BookPage> intervalPages(const ScoreAnswer& answer, const BookSetting
 }  // namespace
 
 Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
-                    const BookSettings& settings) {
-    const Sheet sheet = makeSheet(answer, source, scale);
+                    const BookSettings& settings, const LegendChoice& legend) {
+    const Sheet sheet = makeSheet(answer, source, scale, legend);
     Book book = beginBook(settings, plainText(sheet.headline.what), answer.provenance.attribution);
     book.record = sheet.record;
     addMaps(book, sheet);
-    book.pages.push_back(sideBySide(answer, source, settings.setup));
-    appendPages(book, contributionPages(answer, settings));
+    book.pages.push_back(sideBySide(answer, source, settings.setup, legend));
+    appendPages(book, contributionPages(answer, settings, legend.show));
     addText(book, sheet,
-            repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance)));
+            repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance),
+                         drawnOptions(scale, legend), commandLetters));
     return book;
 }
 
-Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const BookSettings& settings) {
-    const Sheet sheet = makeSheet(answer, source);
+Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const BookSettings& settings,
+                   const LegendChoice& legend) {
+    const Sheet sheet = makeSheet(answer, source, legend);
     Book book = beginBook(settings, plainText(sheet.headline.what), answer.provenance.attribution);
     book.record = sheet.record;
     addMaps(book, sheet);
-    if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings));
-    appendPages(book, intervalPages(answer, settings));
+    if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings, legend.show));
+    appendPages(book, intervalPages(answer, settings, legend.show));
     addText(book, sheet,
-            repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance)));
+            repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance),
+                         listLegendOptions(legend, true), commandLetters));
     return book;
 }
 

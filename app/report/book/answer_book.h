@@ -13,10 +13,11 @@ namespace noonmark {
 /// The book of a comparison: maps of the change, both scenarios side by side on one scale, sole contributions
 /// of new buildings where they were measured, method and sources.
 Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
-                    const BookSettings& settings);
+                    const BookSettings& settings, const LegendChoice& legend = {});
 
 /// The book of a score: its map, bars of shadow area and score by month, the intervals of the weight table,
 /// method and sources.
-Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const BookSettings& settings);
+Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const BookSettings& settings,
+                   const LegendChoice& legend = {});
 
 }  // namespace noonmark

@@ -75,7 +75,7 @@ Legend hoursLegend(const ElementMap& map) {
     legend.title = QStringLiteral("Sun");
     legend.unit = QStringLiteral("hours a day, mean over the days");
     legend.scale = {top, 1};
-    legend.wanted = true;
+    legend.colours = makeWantedScale(legend.scale, false);
     return legend;
 }
 

@@ -24,12 +24,13 @@ namespace noonmark {
 Result<std::vector<std::filesystem::path>> writeImpactFiles(
     const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
     const std::filesystem::path& folder, const OutputRules& rules = {}, const BookSettings* sheets = nullptr,
-    int width = pictureWidth);
+    int width = pictureWidth, const LegendChoice& legend = {});
 
 /// The same for a score: score.tif, score.qml, score.png, score.pdf, score.json, score.csv.
 Result<std::vector<std::filesystem::path>> writeScoreFiles(
     const ScoreAnswer& answer, const AnswerSource& source, const std::filesystem::path& folder,
-    const OutputRules& rules = {}, const BookSettings* sheets = nullptr, int width = pictureWidth);
+    const OutputRules& rules = {}, const BookSettings* sheets = nullptr, int width = pictureWidth,
+    const LegendChoice& legend = {});
 
 /// The names of those files, known before the computation; `provenance` states the region.
 std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets = false);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/measures/palette.h"
-#include "core/measures/shown_quantity.h"
 
 namespace noonmark {
 
@@ -26,8 +25,6 @@ struct ChangeScale {
     static constexpr double maxLockedMin = 1440;
     std::optional<double> lockedMin =
         defaultLockedMin;  ///< colours run from -lockedMin to lockedMin; (0, maxLockedMin]
-    /// Whether the difference is told as that of shadow or of sun, with the opposite sign.
-    ShownAs show = ShownAs::shadow;
     bool operator==(const ChangeScale&) const = default;
 };
 
@@ -36,6 +33,8 @@ std::string formatText(const ChangeScale& scale);
 /// Empty where the text is neither "auto" nor minutes above 0 and up to maxLockedMin.
 std::optional<ChangeScale> parseChangeScale(const std::string& text);
 
+/// The option of commands that states the scale.
+constexpr const char* changeScaleFlag = "--scale";
 /// Key of the scale in Project::view.
 constexpr const char* changeScaleKey = "change_scale";
 /// The scale stored in a project's view, or the default.

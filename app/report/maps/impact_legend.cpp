@@ -22,13 +22,20 @@ const std::vector<float>& getValues(const Impact& impact, ShadowMeasure measure)
     return measure == ShadowMeasure::gross ? impact.grossMin : impact.continuousMin;
 }
 
-Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale& scale) {
+Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale& scale,
+                  const LegendChoice& choice) {
     Legend legend{
         QStringLiteral("Change of %1").arg(nameOf(measure).toLower()), {}, {}, isInstant(impact), true};
-    legend.wanted = quantityOf(measure, scale.show, impact.sunlitMinutesPerDay).isSun() && !legend.instant;
-    if (legend.wanted) legend.title = QStringLiteral("Change of sun");
-    const ChangeSpread spread = changeSpreadOf(getValues(impact, measure), float(noChangeMin));
+    const ShownQuantity quantity = legend.instant
+                                       ? ShownQuantity{}
+                                       : quantityOf(measure, choice.show, impact.sunlitMinutesPerDay);
+    if (quantity.isSun()) legend.title = QStringLiteral("Change of sun");
+    const std::vector<float>& values = getValues(impact, measure);
+    const ChangeSpread spread = changeSpreadOf(values, float(noChangeMin));
     legend.scale = legendScaleOf(scale, spread);
+    legend.colours =
+        makeSignedScale(choice, ColourScale::Of::change, quantity, legend.scale, noChangeMin, values);
+    if (legend.instant) legend.colours->breaks.clear();
     legend.unit = measure == ShadowMeasure::gross ? QStringLiteral("min a day") : QStringLiteral("min");
     if (!legend.instant)
         legend.unit +=
@@ -43,12 +50,11 @@ Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale
     return legend;
 }
 
-std::optional<QColor> pickColour(const Impact& impact, ShadowMeasure measure, std::size_t cell, double top) {
+std::optional<QColor> pickColour(const Impact& impact, ShadowMeasure measure, std::size_t cell,
+                                 const ColourScale& scale) {
     if (impact.change[cell] == CellChange::becameBuilding) return ground::becameBuilding;
     if (impact.change[cell] == CellChange::becameGround) return ground::becameGround;
-    const float value = getValues(impact, measure)[cell];
-    if (std::abs(value) > float(noChangeMin)) return impactColour(double(value) / top);
-    return std::nullopt;
+    return pickColour(scale, double(getValues(impact, measure)[cell]));
 }
 
 }  // namespace noonmark

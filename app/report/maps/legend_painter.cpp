@@ -39,13 +39,9 @@ QRectF barOf(const Canvas& canvas, const QRectF& area) {
     return {area.left(), area.top() + barTopPt * canvas.point, area.width(), barHeightPt * canvas.point};
 }
 
-QColor toColour(Rgb rgb) { return {rgb.red, rgb.green, rgb.blue}; }
-
 QColor colourAt(const Legend& legend, double share) {
-    if (const auto& colours = legend.colours)
-        return toColour(colours->colourOf(std::lerp(colours->low, colours->high, share)));
-    if (!legend.change) return shadowColour(legend.wanted ? 1 - share : share);
-    return impactColour(legend.wanted ? 1 - 2 * share : 2 * share - 1);
+    const ColourScale colours = coloursOf(legend);
+    return toColour(colours.colourOf(std::lerp(colours.low, colours.high, share)));
 }
 
 void paintBar(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
@@ -60,10 +56,15 @@ void paintBar(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
     canvas.painter.drawRect(bar);
 }
 
-double lowOf(const Legend& legend) { return legend.colours ? legend.colours->low : 0; }
+// Ticks of a signed scale are counted from 0.
+double lowOf(const Legend& legend) { return legend.colours && !legend.change ? legend.colours->low : 0; }
 
 int ticksOf(const Legend& legend) {
     return std::max(1, int(std::lround((legend.scale.top - lowOf(legend)) / legend.scale.tick)));
+}
+
+QString numberText(double value, bool isSigned) {
+    return (isSigned && value > 0 ? QStringLiteral("+") : QString()) + QString::number(value);
 }
 
 // Labels along the bar, from left to right.
@@ -71,8 +72,7 @@ QStringList labelsOf(const Legend& legend) {
     const int ticks = ticksOf(legend);
     QStringList labels;
     for (int i = legend.change ? -ticks : 0; i <= ticks; ++i)
-        labels << (legend.change && i > 0 ? QStringLiteral("+") : QString()) +
-                      QString::number(lowOf(legend) + i * legend.scale.tick);
+        labels << numberText(lowOf(legend) + i * legend.scale.tick, legend.change);
     return labels;
 }
 
@@ -120,12 +120,13 @@ void paintPatch(const Canvas& canvas, const QRectF& patch, const QColor& colour,
                             label);
 }
 
-void paintMoment(const Canvas& canvas, const QRectF& bar, bool change) {
+void paintMoment(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
+    const bool change = legend.change;
     const QSizeF size(bar.height() * 2, bar.height());
-    paintPatch(canvas, {bar.topLeft(), size}, change ? impactColour(-1) : shadowColour(0),
+    paintPatch(canvas, {bar.topLeft(), size}, colourAt(legend, 0),
                change ? QStringLiteral("less shadow") : QStringLiteral("in the sun"));
     paintPatch(canvas, {{bar.left() + bar.width() / 2, bar.top()}, size},
-               change ? impactColour(1) : shadowColour(1),
+               colourAt(legend, 1),
                change ? QStringLiteral("more shadow") : QStringLiteral("in shadow"));
 }
 
@@ -144,7 +145,9 @@ void paintClasses(const Canvas& canvas, const QRectF& bar, const std::vector<Leg
 }
 
 // Equally wide fields, however unequal the classes are, with the numbers between them.
-void paintColourClasses(const Canvas& canvas, const QRectF& bar, const std::vector<ColourClass>& classes) {
+void paintColourClasses(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
+    const std::vector<ColourClass> classes = legend.colours->classes();
+    const bool isSigned = legend.colours->of != ColourScale::Of::minutes;
     const double width = bar.width() / double(classes.size());
     canvas.painter.setFont(textFont(canvas, labelPt));
     for (std::size_t i = 0; i < classes.size(); ++i) {
@@ -153,7 +156,7 @@ void paintColourClasses(const Canvas& canvas, const QRectF& bar, const std::vect
         canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.4));
         canvas.painter.drawRect(QRectF(left, bar.top(), width, bar.height()));
         canvas.painter.setPen(canvas.inks.text);
-        if (i > 0) paintLabel(canvas, bar, left, QString::number(classes[i].low));
+        if (i > 0) paintLabel(canvas, bar, left, numberText(classes[i].low, isSigned));
     }
 }
 
@@ -186,7 +189,6 @@ Legend makeLegend(ShadowMeasure measure, const LegendChoice& choice, double sunl
         legend.title = QString::fromUtf8(quantity.title().data(), qsizetype(quantity.title().size()));
         legend.unit = QString::fromUtf8(quantity.unit().data(), qsizetype(quantity.unit().size()));
     }
-    legend.wanted = quantity.isSun();
     legend.colours = makeColourScale(own, quantity, topMin, minutes);
     legend.scale = {legend.colours->high, legend.colours->tick};
     return legend;
@@ -213,10 +215,10 @@ void paintLegend(const Canvas& canvas, const QRectF& area, const Legend& legend)
     paintTitle(canvas, area.adjusted(0, 0, -patches, 0), legend);
     if (!legend.classes.empty()) {
         paintClasses(canvas, bar, legend.classes);
-    } else if (legend.colours && !legend.colours->breaks.empty()) {
-        paintColourClasses(canvas, bar, legend.colours->classes());
     } else if (legend.instant) {
-        paintMoment(canvas, bar, legend.change);
+        paintMoment(canvas, bar, legend);
+    } else if (legend.colours && !legend.colours->breaks.empty()) {
+        paintColourClasses(canvas, bar, legend);
     } else {
         paintBar(canvas, bar, legend);
         paintTicks(canvas, bar, legend);

@@ -22,15 +22,11 @@ struct Legend {
     QString unit;                        ///< "minutes in shadow a day"
     LegendScale scale;                   ///< colours run from 0 to scale.top
     bool instant = false;                ///< two patches, sunlit and shaded, instead of a scale
-    bool change = false;                 ///< signed scale: impactColour(value / scale.top), from -top to top
+    bool change = false;                 ///< signed scale from -scale.top to scale.top
     std::vector<LegendPatch> patches{};  ///< colours outside the scale
-    /// More is wanted, as of sun: the colours run the other way. With `change` impactColour(-value /
-    /// scale.top), else shadowColour(1 - value / scale.top).
-    bool wanted = false;
     std::vector<LegendPatch> classes{};  ///< if any: patches in their order instead of a scale
-    /// Of a map of minutes: the colours instead of those said above, from colours->low to colours->high.
+    /// The colours from colours->low to colours->high; none: those of plainScale().
     std::optional<ColourScale> colours{};
-    bool isScore = false;  ///< its scale is always fitted
 };
 
 /// What a map of the measure shows: continuous shadow is always minutes of shadow.

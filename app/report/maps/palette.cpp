@@ -4,15 +4,11 @@
 
 namespace noonmark {
 
-namespace {
+QColor toColour(Rgb rgb) { return {rgb.red, rgb.green, rgb.blue}; }
 
-QColor pickColour(Rgb rgb) { return {rgb.red, rgb.green, rgb.blue}; }
+QColor shadowColour(double share) { return toColour(shadowRgb(share)); }
 
-}  // namespace
-
-QColor shadowColour(double share) { return pickColour(shadowRgb(share)); }
-
-QColor impactColour(double share) { return pickColour(impactRgb(share)); }
+QColor impactColour(double share) { return toColour(impactRgb(share)); }
 
 QColor seriesColour(std::size_t series) {
     static constexpr std::array<QColor, maxSeries> colours{shade::baseline,          shade::sun,

@@ -7,6 +7,8 @@
 
 namespace noonmark {
 
+QColor toColour(Rgb rgb);
+
 /// The colours of core/measures/palette.h as QColor.
 QColor shadowColour(double share);
 QColor impactColour(double share);

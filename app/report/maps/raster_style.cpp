@@ -17,21 +17,17 @@ struct StyleItem {
 
 constexpr int smoothStops = 32;  // between which QGIS interpolates; the eye sees no difference to the ramp
 
-QColor toStyleColour(Rgb rgb) { return {rgb.red, rgb.green, rgb.blue}; }
-
-QString numberText(double value) {
+QString styleNumber(double value) {
     return std::isinf(value) ? QStringLiteral("inf") : QString::number(value, 'g', 10);
 }
 
 std::vector<StyleItem> smoothItems(const ColourScale& scale) {
     std::vector<StyleItem> items;
+    const QString unit = QString::fromUtf8(scale.unit().data(), qsizetype(scale.unit().size()));
     for (int i = 0; i <= smoothStops; ++i) {
         const double shown = std::lerp(scale.low, scale.high, double(i) / smoothStops);
-        const std::string_view unit = scale.quantity.shortUnit();
-        items.push_back({scale.quantity.minutesOf(shown), toStyleColour(scale.colourOf(shown)),
-                         QStringLiteral("%1 %2")
-                             .arg(shown, 0, 'g', 4)
-                             .arg(QString::fromUtf8(unit.data(), qsizetype(unit.size())))});
+        items.push_back({scale.valueOf(shown), toColour(scale.colourOf(shown)),
+                         QStringLiteral("%1 %2").arg(shown, 0, 'g', 4).arg(unit).trimmed()});
     }
     return items;
 }
@@ -41,39 +37,22 @@ std::vector<StyleItem> classItems(const ColourScale& scale) {
     std::vector<StyleItem> items;
     for (const ColourClass& one : scale.classes()) {
         const double end = scale.quantity.isSun() ? one.low : one.high;
-        items.push_back({std::isinf(end) ? std::abs(end) : scale.quantity.minutesOf(end),
-                         toStyleColour(one.colour), QString::fromStdString(one.label)});
-    }
-    return items;
-}
-
-std::vector<StyleItem> changeItems(const Legend& legend) {
-    std::vector<StyleItem> items;
-    for (int i = -smoothStops / 2; i <= smoothStops / 2; ++i) {
-        const double share = 2.0 * i / smoothStops, value = share * legend.scale.top;
-        const bool flipped = legend.wanted && !legend.isScore;  // the file holds minutes of shadow
-        items.push_back({value, impactColour(legend.isScore ? -share : share),
-                         QString::number(flipped ? -value : value, 'g', 4)});
+        items.push_back({std::isinf(end) ? std::abs(end) : scale.valueOf(end), toColour(one.colour),
+                         QString::fromStdString(one.label)});
     }
     return items;
 }
 
 std::vector<StyleItem> itemsOf(const Legend& legend) {
-    if (legend.change) return changeItems(legend);
     const ColourScale scale = coloursOf(legend);
     std::vector<StyleItem> items = scale.breaks.empty() ? smoothItems(scale) : classItems(scale);
     std::ranges::sort(items, {}, &StyleItem::value);
     return items;
 }
 
-bool leavesZeroFree(const Legend& legend) {
-    if (legend.change) return !legend.isScore;
-    return legend.colours && !legend.colours->paintsZero && !legend.colours->quantity.isSun();
-}
-
 void writeTransparency(QXmlStreamWriter& xml, const Legend& legend) {
     xml.writeStartElement(QStringLiteral("rasterTransparency"));
-    if (leavesZeroFree(legend)) {
+    if (legend.colours && legend.colours->leavesZeroFree()) {
         xml.writeStartElement(QStringLiteral("singleValuePixelList"));
         xml.writeEmptyElement(QStringLiteral("pixelListEntry"));
         for (const char* end : {"min", "max"}) xml.writeAttribute(QLatin1String(end), QStringLiteral("0"));
@@ -92,7 +71,7 @@ void writeShader(QXmlStreamWriter& xml, const std::vector<StyleItem>& items, boo
     xml.writeAttribute(QStringLiteral("clip"), QStringLiteral("0"));
     for (const StyleItem& item : items) {
         xml.writeEmptyElement(QStringLiteral("item"));
-        xml.writeAttribute(QStringLiteral("value"), numberText(item.value));
+        xml.writeAttribute(QStringLiteral("value"), styleNumber(item.value));
         xml.writeAttribute(QStringLiteral("color"), item.colour.name());
         xml.writeAttribute(QStringLiteral("alpha"), QStringLiteral("255"));
         xml.writeAttribute(QStringLiteral("label"), item.label);
@@ -110,8 +89,8 @@ void writeRenderer(QXmlStreamWriter& xml, const Legend& legend) {
     xml.writeAttribute(QStringLiteral("band"), QStringLiteral("1"));
     xml.writeAttribute(QStringLiteral("opacity"), QStringLiteral("1"));
     xml.writeAttribute(QStringLiteral("alphaBand"), QStringLiteral("-1"));
-    xml.writeAttribute(QStringLiteral("classificationMin"), numberText(items.front().value));
-    xml.writeAttribute(QStringLiteral("classificationMax"), numberText(last->value));
+    xml.writeAttribute(QStringLiteral("classificationMin"), styleNumber(items.front().value));
+    xml.writeAttribute(QStringLiteral("classificationMax"), styleNumber(last->value));
     writeTransparency(xml, legend);
     writeShader(xml, items, legend.colours && !legend.colours->breaks.empty());
     xml.writeEndElement();

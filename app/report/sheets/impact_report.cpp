@@ -10,16 +10,18 @@ namespace {
 
 QString describeArea(double areaM2) { return describeAmount(areaM2, 0) + QStringLiteral(" m²"); }
 
-TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale) {
+TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale, const LegendChoice& legend) {
     const auto unitOf = [&](ShadowMeasure measure) {
-        return makeLegend(answer.study.total, measure, scale).unit;
+        return makeLegend(answer.study.total, measure, scale, legend).unit;
     };
-    return {body(QStringLiteral("Colours: gross shadow in %1; continuous shadow in %2.")
-                     .arg(unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
+    const bool isSun = legend.show != ShownAs::shadow;
+    return {body(QStringLiteral("Colours: %1 in %2; continuous shadow in %3.")
+                     .arg(isSun ? QStringLiteral("sun") : QStringLiteral("gross shadow"), unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
             body(QStringLiteral("Change: minutes in %1 minus minutes in %2, with the same engine, steps and "
-                                "cells; positive means more shadow. %3")
+                                "cells; positive means more %3. %4")
                      .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
-                          defineFigures(listLines(computeFigures(answer)))))};
+                          isSun ? QStringLiteral("sun") : QStringLiteral("shadow"),
+                          defineFigures(listLines(computeFigures(answer), legend.show))))};
 }
 
 // The city after the change as a study, for the sections of a study's report. Their statements hold for both
@@ -49,7 +51,8 @@ void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& fi
     sections.push_back(std::move(blocks));
 }
 
-std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSource& source) {
+std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSource& source,
+                                   const std::vector<CommandOption>& drawn) {
     const Study after = afterAsStudy(answer, source);
     std::vector<TextBlocks> sections = methodSections(
         after,
@@ -57,25 +60,33 @@ std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSourc
     addBuildings(sections, computeFigures(answer));
     for (TextBlocks& section : sourceSections(after)) sections.push_back(std::move(section));
     sections.push_back(
-        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
+        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance), drawn));
     return sections;
 }
 
 }  // namespace
 
+std::vector<CommandOption> drawnOptions(const ChangeScale& scale, const LegendChoice& legend) {
+    std::vector<CommandOption> options = listLegendOptions(legend, true);
+    if (scale != ChangeScale()) options.push_back({changeScaleFlag, {formatText(scale)}});
+    return options;
+}
+
 SheetMap makeImpactMap(const Impact& impact, const City& city, const Region& region, ShadowMeasure measure,
-                       const ChangeScale& scale) {
-    const Legend legend = makeLegend(impact, measure, scale);
-    const double top = legend.scale.top;
+                       const ChangeScale& scale, const LegendChoice& choice) {
+    const Legend legend = makeLegend(impact, measure, scale, choice);
     return {{city, region, impact.grid,
-             [&impact, measure, top](int wantedPixels) {
-                 const auto colour = [&](std::size_t cell) { return pickColour(impact, measure, cell, top); };
+             [&impact, measure, colours = coloursOf(legend)](int wantedPixels) {
+                 const auto colour = [&](std::size_t cell) {
+                     return pickColour(impact, measure, cell, colours);
+                 };
                  return makeColourImage(impact.grid, colour, wantedPixels);
              }},
             legend};
 }
 
-Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale) {
+Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
+                const LegendChoice& legend) {
     const Impact& impact = answer.study.total;
     const Region& region = answer.settings.study.region;
     const QString subject = QStringLiteral("%1 compared with %2")
@@ -84,14 +95,15 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
                                .arg(describeAmount(impact.sunlitMinutesPerDay));
     Sheet sheet{.headline = makeHeadline(answer.settings.study, source.city.frame, subject,
                                          isInstant(impact) ? QString() : sunlit),
-                .map = makeImpactMap(impact, source.city, region, ShadowMeasure::gross, scale),
-                .definitions = definitionsOf(answer, scale),
-                .figures = figureTexts(listLines(computeFigures(answer))),
-                .sections = sectionsOf(answer, source),
+                .map = makeImpactMap(impact, source.city, region, ShadowMeasure::gross, scale, legend),
+                .definitions = definitionsOf(answer, scale, legend),
+                .figures = figureTexts(listLines(computeFigures(answer), legend.show)),
+                .sections = sectionsOf(answer, source, drawnOptions(scale, legend)),
                 .credit = describeData(answer.provenance.attribution),
                 .record = {QStringLiteral("impact.json"), impactJson(answer)}};
     if (!isInstant(impact) && hasRuns(impact))
-        sheet.smallMap.emplace(makeImpactMap(impact, source.city, region, ShadowMeasure::continuous, scale));
+        sheet.smallMap.emplace(
+            makeImpactMap(impact, source.city, region, ShadowMeasure::continuous, scale, legend));
     return sheet;
 }
 

@@ -153,7 +153,7 @@ QString describeModelError() {
 
 }  // namespace
 
-TextBlocks definitionBlocks(const Study& study) {
+TextBlocks definitionBlocks(const Study& study, ShownAs show) {
     TextBlocks blocks;
     if (const auto headline = makeAssumedHeadline(countHeights(study.city)))
         blocks.push_back(heading(QString::fromStdString(*headline)));
@@ -163,7 +163,7 @@ TextBlocks definitionBlocks(const Study& study) {
         blocks.push_back(heading(QString::fromStdString(*headline)));
     const QString shares = QStringLiteral(" Shares: of the receivers' area and of the sunlit time.");
     blocks.push_back(body(defineFigures(listLines(shadowFigures().of(study.statistics),
-                                                  {.isInstant = isInstant(study.field)})) +
+                                                  {.isInstant = isInstant(study.field), .show = show})) +
                           shares));
     if (!isInstant(study.field) && !hasRuns(study.statistics))
         blocks.push_back(body(QStringLiteral("Continuous shadow was not counted.")));

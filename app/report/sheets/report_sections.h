@@ -3,12 +3,13 @@
 #include <string>
 
 #include "app/report/sheets/text_column.h"
+#include "core/describe/command_options.h"
 #include "core/study/study.h"
 
 namespace noonmark {
 
 /// Definitions of the figures, preceded by a warning where many heights are assumed.
-TextBlocks definitionBlocks(const Study& study);
+TextBlocks definitionBlocks(const Study& study, ShownAs show = ShownAs::shadow);
 
 /// The sections of a report. methodSections(): method and error; `errorOf`: a sentence that states what the
 /// measured error refers to, if not to the study's field. sourceSections(): project, files with their hashes,
@@ -17,14 +18,15 @@ TextBlocks definitionBlocks(const Study& study);
 std::vector<TextBlocks> methodSections(const Study& study, const QString& errorOf = {});
 std::vector<TextBlocks> sourceSections(const Study& study);
 
-/// The command line that repeats the study.
-TextBlocks repeatBlocks(const Study& study);
+/// The command line that repeats the study, with the options that draw the same: `drawn`.
+TextBlocks repeatBlocks(const Study& study, const std::vector<CommandOption>& drawn);
 
 /// Characters per code line in a column of the page. A command that the column breaks without a backslash
 /// would not run when copied.
 inline constexpr std::size_t columnLetters = 80;
 
 /// The same for any result: its command, or the reason why there is none.
-TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile);
+TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile,
+                        const std::vector<CommandOption>& drawn = {}, std::size_t width = columnLetters);
 
 }  // namespace noonmark

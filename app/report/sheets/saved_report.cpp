@@ -48,7 +48,7 @@ void addMaps(Sheet& sheet, const SavedImpact& saved, const SavedMaps& from) {
     const Impact& impact = saved.impact;
     if (!isInstant(impact) && hasRuns(impact))
         sheet.smallMap.emplace(
-            makeImpactMap(impact, from.city, from.region, ShadowMeasure::continuous, from.scale));
+            makeImpactMap(impact, from.city, from.region, ShadowMeasure::continuous, from.scale, from.legend));
 }
 
 void addMaps(Sheet&, const SavedScore&, const SavedMaps&) {}
@@ -56,32 +56,34 @@ void addMaps(Sheet&, const SavedScore&, const SavedMaps&) {}
 // Points have no sheet of their own yet: writeSavedFiles() writes their tables.
 void addMaps(Sheet&, const SavedElements&, const SavedMaps&) {}
 SheetMap makeMainMap(const SavedElements&, const SavedMaps& from) { return {{from.city, from.region}, {}}; }
-std::vector<FigureText> figuresOf(const SavedElements&) { return {}; }
+std::vector<FigureText> figuresOf(const SavedElements&, ShownAs) { return {}; }
 
 // Nor has sun by place.
 void addMaps(Sheet&, const SavedSunByPlace&, const SavedMaps&) {}
 SheetMap makeMainMap(const SavedSunByPlace&, const SavedMaps& from) { return {{from.city, from.region}, {}}; }
-std::vector<FigureText> figuresOf(const SavedSunByPlace&) { return {}; }
+std::vector<FigureText> figuresOf(const SavedSunByPlace&, ShownAs) { return {}; }
 
 SheetMap makeMainMap(const SavedStudy& study, const SavedMaps& from) {
     return makeStudyMap(study.field, ShadowMeasure::gross, from);
 }
 
 SheetMap makeMainMap(const SavedImpact& saved, const SavedMaps& from) {
-    return makeImpactMap(saved.impact, from.city, from.region, ShadowMeasure::gross, from.scale);
+    return makeImpactMap(saved.impact, from.city, from.region, ShadowMeasure::gross, from.scale, from.legend);
 }
 
 SheetMap makeMainMap(const SavedScore& saved, const SavedMaps& from) {
-    return makeScoreMap(saved.score, from.city, from.region);
+    return makeScoreMap(saved.score, from.city, from.region, from.legend);
 }
 
-std::vector<FigureText> figuresOf(const SavedStudy& study) {
-    return makeStudyFigures(study.statistics, study.field, study.steps);
+std::vector<FigureText> figuresOf(const SavedStudy& study, ShownAs show) {
+    return makeStudyFigures(study.statistics, study.field, study.steps, show);
 }
 
-std::vector<FigureText> figuresOf(const SavedImpact& saved) { return figureTexts(listLines(saved.figures)); }
+std::vector<FigureText> figuresOf(const SavedImpact& saved, ShownAs show) {
+    return figureTexts(listLines(saved.figures, show));
+}
 
-std::vector<FigureText> figuresOf(const SavedScore& saved) { return makeScoreFigures(saved.score); }
+std::vector<FigureText> figuresOf(const SavedScore& saved, ShownAs) { return makeScoreFigures(saved.score); }
 
 QString describeSubject(const SavedResult& result) {
     const QString scenario = plainText(result.scenario);
@@ -98,24 +100,25 @@ QString describeTime(const SavedOrigin& origin) {
     return QStringLiteral("on ") + at;
 }
 
-TextBlocks definitionsOf(const SavedResult&, const SavedStudy& study) {
+TextBlocks definitionsOf(const SavedResult&, const SavedStudy& study, ShownAs show) {
     return {body(defineFigures(
-        listLines(shadowFigures().of(study.statistics), {.isInstant = isInstant(study.field)})))};
+        listLines(shadowFigures().of(study.statistics), {.isInstant = isInstant(study.field), .show = show})))};
 }
 
-TextBlocks definitionsOf(const SavedResult& result, const SavedImpact& saved) {
-    return {body(QStringLiteral("Change: minutes in %1 minus minutes in %2; positive means more shadow. %3")
+TextBlocks definitionsOf(const SavedResult& result, const SavedImpact& saved, ShownAs show) {
+    return {body(QStringLiteral("Change: minutes in %1 minus minutes in %2; positive means more %3. %4")
                      .arg(plainText(result.scenario), plainText(result.baseline),
-                          defineFigures(listLines(saved.figures))))};
+                          show == ShownAs::shadow ? QStringLiteral("shadow") : QStringLiteral("sun"),
+                          defineFigures(listLines(saved.figures, show))))};
 }
 
-TextBlocks definitionsOf(const SavedResult&, const SavedScore& saved) {
+TextBlocks definitionsOf(const SavedResult&, const SavedScore& saved, ShownAs) {
     const ScoreTotals totals = totalsOf(saved.score);
     return {body(defineFigures(listLines(scoreFigures().of(totals))))};
 }
 
-TextBlocks definitionsOf(const SavedResult&, const SavedElements&) { return {}; }
-TextBlocks definitionsOf(const SavedResult&, const SavedSunByPlace&) { return {}; }
+TextBlocks definitionsOf(const SavedResult&, const SavedElements&, ShownAs) { return {}; }
+TextBlocks definitionsOf(const SavedResult&, const SavedSunByPlace&, ShownAs) { return {}; }
 
 TextBlocks originSection(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source) {
     TextBlocks blocks{
@@ -210,8 +213,8 @@ Sheet makeSheet(const SavedResult& result, const SavedAnswer& answer, const Regi
         [&](const auto& saved) {
             Sheet sheet{.headline = headlineOf(result, answer.origin, region, source.city.frame),
                         .map = makeMainMap(saved, from),
-                        .definitions = definitionsOf(result, saved),
-                        .figures = figuresOf(saved),
+                        .definitions = definitionsOf(result, saved, legend.show),
+                        .figures = figuresOf(saved, legend.show),
                         .sections = {originSection(result, answer.origin, source),
                                      methodSection(result, answer), inputsSection(result)},
                         .credit = describeData(attributionOf(result)),

@@ -55,7 +55,8 @@ TextBlocks weightsOf(const ScoreAnswer& answer) {
 }
 
 // The sections of a study's report that do not depend on its field.
-std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource& source) {
+std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource& source,
+                                  const std::vector<CommandOption>& drawn) {
     Study study;
     study.city = source.city;
     study.settings = answer.settings;
@@ -64,18 +65,20 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
     std::vector<TextBlocks> sections = sourceSections(study);
     sections.pop_back();  // cost and skipped work belong to a field
     sections.push_back(
-        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
+        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance), drawn));
     return sections;
 }
 
 }  // namespace
 
-SheetMap makeScoreMap(const Score& score, const City& city, const Region& region) {
-    const Legend legend = makeLegend(score);
-    const double top = legend.scale.top;
+SheetMap makeScoreMap(const Score& score, const City& city, const Region& region,
+                      const LegendChoice& choice) {
+    const Legend legend = makeLegend(score, choice);
     return {{city, region, score.grid,
-             [&score, top](int wantedPixels) {
-                 const auto colour = [&](std::size_t cell) { return pickColour(score, cell, top); };
+             [&score, colours = coloursOf(legend)](int wantedPixels) {
+                 const auto colour = [&](std::size_t cell) {
+                     return pickColour(colours, double(score.score[cell]));
+                 };
                  return makeColourImage(score.grid, colour, wantedPixels);
              }},
             legend};
@@ -89,12 +92,12 @@ std::vector<FigureText> makeScoreFigures(const Score& score) {
     return figures;
 }
 
-Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source) {
+Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source, const LegendChoice& legend) {
     const QString subject = QStringLiteral("Shadow score of %1").arg(QString::fromStdString(answer.scenario));
     std::vector<TextBlocks> sections{methodOf(answer), weightsOf(answer)};
-    for (TextBlocks& section : sourcesOf(answer, source)) sections.push_back(std::move(section));
+    for (TextBlocks& section : sourcesOf(answer, source, listLegendOptions(legend, true))) sections.push_back(std::move(section));
     return {.headline = makeHeadline(answer.settings, source.city.frame, subject, {}),
-            .map = makeScoreMap(answer.score, source.city, answer.settings.region),
+            .map = makeScoreMap(answer.score, source.city, answer.settings.region, legend),
             .definitions = definitionsOf(answer.score),
             .figures = makeScoreFigures(answer.score),
             .sections = std::move(sections),

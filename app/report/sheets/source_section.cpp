@@ -165,17 +165,19 @@ std::vector<TextBlocks> sourceSections(const Study& study) {
     return sections;
 }
 
-TextBlocks repeatBlocks(const Study& study) {
-    return repeatBlocks(makeRepeatCommand(study), needsRegionFile(study));
+TextBlocks repeatBlocks(const Study& study, const std::vector<CommandOption>& drawn) {
+    constexpr std::size_t pageLetters = 120;
+    return repeatBlocks(makeRepeatCommand(study), needsRegionFile(study), drawn, pageLetters);
 }
 
-TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile) {
+TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile,
+                        const std::vector<CommandOption>& drawn, std::size_t width) {
     TextBlocks blocks{heading(QStringLiteral("How to repeat this result"))};
     if (!command) {
         blocks.push_back(body(QString::fromStdString(command.error().text())));
         return blocks;
     }
-    QString text = QString::fromStdString(*command);
+    QString text = QString::fromStdString(extendCommand(*command, drawn, width));
     text.replace(u'\n', QChar(QChar::LineSeparator));
     blocks.push_back({TextKind::code, text});
     if (withRegionFile)

@@ -22,10 +22,10 @@ std::vector<TextBlocks> sectionsOf(const Study& study) {
 Sheet makeSheet(const Study& study, const LegendChoice& legend) {
     Sheet sheet{.headline = makeHeadline(study, QStringLiteral("Shadow study")),
                 .map = mapOf(study, ShadowMeasure::gross, legend),
-                .definitions = definitionBlocks(study),
-                .figures = computeFigures(study),
+                .definitions = definitionBlocks(study, legend.show),
+                .figures = computeFigures(study, legend.show),
                 .sections = sectionsOf(study),
-                .repeat = repeatBlocks(study),
+                .repeat = repeatBlocks(study, listLegendOptions(legend, false)),
                 .credit = describeData(study),
                 .record = {QStringLiteral("study.json"), studyJson(study)}};
     if (!isInstant(study.field) && hasRuns(study.statistics))

@@ -77,14 +77,14 @@ QString defineFigures(std::vector<FigureLine> lines) {
     return plainWords(definitionsOf(lines)).replace(QStringLiteral(" x "), QStringLiteral(" × "));
 }
 
-std::vector<FigureText> computeFigures(const Study& study) {
-    return makeStudyFigures(study.statistics, study.field, study.sun.steps.size());
+std::vector<FigureText> computeFigures(const Study& study, ShownAs show) {
+    return makeStudyFigures(study.statistics, study.field, study.sun.steps.size(), show);
 }
 
 std::vector<FigureText> makeStudyFigures(const ShadowStatistics& s, const ShadowField& field,
-                                         std::uint64_t steps) {
+                                         std::uint64_t steps, ShownAs show) {
     const double sunlit = field.sunlitMinutesPerDay;
-    const FigureContext context{s.receiverAreaM2, sunlit, isInstant(field)};
+    const FigureContext context{s.receiverAreaM2, sunlit, isInstant(field), show};
     std::vector<FigureText> figures = figureTexts(listLines(shadowFigures().of(s), context));
     if (!context.isInstant)
         figures.push_back(

@@ -29,9 +29,9 @@ struct FigureText {
 std::vector<FigureText> figureTexts(const std::vector<FigureLine>& lines);
 /// The definitions of those that are results as one paragraph.
 QString defineFigures(std::vector<FigureLine> lines);
-std::vector<FigureText> computeFigures(const Study& study);
+std::vector<FigureText> computeFigures(const Study& study, ShownAs show = ShownAs::shadow);
 /// The same of a study whose settings are not known. `steps` of the sun.
 std::vector<FigureText> makeStudyFigures(const ShadowStatistics& statistics, const ShadowField& field,
-                                         std::uint64_t steps);
+                                         std::uint64_t steps, ShownAs show = ShownAs::shadow);
 
 }  // namespace noonmark

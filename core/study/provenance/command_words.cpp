@@ -108,6 +108,13 @@ std::string CommandWords::wrapped(std::size_t width) const {
     return text;
 }
 
+std::string extendCommand(const std::string& command, const std::vector<CommandOption>& options,
+                          std::size_t width) {
+    CommandWords words(command);
+    for (const CommandOption& option : options) words.option(option);
+    return words.wrapped(width);
+}
+
 Result<std::vector<std::string>> splitCommand(const std::string& command) {
     return WordSplitter(command).split();
 }

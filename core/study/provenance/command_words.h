@@ -26,6 +26,10 @@ private:
     std::vector<std::string> pieces_;
 };
 
+/// The command with more options at its end.
+std::string extendCommand(const std::string& command, const std::vector<CommandOption>& options,
+                          std::size_t width);
+
 /// The words of a command line as a POSIX shell splits it: single and double quotes, backslashes, continued
 /// lines. Error: a quote that does not end, or a character outside quotes to which a shell gives another
 /// meaning ($, `, |, ;, &, <, >, (, ), *, ?, #).

@@ -133,5 +133,24 @@ TEST(Figures, OfShadowKeepTheirKeys) {
                                         "mean_continuous_min", "max_continuous_min"}));
 }
 
+TEST(Figures, OfShadowAreToldAsSunWhereSunIsShown) {
+    const ShadowStatistics statistics{.receivers = 1,
+                                      .receiverAreaM2 = 100,
+                                      .shadowAreaM2 = 40,
+                                      .meanGrossMin = 240,
+                                      .maxGrossMin = 480,
+                                      .meanSunMin = 360};
+    const auto linesAs = [&](ShownAs show) {
+        return joinLines(listLines(shadowFigures().of(statistics), FigureUse::result,
+                                   {.areaM2 = 100, .sunlitMin = 600, .show = show}));
+    };
+    EXPECT_TRUE(linesAs(ShownAs::sun).starts_with("mean sun 6 h a day (60 %), least sun 2 h a day (20 %), "
+                                                  "sunlit area 60 m² (60 %), "))
+        << linesAs(ShownAs::sun);
+    EXPECT_EQ(linesAs(ShownAs::sun).find("gross"), std::string::npos);
+    EXPECT_EQ(linesAs(ShownAs::shadow).find("least sun"), std::string::npos);
+    EXPECT_NE(linesAs(ShownAs::shadow).find("mean gross 240 min a day (40 %)"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace noonmark

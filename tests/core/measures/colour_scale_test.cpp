@@ -107,5 +107,59 @@ TEST(ColourScale, ReversedColoursAreTheOthersFromTheEnd) {
     EXPECT_EQ(scaleOf(choice).pick(450), before);
 }
 
+ColourScale signedScale(ColourScale::Of of, ShownAs show, const LegendChoice& choice = {}) {
+    return makeSignedScale(choice, of, {show, tenHoursMin}, {60, 10}, 0.001, std::vector<float>{-60, 0, 60});
+}
+
+TEST(ColourScale, AroundZeroNothingIsPaintedWhereNothingChanges) {
+    for (const auto of : {ColourScale::Of::change, ColourScale::Of::wanted}) {
+        const ColourScale scale = signedScale(of, ShownAs::shadow);
+        for (const double none : {0.0, 0.001, -0.001, std::nan("")}) EXPECT_FALSE(scale.pick(none));
+        for (const double some : {0.01, -0.01}) EXPECT_TRUE(scale.pick(some));
+    }
+}
+
+TEST(ColourScale, AChangeHasTheSameColourAsShadowAndAsSunAndAScoreTheOpposite) {
+    const ColourScale shadow = signedScale(ColourScale::Of::change, ShownAs::shadow),
+                      sun = signedScale(ColourScale::Of::change, ShownAs::sun),
+                      score = signedScale(ColourScale::Of::wanted, ShownAs::shadow);
+    EXPECT_EQ(shadow.pick(60), rampRgb(Ramp::greenBrown, 1));
+    EXPECT_EQ(sun.pick(60), shadow.pick(60));
+    EXPECT_EQ(sun.shownOf(60), -60);
+    EXPECT_EQ(score.pick(60), shadow.pick(-60));
+}
+
+TEST(ColourScale, ChangesHaveRampAndClassesOfTheirOwn) {
+    LegendChoice choice;
+    choice.changeRamp = Ramp::blueRed;
+    choice.changeClasses = {LegendClasses::Kind::breaks, 5, {-30, 30}};
+    const ColourScale scale = signedScale(ColourScale::Of::change, ShownAs::shadow, choice);
+    ASSERT_EQ(scale.classes().size(), 3);
+    EXPECT_EQ(scale.classes()[1].label, "-30 to 30 min");
+    EXPECT_EQ(scale.pick(31), scale.classes()[2].colour);
+    EXPECT_EQ(scale.classes()[1].colour, rampRgb(Ramp::blueRed, 0.5));
+}
+
+TEST(ColourScale, PlacesChangeFromVioletToOrangeAtTheThreshold) {
+    const ColourScale scale = makeThresholdScale({}, 3, 9);
+    ASSERT_EQ(scale.classes().size(), 6);
+    const auto isViolet = [](Rgb rgb) { return rgb.blue > rgb.red; };
+    EXPECT_TRUE(isViolet(scale.colourOf(2.99)));
+    EXPECT_FALSE(isViolet(scale.colourOf(3)));
+    LegendChoice choice;
+    choice.ramp = Ramp::viridis;
+    EXPECT_EQ(makeThresholdScale(choice, 3, 9).ramp, Ramp::viridis);
+}
+
+TEST(LegendChoice, StatesOnTheCommandLineWhatWouldBeDrawnOtherwise) {
+    LegendChoice choice{.show = ShownAs::sun, .ramp = Ramp::magma};
+    choice.changeRamp = Ramp::blueRed;
+    EXPECT_TRUE(listLegendOptions({}, false).empty());
+    EXPECT_EQ(listLegendOptions(choice, false),
+              (std::vector<CommandOption>{{"--show", {"sun"}}, {"--ramp", {"magma"}}}));
+    EXPECT_EQ(listLegendOptions(choice, true),
+              (std::vector<CommandOption>{{"--show", {"sun"}}, {"--change-ramp", {"blue-red"}}}));
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -8,8 +8,8 @@
 namespace noonmark {
 namespace {
 
-std::string nameOf(const Bars& bars, std::size_t group) {
-    return std::get<std::string>(bars.groups[group].name);
+Bars::Class classOf(const Bars& bars, std::size_t group) {
+    return std::get<Bars::Class>(bars.groups[group].name);
 }
 
 TEST(Histogram, AreasAreDividedByHoursOfSun) {
@@ -19,8 +19,8 @@ TEST(Histogram, AreasAreDividedByHoursOfSun) {
     field.grossMin = {720, 660, 30, 0, NAN};
     const Bars bars = makeSunHistogram(field);
     ASSERT_EQ(bars.groups.size(), 12);
-    EXPECT_EQ(nameOf(bars, 0), "0–1");
-    EXPECT_EQ(nameOf(bars, 11), "11–12");
+    EXPECT_EQ(classOf(bars, 0), (Bars::Class{0, 1}));
+    EXPECT_EQ(classOf(bars, 11), (Bars::Class{11, 12}));
     EXPECT_DOUBLE_EQ(bars.groups[0].values.front(), 25);
     EXPECT_DOUBLE_EQ(bars.groups[1].values.front(), 25);
     EXPECT_DOUBLE_EQ(bars.groups[11].values.front(), 50);
@@ -29,7 +29,7 @@ TEST(Histogram, AreasAreDividedByHoursOfSun) {
 TEST(Histogram, AFewHoursAreDividedFinely) {
     const Bars bars = makeSunHistogram(std::vector<double>{10, 50}, 60, "Share");
     ASSERT_EQ(bars.groups.size(), 4);
-    EXPECT_EQ(nameOf(bars, 0), "0–0.25");
+    EXPECT_EQ(classOf(bars, 0), (Bars::Class{0, 0.25}));
     EXPECT_DOUBLE_EQ(bars.groups[3].values.front(), 50);
 }
 
@@ -42,7 +42,7 @@ TEST(Histogram, WithoutReceiversOrSunThereAreNoBars) {
 TEST(Histogram, ChangesAreDividedAroundZeroAndTellGainFromLoss) {
     const Bars bars = makeChangeHistogram(std::vector<float>{-3, 0, 12, 14, NAN, 29}, 4, 1e-3);
     ASSERT_EQ(bars.groups.size(), 7) << "-5 to 30 by 5";
-    EXPECT_EQ(nameOf(bars, 0), "-5–0");
+    EXPECT_EQ(classOf(bars, 0), (Bars::Class{-5, 0}));
     EXPECT_EQ(bars.groups[0].tone, BarTone::gain);
     EXPECT_EQ(bars.groups[1].tone, BarTone::loss);
     EXPECT_DOUBLE_EQ(bars.groups[0].values.front(), 4);
@@ -50,6 +50,17 @@ TEST(Histogram, ChangesAreDividedAroundZeroAndTellGainFromLoss) {
     double all = 0;
     for (const auto& group : bars.groups) all += group.values.front();
     EXPECT_DOUBLE_EQ(all, 16) << "the cell without a change is left out";
+}
+
+TEST(Histogram, AsSunTheSameAreasAreGainedAndLostWithTheOppositeSign) {
+    const std::vector<float> minutes{-3, 0, 12, 14, NAN, 29};
+    const Bars bars = makeChangeHistogram(minutes, 4, 1e-3, ShownAs::sun);
+    ASSERT_EQ(bars.groups.size(), 7) << "-30 to 5 by 5";
+    EXPECT_EQ(classOf(bars, 0), (Bars::Class{-30, -25}));
+    EXPECT_EQ(bars.groups[0].tone, BarTone::loss);
+    EXPECT_EQ(bars.groups[6].tone, BarTone::gain);
+    EXPECT_DOUBLE_EQ(bars.groups[0].values.front(), 4);
+    EXPECT_DOUBLE_EQ(bars.groups[6].values.front(), 4);
 }
 
 }  // namespace

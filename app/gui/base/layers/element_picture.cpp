@@ -33,7 +33,7 @@ std::vector<ElementTiles::Tile> makeTiles(const ElementMap& map, ShadowMeasure m
     std::vector<ElementTiles::Tile> tiles;
     tiles.reserve(map.elements.size());
     for (const MeasuredElement& element : map.elements) {
-        const Rgb shade = scale.colourOf(scale.quantity.of(minutesOf(element, measure)));
+        const Rgb shade = scale.colourOf(scale.shownOf(minutesOf(element, measure)));
         tiles.push_back({cornersOf(element), glm::vec3(shade.red, shade.green, shade.blue) / 255.0F});
     }
     return tiles;

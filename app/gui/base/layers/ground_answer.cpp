@@ -102,21 +102,25 @@ QString makeNote(const GroundAnswer& answer, ShadowMeasure measure, ShownAs show
 Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale,
                   const LegendChoice& choice) {
     return over(
-        answer.map, [&](const Score& score) { return makeLegend(score); },
-        [&](const Impact& impact) { return makeLegend(impact, chooseShownMeasure(answer, measure), scale); },
+        answer.map, [&](const Score& score) { return makeLegend(score, choice); },
+        [&](const Impact& impact) {
+            return makeLegend(impact, chooseShownMeasure(answer, measure), scale, choice);
+        },
         [&](const ShadowField& field) {
             return makeLegend(field, chooseShownMeasure(answer, measure), choice);
         });
 }
 
 GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, const Legend& legend) {
-    const double top = legend.scale.top;
+    const ColourScale colours = coloursOf(legend);
     return over(
-        answer.map, [&](const Score& score) { return scorePicture(score, top); },
-        [&](const Impact& impact) { return impactPicture(impact, chooseShownMeasure(answer, measure), top); },
+        answer.map, [&](const Score& score) { return scorePicture(score, colours); },
+        [&](const Impact& impact) {
+            return impactPicture(impact, chooseShownMeasure(answer, measure), colours);
+        },
         [&](const ShadowField& field) {
             return fieldPicture(field, answer.receivers.get(), chooseShownMeasure(answer, measure),
-                                coloursOf(legend));
+                                colours);
         });
 }
 

@@ -20,12 +20,12 @@ QString signedMinutes(float minutes) {
 
 }  // namespace
 
-GroundPicture impactPicture(const Impact& impact, ShadowMeasure measure, double top) {
+GroundPicture impactPicture(const Impact& impact, ShadowMeasure measure, const ColourScale& scale) {
     GroundPicture picture;
     picture.grid = impact.grid;
     picture.pixels.reserve(impact.change.size());
     for (std::size_t cell = 0; cell < impact.change.size(); ++cell) {
-        const auto colour = pickColour(impact, measure, cell, top);
+        const auto colour = pickColour(impact, measure, cell, scale);
         picture.pixels.push_back(colour ? pixelOf(*colour) : GroundPicture::Pixel{});
     }
     return picture;

@@ -10,12 +10,12 @@
 
 namespace noonmark {
 
-GroundPicture scorePicture(const Score& score, double top) {
+GroundPicture scorePicture(const Score& score, const ColourScale& scale) {
     GroundPicture picture;
     picture.grid = score.grid;
     picture.pixels.reserve(score.score.size());
     for (std::size_t cell = 0; cell < score.score.size(); ++cell) {
-        const auto colour = pickColour(score, cell, top);
+        const auto colour = pickColour(scale, double(score.score[cell]));
         picture.pixels.push_back(colour ? pixelOf(*colour) : GroundPicture::Pixel{});
     }
     return picture;

@@ -44,6 +44,8 @@ PlaceLinks::PlaceLinks(Workbench& workbench, const ResultDisplay& display, Place
         if (sunOf(workbench_.answer())) Q_EMIT dockWanted();
     });
     connect(&dock_, &PlacesDock::viewChanged, this, [this] { panel_.results().setPlaces(dock_.view()); });
+    connect(&panel_.legend(), &LegendStrip::choiceChanged, this,
+            [this] { dock_.setColours(panel_.legend().choice()); });
     connect(&dock_, &PlacesDock::pointedAt, this,
             [this](std::size_t place) { panel_.highlightPlace(nameOf(place)); });
     connect(&dock_, &PlacesDock::wanted, this,

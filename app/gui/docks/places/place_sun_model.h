@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/docks/places/sun_scale.h"
 #include "app/questions/question.h"
 
 namespace noonmark {

@@ -20,6 +20,7 @@
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/study/region_words.h"
+#include "app/report/maps/palette.h"
 
 namespace noonmark {
 
@@ -27,6 +28,7 @@ namespace {
 
 constexpr double maxThreshold = 12;  // hours
 constexpr int ticksOfHour = 10;
+constexpr double minutesOfHour = 60;
 constexpr int fittedRows = 200;  // that columns are made wide enough for
 
 QString longNameOf(const CivilDate& date) {
@@ -41,6 +43,25 @@ QComboBox* listField(const char* name, const QString& tip) {
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     list->setMinimumContentsLength(8);
     return list;
+}
+
+// Grey without a cell.
+QColor colourOf(const ColourScale& scale, double hours) {
+    constexpr QColor withoutCell{0xa8, 0xa8, 0xa8};
+    if (std::isnan(hours)) return withoutCell;
+    const bool ofChange = scale.of == ColourScale::Of::change;
+    return toColour(scale.colourOf(ofChange ? hours * minutesOfHour : hours));
+}
+
+Legend legendOf(const ColourScale& scale) {
+    Legend legend{QStringLiteral("Sun by place"), QStringLiteral("hours of sun a day")};
+    if (scale.of == ColourScale::Of::change) {
+        legend.title = QStringLiteral("Change of sun by place");
+        legend.unit = QStringLiteral("minutes of sun a day");
+    }
+    legend.scale = {scale.high, scale.tick};
+    legend.colours = scale;
+    return legend;
 }
 
 }  // namespace
@@ -89,7 +110,7 @@ QWidget* PlacesDock::makeThreshold() {
     slider_->setObjectName(QStringLiteral("placesSlider"));
     slider_->setRange(0, int(maxThreshold * ticksOfHour));
     slider_->setPageStep(ticksOfHour);
-    const QString tip = tr("Places with less sun a day than this are violet, others orange");
+    const QString tip = tr("Places with less sun a day than this are violet, others orange, unless the legend has other colours");
     slider_->setToolTip(tip);
     threshold_->setToolTip(tip);
     auto* row = new QWidget;
@@ -223,28 +244,34 @@ ShownSun PlacesDock::shown() const {
                                                       : ShownSun{ShownSun::What::change, 0};
 }
 
-SunScale PlacesDock::scaleOf(const ShownSun& shown) const {
-    if (shown.what == ShownSun::What::change) return SunScale::ofChange();
+void PlacesDock::setColours(const LegendChoice& choice) {
+    if (choice == choice_) return;
+    choice_ = choice;
+    colour();
+}
+
+ColourScale PlacesDock::scaleOf(const ShownSun& shown) const {
+    if (shown.what == ShownSun::What::change) return makePlaceChangeScale(choice_);
     double top = 0;
     for (std::size_t i = 0; i < model_->sun()->baseline.places.size(); ++i)
         top = std::fmax(top, model_->hoursOf(i, shown));
-    return SunScale::ofHours(threshold_->value(), std::ceil(top));
+    return makeThresholdScale(choice_, threshold_->value(), std::ceil(top));
 }
 
 void PlacesDock::colour() {
     view_.reset();
     if (const auto& sun = model_->sun()) {
         const ShownSun what = shown();
-        const SunScale scale = scaleOf(what);
+        const ColourScale scale = scaleOf(what);
         std::vector<QColor> colours;
         std::vector<GroundPicture::Pixel> pixels;
         for (std::size_t i = 0; i < sun->baseline.places.size(); ++i) {
-            colours.push_back(scale.colourOf(model_->hoursOf(i, what)));
+            colours.push_back(colourOf(scale, model_->hoursOf(i, what)));
             pixels.push_back(pixelOf(colours.back()));
         }
         model_->setColours(std::move(colours));
         view_ = std::make_shared<const PlaceView>(
-            PlaceView{picture_.coloured(pixels), scale.legend(), note_, outdated_,
+            PlaceView{picture_.coloured(pixels), legendOf(scale), note_, outdated_,
                       [this, what](glm::dvec2 point) { return describeAt(point, what); }});
     }
     table_->viewport()->update();

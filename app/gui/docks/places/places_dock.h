@@ -25,6 +25,7 @@ public:
 
     /// Null: none. `note`: what is said of the answer beside the legend; `outdated`: as a warning.
     void show(std::shared_ptr<const SunOfCities> sun, const QString& note, bool outdated);
+    void setColours(const LegendChoice& choice);  ///< those that the user chose for legends
     void select(std::size_t place);  ///< without wanted(); a filter that hides it is emptied
     /// What the view shows of it; null: nothing.
     [[nodiscard]] std::shared_ptr<const PlaceView> view() const { return view_; }
@@ -52,7 +53,7 @@ private:
     void describeCount();
     void listed();
     [[nodiscard]] ShownSun shown() const;
-    [[nodiscard]] SunScale scaleOf(const ShownSun& shown) const;
+    [[nodiscard]] ColourScale scaleOf(const ShownSun& shown) const;
     [[nodiscard]] QString describeAt(glm::dvec2 point, const ShownSun& shown) const;
 
     PlaceSunModel* model_;
@@ -70,6 +71,7 @@ private:
     std::shared_ptr<const PlaceView> view_;
     QString note_;
     bool outdated_ = false;
+    LegendChoice choice_;
 };
 
 }  // namespace noonmark

@@ -7,6 +7,7 @@
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/preview/edit_preview.h"
+#include "app/gui/view/panel/legend_strip.h"
 #include "app/gui/view/panel/mode_switch.h"
 #include "app/gui/view/panel/result_layer.h"
 #include "app/questions/saved_question.h"
@@ -49,6 +50,7 @@ ResultDisplay::ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditP
     connect(&workbench_.document(), &StudyDocument::changed, this, &ResultDisplay::update);
     connect(&workbench_.session(), &ProjectSession::changed, this, &ResultDisplay::update);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &ResultDisplay::show);
+    connect(&places_.legend, &LegendStrip::choiceChanged, this, &ResultDisplay::followLegend);
     connect(&preview_, &EditPreview::shownChanged, this, &ResultDisplay::showOutdated);
 }
 
@@ -103,8 +105,19 @@ void ResultDisplay::showLayer(const std::optional<AnswerLayer>& layer, bool isSt
 }
 
 void ResultDisplay::showFigures(const Answer& answer) {
-    places_.figures.show(answer.page(), viewerOf(answer).rows(answer));
+    shown_ = places_.legend.choice().show;
+    places_.figures.show(answer.page(shown_), viewerOf(answer).rows(answer, shown_));
     places_.figures.setWarningCount(answer.warnings().size());
+}
+
+// The figures speak of shadow or of sun as the legend does.
+void ResultDisplay::followLegend() {
+    if (places_.legend.choice().show == shown_) return;
+    shown_ = places_.legend.choice().show;
+    const auto answer = workbench_.answer() ? workbench_.answer() : workbench_.past();
+    if (!answer) return;
+    showFigures(*answer);
+    showOutdated();
 }
 
 // The measured ones, then those saved under a name; the newest first.

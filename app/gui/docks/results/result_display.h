@@ -12,6 +12,7 @@ namespace noonmark {
 
 class EditPreview;
 class ElementsDock;
+class LegendStrip;
 class ModeSwitch;
 class ResultLayer;
 class ResultsDock;
@@ -30,6 +31,7 @@ public:
         ElementsDock& elements;
         WarningsDock& warnings;
         ScenarioTable& scenarios;
+        LegendStrip& legend;
     };
     ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditPreview& preview, const Places& places);
 
@@ -53,6 +55,7 @@ private:
     void showPast();
     void showLayer(const std::optional<AnswerLayer>& layer, bool isStudy);
     void showFigures(const Answer& answer);
+    void followLegend();
     void listAnswers();
     void showNamed(const std::string& name);
     void showListed(int answer);
@@ -67,6 +70,7 @@ private:
     std::vector<std::function<void()>> listed_;  ///< shows the answers of the list, in its order
     bool anyShown_ = false;
     StudySettings settings_;
+    ShownAs shown_ = ShownAs::shadow;  ///< what the figures tell of
 };
 
 }  // namespace noonmark

@@ -139,7 +139,7 @@ std::vector<ScenarioColumn> listColumns() {
     for (const Figure& figure : shadowFigures().rows())
         if (figure.inTable && figure.use == FigureUse::result) columns.push_back(shadowColumn(figure));
     for (const Figure& figure : impactFigures().rows())
-        if (figure.isChange) columns.push_back(impactColumn(figure));
+        if (figure.isChange && figure.inFiles) columns.push_back(impactColumn(figure));
     for (const Figure& figure : scoreFigures().rows())
         if (figure.isChange && figure.inFiles) columns.push_back(scoreColumn(figure));
     columns.push_back(verdictsColumn());

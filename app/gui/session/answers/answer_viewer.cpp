@@ -17,7 +17,7 @@ std::optional<AnswerLayer> layerOfAny(const std::shared_ptr<const Answer>& answe
     return markMissingRuns({.map = std::shared_ptr<const ShadowField>(answer, field.get())});
 }
 
-std::vector<ResultRow> rowsOfAny(const Answer& answer) { return figureRows(answer.figures()); }
+std::vector<ResultRow> rowsOfAny(const Answer& answer, ShownAs) { return figureRows(answer.figures()); }
 
 QString titleOfAny(const Answer& answer) {
     return QObject::tr("%1 of %2")

@@ -23,7 +23,7 @@ struct AnswerNote {
 struct AnswerViewer {
     std::string_view question;                                                  ///< its key; empty: any
     std::optional<AnswerLayer> (*layer)(const std::shared_ptr<const Answer>&);  ///< none: nothing in the view
-    std::vector<ResultRow> (*rows)(const Answer&);
+    std::vector<ResultRow> (*rows)(const Answer&, ShownAs);
     QString (*title)(const Answer&);  ///< "Tower compared with Existing city"
     /// The name that it is saved under, with its first day; null: the title.
     QString (*name)(const Answer&) = nullptr;

@@ -41,7 +41,25 @@ QFont smallFont(QFont font, bool bold = false) {
     return font;
 }
 
-QString nameOf(const Bars::Group& group) {
+// "−45 to −40" where the numbers have signs, which a dash would hide; else "2–4".
+QString nameOf(const Bars::Class& values, bool isSigned) {
+    const auto text = [](double value) {
+        return (value < 0 ? QStringLiteral("−") : QString()) + formatAmount(std::abs(value), 2);
+    };
+    return isSigned ? QObject::tr("%1 to %2").arg(text(values.low), text(values.high))
+                    : QStringLiteral("%1–%2").arg(text(values.low), text(values.high));
+}
+
+bool hasNegative(const Bars& bars) {
+    return std::ranges::any_of(bars.groups, [](const Bars::Group& group) {
+        const auto* values = std::get_if<Bars::Class>(&group.name);
+        return values != nullptr && values->low < 0;
+    });
+}
+
+QString nameOf(const Bars& bars, const Bars::Group& group) {
+    if (const auto* values = std::get_if<Bars::Class>(&group.name))
+        return nameOf(*values, hasNegative(bars));
     if (const auto* month = std::get_if<std::chrono::year_month>(&group.name)) return describeMonth(*month);
     return localiseNumbers(QString::fromStdString(std::get<std::string>(group.name)));
 }
@@ -52,7 +70,7 @@ QStringList namesOf(const Bars& bars, const QFont& font) {
     const QFontMetrics metrics(smallFont(font));
     QStringList names;
     for (const Bars::Group& group : bars.groups) {
-        QString name = metrics.elidedText(nameOf(group), Qt::ElideMiddle, maxNamePx);
+        QString name = metrics.elidedText(nameOf(bars, group), Qt::ElideMiddle, maxNamePx);
         while (names.contains(name)) name += QChar(0x200b);
         names << name;
     }
@@ -71,7 +89,7 @@ QString describeBar(const Bars& bars, int group, std::size_t series) {
     const double amount = of.values[series];
     const QString sign = bars.isChange && amount > 0 ? QStringLiteral("+") : QString();
     const QString value = sign + formatAmount(amount, std::abs(amount) < 100 ? 2 : 0);
-    QString text = QObject::tr("%1: %2").arg(nameOf(of), value);
+    QString text = QObject::tr("%1: %2").arg(nameOf(bars, of), value);
     if (!bars.series[series].empty())
         text = QString::fromStdString(bars.series[series]) + QStringLiteral(", ") + text;
     return text;

@@ -22,7 +22,7 @@ std::string errorOf(const SunByPlace& sun) {
                        gross.percent(gross.maxMin));
 }
 
-std::vector<ResultRow> rowsOfPlaces(const Answer& answer) {
+std::vector<ResultRow> rowsOfPlaces(const Answer& answer, ShownAs) {
     const auto& sun = *answer.as<SunOfCities>();
     const SunByPlace& baseline = sun.baseline;
     return makeRows(PlaceFigures{sun, baseline.daylight.steps.size(), baseline.daylight.belowHorizon,

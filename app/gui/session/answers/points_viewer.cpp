@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-std::vector<ResultRow> rowsOfPoints(const Answer& answer) {
+std::vector<ResultRow> rowsOfPoints(const Answer& answer, ShownAs show) {
     const ElementStudy& study = answer.as<ElementAnswer>()->study;
     PointFigures shown{.figures = computeFigures(study),
                        .steps = study.sun.steps.size(),
@@ -19,7 +19,7 @@ std::vector<ResultRow> rowsOfPoints(const Answer& answer) {
                        .byRays = study.engineKey == referenceEngine,
                        .engine = describeEngine(study)};
     if (study.error) shown.error = describe(*study.error);
-    return makeRows(shown);
+    return makeRows(shown, show);
 }
 
 std::optional<AnswerLayer> layerOfPoints(const std::shared_ptr<const Answer>& answer) {
@@ -41,9 +41,9 @@ const AnswerViewer& pointsViewer() {
     return viewer;
 }
 
-std::vector<ResultRow> makeRows(const PointFigures& shown) {
-    std::vector<ResultRow> rows =
-        figureRows(listLines(elementFigures().of(shown.figures), {.sunlitMin = shown.figures.possibleMin}));
+std::vector<ResultRow> makeRows(const PointFigures& shown, ShownAs show) {
+    const FigureContext context{.sunlitMin = shown.figures.possibleMin, .show = show};
+    std::vector<ResultRow> rows = figureRows(listLines(elementFigures().of(shown.figures), context));
     rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(shown.period)));
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
                              describeSteps(shown.belowHorizon)));

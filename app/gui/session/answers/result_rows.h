@@ -53,7 +53,7 @@ struct StudyFigures {
     std::vector<ErrorLine> errors;
     std::string engine;
 };
-std::vector<ResultRow> makeRows(const StudyFigures& figures);
+std::vector<ResultRow> makeRows(const StudyFigures& figures, ShownAs show);
 
 /// The figures of a study at points, new or saved.
 struct PointFigures {
@@ -65,18 +65,18 @@ struct PointFigures {
     bool byRays = false;
     std::string engine;  ///< in words, with what "auto" chose it for
 };
-std::vector<ResultRow> makeRows(const PointFigures& figures);
+std::vector<ResultRow> makeRows(const PointFigures& figures, ShownAs show);
 
 /// Of a comparison: areas with more and with less shadow for each threshold, means, largest changes, cells
 /// that stopped or started being receivers, and the contribution of each new building.
-std::vector<ResultRow> makeRows(const ComparisonFigures& figures);
+std::vector<ResultRow> makeRows(const ComparisonFigures& figures, ShownAs show);
 
-/// "1,234 m² more" and "56 m² less" on a line each, or "no change".
-QString describeChangedArea(const ChangeFigures& figures);
+/// "1,234 m² more" and "56 m² less" on a line each, of shadow or of sun, or "no change".
+QString describeChangedArea(const ChangeFigures& figures, ShownAs show = ShownAs::shadow);
 
 /// Of a score: the total, each month and each interval with sunlit time.
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
-                                     const std::string& weights, const std::string& period);
+                                     const std::string& weights, const std::string& period, ShownAs show);
 
 /// The sun of places, new or saved.
 struct PlaceFigures {

@@ -16,7 +16,7 @@ QString keptAt(const SavedOrigin& origin) {
     return at.isValid() ? at.toString(QStringLiteral("yyyy-MM-dd HH:mm")) : QObject::tr("at an unknown date");
 }
 
-std::vector<ResultRow> figureRows(const SavedStudy& study, const SavedContent& result) {
+std::vector<ResultRow> figureRows(const SavedStudy& study, const SavedContent& result, ShownAs show) {
     const ShadowField& field = study.field;
     return makeRows(StudyFigures{study.statistics,
                                  isInstant(field),
@@ -27,24 +27,27 @@ std::vector<ResultRow> figureRows(const SavedStudy& study, const SavedContent& r
                                  study.seconds,
                                  result.answer.origin.period,
                                  {{"error", study.error}},
-                                 field.engine});
+                                 field.engine},
+                    show);
 }
 
-std::vector<ResultRow> figureRows(const SavedImpact& impact, const SavedContent&) {
-    return makeRows(impact.figures);
+std::vector<ResultRow> figureRows(const SavedImpact& impact, const SavedContent&, ShownAs show) {
+    return makeRows(impact.figures, show);
 }
 
-std::vector<ResultRow> figureRows(const SavedScore& score, const SavedContent& result) {
-    return makeScoreRows(score.score, result.result->scenario, score.weights, result.answer.origin.period);
+std::vector<ResultRow> figureRows(const SavedScore& score, const SavedContent& result, ShownAs show) {
+    return makeScoreRows(score.score, result.result->scenario, score.weights, result.answer.origin.period,
+                         show);
 }
 
-std::vector<ResultRow> figureRows(const SavedElements& saved, const SavedContent& result) {
+std::vector<ResultRow> figureRows(const SavedElements& saved, const SavedContent& result, ShownAs show) {
     return makeRows(PointFigures{saved.figures, saved.steps, saved.belowHorizon, saved.seconds,
                                  result.answer.origin.period, saved.error, saved.byRays,
-                                 result.answer.origin.engine});
+                                 result.answer.origin.engine},
+                    show);
 }
 
-std::vector<ResultRow> figureRows(const SavedSunByPlace& saved, const SavedContent& result) {
+std::vector<ResultRow> figureRows(const SavedSunByPlace& saved, const SavedContent& result, ShownAs) {
     return makeRows(PlaceFigures{saved.sun, saved.steps, saved.belowHorizon, saved.seconds,
                                  result.answer.origin.period, saved.error, result.answer.origin.engine});
 }
@@ -76,7 +79,7 @@ std::optional<AnswerLayer> layerOfSaved(const std::shared_ptr<const Answer>& ans
 }
 
 // Its figures, preceded by what it is, where, when and by which version it was computed.
-std::vector<ResultRow> rowsOfSaved(const Answer& answer) {
+std::vector<ResultRow> rowsOfSaved(const Answer& answer, ShownAs show) {
     const auto& saved = *answer.as<SavedContent>();
     const SavedOrigin& origin = saved.answer.origin;
     std::vector<ResultRow> rows{
@@ -93,7 +96,7 @@ std::vector<ResultRow> rowsOfSaved(const Answer& answer) {
          {}}};
     std::visit(
         [&](const auto& content) {
-            for (ResultRow& row : figureRows(content, saved)) rows.push_back(std::move(row));
+            for (ResultRow& row : figureRows(content, saved, show)) rows.push_back(std::move(row));
         },
         saved.answer.answer);
     return rows;

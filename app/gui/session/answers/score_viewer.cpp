@@ -13,22 +13,22 @@ namespace {
 
 // Of a month or an interval.
 template <class R>
-QString joined(const Figures<R>& figures, const R& of) {
-    return joinFigures(listLines(figures.of(of), FigureUse::result));
+QString joined(const Figures<R>& figures, const R& of, ShownAs show) {
+    return joinFigures(listLines(figures.of(of), FigureUse::result, {.show = show}));
 }
 
-void addMonths(std::vector<ResultRow>& rows, const Score& score) {
+void addMonths(std::vector<ResultRow>& rows, const Score& score, ShownAs show) {
     for (const MonthFigures& month : score.months)
-        rows.push_back({describeMonth(month.month), joined(scoreMonthFigures(), month),
+        rows.push_back({describeMonth(month.month), joined(scoreMonthFigures(), month, show),
                         QObject::tr("The month's contribution to the score")});
 }
 
 // Intervals without steps of the sun have neither shadow area nor score.
-void addIntervals(std::vector<ResultRow>& rows, const Score& score) {
+void addIntervals(std::vector<ResultRow>& rows, const Score& score, ShownAs show) {
     for (const IntervalFigures& interval : score.intervals)
         if (interval.shadowAreaM2 > 0)
             rows.push_back(
-                {QString::fromStdString(interval.name), joined(scoreIntervalFigures(), interval),
+                {QString::fromStdString(interval.name), joined(scoreIntervalFigures(), interval, show),
                  QObject::tr("Interval of the table: its weight, and its contribution to the score")});
 }
 
@@ -36,9 +36,10 @@ std::optional<AnswerLayer> layerOfScore(const std::shared_ptr<const Answer>& ans
     return makeGroundAnswer(contentOf<ScoreAnswer>(answer));
 }
 
-std::vector<ResultRow> rowsOfScore(const Answer& answer) {
+std::vector<ResultRow> rowsOfScore(const Answer& answer, ShownAs show) {
     const auto& score = *answer.as<ScoreAnswer>();
-    return makeScoreRows(score.score, score.scenario, score.weights.name, formatText(score.settings.period));
+    return makeScoreRows(score.score, score.scenario, score.weights.name, formatText(score.settings.period),
+                         show);
 }
 
 QString titleOfScore(const Answer& answer) {
@@ -60,15 +61,15 @@ QString describeMonth(std::chrono::year_month month) {
 }
 
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
-                                     const std::string& weights, const std::string& period) {
+                                     const std::string& weights, const std::string& period, ShownAs show) {
     const ScoreTotals totals = totalsOf(score);
     std::vector<ResultRow> rows = figureRows(listLines(scoreFigures().of(totals)));
     rows.push_back({QObject::tr("Scored"),
                     QObject::tr("%1\nwith the weights %2")
                         .arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
                     {}});
-    addMonths(rows, score);
-    addIntervals(rows, score);
+    addMonths(rows, score, show);
+    addIntervals(rows, score, show);
     rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(period)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(score.engine)));
     return rows;

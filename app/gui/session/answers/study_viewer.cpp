@@ -50,8 +50,8 @@ std::optional<AnswerLayer> layerOfStudy(const std::shared_ptr<const Answer>& ans
     return makeGroundAnswer(contentOf<Study>(answer));
 }
 
-std::vector<ResultRow> rowsOfStudy(const Answer& answer) {
-    return makeRows(figuresOfStudy(*answer.as<Study>()));
+std::vector<ResultRow> rowsOfStudy(const Answer& answer, ShownAs show) {
+    return makeRows(figuresOfStudy(*answer.as<Study>()), show);
 }
 
 QString scenarioOf(const Answer& answer) { return QString::fromStdString(answer.part().scenario); }
@@ -72,9 +72,9 @@ QString describeSteps(std::uint64_t belowHorizon) {
         .arg(formatCount(belowHorizon));
 }
 
-std::vector<ResultRow> makeRows(const StudyFigures& figures) {
+std::vector<ResultRow> makeRows(const StudyFigures& figures, ShownAs show) {
     const FigureContext context{figures.statistics.receiverAreaM2, figures.sunlitMinutesPerDay,
-                                figures.instant};
+                                figures.instant, show};
     std::vector<ResultRow> rows = figureRows(listLines(shadowFigures().of(figures.statistics), context));
     rows.push_back({QObject::tr("Sunlit time"),
                     formatAmount(figures.sunlitMinutesPerDay) + QObject::tr(" min/day"),

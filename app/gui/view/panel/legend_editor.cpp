@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <algorithm>
 
 #include "app/gui/base/widgets/translated.h"
 
@@ -34,17 +35,13 @@ QIcon rampIcon(Ramp ramp) {
 QComboBox* rampField() {
     auto* field = new QComboBox;
     field->setIconSize(swatch);
-    for (const Choice<Ramp>& one : rampChoices()) {
-        const QString name = translated(one.label);
-        field->addItem(rampIcon(one.value),
-                       isColourBlindSafe(one.value)
-                           ? name
-                           : LegendEditor::tr("%1 (not for colour-blind readers)").arg(name));
-    }
     field->setToolTip(LegendEditor::tr(
-        "Colours from much sun to much shadow. All but the last are told apart by colour-blind readers.\n"
-        "Differences and scores keep two colours of their own."));
+        "Colours from much sun to much shadow; of differences and scores those around a pale middle"));
     return field;
+}
+
+std::span<const Choice<Ramp>> rampsOf(bool aroundZero) {
+    return aroundZero ? changeRampChoices() : rampChoices();
 }
 
 QComboBox* shownField() {
@@ -157,26 +154,52 @@ void LegendEditor::setChoice(const LegendChoice& choice, const std::optional<Col
     const QSignalBlocker blocks[]{QSignalBlocker(show_),   QSignalBlocker(ramp_), QSignalBlocker(reversed_),
                                   QSignalBlocker(locked_), QSignalBlocker(kind_), QSignalBlocker(count_)};
     show_->setCurrentIndex(int(choice.show));
-    ramp_->setCurrentIndex(int(choice.ramp));
-    reversed_->setChecked(choice.reversed);
+    fillRamps();
+    const LegendClasses& classes = aroundZero() ? choice.changeClasses : choice.classes;
+    reversed_->setChecked(aroundZero() ? choice.changeReversed : choice.reversed);
     locked_->setChecked(choice.range.has_value());
     range_->setText(choice.range ? QString::fromStdString(formatText(*choice.range)) : QString());
-    kind_->setCurrentIndex(int(choice.classes.kind));
-    count_->setValue(choice.classes.count);
-    breaks_->setText(choice.classes.kind == Kind::breaks ? QString::fromStdString(formatText(choice.classes))
-                                                         : QString());
-    problem_->clear();
+    kind_->setCurrentIndex(int(classes.kind));
+    count_->setValue(classes.count);
+    breaks_->setText(classes.kind == Kind::breaks ? QString::fromStdString(formatText(classes)) : QString());
     showEnabled();
+}
+
+void LegendEditor::fillRamps() {
+    ramp_->clear();
+    for (const Choice<Ramp>& one : rampsOf(aroundZero())) {
+        const QString name = translated(one.label);
+        ramp_->addItem(rampIcon(one.value), isColourBlindSafe(one.value)
+                                                ? tr("%1 (safe for colour-blind readers)").arg(name)
+                                                : tr("%1 (not for colour-blind readers)").arg(name));
+    }
+    const Ramp chosen = aroundZero() ? choice_.changeRamp : choice_.ramp;
+    const auto ramps = rampsOf(aroundZero());
+    ramp_->setCurrentIndex(int(std::ranges::find(ramps, chosen, &Choice<Ramp>::value) - ramps.begin()));
+}
+
+// The scale of sun by place knows no sunlit time; the threshold of its panel makes its classes.
+bool LegendEditor::hasOwnClasses() const {
+    return fitted_ && fitted_->quantity.isSun() && fitted_->quantity.sunlitMin == 0;
 }
 
 void LegendEditor::setCanUndo(bool can) { undo_->setEnabled(can); }
 
 void LegendEditor::showEnabled() {
     const auto kind = Kind(kind_->currentIndex());
-    for (QWidget* field : std::initializer_list<QWidget*>{ramp_, reversed_, range_, locked_, kind_})
+    const bool hasClasses = fitted_ && !hasOwnClasses();
+    for (QWidget* field : {static_cast<QWidget*>(ramp_), static_cast<QWidget*>(reversed_)})
         field->setEnabled(fitted_.has_value());
-    count_->setEnabled(fitted_ && (kind == Kind::equal || kind == Kind::quantiles));
-    breaks_->setEnabled(fitted_ && kind == Kind::breaks);
+    for (QWidget* field : {static_cast<QWidget*>(range_), static_cast<QWidget*>(locked_)})
+        field->setEnabled(hasClasses && !aroundZero());
+    kind_->setEnabled(hasClasses);
+    count_->setEnabled(hasClasses && (kind == Kind::equal || kind == Kind::quantiles));
+    breaks_->setEnabled(hasClasses && kind == Kind::breaks);
+    problem_->setText(!fitted_ ? tr("What is shown has fixed colours: there is nothing to choose")
+                      : hasOwnClasses()
+                          ? tr("The panel Places divides the classes of sun by place")
+                      : aroundZero() ? tr("A difference has its range beside the legend; a score is fitted")
+                                     : QString());
 }
 
 std::optional<LegendClasses> LegendEditor::readClasses() const {
@@ -192,9 +215,18 @@ std::optional<LegendChoice> LegendEditor::readRows() const {
     const auto range =
         range_->text().isEmpty() ? Result<LegendRange>() : parseLegendRange(withoutSpaces(*range_));
     if (!classes || !range) return std::nullopt;
-    LegendChoice choice{choice_.show, Ramp(ramp_->currentIndex()), reversed_->isChecked(), std::nullopt,
-                        *classes};
-    if (!range_->text().isEmpty()) choice.range = *range;
+    LegendChoice choice = choice_;
+    const Ramp ramp = fitted_ ? rampsOf(aroundZero())[std::size_t(ramp_->currentIndex())].value : choice.ramp;
+    if (aroundZero()) {
+        choice.changeRamp = ramp;
+        choice.changeReversed = reversed_->isChecked();
+        choice.changeClasses = *classes;
+    } else if (fitted_) {
+        choice.ramp = ramp;
+        choice.reversed = reversed_->isChecked();
+        choice.classes = *classes;
+        choice.range = range_->text().isEmpty() ? std::nullopt : std::optional(*range);
+    }
     const auto as = ShownAs(show_->currentIndex());
     return as == choice.show ? choice : showAs(choice, as, fitted_ ? fitted_->quantity.sunlitMin : 0);
 }
@@ -203,8 +235,7 @@ std::optional<LegendChoice> LegendEditor::readRows() const {
 void LegendEditor::take() {
     showEnabled();
     const auto choice = readRows();
-    problem_->setText(choice ? QString()
-                             : tr("Not two numbers like 0:8, or not ascending numbers like 2,4,6"));
+    if (!choice) problem_->setText(tr("Not two numbers like 0:8, or not ascending numbers like 2,4,6"));
     if (choice && *choice != choice_) Q_EMIT chosen(*choice);
 }
 

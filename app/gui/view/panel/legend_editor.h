@@ -34,6 +34,9 @@ private:
     void connectRows();
     void take();
     [[nodiscard]] std::optional<LegendChoice> readRows() const;
+    [[nodiscard]] bool aroundZero() const { return fitted_ && fitted_->of != ColourScale::Of::minutes; }
+    [[nodiscard]] bool hasOwnClasses() const;
+    void fillRamps();
     [[nodiscard]] std::optional<LegendClasses> readClasses() const;
     void showEnabled();
 

@@ -164,20 +164,23 @@ void LegendStrip::setChoice(const LegendChoice& choice) {
 }
 
 void LegendStrip::choose(const LegendChoice& choice) {
+    const bool switched = choice.show != choice_.show;
     before_.push_back(choice_);
     takeChoice(choice);
+    if (switched) Q_EMIT shownChosen();
 }
 
 void LegendStrip::undoChoice() {
     if (before_.empty()) return;
     const LegendChoice last = before_.back();
     before_.pop_back();
+    const bool switched = last.show != choice_.show;
     takeChoice(last);
+    if (switched) Q_EMIT shownChosen();
 }
 
 void LegendStrip::takeChoice(const LegendChoice& choice) {
     choice_ = choice;
-    changeScale_.show = choice.show;
     (choice.show == ShownAs::shadow ? shadow_ : sun_)->setChecked(true);
     Q_EMIT choiceChanged();
     tellEditor();
@@ -226,8 +229,8 @@ void LegendStrip::setChangeScale(const ChangeScale& scale) {
 
 void LegendStrip::setLegend(std::optional<Legend> legend) {
     legend_ = std::move(legend);
-    scale_->setVisible(legend_ && legend_->change && !legend_->isScore && !legend_->instant &&
-                       legend_->classes.empty());
+    scale_->setVisible(legend_ && legend_->change && !legend_->instant &&
+                       legend_->colours->of == ColourScale::Of::change);
     tellEditor();
     update();
 }

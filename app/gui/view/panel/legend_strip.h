@@ -43,7 +43,7 @@ public:
 
     /// The scale of differences; its field is visible while a difference is shown.
     [[nodiscard]] const ChangeScale& changeScale() const { return changeScale_; }
-    void setChangeScale(const ChangeScale& scale);  ///< except for what it shows, which setChoice() says
+    void setChangeScale(const ChangeScale& scale);
 
     [[nodiscard]] const LegendChoice& choice() const { return choice_; }
     void setChoice(const LegendChoice& choice);  ///< cannot be undone
@@ -58,6 +58,7 @@ Q_SIGNALS:
     void measureChanged();
     void changeScaleChanged();
     void choiceChanged();
+    void shownChosen();  ///< the user switched between shadow and sun: choice().show
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -247,11 +247,12 @@ void ResultLayer::showGround() {
     if (live_ && facades_) showFacades();
 }
 
-// One legend for ground and facades, since both are minutes of shadow.
+// One legend for ground and facades where both are minutes of shadow; beside a difference on the ground,
+// facades have the usual colours up to its end.
 void ResultLayer::showFacades() {
     const ShadowMeasure measure = live_->grossOnly ? ShadowMeasure::gross : strip_.measure();
     const Legend legend = makeLegend(*live_, measure, strip_.changeScale(), strip_.choice());
-    view_.tiles().show(makeTiles(*facades_->map, measure, coloursOf(legend)));
+    view_.tiles().show(makeTiles(*facades_->map, measure, legend.change ? plainScale(legend.scale.top) : coloursOf(legend)));
     strip_.setNote(QObject::tr("%1. %2").arg(makeNote(*live_, strip_.measure()), facades_->note),
                    live_->marked);
 }

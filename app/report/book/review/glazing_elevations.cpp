@@ -97,7 +97,7 @@ Legend legendOf(const GlazingMeasure& measure, bool isChange) {
     legend.unit = plainText(measure.unit) + QStringLiteral(", scale locked");
     legend.scale = isChange ? measure.changeScale : measure.scale;
     legend.change = isChange;
-    legend.wanted = true;
+    legend.colours = makeWantedScale(legend.scale, isChange);
     return legend;
 }
 
