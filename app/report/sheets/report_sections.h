@@ -4,6 +4,7 @@
 
 #include "app/report/sheets/text_column.h"
 #include "core/describe/command_options.h"
+#include "core/describe/shown_as.h"
 #include "core/study/study.h"
 
 namespace noonmark {
