@@ -33,8 +33,8 @@ struct ColourScale {
     Of of = Of::minutes;
     double zero = 0;  ///< values up to this, of either sign, count as 0
 
-    /// The colour of a value as files hold it: gross or continuous minutes, their change, what is wanted. None for
-    /// NaN and for what stays free. O(log classes).
+    /// The colour of a value as files hold it: gross or continuous minutes, their change, what is wanted.
+    /// None for NaN and for what stays free. O(log classes).
     [[nodiscard]] std::optional<Rgb> pick(double value) const;
     /// What the legend shows of such a value, and back.
     [[nodiscard]] double shownOf(double value) const;
@@ -58,20 +58,21 @@ struct ColourScale {
 ColourScale makeColourScale(const LegendChoice& choice, const ShownQuantity& quantity, double topMin,
                             std::span<const float> minutes);
 
-/// The scale of values around zero, from -ends.top to ends.top; those up to `zero` stay free. `quantity`: of a
-/// change. Cost as of makeColourScale().
+/// The scale of values around zero, from -ends.top to ends.top; those up to `zero` stay free. `quantity`: of
+/// a change. Cost as of makeColourScale().
 ColourScale makeSignedScale(const LegendChoice& choice, ColourScale::Of of, const ShownQuantity& quantity,
                             LegendScale ends, double zero, std::span<const float> values);
 
 /// The scale of hours of sun a day of places: three classes on each side of a threshold, the outermost of
-/// which are open. In violet below the threshold and orange from it on, unless the choice names other colours.
+/// which are open. In violet below the threshold and orange from it on, unless the choice names other
+/// colours.
 ColourScale makeThresholdScale(const LegendChoice& choice, double thresholdHours, double topHours);
 
 /// The scale of the change of sun of places, minutes of sun a day.
 ColourScale makePlaceChangeScale(const LegendChoice& choice);
 
-/// The scale in the usual colours of values of which more is better, from 0, or around zero from -ends.top, to
-/// ends.top.
+/// The scale in the usual colours of values of which more is better, from 0, or around zero from -ends.top,
+/// to ends.top.
 ColourScale makeWantedScale(LegendScale ends, bool aroundZero);
 
 /// A scale of minutes of shadow from 0 to `topMin` in the usual colours.

@@ -39,8 +39,7 @@ Classes classify(double low, double high, std::span<const double> widths) {
 
 void addGroups(Bars& bars, const Classes& classes, const std::vector<double>& sums, double unit) {
     for (std::size_t i = 0; i < classes.count; ++i)
-        bars.groups.push_back(
-            {Bars::Class{classes.limit(i) / unit, classes.limit(i + 1) / unit}, {sums[i]}});
+        bars.groups.push_back({Bars::Class{classes.limit(i) / unit, classes.limit(i + 1) / unit}, {sums[i]}});
 }
 
 }  // namespace
@@ -91,8 +90,7 @@ Bars makeChangeHistogram(std::span<const float> minutes, double cellAreaM2, doub
         if (changes(value)) sums[classes.of(quantity.ofChange(double(value)))] += cellAreaM2;
     addGroups(bars, classes, sums, 1);
     for (std::size_t i = 0; i < classes.count; ++i)
-        bars.groups[i].tone =
-            (classes.limit(i) < 0) == quantity.isSun() ? BarTone::loss : BarTone::gain;
+        bars.groups[i].tone = (classes.limit(i) < 0) == quantity.isSun() ? BarTone::loss : BarTone::gain;
     return bars;
 }
 

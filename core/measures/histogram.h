@@ -17,7 +17,8 @@ Bars makeSunHistogram(std::span<const double> sunMin, double possibleMin, std::s
 Bars makeSunHistogram(const ShadowField& field);
 
 /// How much area changes by how many minutes, m2. `minutes`: of each cell of `cellAreaM2`; NaN: no receiver.
-/// Cells that change by no more than `noChangeMin` are left out. Classes of equal width, at most 14. Where sun is shown, minutes of sun that are gained or lost.
+/// Cells that change by no more than `noChangeMin` are left out. Classes of equal width, at most 14. Where
+/// sun is shown, minutes of sun that are gained or lost.
 Bars makeChangeHistogram(std::span<const float> minutes, double cellAreaM2, double noChangeMin,
                          ShownAs show = ShownAs::shadow);
 

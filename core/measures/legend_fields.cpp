@@ -59,15 +59,16 @@ const Fields<LegendChoice>& legendFields() {
                .label = NM_TEXT("Changes reversed"),
                .help = NM_TEXT("Turn the colours of differences and scores round"),
                .role = SettingRole::none}),
-        textField(&LegendChoice::changeClasses,
-                  +[](LegendClasses classes) { return formatText(std::move(classes)); }, &parseLegendClasses,
-                  {.key = "change_classes",
-                   .flag = "--change-classes",
-                   .label = NM_TEXT("Classes of changes"),
-                   .help = NM_TEXT("Classes of the legend of differences and scores, as of --classes; numbers "
-                                   "in minutes of a difference: -30,-10,10,30"),
-                   .hint = "CLASSES",
-                   .role = SettingRole::none}),
+        textField(
+            &LegendChoice::changeClasses,
+            +[](LegendClasses classes) { return formatText(std::move(classes)); }, &parseLegendClasses,
+            {.key = "change_classes",
+             .flag = "--change-classes",
+             .label = NM_TEXT("Classes of changes"),
+             .help = NM_TEXT("Classes of the legend of differences and scores, as of --classes; numbers "
+                             "in minutes of a difference: -30,-10,10,30"),
+             .hint = "CLASSES",
+             .role = SettingRole::none}),
     };
     return fields;
 }

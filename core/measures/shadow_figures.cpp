@@ -138,8 +138,8 @@ const Figures<ShadowStatistics>& shadowFigures() {
         derivedFigure(&sunAreaM2,
                       {.key = "sun_area_m2",
                        .label = NM_TEXT("Sunlit area"),
-                       .definition =
-                           NM_TEXT("sum over the receivers of (share of the sunlit time in the sun x cell area)"),
+                       .definition = NM_TEXT(
+                           "sum over the receivers of (share of the sunlit time in the sun x cell area)"),
                        .unit = FigureUnit::squareMetres,
                        .whole = Whole::area,
                        .tells = Tells::sunInstead,

@@ -84,8 +84,7 @@ BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, cons
     const Legend legend = makeLegend(beforeIsDarker ? before : after, ShadowMeasure::gross, choice);
     BookPage page{
         title,
-        QStringLiteral("%1 on one scale. Buildings are those of %2.")
-            .arg(legend.title, plainText(answer.to)),
+        QStringLiteral("%1 on one scale. Buildings are those of %2.").arg(legend.title, plainText(answer.to)),
         title,
         0,
         {}};
@@ -105,7 +104,8 @@ QString titleOf(const Figure& figure) { return plainText(figure.label); }
 void addCells(std::vector<QString>& row, const DescribedFigures& figures, const BookSettings& settings,
               ShownAs show) {
     for (const Figure& figure : figures.figures)
-        if (isTold(figure, show)) row.push_back(plainText(valueOf({&figure, figures.get(figure)}, settings.units)));
+        if (isTold(figure, show))
+            row.push_back(plainText(valueOf({&figure, figures.get(figure)}, settings.units)));
 }
 
 /// The sole contribution of each new building.

@@ -80,14 +80,15 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
 Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
                        const Path& folder, const OutputRules& rules, const BookSettings* sheets, int width,
                        const LegendChoice& legend) {
-    const auto book = sheets ? std::optional(makeImpactBook(answer, source, scale, *sheets, legend)) : std::nullopt;
+    const auto book =
+        sheets ? std::optional(makeImpactBook(answer, source, scale, *sheets, legend)) : std::nullopt;
     const Impact& impact = answer.study.total;
     const Frame& frame = source.city.frame;
     return writeFiles({"impact", impactJson(answer), impactCsv(answer),
                        regionFileOf(answer.settings.study.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
-                      makeSheet(answer, source, scale, legend), impact.grid, frame, bandsOf(impact), folder, rules,
-                      book, width);
+                      makeSheet(answer, source, scale, legend), impact.grid, frame, bandsOf(impact), folder,
+                      rules, book, width);
 }
 
 Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, const Path& folder,
@@ -99,8 +100,8 @@ Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, con
     return writeFiles({"score", scoreJson(answer), scoreCsv(answer),
                        regionFileOf(answer.settings.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
-                      makeSheet(answer, source, legend), score.grid, frame, {{"shadow score", "", &score.score}},
-                      folder, rules, book, width);
+                      makeSheet(answer, source, legend), score.grid, frame,
+                      {{"shadow score", "", &score.score}}, folder, rules, book, width);
 }
 
 std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets) {

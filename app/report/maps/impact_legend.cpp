@@ -26,9 +26,8 @@ Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale
                   const LegendChoice& choice) {
     Legend legend{
         QStringLiteral("Change of %1").arg(nameOf(measure).toLower()), {}, {}, isInstant(impact), true};
-    const ShownQuantity quantity = legend.instant
-                                       ? ShownQuantity{}
-                                       : quantityOf(measure, choice.show, impact.sunlitMinutesPerDay);
+    const ShownQuantity quantity =
+        legend.instant ? ShownQuantity{} : quantityOf(measure, choice.show, impact.sunlitMinutesPerDay);
     if (quantity.isSun()) legend.title = QStringLiteral("Change of sun");
     const std::vector<float>& values = getValues(impact, measure);
     const ChangeSpread spread = changeSpreadOf(values, float(noChangeMin));

@@ -125,8 +125,7 @@ void paintMoment(const Canvas& canvas, const QRectF& bar, const Legend& legend) 
     const QSizeF size(bar.height() * 2, bar.height());
     paintPatch(canvas, {bar.topLeft(), size}, colourAt(legend, 0),
                change ? QStringLiteral("less shadow") : QStringLiteral("in the sun"));
-    paintPatch(canvas, {{bar.left() + bar.width() / 2, bar.top()}, size},
-               colourAt(legend, 1),
+    paintPatch(canvas, {{bar.left() + bar.width() / 2, bar.top()}, size}, colourAt(legend, 1),
                change ? QStringLiteral("more shadow") : QStringLiteral("in shadow"));
 }
 

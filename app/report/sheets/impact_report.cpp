@@ -16,7 +16,8 @@ TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale, c
     };
     const bool isSun = legend.show != ShownAs::shadow;
     return {body(QStringLiteral("Colours: %1 in %2; continuous shadow in %3.")
-                     .arg(isSun ? QStringLiteral("sun") : QStringLiteral("gross shadow"), unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
+                     .arg(isSun ? QStringLiteral("sun") : QStringLiteral("gross shadow"),
+                          unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
             body(QStringLiteral("Change: minutes in %1 minus minutes in %2, with the same engine, steps and "
                                 "cells; positive means more %3. %4")
                      .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),

@@ -47,8 +47,8 @@ void addMaps(Sheet& sheet, const SavedStudy& study, const SavedMaps& from) {
 void addMaps(Sheet& sheet, const SavedImpact& saved, const SavedMaps& from) {
     const Impact& impact = saved.impact;
     if (!isInstant(impact) && hasRuns(impact))
-        sheet.smallMap.emplace(
-            makeImpactMap(impact, from.city, from.region, ShadowMeasure::continuous, from.scale, from.legend));
+        sheet.smallMap.emplace(makeImpactMap(impact, from.city, from.region, ShadowMeasure::continuous,
+                                             from.scale, from.legend));
 }
 
 void addMaps(Sheet&, const SavedScore&, const SavedMaps&) {}
@@ -101,8 +101,8 @@ QString describeTime(const SavedOrigin& origin) {
 }
 
 TextBlocks definitionsOf(const SavedResult&, const SavedStudy& study, ShownAs show) {
-    return {body(defineFigures(
-        listLines(shadowFigures().of(study.statistics), {.isInstant = isInstant(study.field), .show = show})))};
+    return {body(defineFigures(listLines(shadowFigures().of(study.statistics),
+                                         {.isInstant = isInstant(study.field), .show = show})))};
 }
 
 TextBlocks definitionsOf(const SavedResult& result, const SavedImpact& saved, ShownAs show) {

@@ -95,7 +95,8 @@ std::vector<FigureText> makeScoreFigures(const Score& score) {
 Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source, const LegendChoice& legend) {
     const QString subject = QStringLiteral("Shadow score of %1").arg(QString::fromStdString(answer.scenario));
     std::vector<TextBlocks> sections{methodOf(answer), weightsOf(answer)};
-    for (TextBlocks& section : sourcesOf(answer, source, listLegendOptions(legend, true))) sections.push_back(std::move(section));
+    for (TextBlocks& section : sourcesOf(answer, source, listLegendOptions(legend, true)))
+        sections.push_back(std::move(section));
     return {.headline = makeHeadline(answer.settings, source.city.frame, subject, {}),
             .map = makeScoreMap(answer.score, source.city, answer.settings.region, legend),
             .definitions = definitionsOf(answer.score),

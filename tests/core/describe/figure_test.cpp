@@ -144,8 +144,9 @@ TEST(Figures, OfShadowAreToldAsSunWhereSunIsShown) {
         return joinLines(listLines(shadowFigures().of(statistics), FigureUse::result,
                                    {.areaM2 = 100, .sunlitMin = 600, .show = show}));
     };
-    EXPECT_TRUE(linesAs(ShownAs::sun).starts_with("mean sun 6 h a day (60 %), least sun 2 h a day (20 %), "
-                                                  "sunlit area 60 m² (60 %), "))
+    EXPECT_TRUE(linesAs(ShownAs::sun)
+                    .starts_with("mean sun 6 h a day (60 %), least sun 2 h a day (20 %), "
+                                 "sunlit area 60 m² (60 %), "))
         << linesAs(ShownAs::sun);
     EXPECT_EQ(linesAs(ShownAs::sun).find("gross"), std::string::npos);
     EXPECT_EQ(linesAs(ShownAs::shadow).find("least sun"), std::string::npos);

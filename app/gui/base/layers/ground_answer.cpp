@@ -119,8 +119,7 @@ GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, con
             return impactPicture(impact, chooseShownMeasure(answer, measure), colours);
         },
         [&](const ShadowField& field) {
-            return fieldPicture(field, answer.receivers.get(), chooseShownMeasure(answer, measure),
-                                colours);
+            return fieldPicture(field, answer.receivers.get(), chooseShownMeasure(answer, measure), colours);
         });
 }
 

@@ -110,7 +110,9 @@ QWidget* PlacesDock::makeThreshold() {
     slider_->setObjectName(QStringLiteral("placesSlider"));
     slider_->setRange(0, int(maxThreshold * ticksOfHour));
     slider_->setPageStep(ticksOfHour);
-    const QString tip = tr("Places with less sun a day than this are violet, others orange, unless the legend has other colours");
+    const QString tip =
+        tr("Places with less sun a day than this are violet, others orange, unless the legend has other "
+           "colours");
     slider_->setToolTip(tip);
     threshold_->setToolTip(tip);
     auto* row = new QWidget;

@@ -26,7 +26,7 @@ public:
     /// Null: none. `note`: what is said of the answer beside the legend; `outdated`: as a warning.
     void show(std::shared_ptr<const SunOfCities> sun, const QString& note, bool outdated);
     void setColours(const LegendChoice& choice);  ///< those that the user chose for legends
-    void select(std::size_t place);  ///< without wanted(); a filter that hides it is emptied
+    void select(std::size_t place);               ///< without wanted(); a filter that hides it is emptied
     /// What the view shows of it; null: nothing.
     [[nodiscard]] std::shared_ptr<const PlaceView> view() const { return view_; }
     [[nodiscard]] std::optional<std::size_t> placeAt(glm::dvec2 point) const {

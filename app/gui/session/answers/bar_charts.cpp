@@ -58,8 +58,7 @@ bool hasNegative(const Bars& bars) {
 }
 
 QString nameOf(const Bars& bars, const Bars::Group& group) {
-    if (const auto* values = std::get_if<Bars::Class>(&group.name))
-        return nameOf(*values, hasNegative(bars));
+    if (const auto* values = std::get_if<Bars::Class>(&group.name)) return nameOf(*values, hasNegative(bars));
     if (const auto* month = std::get_if<std::chrono::year_month>(&group.name)) return describeMonth(*month);
     return localiseNumbers(QString::fromStdString(std::get<std::string>(group.name)));
 }

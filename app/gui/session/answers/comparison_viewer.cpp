@@ -10,10 +10,12 @@ namespace {
 
 void addBuildings(std::vector<ResultRow>& rows, const ComparisonFigures& figures, ShownAs show) {
     const QString meaning = show == ShownAs::shadow
-                                ? QObject::tr("Contribution of this new building alone: ground with over %1 "
-                                              "min a day more gross shadow than without it")
-                                : QObject::tr("Contribution of this new building alone: ground that loses "
-                                              "over %1 min of sun a day by it");
+                                ? QObject::tr(
+                                      "Contribution of this new building alone: ground with over %1 "
+                                      "min a day more gross shadow than without it")
+                                : QObject::tr(
+                                      "Contribution of this new building alone: ground that loses "
+                                      "over %1 min of sun a day by it");
     for (const auto& building : figures.byBuilding)
         rows.push_back({QString::fromStdString(building.name),
                         describeChangedArea(building.figures.gross, show),

@@ -41,10 +41,10 @@ std::vector<ResultRow> figureRows(const SavedScore& score, const SavedContent& r
 }
 
 std::vector<ResultRow> figureRows(const SavedElements& saved, const SavedContent& result, ShownAs show) {
-    return makeRows(PointFigures{saved.figures, saved.steps, saved.belowHorizon, saved.seconds,
-                                 result.answer.origin.period, saved.error, saved.byRays,
-                                 result.answer.origin.engine},
-                    show);
+    return makeRows(
+        PointFigures{saved.figures, saved.steps, saved.belowHorizon, saved.seconds,
+                     result.answer.origin.period, saved.error, saved.byRays, result.answer.origin.engine},
+        show);
 }
 
 std::vector<ResultRow> figureRows(const SavedSunByPlace& saved, const SavedContent& result, ShownAs) {

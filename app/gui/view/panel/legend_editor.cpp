@@ -195,9 +195,8 @@ void LegendEditor::showEnabled() {
     kind_->setEnabled(hasClasses);
     count_->setEnabled(hasClasses && (kind == Kind::equal || kind == Kind::quantiles));
     breaks_->setEnabled(hasClasses && kind == Kind::breaks);
-    problem_->setText(!fitted_ ? tr("What is shown has fixed colours: there is nothing to choose")
-                      : hasOwnClasses()
-                          ? tr("The panel Places divides the classes of sun by place")
+    problem_->setText(!fitted_          ? tr("What is shown has fixed colours: there is nothing to choose")
+                      : hasOwnClasses() ? tr("The panel Places divides the classes of sun by place")
                       : aroundZero() ? tr("A difference has its range beside the legend; a score is fitted")
                                      : QString());
 }

@@ -252,7 +252,8 @@ void ResultLayer::showGround() {
 void ResultLayer::showFacades() {
     const ShadowMeasure measure = live_->grossOnly ? ShadowMeasure::gross : strip_.measure();
     const Legend legend = makeLegend(*live_, measure, strip_.changeScale(), strip_.choice());
-    view_.tiles().show(makeTiles(*facades_->map, measure, legend.change ? plainScale(legend.scale.top) : coloursOf(legend)));
+    view_.tiles().show(
+        makeTiles(*facades_->map, measure, legend.change ? plainScale(legend.scale.top) : coloursOf(legend)));
     strip_.setNote(QObject::tr("%1. %2").arg(makeNote(*live_, strip_.measure()), facades_->note),
                    live_->marked);
 }
