@@ -5,6 +5,7 @@ namespace noonmark::flags {
 
 inline constexpr const char* out = "--out";
 inline constexpr const char* overwrite = "--overwrite";
+inline constexpr const char* json = "--json";
 inline constexpr const char* save = "--save";
 inline constexpr const char* keep = "--keep";
 inline constexpr const char* scenario = "--scenario";

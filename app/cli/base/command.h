@@ -5,6 +5,7 @@
 
 #include "app/cli/base/console.h"
 #include "core/base/result.h"
+#include "core/describe/command_flags.h"
 
 namespace noonmark::cli {
 
@@ -33,6 +34,12 @@ void addScreenCommand(CLI::App& app, Run& run);
 void addTimelineCommand(CLI::App& app, Run& run);
 void addVerifyCommand(CLI::App& app, Run& run);
 void addDescribeCommand(CLI::App& app, Run& run);
+
+/// Adds --json, for commands that print JSON instead of words.
+inline CLI::Option* addJsonFlag(CLI::App& command, bool& json,
+                                const std::string& help = "Print only JSON to standard output") {
+    return command.add_flag(flags::json, json, help);
+}
 
 /// Prints one line to `err`: "noonmark-cli: what". Returns the code, or exitCancelled if the error is a
 /// cancellation.

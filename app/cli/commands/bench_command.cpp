@@ -140,7 +140,7 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
         ->type_name("S");
     command.add_flag("--quick", options.quick,
                      "Fewer places, days and settings: at most 5 minutes on two cores; the files state this");
-    command.add_flag("--json", options.json, "Print only summary.json to standard output");
+    addJsonFlag(command, options.json, "Print only summary.json to standard output");
 }
 
 void addBench(CLI::App& group, const char* name, const char* about, const Bench& bench, Run& run) {

@@ -224,7 +224,7 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
         ->required()
         ->type_name("DIR");
     addOverwriteOption(*command, study.overwrite);
-    command->add_flag("--json", study.json, "Print only places.json to standard output");
+    addJsonFlag(*command, study.json, "Print only places.json to standard output");
     command->footer(
         "The parks and squares of a city over a year:\n"
         "  noonmark-cli by-place city.osm.pbf --kind park --kind plaza --start 2026-01-01 --days 365 \\\n"

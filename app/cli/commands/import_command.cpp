@@ -36,7 +36,7 @@ void addImportCommand(CLI::App& app, Run& run) {
     addReadOptions(*command, options->read);
     command->add_option(flags::out, options->out, "The file to write")->required()->type_name("FILE.gpkg");
     addOverwriteOption(*command, options->overwrite);
-    command->add_flag("--json", options->json, "Report what was written as JSON");
+    addJsonFlag(*command, options->json, "Report what was written as JSON");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runImport(*options, console); };
     });

@@ -97,7 +97,7 @@ void addInfoCommand(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("info", "Describe the contents of city files, and what was repaired or left out");
     addReadOptions(*command, options->read);
-    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    addJsonFlag(*command, options->json);
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runInfo(*options, console); }; });
 }

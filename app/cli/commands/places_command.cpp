@@ -111,7 +111,7 @@ void addPlacesCommand(CLI::App& app, Run& run) {
         ->allow_extra_args(false)
         ->type_name("FILE");
     addPlaceOptions(*command, options->place);
-    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    addJsonFlag(*command, options->json);
     command->callback([options, &run] {
         run = [options](const Console& console) { return runPlaces(*options, console); };
     });

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/table.h"
 #include "app/cli/commands/point_command.h"
@@ -240,7 +241,7 @@ void addPointCommand(CLI::App& app, Run& run) {
     command->add_option("--csv", options->csv, "Also write the sunlit minutes by month and hour")
         ->type_name("FILE");
     addOverwriteOption(*command, options->overwrite);
-    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    addJsonFlag(*command, options->json);
     command->footer(
         "A window 4.5 m above the street that faces south:\n"
         "  noonmark-cli point midtown.gpkg --at -73.9781,40.7648,4.5 --facing 180 --day 2026-12-21 \\\n"

@@ -50,7 +50,7 @@ void addSampleCommand(CLI::App& app, Run& run) {
         ->capture_default_str()
         ->check(CLI::Range(0, 64))
         ->type_name("R");
-    command->add_flag("--json", options->json, "Report what was written as JSON");
+    addJsonFlag(*command, options->json, "Report what was written as JSON");
     command->callback([options, command, &run] {
         for (const char* name : {"--buildings", "--seed", "--roundness"})
             if (options->name != "grid" && command->count(name) > 0)

@@ -192,7 +192,7 @@ void addScreenCommand(CLI::App& app, Run& run) {
         ->capture_default_str()
         ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
         ->type_name("M");
-    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    addJsonFlag(*command, options->json);
     command->footer(
         "Without days: the equinoxes and solstices of 2026, from 1.5 h after sunrise to 1.5 h before "
         "sunset.");

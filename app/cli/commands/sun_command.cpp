@@ -152,7 +152,7 @@ void addSunCommand(CLI::App& app, Run& run) {
     command->add_flag("--centre", options->centre,
                       "Define sunrise by the sun's centre at 0 deg, not by its upper limb on the horizon "
                       "(-0.833 deg in the default air)");
-    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    addJsonFlag(*command, options->json);
     command->footer(
         "noonmark-cli sun --lat 40.75 --lon -73.98 --at 2026-03-21T09:00:00 --zone America/New_York");
     command->callback(

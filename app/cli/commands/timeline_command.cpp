@@ -202,7 +202,7 @@ void addTimelineCommand(CLI::App& app, Run& run) {
         ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
         ->type_name("M");
     command->add_flag("--all-steps", options->allSteps, "Of several days, state the steps of each too");
-    CLI::Option* json = command->add_flag("--json", options->json, "Print only JSON to standard output");
+    CLI::Option* json = addJsonFlag(*command, options->json);
     command->add_flag("--csv", options->csv, "Print only CSV to standard output: one row for each step")
         ->excludes(json);
     command->footer(

@@ -1,6 +1,7 @@
 #include "app/cli/options/measure_options.h"
 
 #include "app/cli/base/change_project.h"
+#include "app/cli/base/command.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/project_question.h"
 #include "app/cli/options/study_options.h"
@@ -26,7 +27,7 @@ void addMeasureOptions(CLI::App& command, MeasureOptions& options) {
         ->required()
         ->type_name("DIR");
     addOverwriteOption(command, options.overwrite);
-    command.add_flag("--json", options.json, "Print only the JSON to standard output");
+    addJsonFlag(command, options.json, "Print only the JSON to standard output");
 }
 
 void addSaveOption(CLI::App& command, MeasureOptions& options) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/base/command.h"
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/picture_option.h"
@@ -84,7 +85,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options, ReceiverChoice ch
         ->required()
         ->type_name("DIR");
     addOverwriteOption(command, options.overwrite);
-    command.add_flag("--json", options.json, "Print only study.json to standard output");
+    addJsonFlag(command, options.json, "Print only study.json to standard output");
 }
 
 void addMonthOption(CLI::App& command, StudySettings& settings) {

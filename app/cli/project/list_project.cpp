@@ -3,6 +3,7 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/base/command.h"
 #include "app/cli/base/table.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_file.h"
@@ -47,7 +48,7 @@ void addListCommand(CLI::App& group, const char* about, Lister lister, Run& run)
     const auto options = std::make_shared<ListOptions>();
     CLI::App* command = group.add_subcommand("list", about);
     addProjectFile(*command, options->file);
-    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    addJsonFlag(*command, options->json);
     command->callback([options, lister, &run] {
         run = [options, lister](const Console& console) { return runList(*options, lister, console); };
     });

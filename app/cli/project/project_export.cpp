@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "app/cli/base/change_project.h"
+#include "app/cli/base/command.h"
 #include "app/cli/base/save_city.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/project/project_commands.h"
@@ -42,7 +43,7 @@ void addProjectExport(CLI::App& project, Run& run) {
         ->type_name("NAME");
     command->add_option(flags::out, options->out, "The file to write")->required()->type_name("FILE.gpkg");
     addOverwriteOption(*command, options->overwrite);
-    command->add_flag("--json", options->json, "Report what was written as JSON");
+    addJsonFlag(*command, options->json, "Report what was written as JSON");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runExport(*options, console); };
     });

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "app/cli/base/change_project.h"
+#include "app/cli/base/command.h"
 #include "app/cli/base/table.h"
 #include "app/cli/project/project_commands.h"
 #include "core/study/text/terrain_text.h"
@@ -106,7 +107,7 @@ void addProjectInfo(CLI::App& project, Run& run) {
     const auto options = std::make_shared<InfoOptions>();
     CLI::App* command = project.add_subcommand("info", "Describe the contents of a project");
     addProjectFile(*command, options->file);
-    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    addJsonFlag(*command, options->json);
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runInfo(*options, console); }; });
 }

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "app/cli/base/change_project.h"
+#include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/progress_line.h"
@@ -202,7 +203,7 @@ void addOutputs(CLI::App& command, ShadowOptions& options) {
         ->type_name("M");
     command.add_option(flags::out, options.out, "Folder for the files")->required()->type_name("DIR");
     addOverwriteOption(command, options.overwrite);
-    command.add_flag("--json", options.json, "Print only JSON to standard output");
+    addJsonFlag(command, options.json);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/base/command.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
 #include "scenarios/project/project_file.h"
@@ -60,7 +61,7 @@ void addShow(CLI::App& group, Run& run) {
     CLI::App* command = group.add_subcommand("show", "Print a table as the CSV or JSON that `add` reads");
     addProjectFile(*command, options->file);
     command->add_option("name", options->name, "Name of the table")->capture_default_str()->type_name("NAME");
-    command->add_flag("--json", options->json, "JSON instead of CSV");
+    addJsonFlag(*command, options->json, "JSON instead of CSV");
     command->callback(
         [options, &run] { run = [options](const Console& console) { return show(*options, console); }; });
 }

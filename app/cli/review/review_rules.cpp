@@ -4,6 +4,7 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/base/command.h"
 #include "app/cli/review/review_commands.h"
 #include "app/cli/review/rule_options.h"
 #include "core/review/library/rule_text.h"
@@ -83,7 +84,7 @@ void addReviewList(CLI::App& review, Run& run) {
     const auto options = std::make_shared<RuleListOptions>();
     CLI::App* command = review.add_subcommand("list", "List the rules");
     addRuleFolders(*command, options->rules);
-    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    addJsonFlag(*command, options->json);
     command->callback([options, &run] {
         run = [options](const Console& console) { return runReviewList(*options, console); };
     });
@@ -95,7 +96,7 @@ void addReviewShow(CLI::App& review, Run& run) {
     command->add_option("rule", options->key, "Key of the rule")->required()->type_name("RULE");
     addRuleFolders(*command, options->rules);
     addRuleChoices(*command, options->rules);
-    command->add_flag("--json", options->json, "Print the rule's file, a start for a rule of your own");
+    addJsonFlag(*command, options->json, "Print the rule's file, a start for a rule of your own");
     command->footer("noonmark-cli review show japan --choose \"plane=1.5 m\"");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runReviewShow(*options, console); };

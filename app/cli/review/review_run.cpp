@@ -4,6 +4,7 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/progress_line.h"
@@ -269,7 +270,7 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
     addOverwriteOption(command, options.overwrite);
     command.add_flag("--estimate", options.estimate,
                      "Only state how long the review will take, and write nothing");
-    command.add_flag("--json", options.json, "Print only JSON to standard output");
+    addJsonFlag(command, options.json);
 }
 
 }  // namespace

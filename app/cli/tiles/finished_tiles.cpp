@@ -4,6 +4,7 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
@@ -105,7 +106,7 @@ void addTilesStatus(CLI::App& tiles, Run& run) {
     const auto options = std::make_shared<StatusOptions>();
     CLI::App* command = tiles.add_subcommand("status", "Report which tiles and tasks are done");
     command->add_option("folder", options->folder, "Folder of the plan")->required()->type_name("DIR");
-    command->add_flag("--json", options->json, "Print JSON");
+    addJsonFlag(*command, options->json, "Print JSON");
     command->callback([options, &run] {
         run = [options](const Console& console) { return printStatus(*options, console); };
     });

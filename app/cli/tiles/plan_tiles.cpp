@@ -194,7 +194,7 @@ void addPlanTiles(CLI::App& tiles, Run& run) {
     command->add_flag("--built-up", options->builtUpOnly, "Leave out tiles without a building");
     command->callback([options, command, &run] {
         auto words =
-            listArguments(*command, {flags::out, flags::overwrite, "--json", flags::tile, "--task-seconds",
+            listArguments(*command, {flags::out, flags::overwrite, flags::json, flags::tile, "--task-seconds",
                                      "--task-memory", "--district", "--built-up", "--timelines"});
         if (std::string& timelines = options->question.timelines; !timelines.empty()) {
             timelines = absolutePath(timelines);

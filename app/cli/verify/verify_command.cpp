@@ -186,7 +186,7 @@ void addVerifyCommand(CLI::App& app, Run& run) {
         ->add_option("--inputs", options->inputs,
                      "Folder with the project or city files that the report names (default: the report's)")
         ->type_name("DIR");
-    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    addJsonFlag(*command, options->json);
     command->footer(
         "Computes the result again in a folder of its own; nothing is written elsewhere. Compares the "
         "record, "
