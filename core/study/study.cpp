@@ -10,6 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
 #include "core/engines/common/engine_in_use.h"
+#include "core/measures/take_error.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/breakdown_check.h"
 #include "core/study/memory_need.h"
@@ -89,16 +90,11 @@ Result<void> measureError(Study& study, Progress& progress, const std::stop_toke
     study.error.reset();
     if (!wantsError(study)) return {};
     const Stopwatch watch;
-    const auto error = sampleError(study.city, study.receivers, study.sun, study.field,
-                                   study.settings.errorSample, progress, stop);
-    if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
-    if (error)
-        study.error = *error;
-    else
-        study.warnings.push_back(
-            {WarningKind::leftOut, "the error against the ray reference", error.error().text()});
-    study.seconds["error_sample"] += watch.seconds();
-    return {};
+    auto taken = takeError(sampleError(study.city, study.receivers, study.sun, study.field,
+                                       study.settings.errorSample, progress, stop),
+                           study.error, study.warnings);
+    if (taken) study.seconds["error_sample"] += watch.seconds();
+    return taken;
 }
 
 bool goesOn(const Study& study, EngineInUse& engine) {

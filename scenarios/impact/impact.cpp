@@ -9,6 +9,7 @@
 #include "core/base/progress_share.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/shadow_reach.h"
+#include "core/measures/take_error.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
 #include "core/study/terrain_coverage.h"
@@ -101,15 +102,9 @@ private:
         const ErrorSampleSettings& sample = settings_.study.errorSample;
         if (sample.receivers == 0 || study.after.engineKey == referenceEngine) return {};
         ProgressShare share(progress_, done_++, fields_);
-        const auto error = measureChangeError({before, study.before}, {after, study.after}, common_.receivers,
-                                              sun_, sample, share, stop_);
-        if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
-        if (error)
-            study.error = *error;
-        else
-            study.total.warnings.push_back(
-                {WarningKind::leftOut, "the error against the ray reference", error.error().text()});
-        return {};
+        return takeError(measureChangeError({before, study.before}, {after, study.after}, common_.receivers,
+                                            sun_, sample, share, stop_),
+                         study.error, study.total.warnings);
     }
 
     Result<void> prepare(const City& before, const City& after) {

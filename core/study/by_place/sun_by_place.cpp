@@ -11,6 +11,7 @@
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/engine_in_use.h"
 #include "core/measures/place_receivers.h"
+#include "core/measures/take_error.h"
 #include "core/study/memory_need.h"
 #include "core/study/terrain_coverage.h"
 #include "core/sun/zone_question.h"
@@ -133,15 +134,9 @@ Result<void> measureError(Measuring& m) {
     m.made.error.reset();
     const ErrorSampleSettings& sample = m.made.settings.study.errorSample;
     if (sample.receivers == 0 || m.made.settings.study.engine == referenceEngine) return {};
-    auto error =
-        sampleError(m.city, m.common.on.receivers, m.made.daylight, m.made.field, sample, m.progress, m.stop);
-    if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
-    if (error)
-        m.made.error = *error;
-    else
-        m.made.warnings.push_back(
-            {WarningKind::leftOut, "the error against the ray reference", error.error().text()});
-    return {};
+    return takeError(
+        sampleError(m.city, m.common.on.receivers, m.made.daylight, m.made.field, sample, m.progress, m.stop),
+        m.made.error, m.made.warnings);
 }
 
 Result<ShadowBreakdown> sweep(const Measuring& m, const EngineInUse& engine, const StepSets& sets) {
