@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/clean_text.h"
 #include "core/receivers/place_names.h"
+#include "core/sun/period_fields.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/tables/checked_row.h"
 #include "scenarios/project/tables/geometry_blob.h"
@@ -119,16 +121,23 @@ std::vector<TimeWeights> readWeights(Database& database) {
 
 constexpr NumberLimits countedMinutes{-12 * 60, 12 * 60};
 
+// Of a field of a period, which has a range.
+NumberLimits limitsOf(std::string_view key) {
+    const auto fields = periodFields().rows();
+    const ValueRange range = std::ranges::find(fields, key, &Field::key)->range.value();
+    return {range.min, range.max};
+}
+
 Period periodOf(const Statement& row) {
     Period period;
     const auto start = parseDate(row.text(1));
     if (!start) throwDamaged("a period has an invalid date");
     period.start = *start;
     const CheckedRow checked(row, "periods", 11);
-    period.days = checked.integer(2, "days", {1, 3660});
+    period.days = checked.integer(2, "days", limitsOf("days"));
     period.from = std::chrono::minutes(checked.integer(3, "from_min", dayMinutes));
-    period.hours = checked.number(4, "hours", {0, 24});
-    period.stepMinutes = checked.number(5, "step_min", {1.0 / 60, 240});
+    period.hours = checked.number(4, "hours", limitsOf("hours"));
+    period.stepMinutes = checked.number(5, "step_min", limitsOf("step_min"));
     if (!row.isNull(6))
         period.window =
             SolarHours{std::chrono::minutes(checked.integer(6, "after_sunrise_min", countedMinutes)),

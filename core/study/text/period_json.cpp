@@ -2,29 +2,39 @@
 
 #include <algorithm>
 
+#include "core/describe/field_json.h"
+#include "core/sun/period_fields.h"
 #include "core/sun/sun_events.h"
 
 namespace noonmark {
 
-nlohmann::ordered_json periodJson(const Period& period, const SunSteps& sun, const Observer& observer) {
+namespace {
+
+// Its fields; null where one does not apply. The sunrise rule is stated by the altitude in `window`.
+nlohmann::ordered_json askedJson(const Period& period) {
+    const Described asked = periodFields().of(period);
+    const auto applying = fieldsJson(asked);
     nlohmann::ordered_json json;
-    json["text"] = formatText(period);
-    json["start"] = formatText(period.start);
-    json["days"] = period.days;
-    json["step_min"] = period.stepMinutes;
+    for (const Field& field : asked.fields) {
+        const std::string key(field.key);
+        if (field.needs.empty()) json[key] = applying.value(key, nlohmann::ordered_json());
+    }
+    return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json periodJson(const Period& period, const SunSteps& sun, const Observer& observer) {
+    nlohmann::ordered_json json{{"text", formatText(period)}};
+    json.update(askedJson(period));
     json["counted_step_min"] = sun.stepMinutes;
     json["hours_min_per_day"] = sun.days.empty() ? 0 : sun.countedMinutes / double(sun.days.size());
     json["day_rounding_min"] = sun.maxOffADayMin;
-    json["zone"] = period.zone;
-    json["from"] = period.window ? nlohmann::ordered_json() : nlohmann::ordered_json(formatText(period.from));
-    json["hours"] = period.window ? nlohmann::ordered_json() : nlohmann::ordered_json(period.hours);
-    json["window"] = nullptr;
     if (period.window)
         json["window"] = {{"after_sunrise_min", period.window->afterSunrise.count()},
                           {"before_sunset_min", period.window->beforeSunset.count()},
                           {"sunrise_altitude_deg",
                            computeSunriseAltitudeDeg(period.window->rule, relativeAirDensity(observer))}};
-    json["refraction"] = period.refraction;
     json["days_without_sun"] = std::ranges::count(sun.days, 0U, &SunDay::count);
     return json;
 }

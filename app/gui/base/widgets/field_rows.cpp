@@ -2,11 +2,14 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCompleter>
+#include <QDateEdit>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QScopedValueRollback>
 #include <QSpinBox>
+#include <QTimeEdit>
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +17,7 @@
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/translated.h"
 #include "core/describe/value_text.h"
+#include "core/sun/civil_time.h"
 
 namespace noonmark {
 
@@ -66,7 +70,37 @@ QWidget* makeChoices(const Field& field) {
     return list;
 }
 
+QWidget* makeDate() {
+    auto* date = new QDateEdit;
+    date->setCalendarPopup(true);
+    date->setDisplayFormat(QStringLiteral("yyyy-MM-dd"));
+    date->setDateRange(QDate(1900, 1, 2), QDate(2099, 12, 30));  // the ephemeris' years
+    return date;
+}
+
+QWidget* makeTime() {
+    auto* time = new QTimeEdit;
+    time->setDisplayFormat(QStringLiteral("HH:mm"));
+    return time;
+}
+
+QWidget* makeZone() {
+    auto* zone = new QComboBox;
+    zone->setEditable(true);
+    zone->setInsertPolicy(QComboBox::NoInsert);
+    for (const std::string& name : zoneNames()) zone->addItem(QString::fromStdString(name));
+    zone->completer()->setCompletionMode(QCompleter::PopupCompletion);
+    zone->completer()->setFilterMode(Qt::MatchContains);
+    zone->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    zone->setMinimumContentsLength(14);
+    return zone;
+}
+
+// What the flag's value looks like decides how it is entered.
 QWidget* makeText(const Field& field) {
+    if (field.hint == "DATE") return makeDate();
+    if (field.hint == "HH:MM") return makeTime();
+    if (field.hint == "ZONE") return makeZone();
     auto* line = new QLineEdit;
     if (!field.whenEmpty.empty()) line->setPlaceholderText(translated(field.whenEmpty));
     return line;
@@ -87,6 +121,12 @@ QWidget* makeWidget(const Field& field) {
     }
 }
 
+// 24:00 ends a day, and a field of the window begins it.
+QTime timeIn(const QString& text) {
+    return text.startsWith(QStringLiteral("24:")) ? QTime(0, 0)
+                                                  : QTime::fromString(text, QStringLiteral("HH:mm"));
+}
+
 void showValue(QWidget& widget, const Field& field, const Value& value) {
     const QString text = QString::fromStdString(formatText(value));
     if (auto* box = qobject_cast<QCheckBox*>(&widget)) box->setChecked(value == Value(true));
@@ -94,7 +134,10 @@ void showValue(QWidget& widget, const Field& field, const Value& value) {
     if (auto* number = qobject_cast<QDoubleSpinBox*>(&widget))
         number->setValue(numberOf(value) * field.shownTimes);
     if (auto* list = qobject_cast<QComboBox*>(&widget))
-        list->setCurrentIndex(value == Value() ? 0 : list->findData(text));
+        list->isEditable() ? list->setCurrentText(text)
+                           : list->setCurrentIndex(value == Value() ? 0 : list->findData(text));
+    if (auto* date = qobject_cast<QDateEdit*>(&widget)) date->setDate(QDate::fromString(text, Qt::ISODate));
+    if (auto* time = qobject_cast<QTimeEdit*>(&widget)) time->setTime(timeIn(text));
     if (auto* line = qobject_cast<QLineEdit*>(&widget)) line->setText(text);
 }
 
@@ -105,6 +148,10 @@ Result<Value> valueOf(const Field& field, const QWidget& widget) {
         return Value(std::int64_t(whole->value()));
     if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&widget))
         return Value(number->value() / field.shownTimes);
+    if (const auto* moment = qobject_cast<const QDateTimeEdit*>(&widget))
+        return Value(moment->text().toStdString());
+    if (const auto* list = qobject_cast<const QComboBox*>(&widget); list && list->isEditable())
+        return Value(list->currentText().trimmed().toStdString());
     if (const auto* list = qobject_cast<const QComboBox*>(&widget)) {
         const QString key = list->currentData().toString();
         return key.isEmpty() ? Value() : Value(key.toStdString());
@@ -145,8 +192,12 @@ QWidget* FieldRows::make(const Field& field) {
     if (auto* whole = qobject_cast<QSpinBox*>(widget)) connect(whole, &QSpinBox::valueChanged, this, changed);
     if (auto* number = qobject_cast<QDoubleSpinBox*>(widget))
         connect(number, &QDoubleSpinBox::valueChanged, this, changed);
-    if (auto* list = qobject_cast<QComboBox*>(widget))
+    if (auto* list = qobject_cast<QComboBox*>(widget)) {
         connect(list, &QComboBox::currentIndexChanged, this, changed);
+        if (list->isEditable()) connect(list->lineEdit(), &QLineEdit::editingFinished, this, changed);
+    }
+    if (auto* moment = qobject_cast<QDateTimeEdit*>(widget))
+        connect(moment, &QDateTimeEdit::dateTimeChanged, this, changed);
     if (auto* line = qobject_cast<QLineEdit*>(widget))
         connect(line, &QLineEdit::editingFinished, this, changed);
     return widget;

@@ -7,10 +7,8 @@
 
 class QCheckBox;
 class QComboBox;
-class QDateEdit;
 class QDoubleSpinBox;
 class QFormLayout;
-class QTimeEdit;
 
 namespace noonmark {
 
@@ -33,15 +31,11 @@ private:
     void follow(QWidget* field, const char* name);
     void enableFields();
 
-    FieldRows rows_{periodFields().rows()};  ///< days, hours and step
-    QDateEdit* start_;
-    QTimeEdit* from_;
-    QComboBox* zone_;
+    FieldRows rows_{periodFields().rows()};  ///< all but those of the sun's hours
     QCheckBox* window_;
     QDoubleSpinBox* afterSunrise_;
     QDoubleSpinBox* beforeSunset_;
     QComboBox* rule_;
-    QCheckBox* refraction_;
     bool showing_ = false;
 };
 
