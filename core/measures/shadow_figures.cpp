@@ -115,7 +115,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .unit = FigureUnit::minutesADay,
                 .whole = Whole::sunlitTime,
                 .together = Together::max,
-                .better = Better::lessShadow}),
+                .better = Better::lessShadow,
                 .tells = Tells::shadow}),
         figure(&ShadowStatistics::meanSunMin,
                {.key = "mean_sun_min",
