@@ -187,7 +187,7 @@ QString tableText(const Bars& bars) {
     QString text = bars.groupName.empty() ? QString() : translated(bars.groupName);
     for (const std::string& name : bars.series) text += u'\t' + QString::fromStdString(name);
     for (const Bars::Group& group : bars.groups) {
-        text += u'\n' + nameOf(group);
+        text += u'\n' + nameOf(bars, group);
         for (const double value : group.values)
             text += u'\t' + (std::isnan(value) ? QString() : QLocale().toString(value, 'g', 10));
     }
