@@ -374,6 +374,14 @@
         <source>Type it as 40, 40 m or 131&apos; 3&quot;, with an azimuth as 40&lt;90</source>
         <translation>Als 40, 40 m oder 131&apos; 3&quot; eingeben, mit Azimut als 40&lt;90</translation>
     </message>
+    <message>
+        <source>Some scenarios could not be computed</source>
+        <translation>Einige Szenarien konnten nicht berechnet werden</translation>
+    </message>
+    <message>
+        <source>The dock Scenarios says why in the row of each</source>
+        <translation>Das Feld Szenarien nennt in jeder Zeile den Grund</translation>
+    </message>
 </context>
 <context>
     <name>FieldText</name>
@@ -635,6 +643,18 @@
     <message>
         <source>Change of sun</source>
         <translation>Änderung der Sonne</translation>
+    </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>Sonne nach Ort</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>Änderung der Sonne nach Ort</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>Minuten Sonne am Tag</translation>
     </message>
 </context>
 <context>
@@ -2295,28 +2315,8 @@ Die Untersuchung: %2</translation>
         <translation>%1, h</translation>
     </message>
     <message>
-        <source>Sun by place</source>
-        <translation>Sonne nach Ort</translation>
-    </message>
-    <message>
-        <source>hours of sun a day</source>
-        <translation>Sonnenstunden am Tag</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>Change of sun by place</source>
-        <translation>Änderung der Sonne nach Ort</translation>
-    </message>
-    <message>
-        <source>minutes of sun a day</source>
-        <translation>Minuten Sonne am Tag</translation>
-    </message>
-    <message>
-        <source>below %1</source>
-        <translation>unter %1</translation>
     </message>
     <message>
         <source>, </source>
@@ -2433,6 +2433,14 @@ Die Untersuchung: %2</translation>
     <message>
         <source>Other places</source>
         <translation>Andere Orte</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the values</source>
+        <translation>Werte &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Contribution of this new building alone: ground that loses over %1 min of sun a day by it</source>
+        <translation>Beitrag dieses neuen Gebäudes allein: Boden, der durch es mehr als %1 min Sonne am Tag verliert</translation>
     </message>
 </context>
 <context>
@@ -3413,10 +3421,6 @@ Die Untersuchung: %2</translation>
         <translation>Farben</translation>
     </message>
     <message>
-        <source>Colours of maps; all but traffic-light are safe for colour-blind readers</source>
-        <translation>Farben der Karten; alle außer traffic-light sind auch bei Farbenfehlsichtigkeit unterscheidbar</translation>
-    </message>
-    <message>
         <source>Reversed</source>
         <translation>Umgekehrt</translation>
     </message>
@@ -3656,6 +3660,174 @@ Die Untersuchung: %2</translation>
         <source>Shadow area by month, m²</source>
         <translation>Schattenfläche nach Monat, m²</translation>
     </message>
+    <message>
+        <source>minutes of sun a day, more than before</source>
+        <translation>Minuten Sonne am Tag, mehr als vorher</translation>
+    </message>
+    <message>
+        <source>Colours of maps; all but traffic-light are safe for colour-blind readers. Maps of sun by place take violet-orange unless another is named</source>
+        <translation>Farben der Karten; alle außer traffic-light sind für Farbenblinde geeignet. Karten der Sonne nach Orten nehmen violet-orange, wenn keine andere genannt ist</translation>
+    </message>
+    <message>
+        <source>Colours of changes</source>
+        <translation>Farben der Änderungen</translation>
+    </message>
+    <message>
+        <source>Colours of differences and scores; all but green-red are safe for colour-blind readers</source>
+        <translation>Farben von Unterschieden und Bewertungen; alle außer green-red sind für Farbenblinde geeignet</translation>
+    </message>
+    <message>
+        <source>Changes reversed</source>
+        <translation>Änderungen umgekehrt</translation>
+    </message>
+    <message>
+        <source>Turn the colours of differences and scores round</source>
+        <translation>Die Farben von Unterschieden und Bewertungen umkehren</translation>
+    </message>
+    <message>
+        <source>Classes of changes</source>
+        <translation>Klassen der Änderungen</translation>
+    </message>
+    <message>
+        <source>Classes of the legend of differences and scores, as of --classes; numbers in minutes of a difference: -30,-10,10,30</source>
+        <translation>Klassen der Legende von Unterschieden und Bewertungen, wie bei --classes; Zahlen in Minuten eines Unterschieds: -30,-10,10,30</translation>
+    </message>
+    <message>
+        <source>%1 of sun a day, %2 of what is possible</source>
+        <translation>%1 Sonne am Tag, %2 des Möglichen</translation>
+    </message>
+    <message>
+        <source>%1: %2 of sun a day, %3 of what is possible</source>
+        <translation>%1: %2 Sonne am Tag, %3 des Möglichen</translation>
+    </message>
+    <message>
+        <source>%1 of the possible sun, %2 a day</source>
+        <translation>%1 der möglichen Sonne, %2 am Tag</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the possible sun, %3 a day</source>
+        <translation>%1: %2 der möglichen Sonne, %3 am Tag</translation>
+    </message>
+    <message>
+        <source>sunlit time minus gross shadow per day, at the receiver that has most shadow</source>
+        <translation>besonnte Zeit minus Gesamtschatten am Tag, am Messpunkt mit dem meisten Schatten</translation>
+    </message>
+    <message>
+        <source>Sunlit area</source>
+        <translation>Besonnte Fläche</translation>
+    </message>
+    <message>
+        <source>sum over the receivers of (share of the sunlit time in the sun x cell area)</source>
+        <translation>Summe über die Messpunkte aus (Anteil der besonnten Zeit in der Sonne x Zellfläche)</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day of the places that change most</source>
+        <translation>Sonnenstunden am Tag der Orte, die sich am meisten ändern</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day by month</source>
+        <translation>Änderung der Sonnenstunden am Tag nach Monat</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day of these places</source>
+        <translation>Änderung der Sonnenstunden am Tag dieser Orte</translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation>Erster Tag</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>Zeitzone</translation>
+    </message>
+    <message>
+        <source>Sun as seen through the air</source>
+        <translation>Sonne durch die Luft</translation>
+    </message>
+    <message>
+        <source>Less sun</source>
+        <translation>Weniger Sonne</translation>
+    </message>
+    <message>
+        <source>area that lost more minutes of sun than the threshold</source>
+        <translation>Fläche, die mehr Minuten Sonne als die Schwelle verlor</translation>
+    </message>
+    <message>
+        <source>More sun</source>
+        <translation>Mehr Sonne</translation>
+    </message>
+    <message>
+        <source>area that gained more minutes of sun than the threshold</source>
+        <translation>Fläche, die mehr Minuten Sonne als die Schwelle gewann</translation>
+    </message>
+    <message>
+        <source>Any less sun</source>
+        <translation>Irgendwie weniger Sonne</translation>
+    </message>
+    <message>
+        <source>area that lost any sun</source>
+        <translation>Fläche, die irgendwie Sonne verlor</translation>
+    </message>
+    <message>
+        <source>Any more sun</source>
+        <translation>Irgendwie mehr Sonne</translation>
+    </message>
+    <message>
+        <source>area that gained any sun</source>
+        <translation>Fläche, die irgendwie Sonne gewann</translation>
+    </message>
+    <message>
+        <source>Mean change of sun</source>
+        <translation>Mittlere Änderung der Sonne</translation>
+    </message>
+    <message>
+        <source>mean of the change of sun over the receivers; negative: less sun</source>
+        <translation>Mittel der Änderung der Sonne über die Messpunkte; negativ: weniger Sonne</translation>
+    </message>
+    <message>
+        <source>Largest loss of sun</source>
+        <translation>Größter Verlust an Sonne</translation>
+    </message>
+    <message>
+        <source>the most sun that a receiver loses</source>
+        <translation>die meiste Sonne, die ein Messpunkt verliert</translation>
+    </message>
+    <message>
+        <source>Largest gain of sun</source>
+        <translation>Größter Gewinn an Sonne</translation>
+    </message>
+    <message>
+        <source>the most sun that a receiver gains</source>
+        <translation>die meiste Sonne, die ein Messpunkt gewinnt</translation>
+    </message>
+    <message>
+        <source>Change of the sunlit area</source>
+        <translation>Änderung der besonnten Fläche</translation>
+    </message>
+    <message>
+        <source>change of the sum over the receivers of (share of the sunlit time in the sun x cell area)</source>
+        <translation>Änderung der Summe über die Messpunkte aus (Anteil der besonnten Zeit in der Sonne x Zellfläche)</translation>
+    </message>
+    <message>
+        <source>%1 changes no sun here</source>
+        <translation>%1 ändert hier keine Sonne</translation>
+    </message>
+    <message>
+        <source>Less sun on %1, more on %2; by more than %3 a day on %4 and %5.</source>
+        <translation>Weniger Sonne auf %1, mehr auf %2; um mehr als %3 am Tag auf %4 und %5.</translation>
+    </message>
+    <message>
+        <source>Sunlit area by month, m²</source>
+        <translation>Besonnte Fläche nach Monat, m²</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -3763,10 +3935,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Beitrag jedes Gebäudes</translation>
     </message>
     <message>
-        <source>Also finds what each building takes, for the dock Contributions and exports; takes about three times as long.</source>
-        <translation>Ermittelt auch, was jedes Gebäude nimmt, für das Feld Beiträge und Exporte; dauert etwa dreimal so lange.</translation>
-    </message>
-    <message>
         <source>Attributed shadow</source>
         <translation>Zugerechneter Schatten</translation>
     </message>
@@ -3781,6 +3949,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>contributions</source>
         <translation>Beiträge</translation>
+    </message>
+    <message>
+        <source>Also finds what each building takes, for the dock Contributions and exports; takes up to twice as long.</source>
+        <translation>Ermittelt auch, was jedes Gebäude nimmt, für das Feld Beiträge und den Export; dauert bis zu doppelt so lange.</translation>
     </message>
 </context>
 <context>
@@ -3970,6 +4142,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Attributing the shadow of %1</source>
         <translation>Der Schatten von %1 wird zugerechnet</translation>
     </message>
+    <message>
+        <source>A saved result holds what buildings take from its whole region, if that was asked for. For a place, show the study again.</source>
+        <translation>Ein gespeichertes Ergebnis enthält, was Gebäude seinem ganzen Gebiet nehmen, wenn danach gefragt wurde. Für einen Ort die Untersuchung wieder zeigen.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ContributionModel</name>
@@ -4011,15 +4187,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Whole region</source>
         <translation>Ganzes Gebiet</translation>
-    </message>
-    <message>
-        <source>Shadow area by month</source>
-        <translation>Schattenfläche nach Monat</translation>
-    </message>
-    <message>
-        <source>%1: on average over the sunlit time %2 in shadow</source>
-        <comment>a month and an area</comment>
-        <translation>%1: im Mittel über die besonnte Zeit %2 im Schatten</translation>
     </message>
 </context>
 <context>
@@ -4825,12 +4992,6 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
         <translation>%1 (nicht bei Farbenfehlsichtigkeit)</translation>
     </message>
     <message>
-        <source>Colours from much sun to much shadow. All but the last are told apart by colour-blind readers.
-Differences and scores keep two colours of their own.</source>
-        <translation>Farben von viel Sonne bis viel Schatten. Alle außer der letzten sind auch bei Farbenfehlsichtigkeit unterscheidbar.
-Differenzen und Bewertungen behalten zwei eigene Farben.</translation>
-    </message>
-    <message>
         <source>Minutes in shadow, hours of sun (the sunlit time minus gross shadow), or the share of the sunlit time in the sun.
 Continuous shadow stays in minutes: the longest run in the sun does not follow from it.</source>
         <translation>Minuten im Schatten, Sonnenstunden (die besonnte Zeit minus Gesamtschatten) oder der Anteil der besonnten Zeit in der Sonne.
@@ -4907,6 +5068,26 @@ Dauerschatten bleibt in Minuten: Die längste Sonne ohne Unterbrechung folgt nic
     <message>
         <source>Not two numbers like 0:8, or not ascending numbers like 2,4,6</source>
         <translation>Keine zwei Zahlen wie 0:8 oder keine aufsteigenden Zahlen wie 2,4,6</translation>
+    </message>
+    <message>
+        <source>Colours from much sun to much shadow; of differences and scores those around a pale middle</source>
+        <translation>Farben von viel Sonne zu viel Schatten; bei Unterschieden und Bewertungen die um eine blasse Mitte</translation>
+    </message>
+    <message>
+        <source>%1 (safe for colour-blind readers)</source>
+        <translation>%1 (für Farbenblinde geeignet)</translation>
+    </message>
+    <message>
+        <source>What is shown has fixed colours: there is nothing to choose</source>
+        <translation>Was gezeigt wird, hat feste Farben: es gibt nichts zu wählen</translation>
+    </message>
+    <message>
+        <source>The panel Places divides the classes of sun by place</source>
+        <translation>Das Feld Orte teilt die Klassen der Sonne nach Orten ein</translation>
+    </message>
+    <message>
+        <source>A difference has its range beside the legend; a score is fitted</source>
+        <translation>Ein Unterschied hat seinen Bereich neben der Legende; eine Bewertung wird angepasst</translation>
     </message>
 </context>
 <context>
@@ -5529,28 +5710,12 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <translation>Mitte der Scheibe (0°)</translation>
     </message>
     <message>
-        <source>Sun as seen through the air</source>
-        <translation>Sonne durch die Luft</translation>
-    </message>
-    <message>
-        <source>First day</source>
-        <translation>Erster Tag</translation>
-    </message>
-    <message>
         <source>After sunrise</source>
         <translation>Nach Sonnenaufgang</translation>
     </message>
     <message>
         <source>Before sunset</source>
         <translation>Vor Sonnenuntergang</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>Von</translation>
-    </message>
-    <message>
-        <source>Time zone</source>
-        <translation>Zeitzone</translation>
     </message>
     <message>
         <source>Sunrise at</source>
@@ -5875,10 +6040,6 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Nach Art</translation>
     </message>
     <message>
-        <source>Places with less sun a day than this are violet, others orange</source>
-        <translation>Orte mit weniger Sonne am Tag als dieser Wert sind violett, andere orange</translation>
-    </message>
-    <message>
         <source>Part of a name</source>
         <translation>Teil eines Namens</translation>
     </message>
@@ -5955,6 +6116,10 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
             <numerusform>%1 von %2 Orten aufgelistet</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Places with less sun a day than this are violet, others orange, unless the legend has other colours</source>
+        <translation>Orte mit weniger Sonne am Tag sind violett, andere orange, wenn die Legende keine anderen Farben hat</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesForm</name>
@@ -5985,6 +6150,14 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>Dates</source>
         <translation>Stichtage</translation>
+    </message>
+    <message>
+        <source>All scenarios</source>
+        <translation>Alle Szenarien</translation>
+    </message>
+    <message>
+        <source>Measures the places in all scenarios and compares each with the baseline, which is chosen at the top</source>
+        <translation>Misst die Orte in allen Szenarien und vergleicht jedes mit dem Vergleich, der oben gewählt wird</translation>
     </message>
 </context>
 <context>
@@ -6757,12 +6930,12 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <translation>Veraltete Bewertung: die Gewichtstabelle hat sich geändert; neu bewerten.</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>Saved: %1</source>
         <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>%1 (buildings have changed)</source>
+        <translation>%1 (Gebäude haben sich geändert)</translation>
     </message>
 </context>
 <context>
@@ -7194,6 +7367,41 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>nothing</source>
         <translation>nichts</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioCharts</name>
+    <message>
+        <source>No scenario has been scored by month: press Score all</source>
+        <translation>Kein Szenario ist nach Monaten bewertet: Alle bewerten drücken</translation>
+    </message>
+    <message>
+        <source>No scenario has months: tick Each month by itself in the dock Study, and press Measure all</source>
+        <translation>Kein Szenario hat Monate: Jeder Monat für sich im Feld Untersuchung anhaken und Alle messen drücken</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 scenarios; CSV saves all of them</source>
+        <translation>Die ersten %1 von %2 Szenarien; CSV speichert alle</translation>
+    </message>
+    <message>
+        <source>No differences: the baseline %1 lacks this figure</source>
+        <translation>Keine Unterschiede: dem Vergleich %1 fehlt diese Zahl</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Saves all figures of the months of all scenarios, with their differences to the baseline</source>
+        <translation>Speichert alle Zahlen der Monate aller Szenarien mit ihren Unterschieden zum Vergleich</translation>
+    </message>
+    <message>
+        <source>A chart of the months of all scenarios, and of their differences to the baseline</source>
+        <translation>Ein Diagramm der Monate aller Szenarien und ihrer Unterschiede zum Vergleich</translation>
+    </message>
+    <message>
+        <source>No chart</source>
+        <translation>Kein Diagramm</translation>
     </message>
 </context>
 <context>
@@ -8870,6 +9078,10 @@ Zuerst ein Gebäude anklicken.</translation>
         <source>Finding the command</source>
         <translation>Der Befehl wird ermittelt</translation>
     </message>
+    <message>
+        <source>Comparing results with the buildings</source>
+        <translation>Ergebnisse werden mit den Gebäuden verglichen</translation>
+    </message>
 </context>
 <context>
     <name>std</name>
@@ -9020,6 +9232,30 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>Share of the sunlit time</source>
         <translation>Anteil der besonnten Zeit</translation>
+    </message>
+    <message>
+        <source>Orange to violet</source>
+        <translation>Orange zu Violett</translation>
+    </message>
+    <message>
+        <source>Green-blue to brown</source>
+        <translation>Grünblau zu Braun</translation>
+    </message>
+    <message>
+        <source>Orange to purple</source>
+        <translation>Orange zu Purpur</translation>
+    </message>
+    <message>
+        <source>Blue to red</source>
+        <translation>Blau zu Rot</translation>
+    </message>
+    <message>
+        <source>Green to red, pale in the middle</source>
+        <translation>Grün zu Rot, in der Mitte blass</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>Sonnenstunden am Tag nach Monat</translation>
     </message>
 </context>
 </TS>

@@ -374,6 +374,14 @@
         <source>Type it as 40, 40 m or 131&apos; 3&quot;, with an azimuth as 40&lt;90</source>
         <translation>Escríbala como 40, 40 m o 131&apos; 3&quot;, con acimut como 40&lt;90</translation>
     </message>
+    <message>
+        <source>Some scenarios could not be computed</source>
+        <translation>Algunos escenarios no se pudieron calcular</translation>
+    </message>
+    <message>
+        <source>The dock Scenarios says why in the row of each</source>
+        <translation>El panel Escenarios dice el motivo en la fila de cada uno</translation>
+    </message>
 </context>
 <context>
     <name>FieldText</name>
@@ -635,6 +643,18 @@
     <message>
         <source>Change of sun</source>
         <translation>Cambio de sol</translation>
+    </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>Sol por lugar</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>Cambio de sol por lugar</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>minutos de sol al día</translation>
     </message>
 </context>
 <context>
@@ -2295,28 +2315,8 @@ El estudio: %2</translation>
         <translation>%1, h</translation>
     </message>
     <message>
-        <source>Sun by place</source>
-        <translation>Sol por lugar</translation>
-    </message>
-    <message>
-        <source>hours of sun a day</source>
-        <translation>horas de sol al día</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 a %2</translation>
-    </message>
-    <message>
-        <source>Change of sun by place</source>
-        <translation>Cambio de sol por lugar</translation>
-    </message>
-    <message>
-        <source>minutes of sun a day</source>
-        <translation>minutos de sol al día</translation>
-    </message>
-    <message>
-        <source>below %1</source>
-        <translation>menos de %1</translation>
     </message>
     <message>
         <source>, </source>
@@ -2433,6 +2433,14 @@ El estudio: %2</translation>
     <message>
         <source>Other places</source>
         <translation>Otros lugares</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the values</source>
+        <translation>&amp;Copiar los valores</translation>
+    </message>
+    <message>
+        <source>Contribution of this new building alone: ground that loses over %1 min of sun a day by it</source>
+        <translation>Contribución de este edificio nuevo por sí solo: suelo que pierde por él más de %1 min de sol al día</translation>
     </message>
 </context>
 <context>
@@ -3413,10 +3421,6 @@ El estudio: %2</translation>
         <translation>Colores</translation>
     </message>
     <message>
-        <source>Colours of maps; all but traffic-light are safe for colour-blind readers</source>
-        <translation>Colores de los mapas; todos menos traffic-light son aptos para lectores daltónicos</translation>
-    </message>
-    <message>
         <source>Reversed</source>
         <translation>Invertido</translation>
     </message>
@@ -3656,6 +3660,174 @@ El estudio: %2</translation>
         <source>Shadow area by month, m²</source>
         <translation>Área de sombra por mes, m²</translation>
     </message>
+    <message>
+        <source>minutes of sun a day, more than before</source>
+        <translation>minutos de sol al día, más que antes</translation>
+    </message>
+    <message>
+        <source>Colours of maps; all but traffic-light are safe for colour-blind readers. Maps of sun by place take violet-orange unless another is named</source>
+        <translation>Colores de los mapas; todos menos traffic-light son aptos para daltónicos. Los mapas de sol por lugar usan violet-orange si no se nombra otra</translation>
+    </message>
+    <message>
+        <source>Colours of changes</source>
+        <translation>Colores de los cambios</translation>
+    </message>
+    <message>
+        <source>Colours of differences and scores; all but green-red are safe for colour-blind readers</source>
+        <translation>Colores de diferencias y puntuaciones; todos menos green-red son aptos para daltónicos</translation>
+    </message>
+    <message>
+        <source>Changes reversed</source>
+        <translation>Cambios invertidos</translation>
+    </message>
+    <message>
+        <source>Turn the colours of differences and scores round</source>
+        <translation>Invertir los colores de diferencias y puntuaciones</translation>
+    </message>
+    <message>
+        <source>Classes of changes</source>
+        <translation>Clases de los cambios</translation>
+    </message>
+    <message>
+        <source>Classes of the legend of differences and scores, as of --classes; numbers in minutes of a difference: -30,-10,10,30</source>
+        <translation>Clases de la leyenda de diferencias y puntuaciones, como en --classes; números en minutos de una diferencia: -30,-10,10,30</translation>
+    </message>
+    <message>
+        <source>%1 of sun a day, %2 of what is possible</source>
+        <translation>%1 de sol al día, %2 de lo posible</translation>
+    </message>
+    <message>
+        <source>%1: %2 of sun a day, %3 of what is possible</source>
+        <translation>%1: %2 de sol al día, %3 de lo posible</translation>
+    </message>
+    <message>
+        <source>%1 of the possible sun, %2 a day</source>
+        <translation>%1 del sol posible, %2 al día</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the possible sun, %3 a day</source>
+        <translation>%1: %2 del sol posible, %3 al día</translation>
+    </message>
+    <message>
+        <source>sunlit time minus gross shadow per day, at the receiver that has most shadow</source>
+        <translation>tiempo con sol menos sombra total al día, en el receptor con más sombra</translation>
+    </message>
+    <message>
+        <source>Sunlit area</source>
+        <translation>Área con sol</translation>
+    </message>
+    <message>
+        <source>sum over the receivers of (share of the sunlit time in the sun x cell area)</source>
+        <translation>suma sobre los receptores de (parte del tiempo con sol al sol x área de la celda)</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day of the places that change most</source>
+        <translation>Horas de sol al día de los lugares que más cambian</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>lugares</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day by month</source>
+        <translation>Cambio de las horas de sol al día por mes</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day of these places</source>
+        <translation>Cambio de las horas de sol al día de estos lugares</translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation>Primer día</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Desde</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>Zona horaria</translation>
+    </message>
+    <message>
+        <source>Sun as seen through the air</source>
+        <translation>Sol a través del aire</translation>
+    </message>
+    <message>
+        <source>Less sun</source>
+        <translation>Menos sol</translation>
+    </message>
+    <message>
+        <source>area that lost more minutes of sun than the threshold</source>
+        <translation>área que perdió más minutos de sol que el umbral</translation>
+    </message>
+    <message>
+        <source>More sun</source>
+        <translation>Más sol</translation>
+    </message>
+    <message>
+        <source>area that gained more minutes of sun than the threshold</source>
+        <translation>área que ganó más minutos de sol que el umbral</translation>
+    </message>
+    <message>
+        <source>Any less sun</source>
+        <translation>Cualquier sol menos</translation>
+    </message>
+    <message>
+        <source>area that lost any sun</source>
+        <translation>área que perdió algo de sol</translation>
+    </message>
+    <message>
+        <source>Any more sun</source>
+        <translation>Cualquier sol más</translation>
+    </message>
+    <message>
+        <source>area that gained any sun</source>
+        <translation>área que ganó algo de sol</translation>
+    </message>
+    <message>
+        <source>Mean change of sun</source>
+        <translation>Cambio medio del sol</translation>
+    </message>
+    <message>
+        <source>mean of the change of sun over the receivers; negative: less sun</source>
+        <translation>media del cambio del sol sobre los receptores; negativo: menos sol</translation>
+    </message>
+    <message>
+        <source>Largest loss of sun</source>
+        <translation>Mayor pérdida de sol</translation>
+    </message>
+    <message>
+        <source>the most sun that a receiver loses</source>
+        <translation>el máximo sol que pierde un receptor</translation>
+    </message>
+    <message>
+        <source>Largest gain of sun</source>
+        <translation>Mayor ganancia de sol</translation>
+    </message>
+    <message>
+        <source>the most sun that a receiver gains</source>
+        <translation>el máximo sol que gana un receptor</translation>
+    </message>
+    <message>
+        <source>Change of the sunlit area</source>
+        <translation>Cambio del área con sol</translation>
+    </message>
+    <message>
+        <source>change of the sum over the receivers of (share of the sunlit time in the sun x cell area)</source>
+        <translation>cambio de la suma sobre los receptores de (parte del tiempo con sol al sol x área de la celda)</translation>
+    </message>
+    <message>
+        <source>%1 changes no sun here</source>
+        <translation>%1 no cambia el sol aquí</translation>
+    </message>
+    <message>
+        <source>Less sun on %1, more on %2; by more than %3 a day on %4 and %5.</source>
+        <translation>Menos sol en %1, más en %2; en más de %3 al día en %4 y %5.</translation>
+    </message>
+    <message>
+        <source>Sunlit area by month, m²</source>
+        <translation>Área con sol por mes, m²</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -3763,10 +3935,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Contribución de cada edificio</translation>
     </message>
     <message>
-        <source>Also finds what each building takes, for the dock Contributions and exports; takes about three times as long.</source>
-        <translation>Averigua también qué quita cada edificio, para el panel Contribuciones y al exportar; tarda unas tres veces más.</translation>
-    </message>
-    <message>
         <source>Attributed shadow</source>
         <translation>Sombra atribuida</translation>
     </message>
@@ -3781,6 +3949,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>contributions</source>
         <translation>contribuciones</translation>
+    </message>
+    <message>
+        <source>Also finds what each building takes, for the dock Contributions and exports; takes up to twice as long.</source>
+        <translation>Halla también lo que quita cada edificio, para el panel Contribuciones y las exportaciones; tarda hasta el doble.</translation>
     </message>
 </context>
 <context>
@@ -3970,6 +4142,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Attributing the shadow of %1</source>
         <translation>Atribuyendo la sombra de %1</translation>
     </message>
+    <message>
+        <source>A saved result holds what buildings take from its whole region, if that was asked for. For a place, show the study again.</source>
+        <translation>Un resultado guardado contiene lo que los edificios quitan a toda su región, si se pidió. Para un lugar, vuelva a mostrar el estudio.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ContributionModel</name>
@@ -4011,15 +4187,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Whole region</source>
         <translation>Toda la zona</translation>
-    </message>
-    <message>
-        <source>Shadow area by month</source>
-        <translation>Área de sombra por mes</translation>
-    </message>
-    <message>
-        <source>%1: on average over the sunlit time %2 in shadow</source>
-        <comment>a month and an area</comment>
-        <translation>%1: de media en el tiempo con sol, %2 en sombra</translation>
     </message>
 </context>
 <context>
@@ -4825,12 +4992,6 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
         <translation>%1 (no apto para lectores daltónicos)</translation>
     </message>
     <message>
-        <source>Colours from much sun to much shadow. All but the last are told apart by colour-blind readers.
-Differences and scores keep two colours of their own.</source>
-        <translation>Colores de mucho sol a mucha sombra. Los lectores daltónicos distinguen todos menos los últimos.
-Las diferencias y puntuaciones conservan dos colores propios.</translation>
-    </message>
-    <message>
         <source>Minutes in shadow, hours of sun (the sunlit time minus gross shadow), or the share of the sunlit time in the sun.
 Continuous shadow stays in minutes: the longest run in the sun does not follow from it.</source>
         <translation>Minutos en sombra, horas de sol (el tiempo de sol menos la sombra total) o la parte del tiempo con sol que se está al sol.
@@ -4907,6 +5068,26 @@ La sombra continua sigue en minutos: de ella no se deduce el tramo más largo al
     <message>
         <source>Not two numbers like 0:8, or not ascending numbers like 2,4,6</source>
         <translation>No son dos números como 0:8, o no son números ascendentes como 2,4,6</translation>
+    </message>
+    <message>
+        <source>Colours from much sun to much shadow; of differences and scores those around a pale middle</source>
+        <translation>Colores de mucho sol a mucha sombra; en diferencias y puntuaciones, los que rodean un centro pálido</translation>
+    </message>
+    <message>
+        <source>%1 (safe for colour-blind readers)</source>
+        <translation>%1 (apto para daltónicos)</translation>
+    </message>
+    <message>
+        <source>What is shown has fixed colours: there is nothing to choose</source>
+        <translation>Lo que se muestra tiene colores fijos: no hay nada que elegir</translation>
+    </message>
+    <message>
+        <source>The panel Places divides the classes of sun by place</source>
+        <translation>El panel Lugares divide las clases del sol por lugar</translation>
+    </message>
+    <message>
+        <source>A difference has its range beside the legend; a score is fitted</source>
+        <translation>Una diferencia tiene su intervalo junto a la leyenda; una puntuación se ajusta</translation>
     </message>
 </context>
 <context>
@@ -5529,28 +5710,12 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation>centro del disco (0°)</translation>
     </message>
     <message>
-        <source>Sun as seen through the air</source>
-        <translation>Sol a través del aire</translation>
-    </message>
-    <message>
-        <source>First day</source>
-        <translation>Primer día</translation>
-    </message>
-    <message>
         <source>After sunrise</source>
         <translation>Después del amanecer</translation>
     </message>
     <message>
         <source>Before sunset</source>
         <translation>Antes del ocaso</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>Desde</translation>
-    </message>
-    <message>
-        <source>Time zone</source>
-        <translation>Zona horaria</translation>
     </message>
     <message>
         <source>Sunrise at</source>
@@ -5875,10 +6040,6 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Por tipo</translation>
     </message>
     <message>
-        <source>Places with less sun a day than this are violet, others orange</source>
-        <translation>Los lugares con menos sol al día que este valor son violetas, los demás naranjas</translation>
-    </message>
-    <message>
         <source>Part of a name</source>
         <translation>Parte de un nombre</translation>
     </message>
@@ -5955,6 +6116,10 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
             <numerusform>%1 de %2 lugares en la lista</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Places with less sun a day than this are violet, others orange, unless the legend has other colours</source>
+        <translation>Los lugares con menos sol al día son violetas, los demás naranjas, salvo que la leyenda tenga otros colores</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesForm</name>
@@ -5985,6 +6150,14 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>Dates</source>
         <translation>Fechas</translation>
+    </message>
+    <message>
+        <source>All scenarios</source>
+        <translation>Todos los escenarios</translation>
+    </message>
+    <message>
+        <source>Measures the places in all scenarios and compares each with the baseline, which is chosen at the top</source>
+        <translation>Mide los lugares en todos los escenarios y compara cada uno con la referencia, que se elige arriba</translation>
     </message>
 </context>
 <context>
@@ -6757,12 +6930,12 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <translation>Puntuación desactualizada: la tabla de pesos ha cambiado; vuelva a puntuar.</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>Saved: %1</source>
         <translation>Guardado: %1</translation>
+    </message>
+    <message>
+        <source>%1 (buildings have changed)</source>
+        <translation>%1 (los edificios han cambiado)</translation>
     </message>
 </context>
 <context>
@@ -7194,6 +7367,41 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>nothing</source>
         <translation>nada</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioCharts</name>
+    <message>
+        <source>No scenario has been scored by month: press Score all</source>
+        <translation>Ningún escenario se ha puntuado por mes: pulse Puntuar todos</translation>
+    </message>
+    <message>
+        <source>No scenario has months: tick Each month by itself in the dock Study, and press Measure all</source>
+        <translation>Ningún escenario tiene meses: marque Cada mes por separado en el panel Estudio y pulse Medir todos</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 scenarios; CSV saves all of them</source>
+        <translation>Los primeros %1 de %2 escenarios; CSV los guarda todos</translation>
+    </message>
+    <message>
+        <source>No differences: the baseline %1 lacks this figure</source>
+        <translation>Sin diferencias: a la referencia %1 le falta esta cifra</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Saves all figures of the months of all scenarios, with their differences to the baseline</source>
+        <translation>Guarda todas las cifras de los meses de todos los escenarios, con sus diferencias respecto a la referencia</translation>
+    </message>
+    <message>
+        <source>A chart of the months of all scenarios, and of their differences to the baseline</source>
+        <translation>Un gráfico de los meses de todos los escenarios y de sus diferencias respecto a la referencia</translation>
+    </message>
+    <message>
+        <source>No chart</source>
+        <translation>Sin gráfico</translation>
     </message>
 </context>
 <context>
@@ -8870,6 +9078,10 @@ Haga clic antes en un edificio.</translation>
         <source>Finding the command</source>
         <translation>Buscando el comando</translation>
     </message>
+    <message>
+        <source>Comparing results with the buildings</source>
+        <translation>Comparando los resultados con los edificios</translation>
+    </message>
 </context>
 <context>
     <name>std</name>
@@ -9020,6 +9232,30 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>Share of the sunlit time</source>
         <translation>Parte del tiempo con sol</translation>
+    </message>
+    <message>
+        <source>Orange to violet</source>
+        <translation>Naranja a violeta</translation>
+    </message>
+    <message>
+        <source>Green-blue to brown</source>
+        <translation>Verde azulado a marrón</translation>
+    </message>
+    <message>
+        <source>Orange to purple</source>
+        <translation>Naranja a púrpura</translation>
+    </message>
+    <message>
+        <source>Blue to red</source>
+        <translation>Azul a rojo</translation>
+    </message>
+    <message>
+        <source>Green to red, pale in the middle</source>
+        <translation>Verde a rojo, pálido en el centro</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>Horas de sol al día por mes</translation>
     </message>
 </context>
 </TS>

@@ -374,6 +374,14 @@
         <source>Type it as 40, 40 m or 131&apos; 3&quot;, with an azimuth as 40&lt;90</source>
         <translation>40、40 m、131&apos; 3&quot; のように、方位角付きなら 40&lt;90 と入力してください</translation>
     </message>
+    <message>
+        <source>Some scenarios could not be computed</source>
+        <translation>計算できなかったシナリオがあります</translation>
+    </message>
+    <message>
+        <source>The dock Scenarios says why in the row of each</source>
+        <translation>理由はパネル「シナリオ」の各行にあります</translation>
+    </message>
 </context>
 <context>
     <name>FieldText</name>
@@ -635,6 +643,18 @@
     <message>
         <source>Change of sun</source>
         <translation>日照の変化</translation>
+    </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>場所別の日照</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>場所別の日照の変化</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>1 日の日照の分数</translation>
     </message>
 </context>
 <context>
@@ -2270,28 +2290,8 @@ The study: %2</source>
         <translation>%1、時間</translation>
     </message>
     <message>
-        <source>Sun by place</source>
-        <translation>場所別の日照</translation>
-    </message>
-    <message>
-        <source>hours of sun a day</source>
-        <translation>1 日の日照時間</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 から %2</translation>
-    </message>
-    <message>
-        <source>Change of sun by place</source>
-        <translation>場所別の日照の変化</translation>
-    </message>
-    <message>
-        <source>minutes of sun a day</source>
-        <translation>1 日の日照の分数</translation>
-    </message>
-    <message>
-        <source>below %1</source>
-        <translation>%1 未満</translation>
     </message>
     <message>
         <source>, </source>
@@ -2408,6 +2408,14 @@ The study: %2</source>
     <message>
         <source>Other places</source>
         <translation>その他の場所</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the values</source>
+        <translation>値をコピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Contribution of this new building alone: ground that loses over %1 min of sun a day by it</source>
+        <translation>この新しい建物だけの寄与：それによって 1 日 %1 分を超える日照を失う地面</translation>
     </message>
 </context>
 <context>
@@ -3388,10 +3396,6 @@ The study: %2</source>
         <translation>配色</translation>
     </message>
     <message>
-        <source>Colours of maps; all but traffic-light are safe for colour-blind readers</source>
-        <translation>地図の配色。traffic-light 以外は色覚の多様性に対応</translation>
-    </message>
-    <message>
         <source>Reversed</source>
         <translation>反転</translation>
     </message>
@@ -3631,6 +3635,174 @@ The study: %2</source>
         <source>Shadow area by month, m²</source>
         <translation>月別の日影面積, m²</translation>
     </message>
+    <message>
+        <source>minutes of sun a day, more than before</source>
+        <translation>以前より増えた 1 日の日照の分数</translation>
+    </message>
+    <message>
+        <source>Colours of maps; all but traffic-light are safe for colour-blind readers. Maps of sun by place take violet-orange unless another is named</source>
+        <translation>地図の色。traffic-light 以外は色覚多様性に対応。場所別の日照の地図は、指定がなければ violet-orange を使います</translation>
+    </message>
+    <message>
+        <source>Colours of changes</source>
+        <translation>変化の色</translation>
+    </message>
+    <message>
+        <source>Colours of differences and scores; all but green-red are safe for colour-blind readers</source>
+        <translation>差と得点の色。green-red 以外は色覚多様性に対応</translation>
+    </message>
+    <message>
+        <source>Changes reversed</source>
+        <translation>変化の色を反転</translation>
+    </message>
+    <message>
+        <source>Turn the colours of differences and scores round</source>
+        <translation>差と得点の色を逆にします</translation>
+    </message>
+    <message>
+        <source>Classes of changes</source>
+        <translation>変化の区分</translation>
+    </message>
+    <message>
+        <source>Classes of the legend of differences and scores, as of --classes; numbers in minutes of a difference: -30,-10,10,30</source>
+        <translation>差と得点の凡例の区分（--classes と同じ）。数値は差の分数：-30,-10,10,30</translation>
+    </message>
+    <message>
+        <source>%1 of sun a day, %2 of what is possible</source>
+        <translation>1 日の日照 %1、可能な日照の %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 of sun a day, %3 of what is possible</source>
+        <translation>%1：1 日の日照 %2、可能な日照の %3</translation>
+    </message>
+    <message>
+        <source>%1 of the possible sun, %2 a day</source>
+        <translation>可能な日照の %1、1 日 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the possible sun, %3 a day</source>
+        <translation>%1：可能な日照の %2、1 日 %3</translation>
+    </message>
+    <message>
+        <source>sunlit time minus gross shadow per day, at the receiver that has most shadow</source>
+        <translation>日照時間から 1 日の累計日影を引いたもの。影が最も多い測定点での値</translation>
+    </message>
+    <message>
+        <source>Sunlit area</source>
+        <translation>日照面積</translation>
+    </message>
+    <message>
+        <source>sum over the receivers of (share of the sunlit time in the sun x cell area)</source>
+        <translation>各測定点の（日照時間のうち日なたの割合 × セルの面積）の合計</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day of the places that change most</source>
+        <translation>変化が最も大きい場所の 1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day by month</source>
+        <translation>月別の 1 日の日照時間の変化</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day of these places</source>
+        <translation>これらの場所の 1 日の日照時間の変化</translation>
+    </message>
+    <message>
+        <source>First day</source>
+        <translation>初日</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>タイムゾーン</translation>
+    </message>
+    <message>
+        <source>Sun as seen through the air</source>
+        <translation>大気を通して見た太陽</translation>
+    </message>
+    <message>
+        <source>Less sun</source>
+        <translation>日照の減少</translation>
+    </message>
+    <message>
+        <source>area that lost more minutes of sun than the threshold</source>
+        <translation>しきい値を超える分数の日照を失った面積</translation>
+    </message>
+    <message>
+        <source>More sun</source>
+        <translation>日照の増加</translation>
+    </message>
+    <message>
+        <source>area that gained more minutes of sun than the threshold</source>
+        <translation>しきい値を超える分数の日照を得た面積</translation>
+    </message>
+    <message>
+        <source>Any less sun</source>
+        <translation>日照の減少（すべて）</translation>
+    </message>
+    <message>
+        <source>area that lost any sun</source>
+        <translation>日照を少しでも失った面積</translation>
+    </message>
+    <message>
+        <source>Any more sun</source>
+        <translation>日照の増加（すべて）</translation>
+    </message>
+    <message>
+        <source>area that gained any sun</source>
+        <translation>日照を少しでも得た面積</translation>
+    </message>
+    <message>
+        <source>Mean change of sun</source>
+        <translation>日照の変化の平均</translation>
+    </message>
+    <message>
+        <source>mean of the change of sun over the receivers; negative: less sun</source>
+        <translation>測定点における日照の変化の平均。負は日照の減少</translation>
+    </message>
+    <message>
+        <source>Largest loss of sun</source>
+        <translation>日照の最大の減少</translation>
+    </message>
+    <message>
+        <source>the most sun that a receiver loses</source>
+        <translation>測定点が失う日照の最大</translation>
+    </message>
+    <message>
+        <source>Largest gain of sun</source>
+        <translation>日照の最大の増加</translation>
+    </message>
+    <message>
+        <source>the most sun that a receiver gains</source>
+        <translation>測定点が得る日照の最大</translation>
+    </message>
+    <message>
+        <source>Change of the sunlit area</source>
+        <translation>日照面積の変化</translation>
+    </message>
+    <message>
+        <source>change of the sum over the receivers of (share of the sunlit time in the sun x cell area)</source>
+        <translation>各測定点の（日照時間のうち日なたの割合 × セルの面積）の合計の変化</translation>
+    </message>
+    <message>
+        <source>%1 changes no sun here</source>
+        <translation>%1 はここの日照を変えません</translation>
+    </message>
+    <message>
+        <source>Less sun on %1, more on %2; by more than %3 a day on %4 and %5.</source>
+        <translation>日照の減少 %1、増加 %2。1 日 %3 を超えるのは %4 と %5。</translation>
+    </message>
+    <message>
+        <source>Sunlit area by month, m²</source>
+        <translation>月別の日照面積、m²</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -3738,10 +3910,6 @@ as published. Approximate: the legend states the measured error</source>
         <translation>建物ごとの寄与</translation>
     </message>
     <message>
-        <source>Also finds what each building takes, for the dock Contributions and exports; takes about three times as long.</source>
-        <translation>建物ごとに奪う日照も求め、「寄与」パネルと書き出しに使います。時間は約 3 倍です。</translation>
-    </message>
-    <message>
         <source>Attributed shadow</source>
         <translation>配分された影</translation>
     </message>
@@ -3756,6 +3924,10 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>contributions</source>
         <translation>寄与</translation>
+    </message>
+    <message>
+        <source>Also finds what each building takes, for the dock Contributions and exports; takes up to twice as long.</source>
+        <translation>各建物が奪う分も求めます（パネル「寄与」と書き出し用）。最大 2 倍の時間がかかります。</translation>
     </message>
 </context>
 <context>
@@ -3944,6 +4116,10 @@ as published. Approximate: the legend states the measured error</source>
         <source>Attributing the shadow of %1</source>
         <translation>%1 の影を配分しています</translation>
     </message>
+    <message>
+        <source>A saved result holds what buildings take from its whole region, if that was asked for. For a place, show the study again.</source>
+        <translation>保存した結果には、求めた場合、領域全体から建物が奪う分が含まれます。場所については検討を再表示してください。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ContributionModel</name>
@@ -3985,15 +4161,6 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Whole region</source>
         <translation>範囲全体</translation>
-    </message>
-    <message>
-        <source>Shadow area by month</source>
-        <translation>月別の影の面積</translation>
-    </message>
-    <message>
-        <source>%1: on average over the sunlit time %2 in shadow</source>
-        <comment>a month and an area</comment>
-        <translation>%1: 可照時間の平均で %2 が日影</translation>
     </message>
 </context>
 <context>
@@ -4795,12 +4962,6 @@ A click on a tile selects its row, a click on a row frames its window.</source>
         <translation>%1 (色覚の多様性に非対応)</translation>
     </message>
     <message>
-        <source>Colours from much sun to much shadow. All but the last are told apart by colour-blind readers.
-Differences and scores keep two colours of their own.</source>
-        <translation>日なたの多い所から日影の多い所への配色。最後のもの以外は色覚の多様性に対応しています。
-差とスコアには専用の 2 色を使います。</translation>
-    </message>
-    <message>
         <source>Minutes in shadow, hours of sun (the sunlit time minus gross shadow), or the share of the sunlit time in the sun.
 Continuous shadow stays in minutes: the longest run in the sun does not follow from it.</source>
         <translation>日影の分、日照時間 (可照時間から累計日影を引いた値)、または可照時間のうち日なたの割合。
@@ -4877,6 +5038,26 @@ Continuous shadow stays in minutes: the longest run in the sun does not follow f
     <message>
         <source>Not two numbers like 0:8, or not ascending numbers like 2,4,6</source>
         <translation>0:8 のような 2 つの数値、または 2,4,6 のような小さい順の数値ではありません</translation>
+    </message>
+    <message>
+        <source>Colours from much sun to much shadow; of differences and scores those around a pale middle</source>
+        <translation>多い日照から多い影への色。差と得点では淡い中央をはさむ色</translation>
+    </message>
+    <message>
+        <source>%1 (safe for colour-blind readers)</source>
+        <translation>%1（色覚多様性に対応）</translation>
+    </message>
+    <message>
+        <source>What is shown has fixed colours: there is nothing to choose</source>
+        <translation>表示中のものの色は固定で、選ぶものがありません</translation>
+    </message>
+    <message>
+        <source>The panel Places divides the classes of sun by place</source>
+        <translation>場所別の日照の区分はパネル「場所」で決めます</translation>
+    </message>
+    <message>
+        <source>A difference has its range beside the legend; a score is fitted</source>
+        <translation>差の範囲は凡例の横にあります。得点は自動で合わせます</translation>
     </message>
 </context>
 <context>
@@ -5497,28 +5678,12 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>中心が出る時 (0°)</translation>
     </message>
     <message>
-        <source>Sun as seen through the air</source>
-        <translation>大気を通して見た太陽</translation>
-    </message>
-    <message>
-        <source>First day</source>
-        <translation>初日</translation>
-    </message>
-    <message>
         <source>After sunrise</source>
         <translation>日の出後</translation>
     </message>
     <message>
         <source>Before sunset</source>
         <translation>日没前</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>開始</translation>
-    </message>
-    <message>
-        <source>Time zone</source>
-        <translation>タイムゾーン</translation>
     </message>
     <message>
         <source>Sunrise at</source>
@@ -5840,10 +6005,6 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>種類別</translation>
     </message>
     <message>
-        <source>Places with less sun a day than this are violet, others orange</source>
-        <translation>1 日の日照がこれより少ない場所は紫、その他は橙</translation>
-    </message>
-    <message>
         <source>Part of a name</source>
         <translation>名称の一部</translation>
     </message>
@@ -5917,6 +6078,10 @@ Off: the sun&apos;s geometric position, as some rules require</source>
             <numerusform>%2 か所中 %1 か所を表示</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Places with less sun a day than this are violet, others orange, unless the legend has other colours</source>
+        <translation>1 日の日照がこれより少ない場所は紫、ほかは橙です（凡例に別の色がない場合）</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesForm</name>
@@ -5947,6 +6112,14 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>Dates</source>
         <translation>日付</translation>
+    </message>
+    <message>
+        <source>All scenarios</source>
+        <translation>全シナリオ</translation>
+    </message>
+    <message>
+        <source>Measures the places in all scenarios and compares each with the baseline, which is chosen at the top</source>
+        <translation>すべてのシナリオで場所を測定し、上で選んだ比較基準とそれぞれ比べます</translation>
     </message>
 </context>
 <context>
@@ -6718,12 +6891,12 @@ Off: at the origin of the city from the other files.</source>
         <translation>古いスコア: 重み表が変わりました。再計算してください。</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>Saved: %1</source>
         <translation>保存しました: %1</translation>
+    </message>
+    <message>
+        <source>%1 (buildings have changed)</source>
+        <translation>%1（建物が変わりました）</translation>
     </message>
 </context>
 <context>
@@ -7154,6 +7327,41 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>nothing</source>
         <translation>なし</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioCharts</name>
+    <message>
+        <source>No scenario has been scored by month: press Score all</source>
+        <translation>月別に採点したシナリオがありません。「すべて採点」を押してください</translation>
+    </message>
+    <message>
+        <source>No scenario has months: tick Each month by itself in the dock Study, and press Measure all</source>
+        <translation>月別の値があるシナリオがありません。パネル「検討」で「月ごとに分ける」を選び、「すべて測定」を押してください</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2 scenarios; CSV saves all of them</source>
+        <translation>%2 件中最初の %1 件のシナリオ。CSV にはすべて保存されます</translation>
+    </message>
+    <message>
+        <source>No differences: the baseline %1 lacks this figure</source>
+        <translation>差はありません：比較基準 %1 にこの値がありません</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Saves all figures of the months of all scenarios, with their differences to the baseline</source>
+        <translation>すべてのシナリオの月別の値を、比較基準との差とともに保存します</translation>
+    </message>
+    <message>
+        <source>A chart of the months of all scenarios, and of their differences to the baseline</source>
+        <translation>すべてのシナリオの月別のグラフと、比較基準との差のグラフ</translation>
+    </message>
+    <message>
+        <source>No chart</source>
+        <translation>グラフなし</translation>
     </message>
 </context>
 <context>
@@ -8830,6 +9038,10 @@ Click a building first.</source>
         <source>Finding the command</source>
         <translation>コマンドを求めています</translation>
     </message>
+    <message>
+        <source>Comparing results with the buildings</source>
+        <translation>結果を建物と比較しています</translation>
+    </message>
 </context>
 <context>
     <name>std</name>
@@ -8980,6 +9192,30 @@ Click a building first.</source>
     <message>
         <source>Share of the sunlit time</source>
         <translation>可照時間に占める割合</translation>
+    </message>
+    <message>
+        <source>Orange to violet</source>
+        <translation>橙から紫</translation>
+    </message>
+    <message>
+        <source>Green-blue to brown</source>
+        <translation>青緑から茶</translation>
+    </message>
+    <message>
+        <source>Orange to purple</source>
+        <translation>橙から赤紫</translation>
+    </message>
+    <message>
+        <source>Blue to red</source>
+        <translation>青から赤</translation>
+    </message>
+    <message>
+        <source>Green to red, pale in the middle</source>
+        <translation>緑から赤、中央は淡い色</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>月別の 1 日の日照時間</translation>
     </message>
 </context>
 </TS>
