@@ -10,6 +10,7 @@
 #include "app/report/sheets/impact_report.h"
 #include "app/report/sheets/score_report.h"
 #include "core/io/write_raster.h"
+#include "core/study/provenance/command_words.h"
 #include "core/study/provenance/provenance_tags.h"
 #include "core/study/text/region_text.h"
 #include "scenarios/impact/impact_runs.h"
@@ -84,11 +85,12 @@ Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, c
         sheets ? std::optional(makeImpactBook(answer, source, scale, *sheets, legend)) : std::nullopt;
     const Impact& impact = answer.study.total;
     const Frame& frame = source.city.frame;
-    return writeFiles({"impact", impactJson(answer), impactCsv(answer),
-                       regionFileOf(answer.settings.study.region, answer.provenance, frame),
-                       makeProvenanceTags(answer.provenance)},
-                      makeSheet(answer, source, scale, legend), impact.grid, frame, bandsOf(impact), folder,
-                      rules, book, width);
+    return writeFiles(
+        {"impact", extendRepeat(impactJson(answer), drawnOptions(scale, legend)), impactCsv(answer),
+         regionFileOf(answer.settings.study.region, answer.provenance, frame),
+         makeProvenanceTags(answer.provenance)},
+        makeSheet(answer, source, scale, legend), impact.grid, frame, bandsOf(impact), folder, rules, book,
+        width);
 }
 
 Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, const Path& folder,
@@ -97,8 +99,8 @@ Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, con
     const auto book = sheets ? std::optional(makeScoreBook(answer, source, *sheets, legend)) : std::nullopt;
     const Score& score = answer.score;
     const Frame& frame = source.city.frame;
-    return writeFiles({"score", scoreJson(answer), scoreCsv(answer),
-                       regionFileOf(answer.settings.region, answer.provenance, frame),
+    return writeFiles({"score", extendRepeat(scoreJson(answer), listLegendOptions(legend, true)),
+                       scoreCsv(answer), regionFileOf(answer.settings.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
                       makeSheet(answer, source, legend), score.grid, frame,
                       {{"shadow score", "", &score.score}}, folder, rules, book, width);

@@ -12,6 +12,7 @@
 #include "core/io/write_city.h"
 #include "core/measures/has_runs.h"
 #include "core/study/contributions/contributions.h"
+#include "core/study/provenance/command_words.h"
 #include "core/study/provenance/provenance_tags.h"
 #include "core/study/provenance/repeat_command.h"
 #include "core/study/text/breakdown_text.h"
@@ -70,7 +71,9 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
                         makeProvenanceTags(study.provenance), device);
     });
     files.add("report.pdf", [&](QIODevice& device) { return writeReport(study, device, options.legend); });
-    files.addLast("study.json", [&](const FileSeconds& seconds) { return studyJson(study, seconds); });
+    files.addLast("study.json", [&](const FileSeconds& seconds) {
+        return extendRepeat(studyJson(study, seconds), listLegendOptions(options.legend, false));
+    });
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     if (study.breakdown && study.settings.byMonth) {

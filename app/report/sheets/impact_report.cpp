@@ -1,6 +1,7 @@
 #include "app/report/sheets/impact_report.h"
 
 #include "app/report/sheets/report_sections.h"
+#include "core/study/provenance/command_words.h"
 #include "scenarios/impact/impact_runs.h"
 #include "scenarios/settings_json.h"
 
@@ -101,7 +102,8 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
                 .figures = figureTexts(listLines(computeFigures(answer), legend.show)),
                 .sections = sectionsOf(answer, source, drawnOptions(scale, legend)),
                 .credit = describeData(answer.provenance.attribution),
-                .record = {QStringLiteral("impact.json"), impactJson(answer)}};
+                .record = {QStringLiteral("impact.json"),
+                           extendRepeat(impactJson(answer), drawnOptions(scale, legend))}};
     if (!isInstant(impact) && hasRuns(impact))
         sheet.smallMap.emplace(
             makeImpactMap(impact, source.city, region, ShadowMeasure::continuous, scale, legend));

@@ -5,6 +5,7 @@
 #include "app/report/maps/score_legend.h"
 #include "app/report/sheets/report_sections.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/study/provenance/command_words.h"
 #include "scenarios/settings_json.h"
 #include "scenarios/weights/score_figures.h"
 
@@ -103,7 +104,8 @@ Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source, const Leg
             .figures = makeScoreFigures(answer.score),
             .sections = std::move(sections),
             .credit = describeData(answer.provenance.attribution),
-            .record = {QStringLiteral("score.json"), scoreJson(answer)}};
+            .record = {QStringLiteral("score.json"),
+                       extendRepeat(scoreJson(answer), listLegendOptions(legend, true))}};
 }
 
 }  // namespace noonmark

@@ -2,6 +2,7 @@
 
 #include "app/report/sheets/report_sections.h"
 #include "core/measures/has_runs.h"
+#include "core/study/provenance/command_words.h"
 
 namespace noonmark {
 
@@ -27,7 +28,8 @@ Sheet makeSheet(const Study& study, const LegendChoice& legend) {
                 .sections = sectionsOf(study),
                 .repeat = repeatBlocks(study, listLegendOptions(legend, false)),
                 .credit = describeData(study),
-                .record = {QStringLiteral("study.json"), studyJson(study)}};
+                .record = {QStringLiteral("study.json"),
+                           extendRepeat(studyJson(study), listLegendOptions(legend, false))}};
     if (!isInstant(study.field) && hasRuns(study.statistics))
         sheet.smallMap.emplace(mapOf(study, ShadowMeasure::continuous, legend));
     return sheet;

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "core/base/shell_word.h"
+#include "core/study/text/warnings_json.h"
 
 namespace noonmark {
 
@@ -113,6 +116,15 @@ std::string extendCommand(const std::string& command, const std::vector<CommandO
     CommandWords words(command);
     for (const CommandOption& option : options) words.option(option);
     return words.wrapped(width);
+}
+
+std::string extendRepeat(std::string record, const std::vector<CommandOption>& options) {
+    if (options.empty()) return record;
+    auto json = nlohmann::ordered_json::parse(record, nullptr, false);
+    if (!json.is_object() || !json.contains("repeat") || !json["repeat"].is_string()) return record;
+    json["repeat"] =
+        extendCommand(json["repeat"].get<std::string>(), options, std::numeric_limits<std::size_t>::max());
+    return toJsonText(json);
 }
 
 Result<std::vector<std::string>> splitCommand(const std::string& command) {

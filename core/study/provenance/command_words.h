@@ -30,6 +30,9 @@ private:
 std::string extendCommand(const std::string& command, const std::vector<CommandOption>& options,
                           std::size_t width);
 
+/// The same of the command that a record states as "repeat". A record without one stays as it is.
+std::string extendRepeat(std::string record, const std::vector<CommandOption>& options);
+
 /// The words of a command line as a POSIX shell splits it: single and double quotes, backslashes, continued
 /// lines. Error: a quote that does not end, or a character outside quotes to which a shell gives another
 /// meaning ($, `, |, ;, &, <, >, (, ), *, ?, #).

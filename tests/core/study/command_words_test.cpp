@@ -41,5 +41,16 @@ TEST(CommandWords, AnyTextComesBackAsOneWord) {
     }
 }
 
+TEST(CommandWords, ARecordStatesTheOptionsThatDrawTheSame) {
+    const std::string record = R"({"repeat": "noonmark-cli study a.gpkg --out repeated", "receivers": 1})";
+    const std::vector<CommandOption> drawn{{"--show", {"sun"}}, {"--reverse-ramp", {}}};
+    EXPECT_EQ(extendRepeat(record, {}), record);
+    EXPECT_NE(extendRepeat(record, drawn)
+                  .find("\"noonmark-cli study a.gpkg --out repeated --show sun --reverse-ramp\""),
+              std::string::npos);
+    const std::string without = R"({"repeat": null})";
+    EXPECT_EQ(extendRepeat(without, drawn), without) << "no command to extend";
+}
+
 }  // namespace
 }  // namespace noonmark::tests
