@@ -1,5 +1,7 @@
 #include "app/input/all_engines.h"
 #include "app/questions/question.h"
+#include "app/report/book/print_book.h"
+#include "app/report/book/sun_by_place_book.h"
 #include "app/report/files/output_folder.h"
 #include "core/base/progress_share.h"
 #include "core/describe/field_json.h"
@@ -58,8 +60,8 @@ public:
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
         return makeSavedResult(project, content());
     }
-    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
-        return {"places.csv", "places.gpkg", "places.json"};
+    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles& how) const override {
+        return byPlaceFileNames(how.sheets);
     }
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
                                                                    const std::filesystem::path& folder,
@@ -69,9 +71,14 @@ public:
         OutputFolder files(folder, how.rules);
         files.add("places.csv", textContent(toCsv(table)));
         files.add("places.gpkg", [&](const std::filesystem::path& file) {
-            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table);
+            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeQml(sun));
         });
         files.add("places.json", textContent(json()));
+        if (how.sheets) {
+            const auto pdf = printBook(makeSunByPlaceBook(content(), how.book));
+            if (!pdf) return tl::make_unexpected(pdf.error());
+            files.add("sheets.pdf", textContent(pdf->toStdString()));
+        }
         return std::move(files).result();
     }
 
@@ -84,6 +91,7 @@ std::vector<NamedCity> listCities(const Asked& asked) {
     if (asked.before) cities.push_back({asked.baseline, *asked.before});
     cities.insert(cities.end(), asked.others.begin(), asked.others.end());
     cities.push_back({asked.scenario, asked.loaded.read.city});
+    cities.insert(cities.end(), asked.others.begin(), asked.others.end());
     return cities;
 }
 
@@ -93,8 +101,9 @@ Result<std::shared_ptr<const Answer>> computeByPlace(const Asked& asked, Progres
     SunByPlaceSettings settings = asked.byPlace;
     settings.study = asked.settings;
     auto sun = compareSunByPlace(listCities(asked), asked.places, settings, whole, stop,
-                                 enginesWith(asked.settings.engine));
+                                 enginesWith(asked.settings.engine), asked.forecast);
     if (!sun) return tl::make_unexpected(sun.error());
+    if (asked.loaded.seconds > 0) sun->baseline.seconds["read"] = asked.loaded.seconds;
     putBefore(sun->baseline.warnings, asked.loaded.read.warnings);
     sun->baseline.provenance = asked.provenance;
     return std::make_shared<ByPlaceAnswer>(std::make_shared<const SunOfCities>(*std::move(sun)),
@@ -102,6 +111,12 @@ Result<std::shared_ptr<const Answer>> computeByPlace(const Asked& asked, Progres
 }
 
 }  // namespace
+
+std::vector<std::string> byPlaceFileNames(bool withSheets) {
+    std::vector<std::string> names{"places.csv", "places.gpkg", "places.json"};
+    if (withSheets) names.emplace_back("sheets.pdf");
+    return names;
+}
 
 const Question& byPlaceQuestion() {
     static const Question question{

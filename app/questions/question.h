@@ -23,6 +23,8 @@ struct Asked {
     std::vector<Place> places{};              ///< of sun by place only
     SunByPlaceSettings byPlace{};             ///< likewise; its study is `settings`
     std::vector<NamedCity> others{};          ///< likewise: further scenarios, beside that of the question
+    /// Likewise: takes the seconds that the sweeps are expected to last, before they begin.
+    std::function<void(double)> forecast{};
     bool byBuilding = false;                  ///< a comparison: the contribution of each new building, too
     std::vector<double> thresholdsMin{};      ///< a comparison: of the change, minutes a day
     Provenance provenance{};  ///< what the cities were made from; empty: stated later (Answer::stated)
@@ -46,6 +48,9 @@ const Question& comparisonQuestion();
 const Question& scoreQuestion();
 const Question& pointsQuestion();
 const Question& byPlaceQuestion();
+
+/// The files that its answers write.
+std::vector<std::string> byPlaceFileNames(bool withSheets);
 
 /// The last of the cities whose places were measured: the scenario, or the only city.
 inline const SunByPlace& shownCity(const SunOfCities& sun) {

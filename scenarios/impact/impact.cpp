@@ -8,13 +8,12 @@
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
 #include "core/engines/api/blank_field.h"
-#include "core/engines/common/shadow_reach.h"
+#include "core/engines/common/reached_receivers.h"
 #include "core/measures/take_error.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
 #include "core/study/terrain_coverage.h"
 #include "scenarios/impact/impact_error.h"
-#include "scenarios/impact/reached_receivers.h"
 
 namespace noonmark {
 
@@ -150,7 +149,7 @@ private:
         City without = after;
         without.buildings.erase(without.buildings.begin() + std::ptrdiff_t(i));
         const Building& building = *after.buildings[i];
-        auto field = fieldWithout(without, building, study.after);
+        auto field = fieldWithout(without, after.buildings[i], study.after);
         if (!field) return tl::make_unexpected(field.error());
         study.byBuilding.push_back(
             {building.sourceId, building.name, computeDifference(*field, study.after, common_.change)});
@@ -158,10 +157,11 @@ private:
     }
 
     // Computes only where the building's shadow can fall; elsewhere the field with the building is the same.
-    Result<ShadowField> fieldWithout(const City& without, const Building& building, const ShadowField& with) {
+    Result<ShadowField> fieldWithout(const City& without, const std::shared_ptr<const Building>& building,
+                                     const ShadowField& with) {
         if (!isIndependent(engines_, with.engineKey, common_.receivers.flat())) return fieldOf(without);
         if (!reach_) reach_.emplace(sun_);
-        const Receivers reached = findReached(building, common_.receivers, *reach_);
+        const Receivers reached = findReached({building}, common_.receivers, *reach_);
         if (reached.cells.empty()) {
             ++done_;
             return with;

@@ -1,9 +1,9 @@
 #pragma once
 
 // The folder scenarios/impact/ compares two cities. impact.h computes the two fields, their difference and
-// the contribution of each new building; reached_receivers.h limits that work to the receivers that a
-// building's shadow can reach; impact_error.h measures the error against the ray reference; impact_figures.h
-// sums the difference up; impact_text.h writes JSON and CSV; impact_tiles.h compares cities tile by tile.
+// the contribution of each new building; impact_error.h measures the error against the ray reference;
+// impact_figures.h sums the difference up; impact_text.h writes JSON and CSV; impact_tiles.h compares cities
+// tile by tile.
 
 #include <array>
 #include <optional>

@@ -7,9 +7,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/engines/common/reached_receivers.h"
 #include "scenarios/impact/impact_runs.h"
 #include "scenarios/impact/impact_text.h"
-#include "scenarios/impact/reached_receivers.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/score_text.h"
 #include "tests/scenarios/small_town.h"
@@ -273,7 +273,7 @@ TEST(Impact, ALowBuildingReachesFewReceivers) {
         placeReceiversOnGround(city, settings.study.region, settings.study.receivers).value();
     const SunSteps sun =
         computeSunSteps(settings.study.period, makeObserver(city, settings.study), {}).value();
-    const Receivers reached = findReached(*city.buildings.back(), receivers, ShadowReach(sun));
+    const Receivers reached = findReached({city.buildings.back()}, receivers, ShadowReach(sun));
     EXPECT_GT(reached.cells.size(), 100U);
     EXPECT_LT(reached.cells.size(), receivers.cells.size() / 2);
     EXPECT_EQ(reached.grid, receivers.grid);

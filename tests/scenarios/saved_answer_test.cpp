@@ -200,11 +200,16 @@ TEST(SavedAnswers, SunByPlaceComesBackWithOutlinesDatesAndChanges) {
     EXPECT_EQ(back.sun.baseline.settings.dates, answer.baseline.settings.dates);
     EXPECT_EQ(back.sun.baseline.settings.enoughHours, 2.5);
     EXPECT_EQ(back.sun.baseline.months, answer.baseline.months);
+    ASSERT_EQ(back.sun.baseline.seasons.size(), 1U);
+    EXPECT_EQ(back.sun.baseline.seasons[0].label, answer.baseline.seasons[0].label);
+    EXPECT_EQ(back.sun.baseline.partOf, answer.baseline.partOf);
     ASSERT_EQ(back.sun.compared.size(), 1U);
     for (std::size_t i = 0; i < 2; ++i) {
         const SunOfPlace &then = answer.baseline.sun[i], &now = back.sun.baseline.sun[i];
         EXPECT_NEAR(now.meanHours, then.meanHours, 1e-4);
         EXPECT_EQ(now.dateHours.size(), 2U);
+        EXPECT_EQ(now.cellM, then.cellM);
+        EXPECT_EQ(now.seasonHours.size(), 1U);
         EXPECT_NEAR(now.dateHours[0], then.dateHours[0], 1e-4);
         EXPECT_NEAR(now.belowShare[1], then.belowShare[1], 1e-4);
         EXPECT_NEAR(back.sun.compared[0].changes[i].meanHours, answer.compared[0].changes[i].meanHours, 1e-4);

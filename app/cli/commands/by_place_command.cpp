@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <ostream>
@@ -13,14 +14,15 @@
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/place_options.h"
 #include "app/cli/options/project_question.h"
+#include "app/cli/options/sheet_options.h"
 #include "app/cli/study/load_city.h"
 #include "app/cli/study/study_request.h"
-#include "app/input/all_engines.h"
 #include "app/input/load_places.h"
-#include "app/report/files/output_folder.h"
+#include "app/questions/question.h"
 #include "core/describe/command_flags.h"
-#include "core/study/by_place/sun_by_place.h"
-#include "core/study/elements/element_tables.h"
+#include "core/io/read_region.h"
+#include "core/receivers/place_names.h"
+#include "core/study/by_place/place_parts.h"
 #include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
@@ -30,12 +32,26 @@ namespace {
 struct ByPlaceOptions {
     StudyOptions study;
     PlaceOptions place;
-    std::vector<std::string> from;  // further files of places
+    std::vector<std::string> from;     // further files of places
+    std::vector<std::string> regions;  // that count as places, too
     std::vector<std::string> scenarios;
     SunByPlaceSettings settings;
+    SheetOptions sheets;
 };
 
-std::vector<std::string> listFiles() { return {"places.csv", "places.gpkg", "places.json"}; }
+// Of a project also by their names.
+Result<void> addRegions(const ByPlaceOptions& options, const StudyRequest& request,
+                        std::vector<Place>& places) {
+    const City& city = request.loaded.read.city;
+    for (const std::string& text : options.regions) {
+        const auto region = request.project ? regionIn(request.project->project(), city, text)
+                                            : readRegion(text, city.frame);
+        if (!region) return tl::make_unexpected(region.error());
+        places.push_back(makePlace(*region));
+    }
+    if (!options.regions.empty()) nameApart(places);
+    return {};
+}
 
 Result<PlacesRead> readPlacesOf(const ByPlaceOptions& options, const StudyRequest& request,
                                 Progress& progress, const std::stop_token& stop) {
@@ -53,10 +69,9 @@ Result<PlacesRead> readPlacesOf(const ByPlaceOptions& options, const StudyReques
     return all;
 }
 
-// The city asked for, then those of the scenarios that are compared with it.
-Result<std::vector<NamedCity>> listCities(const ByPlaceOptions& options, const StudyRequest& request) {
-    const std::string& baseline = options.study.scenario;
-    std::vector<NamedCity> cities{{baseline.empty() ? existingCity : baseline, request.loaded.read.city}};
+// Those that are compared with the city asked for.
+Result<std::vector<NamedCity>> listScenarios(const ByPlaceOptions& options, const StudyRequest& request) {
+    std::vector<NamedCity> cities;
     if (!options.scenarios.empty() && !request.project)
         return failure("Only a project has scenarios", "--scenario " + options.scenarios.front(),
                        "Give one project file, NAME.noonmark.gpkg");
@@ -68,62 +83,77 @@ Result<std::vector<NamedCity>> listCities(const ByPlaceOptions& options, const S
     return cities;
 }
 
-// States what each city was made from.
-void addSources(SunOfCities& sun, const StudyRequest& request) {
-    sun.baseline.provenance = provenanceOf(request);
-    sun.baseline.seconds["read"] = request.loaded.seconds;
-    for (ComparedSun& one : sun.compared)
-        one.sun.provenance = provenanceOf(request.project->project(), request.project.get(),
-                                          {one.sun.name, sun.baseline.name, request.settings.region, {}});
+// A baseline and scenarios alike are measured on ground without a roof over it.
+Result<Asked> makeAsked(const ByPlaceOptions& options, const StudyRequest& request, Progress& progress,
+                        const std::stop_token& stop) {
+    const std::string& baseline = options.study.scenario;
+    Asked asked{.loaded = request.loaded,
+                .scenario = baseline.empty() ? existingCity : baseline,
+                .settings = request.settings,
+                .byPlace = options.settings,
+                .provenance = provenanceOf(request)};
+    auto scenarios = listScenarios(options, request);
+    if (!scenarios) return tl::make_unexpected(scenarios.error());
+    asked.others = *std::move(scenarios);
+    auto places = readPlacesOf(options, request, progress, stop);
+    if (!places) return tl::make_unexpected(places.error());
+    if (auto added = addRegions(options, request, places->places); !added)
+        return tl::make_unexpected(added.error());
+    asked.places = std::move(places->places);
+    putBefore(asked.loaded.read.warnings, places->warnings);
+    return asked;
 }
 
-// Ground without a roof over it is measured, whatever a setting of receivers says.
-tl::expected<SunOfCities, Failure> measurePlaces(const ByPlaceOptions& options, const Console& console) {
+std::string describeForecast(double seconds) {
+    constexpr double minute = 60;
+    return seconds < 2 * minute ? fmt::format("about {:.0f} s", std::max(1.0, seconds))
+                                : fmt::format("about {:.0f} min", seconds / minute);
+}
+
+tl::expected<std::shared_ptr<const Answer>, Failure> measurePlaces(const ByPlaceOptions& options,
+                                                                   const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    auto request = parseStudyRequest(options.study, listFiles(), progress, interrupt.token());
+    const auto request = parseStudyRequest(options.study, byPlaceFileNames(options.sheets.wanted), progress,
+                                           interrupt.token());
     if (!request) return tl::make_unexpected(request.error());
-    const auto cities = orCode(listCities(options, *request), exitUsage);
-    if (!cities) return tl::make_unexpected(cities.error());
-    auto places = orCode(readPlacesOf(options, *request, progress, interrupt.token()), exitUsage);
-    if (!places) return tl::make_unexpected(places.error());
-    SunByPlaceSettings settings = options.settings;
-    settings.study = request->settings;
-    auto sun = orCode(compareSunByPlace(*cities, std::move(places->places), settings, progress,
-                                        interrupt.token(), enginesWith(settings.study.engine)),
-                      exitFailed);
-    if (!sun) return sun;
-    Warnings& warnings = sun->baseline.warnings;
-    for (const Warnings* read : {&places->warnings, &request->loaded.read.warnings})
-        warnings.insert(warnings.begin(), read->begin(), read->end());
-    addSources(*sun, *request);
-    return sun;
+    auto asked = orCode(makeAsked(options, *request, progress, interrupt.token()), exitUsage);
+    if (!asked) return tl::make_unexpected(asked.error());
+    asked->forecast = [&](double seconds) {
+        console.err << fmt::format("Sun of {} places: {}\n", withCommas(asked->places.size()),
+                                   describeForecast(seconds));
+    };
+    return orCode(byPlaceQuestion().compute(*asked, progress, interrupt.token()), exitFailed);
 }
 
-Result<std::vector<std::filesystem::path>> writeFiles(const SunOfCities& all, const ByPlaceOptions& options) {
+Result<std::vector<std::filesystem::path>> writeFiles(const Answer& answer, const ByPlaceOptions& options) {
     const OffscreenQt qt;
-    const SunByPlace& sun = all.baseline;
-    const ElementTable table = makeTable(sun, all.compared);
-    OutputFolder files(options.study.out, outputRulesOf(options.study, sun.provenance.inputs));
-    files.add("places.csv", textContent(toCsv(table)));
-    files.add("places.gpkg", [&](const std::filesystem::path& file) {
-        return writePlacesGeoPackage(file, sun.city.frame, sun.places, table);
-    });
-    files.add("places.json", textContent(toJson(sun, all.compared)));
-    return std::move(files).result();
+    const SunByPlace& sun = answer.as<SunOfCities>()->baseline;
+    const auto book = bookSettingsOf(options.sheets, {});
+    if (!book) return tl::make_unexpected(book.error());
+    AnswerFiles how;
+    how.sheets = options.sheets.wanted;
+    how.book = *book;
+    how.rules = outputRulesOf(options.study, sun.provenance.inputs);
+    return answer.write(sun.city, options.study.out, how);
 }
 
 std::string describeSun(const SunOfPlace& of) {
-    if (of.areaM2 == 0) return "no cell on open ground";
+    if (of.cells == 0) return std::string(describe(of.why));
     return fmt::format("{:5.2f} h of sun a day ({:.2f} to {:.2f}), {:5.1f} % with enough", of.meanHours,
                        of.minHours, of.maxHours, 100 * of.enoughShare);
 }
 
-std::string describeError(const SunByPlace& sun) {
-    if (!sun.error) return "not measured";
-    return fmt::format("{:.3f} % mean, {:.2f} % largest, against rays",
-                       sun.error->gross.percent(sun.error->gross.meanMin),
-                       sun.error->gross.percent(sun.error->gross.maxMin));
+// What cells were measured: small places have their own.
+std::string describeCells(const SunByPlace& sun) {
+    const auto isFine = [&](const SunOfPlace& of) {
+        return of.cells > 0 && of.cellM < sun.settings.study.receivers.cellM;
+    };
+    const auto fine = std::size_t(std::ranges::count_if(sun.sun, isFine));
+    const std::string usual = fmt::format("{:g} m", sun.settings.study.receivers.cellM);
+    if (fine == 0) return usual;
+    return fmt::format("{}; {:g} m in {} places with fewer than {:g} of these", usual,
+                       sun.settings.smallCellM, withCommas(fine), SunByPlaceSettings::smallPlaceCells);
 }
 
 std::string describeChange(const ComparedSun& compared, std::size_t i) {
@@ -150,20 +180,29 @@ void addComparison(Table& table, const SunOfCities& all) {
     if (all.compared.empty()) return;
     table.add("baseline", all.baseline.name);
     table.add("loss", fmt::format("more than {:g} min of sun a day counts", all.baseline.settings.lossMin));
-    for (const ComparedSun& one : all.compared) table.add("error, " + one.sun.name, describeError(one.sun));
+    for (const ComparedSun& one : all.compared)
+        table.add("error, " + one.sun.name, describeCellError(one.sun.error));
 }
 
 void printSun(const SunOfCities& all, const std::vector<std::filesystem::path>& files, std::ostream& out) {
     const SunByPlace& sun = all.baseline;
+    const AnswerPage page = makePage(all);
+    out << formatText(page.headline) << ".\n";
+    for (const Sentence& finding : page.findings) out << formatText(finding) << '\n';
+    out << '\n';
     Table table;
     table.add("period", formatText(sun.settings.study.period));
     table.add("engine", sun.field.engine);
     table.add("places", withCommas(sun.places.size()));
     table.add("possible", fmt::format("{:.2f} h of sun a day without any shadow", sun.possibleHours));
     table.add("enough", fmt::format("{:g} h of sun a day", sun.settings.enoughHours));
-    if (sun.error) table.add("error of cells", describeError(sun));
+    table.add("cells", describeCells(sun));
+    if (sun.error) table.add("error of cells", describeCellError(sun.error));
+    for (std::size_t date = 0; date < sun.dateErrors.size(); ++date)
+        table.add("error, " + formatText(sun.settings.dates[date]), describeCellError(sun.dateErrors[date]));
     addComparison(table, all);
-    table.add("time", fmt::format("{:.2f} s", sun.seconds.at("total")));
+    table.add("time", fmt::format("{:.2f} s, {} expected", sun.seconds.at("total"),
+                                  describeForecast(sun.seconds.at("forecast"))));
     table.print(out);
     out << '\n';
     printPlaces(all, out);
@@ -173,14 +212,14 @@ void printSun(const SunOfCities& all, const std::vector<std::filesystem::path>& 
 }
 
 int runByPlace(const ByPlaceOptions& options, const Console& console) {
-    const auto sun = measurePlaces(options, console);
-    if (!sun) return fail(console, sun.error().error, sun.error().code);
-    const auto files = writeFiles(*sun, options);
+    const auto answer = measurePlaces(options, console);
+    if (!answer) return fail(console, answer.error().error, answer.error().code);
+    const auto files = writeFiles(**answer, options);
     if (!files) return fail(console, files.error(), exitFailed);
     if (options.study.json)
-        console.out << toJson(sun->baseline, sun->compared) << '\n';
+        console.out << (*answer)->json() << '\n';
     else
-        printSun(*sun, *files, console.out);
+        printSun(*(*answer)->as<SunOfCities>(), *files, console.out);
     return exitOk;
 }
 
@@ -213,6 +252,12 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
     command->add_option("--places-from", options->from, "Also the places of this file; may be repeated")
         ->allow_extra_args(false)
         ->type_name("FILE");
+    command
+        ->add_option("--region", options->regions,
+                     "Also this region as a place, whatever its kind: a box in degrees, a file of polygons, or "
+                     "a region of the project; may be repeated")
+        ->allow_extra_args(false)
+        ->type_name("W,S,E,N|FILE|NAME");
     constexpr double defaultSidewalkM = 4;
     options->place.settings.sidewalkM = defaultSidewalkM;
     addPlaceOptions(*command, options->place);
@@ -220,6 +265,8 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
     addCellOptions(*command, study.settings);
     addEngineOptions(*command, study.settings);
     addErrorOptions(*command, study.settings.errorSample);
+    addSheetSwitch(*command, options->sheets);
+    addSheetOptions(*command, options->sheets, {{"--date", "--sheet-date"}});
     command->add_option(flags::out, study.out, "Folder for places.csv, places.gpkg and places.json")
         ->required()
         ->type_name("DIR");

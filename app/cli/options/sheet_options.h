@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/report/book/book.h"
+#include "core/describe/command_options.h"
 #include "core/study/provenance/command_words.h"
 #include "scenarios/project/project.h"
 
@@ -18,8 +19,9 @@ struct SheetOptions {
     std::string logo;
 };
 
-/// Adds --paper, --landscape, and the texts of the title block. `options` must outlive the command.
-void addSheetOptions(CLI::App& command, SheetOptions& options);
+/// Adds --paper, --landscape, and the texts of the title block. `options` must outlive the command. `names`:
+/// of flags that the command has for something else.
+void addSheetOptions(CLI::App& command, SheetOptions& options, const FlagNames& names = {});
 /// Adds --scale.
 void addDiagramScale(CLI::App& command, SheetOptions& options);
 /// Adds --sheets, for commands that write sheets.pdf on request only.

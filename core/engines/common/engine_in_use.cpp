@@ -50,7 +50,23 @@ Result<ShadowBreakdown> EngineInUse::breakDown(const City& city, const StepSets&
     if (wentOn_ && sums(byBuilding))
         return choice_->engine->breakDown(city, receivers_, sun_, sets, byBuilding, progress, stop);
     if (wentOn_ && !byBuilding) return sumSetBySet(city, sets, progress, stop);
-    return asked_.breakDown(city, receivers_, sun_, sets, byBuilding, progress, stop);
+    const Engine& engine = byBuilding ? asked_ : summing();
+    return engine.breakDown(city, receivers_, sun_, sets, byBuilding, progress, stop);
+}
+
+// The choice for all cities where it sums sets; the engine asked for would choose for each city anew.
+const Engine& EngineInUse::summing() const { return choice_ && sums(false) ? *choice_->engine : asked_; }
+
+Result<ShadowBreakdown> EngineInUse::breakDownPart(const City& city, const Receivers& part,
+                                                   const StepSets& sets, Progress& progress,
+                                                   const std::stop_token& stop) const {
+    return summing().breakDown(city, part, sun_, sets, false, progress, stop);
+}
+
+bool EngineInUse::isIndependent() const {
+    if (wentOn_ && !sums(false)) return false;
+    const Independence how = summing().capabilities().independence;
+    return how == Independence::always || (how == Independence::onLevelGround && receivers_.flat());
 }
 
 Result<ShadowBreakdown> EngineInUse::sumSetBySet(const City& city, const StepSets& sets, Progress& progress,

@@ -25,6 +25,17 @@ public:
     /// by rays one after the other; else by the engine that was asked for.
     [[nodiscard]] Result<ShadowBreakdown> breakDown(const City& city, const StepSets& sets, bool byBuilding,
                                                     Progress& progress, const std::stop_token& stop) const;
+    /// Sets of another of the cities, over some of the receivers alone, by the same engine. Only where
+    /// isIndependent().
+    [[nodiscard]] Result<ShadowBreakdown> breakDownPart(const City& city, const Receivers& part,
+                                                        const StepSets& sets, Progress& progress,
+                                                        const std::stop_token& stop) const;
+    /// The engine that was chosen for all cities; empty: the one asked for chooses none.
+    [[nodiscard]] std::string_view chosenKey() const {
+        return choice_ ? std::string_view(choice_->key) : std::string_view();
+    }
+    /// Whether breakDown() finds the same minutes for a receiver whichever other receivers there are.
+    [[nodiscard]] bool isIndependent() const;
     /// Whether breakDown() sums by building although a sample showed that what it sums with is off.
     [[nodiscard]] bool sumsByBuildingLessClosely() const;
 
@@ -36,6 +47,7 @@ public:
 private:
     [[nodiscard]] std::optional<EngineChoice> closer(const SampledOff& off) const;
     [[nodiscard]] bool sums(bool byBuilding) const;
+    [[nodiscard]] const Engine& summing() const;
     [[nodiscard]] Result<ShadowBreakdown> sumSetBySet(const City& city, const StepSets& sets,
                                                       Progress& progress, const std::stop_token& stop) const;
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "core/base/gdal_calls.h"
 #include "core/io/elements/write_elements.h"
@@ -34,7 +36,35 @@ struct WrittenLayer {
     const char* description;
     OGRwkbGeometryType type;
     std::function<std::unique_ptr<OGRGeometry>(std::size_t row)> shape;
+    std::string qml = {};  ///< style in QGIS; empty: none
 };
+
+/// Makes the table that QGIS stores styles in, with the layer's as its default one.
+bool writeStyle(GDALDataset& dataset, const WrittenLayer& written, const char* geometryColumn) {
+    if (written.qml.empty()) return true;
+    CPLStringList options;
+    options.SetNameValue("FID", "id");
+    OGRLayer* styles = dataset.CreateLayer("layer_styles", nullptr, wkbNone, options.List());
+    if (styles == nullptr) return false;
+    for (const char* name : {"f_table_catalog", "f_table_schema", "f_table_name", "f_geometry_column",
+                             "styleName", "styleQML", "styleSLD", "description", "owner", "ui"}) {
+        OGRFieldDefn field(name, OFTString);
+        if (styles->CreateField(&field) != OGRERR_NONE) return false;
+    }
+    OGRFieldDefn isDefault("useAsDefault", OFTInteger), updated("update_time", OFTDateTime);
+    isDefault.SetSubType(OFSTBoolean);
+    if (styles->CreateField(&isDefault) != OGRERR_NONE || styles->CreateField(&updated) != OGRERR_NONE)
+        return false;
+    OGRFeature style(styles->GetLayerDefn());
+    for (const auto& [name, text] :
+         {std::pair{"f_table_catalog", ""}, std::pair{"f_table_schema", ""},
+          std::pair{"f_table_name", written.name}, std::pair{"f_geometry_column", geometryColumn},
+          std::pair{"styleName", "Hours of sun a day"}, std::pair{"styleQML", written.qml.c_str()},
+          std::pair{"description", written.description}})
+        style.SetField(name, text);
+    style.SetField("useAsDefault", 1);
+    return styles->CreateFeature(&style) == OGRERR_NONE;
+}
 
 OGRLayer* createTableLayer(GDALDataset& dataset, const WrittenLayer& written, const ElementTable& table) {
     OGRSpatialReference system;
@@ -65,7 +95,8 @@ bool writeTable(GDALDataset& dataset, const WrittenLayer& written, const Element
     if (layer == nullptr) return false;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
         if (!writeRow(*layer, table.rows[i], written.shape(i))) return false;
-    return dataset.CommitTransaction() == OGRERR_NONE;
+    return writeStyle(dataset, written, layer->GetGeometryColumn()) &&
+           dataset.CommitTransaction() == OGRERR_NONE;
 }
 
 Result<void> writeGeoPackage(const std::filesystem::path& file, const WrittenLayer& layer,
@@ -117,9 +148,10 @@ Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const El
 }
 
 Result<void> writePlacesGeoPackage(const std::filesystem::path& file, const Frame& frame,
-                                   const std::vector<Place>& places, const ElementTable& table) {
+                                   const std::vector<Place>& places, const ElementTable& table,
+                                   const std::string& qml) {
     const auto shape = [&](std::size_t row) { return makeMultiPolygon(places[row], frame); };
-    return writeGeoPackage(file, {"places", "Places and their sun", wkbMultiPolygon, shape}, table);
+    return writeGeoPackage(file, {"places", "Places and their sun", wkbMultiPolygon, shape, qml}, table);
 }
 
 }  // namespace noonmark

@@ -3,6 +3,7 @@
 // The folder core/study/by_place answers how sunny places are over a period: runSunByPlace() (this file)
 // measures all of them in one sweep over the union of their cells, sun_by_place_text.cpp writes the figures.
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -29,6 +30,10 @@ struct SunByPlaceSettings {
     double enoughHours = 2;        ///< hours of sun a day that are enough, 0 to 24
     std::vector<CivilDate> dates;  ///< days on which the area with less is stated; any, at most 31
     double lossMin = 15;           ///< a cell that loses more minutes a day counts as lost; 0 to 1440
+    /// Of places with fewer than smallPlaceCells cells, whose means larger ones miss by up to an hour; as large
+    /// as those of the study or larger: no others.
+    double smallCellM = 0.5;
+    static constexpr double smallPlaceCells = 25;
 };
 
 /// All but those of the study.
@@ -41,6 +46,21 @@ struct SunOfCell {
     bool isInside = true;  ///< its centre lies in the place
 };
 
+/// Why a place has no figures.
+enum class NoSunFigures {
+    measured,      ///< it has
+    builtOver,     ///< buildings stand on all of it
+    betweenCells,  ///< no cell has its centre on its open ground
+};
+/// NM_TEXT; empty where it is measured.
+std::string_view describe(NoSunFigures why);
+
+/// Three months of the year.
+struct SunSeason {
+    std::string key;    ///< of columns: "dec_feb"
+    std::string label;  ///< "Dec to Feb (winter)"; within the tropics "Dec to Feb"
+};
+
 /// The sun of one place. Hours are hours of sun a day; NaN: no cell.
 struct SunOfPlace {
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -49,6 +69,9 @@ struct SunOfPlace {
     double areaM2 = 0;      ///< of open ground, each cell by its exact share
     double meanHours = none, minHours = none, maxHours = none;  ///< over the cells, mean over the days
     double enoughShare = none;                                  ///< of the area, with enoughHours or more
+    double cellM = 0;                                           ///< side of its cells; 0: none
+    NoSunFigures why = NoSunFigures::measured;                  ///< there are no figures
+    std::vector<double> seasonHours;                            ///< as monthHours; of SunByPlace::seasons
     std::vector<double> monthHours;  ///< mean over the cells and the month's days; of SunByPlace::months
     std::vector<double> dateHours;   ///< mean over the cells; of SunByPlaceSettings::dates
     std::vector<double>
@@ -62,14 +85,17 @@ struct SunByPlace {
     SunByPlaceSettings settings;
     std::vector<Place> places;
     std::vector<SunOfPlace> sun;        ///< of each place
+    std::vector<std::optional<std::size_t>> partOf;  ///< of each place (findWholes()); none: for itself
     std::vector<std::string> months;    ///< "2026-01"
+    std::vector<SunSeason> seasons;     ///< that the period has days of, December first
     double possibleHours = 0;           ///< a day with the sun above the horizon, mean over the days
     ShadowField field;                  ///< gross shadow on the union of the places' cells; no longest runs
     std::optional<SampledError> error;  ///< of cells, against the ray reference
-    SunSteps daylight;                  ///< the period's sun
-    std::map<std::string, double> seconds;  ///< by stage, and "total"
-    Warnings warnings;                      ///< places without cells among them
-    Provenance provenance;                  ///< set by the caller
+    std::vector<std::optional<SampledError>> dateErrors;  ///< likewise; of SunByPlaceSettings::dates
+    SunSteps daylight;                                    ///< the period's sun
+    std::map<std::string, double> seconds;  ///< by stage, "total", and "forecast" of it before the sweeps
+    Warnings warnings;                                    ///< places without cells among them
+    Provenance provenance;                                ///< set by the caller
 };
 
 /// What a place gets in one city, set against another. Losses are positive; NaN: no cell.
@@ -108,10 +134,13 @@ Result<SunByPlace> runSunByPlace(const City& city, std::vector<Place> places,
                                  const EngineList& engines = coreEngines());
 
 /// The same in several cities of one project, on cells that are open ground in all of them; the first is the
-/// baseline. Cost: as of runSunByPlace() for each city.
+/// baseline. `forecast` takes the seconds that all of it is expected to take, within a factor of two, once
+/// the cells are known. Cost: as of runSunByPlace() for the first city, and of the others where their changed
+/// buildings cast shadow.
 Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::vector<Place> places,
                                       const SunByPlaceSettings& settings, Progress& progress,
-                                      std::stop_token stop, const EngineList& engines = coreEngines());
+                                      std::stop_token stop, const EngineList& engines = coreEngines(),
+                                      const std::function<void(double)>& forecast = {});
 
 /// `before` and `after` have the same places and cells.
 std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after);
@@ -127,6 +156,13 @@ AnswerPage makePage(const SunOfCities& sun);
 /// city its figures and changes in columns that end in its name ("hours_mean_tower"), lon_deg and lat_deg of
 /// its middle, source. As CSV by toCsv(), as polygons by writePlacesGeoPackage().
 ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compared = {});
+
+/// The style of the places for QGIS: coloured by hours_mean, as maps of shadow are, in classes of one or two
+/// hours; places without figures are not drawn.
+std::string makeQml(const SunByPlace& sun);
+
+/// "0.022 % mean, 0.10 % largest, against rays"; "not measured".
+std::string describeCellError(const std::optional<SampledError>& error);
 
 /// Settings, figures, changes, error, times and what it was made from.
 std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared = {});

@@ -52,6 +52,14 @@ const Fields<SunByPlaceSettings>& sunByPlaceFields() {
                .hint = "MIN",
                .unit = "min",
                .range = ValueRange{0, SunByPlaceSettings::maxLossMin}}),
+        field(&SunByPlaceSettings::smallCellM,
+              {.key = "small_cell_m",
+               .flag = "--small-cell",
+               .label = NM_TEXT("Cells of small places"),
+               .help = NM_TEXT("Size of the cells of places with fewer than 25 cells, m; as large as the "
+                               "others or larger: the same"),
+               .unit = "m",
+               .range = ValueRange{ReceiverSettings::minCellM, ReceiverSettings::maxCellM}}),
     };
     return fields;
 }

@@ -86,24 +86,43 @@ void addComparedColumns(std::vector<ElementColumn>& columns, std::span<const Com
     }
 }
 
+// Nothing where a place has no cell.
+void addValues(std::vector<ElementValue>& row, const std::vector<double>& values, std::size_t columns) {
+    for (std::size_t i = 0; i < columns; ++i)
+        row.emplace_back(i < values.size() ? values[i] : SunOfPlace::none);
+}
+
+// Empty: the place stands for itself.
+std::string wholeOf(const SunByPlace& sun, std::size_t i) {
+    return sun.partOf[i] ? sun.places[*sun.partOf[i]].name : std::string();
+}
+
+ElementValue textOrNone(const std::string& text) {
+    return text.empty() ? ElementValue() : ElementValue(text);
+}
+
 void addComparedValues(std::vector<ElementValue>& row, const ComparedSun& compared, std::size_t i) {
     const DescribedFigures sun = sunOfPlaceFigures().of(compared.sun.sun[i]);
     for (const Figure& figure : sun.figures)
         if (isCompared(figure)) row.emplace_back(sun.get(figure));
-    for (const double hours : compared.sun.sun[i].dateHours) row.emplace_back(hours);
-    for (const double share : compared.sun.sun[i].belowShare) row.emplace_back(share);
+    addValues(row, compared.sun.sun[i].dateHours, compared.sun.settings.dates.size());
+    addValues(row, compared.sun.sun[i].belowShare, compared.sun.settings.dates.size());
     const DescribedFigures change = sunChangeFigures().of(compared.changes[i]);
     for (const Figure& figure : change.figures) row.emplace_back(change.get(figure));
 }
 
 std::vector<ElementColumn> columnsOf(const SunByPlace& sun, std::span<const ComparedSun> compared) {
-    std::vector<ElementColumn> columns{{"name", std::string()}, {"kind", std::string()}};
+    std::vector<ElementColumn> columns{
+        {"name", std::string()}, {"kind", std::string()}, {"part_of", std::string()}};
     for (const Figure& figure : sunOfPlaceFigures().rows())
         columns.push_back({std::string(figure.key), 0.0, figure.decimals});
+    for (const SunSeason& season : sun.seasons) columns.push_back({monthKey(season.key), 0.0, digits});
     for (const std::string& month : sun.months) columns.push_back({monthKey(month), 0.0, digits});
     for (const CivilDate& date : sun.settings.dates) columns.push_back({dateHoursKey(date), 0.0, digits});
     for (const CivilDate& date : sun.settings.dates) columns.push_back({dateKey(date), 0.0, digits});
     addComparedColumns(columns, compared);
+    columns.push_back({"cell_m", 0.0, 2});
+    columns.push_back({"without_figures", std::string()});
     columns.push_back({"lon_deg", 0.0, placeDecimals});
     columns.push_back({"lat_deg", 0.0, placeDecimals});
     columns.push_back({"source", std::string()});
@@ -112,21 +131,27 @@ std::vector<ElementColumn> columnsOf(const SunByPlace& sun, std::span<const Comp
 
 std::vector<ElementValue> rowOf(const SunByPlace& sun, std::span<const ComparedSun> compared, std::size_t i) {
     const Place& place = sun.places[i];
-    std::vector<ElementValue> row{place.name, std::string(nameOf(place.kind))};
+    const SunOfPlace& of = sun.sun[i];
+    std::vector<ElementValue> row{place.name, std::string(nameOf(place.kind)), textOrNone(wholeOf(sun, i))};
     const DescribedFigures figures = sunOfPlaceFigures().of(sun.sun[i]);
     for (const Figure& figure : figures.figures) row.emplace_back(figures.get(figure));
-    for (const double hours : sun.sun[i].monthHours) row.emplace_back(hours);
-    for (const double hours : sun.sun[i].dateHours) row.emplace_back(hours);
-    for (const double share : sun.sun[i].belowShare) row.emplace_back(share);
+    addValues(row, of.seasonHours, sun.seasons.size());
+    addValues(row, of.monthHours, sun.months.size());
+    addValues(row, of.dateHours, sun.settings.dates.size());
+    addValues(row, of.belowShare, sun.settings.dates.size());
     for (const ComparedSun& one : compared) addComparedValues(row, one, i);
     const LonLat middle = middleOf(place, sun.city.frame);
-    row.insert(row.end(), {middle.lonDeg, middle.latDeg, place.source});
+    row.insert(row.end(),
+               {of.cellM > 0 ? of.cellM : SunOfPlace::none, textOrNone(std::string(describe(of.why))),
+                middle.lonDeg, middle.latDeg, place.source});
     return row;
 }
 
 Json figuresOf(const SunByPlace& sun, std::size_t i) {
     const SunOfPlace& of = sun.sun[i];
     Json json = figuresJson(sunOfPlaceFigures().of(of));
+    for (std::size_t season = 0; season < of.seasonHours.size(); ++season)
+        json["season_hours"][sun.seasons[season].key] = of.seasonHours[season];
     for (std::size_t month = 0; month < of.monthHours.size(); ++month)
         json["month_hours"][sun.months[month]] = of.monthHours[month];
     for (std::size_t date = 0; date < of.dateHours.size(); ++date)
@@ -139,7 +164,10 @@ Json figuresOf(const SunByPlace& sun, std::size_t i) {
 Json placeJson(const SunByPlace& sun, std::span<const ComparedSun> compared, std::size_t i) {
     const Place& place = sun.places[i];
     Json json{{"name", place.name}, {"kind", nameOf(place.kind)}};
+    if (sun.partOf[i]) json["part_of"] = wholeOf(sun, i);
     json.update(figuresOf(sun, i));
+    json["cell_m"] = sun.sun[i].cellM > 0 ? Json(sun.sun[i].cellM) : Json();
+    if (sun.sun[i].why != NoSunFigures::measured) json["without_figures"] = describe(sun.sun[i].why);
     for (const ComparedSun& one : compared) {
         Json other = figuresOf(one.sun, i);
         other.update(figuresJson(sunChangeFigures().of(one.changes[i])));
@@ -240,17 +268,29 @@ ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compa
     return table;
 }
 
+std::string describeCellError(const std::optional<SampledError>& error) {
+    if (!error) return "not measured";
+    const CellError& gross = error->gross;
+    return fmt::format("{:.3f} % mean, {:.2f} % largest, against rays", gross.percent(gross.meanMin),
+                       gross.percent(gross.maxMin));
+}
+
 std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared) {
     const StudySettings& study = sun.settings.study;
     Json json{{"program", std::string("Noonmark ") + std::string(version())},
               {"period", periodJson(study.period, sun.daylight, makeObserver(sun.city, study))},
               {"cell_m", study.receivers.cellM},
+              {"small_cell_m", sun.settings.smallCellM},
               {"enough_hours", sun.settings.enoughHours},
               {"possible_hours", sun.possibleHours},
               {"engine", sun.field.engine}};
     json["steps"] = sun.daylight.steps.size();
     json["steps_below_horizon"] = sun.daylight.belowHorizon;
     json["error"] = sun.error ? errorJson(*sun.error, sun.city.frame) : Json();
+    for (std::size_t date = 0; date < sun.dateErrors.size(); ++date)
+        json["date_errors"][formatText(sun.settings.dates[date])] =
+            sun.dateErrors[date] ? errorJson(*sun.dateErrors[date], sun.city.frame) : Json();
+    for (const SunSeason& season : sun.seasons) json["seasons"][season.key] = season.label;
     json["seconds"] = sun.seconds;
     json["places"] = Json::array();
     for (std::size_t i = 0; i < sun.places.size(); ++i) json["places"].push_back(placeJson(sun, compared, i));

@@ -9,6 +9,7 @@
 #include "core/base/json_number.h"
 #include "core/describe/figure_text.h"
 #include "core/engines/api/engine_registry.h"
+#include "core/study/by_place/place_parts.h"
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/impact/impact_runs.h"
@@ -191,6 +192,12 @@ SunOfPlace sunOfPlace(const Json& json) {
     sun.monthHours = listNumbers(json, "month_hours");
     sun.dateHours = listNumbers(json, "date_hours");
     sun.belowShare = listNumbers(json, "share_below");
+    sun.seasonHours = listNumbers(json, "season_hours");
+    const Json cell = json.value("cell_m", Json());
+    if (cell.is_number()) sun.cellM = cell;
+    const std::string why = json.value("without_figures", std::string());
+    for (const NoSunFigures one : {NoSunFigures::builtOver, NoSunFigures::betweenCells})
+        if (describe(one) == why) sun.why = one;
     return sun;
 }
 
@@ -204,6 +211,10 @@ SunByPlace sunWithoutFigures(const Json& json) {
     const Json& places = json.at("places");
     const Json& outlines = json.at("kept").at("places");
     for (std::size_t i = 0; i < places.size(); ++i) sun.places.push_back(placeOf(places[i], outlines.at(i)));
+    sun.partOf = findWholes(sun.places);
+    const Json seasons = json.value("seasons", Json::object());
+    for (const auto& season : seasons.items())
+        sun.seasons.push_back({season.key(), season.value()});
     if (places.empty()) return sun;
     const Json months = places[0].value("month_hours", Json::object());
     for (const auto& month : months.items()) sun.months.push_back(month.key());

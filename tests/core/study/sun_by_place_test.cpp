@@ -141,6 +141,7 @@ TEST(SunByPlace, APlaceBelowABuildingIsListedAndNotDropped) {
     EXPECT_TRUE(std::isnan(sun.sun[0].meanHours));
     ASSERT_FALSE(sun.warnings.empty());
     EXPECT_EQ(sun.warnings.back().where, "Inside");
+    EXPECT_EQ(sun.sun[0].why, NoSunFigures::builtOver);
 }
 
 TEST(SunByPlace, AZoneFarFromThePlacesIsQuestioned) {
@@ -150,6 +151,66 @@ TEST(SunByPlace, AZoneFarFromThePlacesIsQuestioned) {
     far.study.period.from = std::chrono::hours(23);  // 9 in New York
     EXPECT_THAT(measured(tower(), {namedPlace("Park", 0, 20, 20, 60)}, far).warnings, Not(IsEmpty()));
     EXPECT_THAT(measured(tower(), {namedPlace("Park", 0, 20, 20, 60)}, ofDays(3)).warnings, IsEmpty());
+}
+
+// Winter's days are those of February, spring's those of March; south of the equator they swap names.
+TEST(SunByPlace, SeasonsAreNamedByTheirMonths) {
+    const SunByPlace sun = measured(tower(), {namedPlace("Park", -30, 20, 50, 60)}, ofDays(20));
+    ASSERT_EQ(sun.seasons.size(), 2U);
+    EXPECT_EQ(sun.seasons[0].label, "Dec to Feb (winter)");
+    EXPECT_EQ(sun.sun[0].seasonHours, sun.sun[0].monthHours);
+    City south = tower();
+    south.frame = Frame({18.4, -33.9});
+    SunByPlaceSettings settings = ofDays(60);
+    settings.study.period.start = std::chrono::year(2026) / 1 / 15;
+    settings.study.period.zone = "Africa/Johannesburg";
+    const SunByPlace cape = measured(south, {namedPlace("Park", -30, 20, 50, 60)}, settings);
+    EXPECT_EQ(cape.seasons[0].label, "Dec to Feb (summer)");
+    const std::vector<double>& hours = cape.sun[0].monthHours;
+    EXPECT_NEAR(cape.sun[0].seasonHours[0], (17 * hours[0] + 28 * hours[1]) / 45, 1e-9);
+}
+
+// 6 x 6 m, 9 cells of 2 m: half of it lies in the shadow of a wall that 2 m cannot resolve.
+TEST(SunByPlace, SmallPlacesHaveFinerCells) {
+    const std::vector<Place> places{namedPlace("Park", -30, 20, 50, 60), namedPlace("Yard", 30, 0, 36, 6)};
+    const SunByPlace sun = measured(tower(), places, ofDays(3));
+    EXPECT_EQ(sun.sun[0].cellM, 2);
+    EXPECT_EQ(sun.sun[1].cellM, 0.5);
+    EXPECT_EQ(sun.sun[1].cells, 144U);
+    EXPECT_DOUBLE_EQ(sun.sun[1].areaM2, 36);
+    const SunByPlace fine = measured(tower(), {places[1]}, ofDays(3, 0.5));
+    EXPECT_NEAR(sun.sun[1].meanHours, fine.sun[0].meanHours, 0.01);
+    SunByPlaceSettings asTheOthers = ofDays(3);
+    asTheOthers.smallCellM = 2;
+    EXPECT_EQ(measured(tower(), places, asTheOthers).sun[1].cells, 9U);
+}
+
+TEST(SunByPlace, EachDateHasItsOwnError) {
+    SunByPlaceSettings settings = ofDays(3);
+    settings.study.engine = "horizon";
+    settings.dates = {std::chrono::year(2026) / 12 / 21, std::chrono::year(2026) / 6 / 21};
+    const SunByPlace sun = measured(tower(), {namedPlace("Park", -30, 20, 50, 60)}, settings);
+    ASSERT_EQ(sun.dateErrors.size(), 2U);
+    ASSERT_TRUE(sun.dateErrors[0] && sun.dateErrors[1]);
+    EXPECT_NE(sun.dateErrors[0]->gross.wholeMin, sun.dateErrors[1]->gross.wholeMin);
+    EXPECT_LT(sun.dateErrors[0]->gross.percent(sun.dateErrors[0]->gross.meanMin), 1);
+}
+
+TEST(SunByPlace, PiecesWithoutANameAreFoldedUnderTheirPark) {
+    const auto unnamed = [](float west, float south, float east, float north) {
+        Place place = namedPlace("", west, south, east, north, PlaceKind::greenstreet);
+        place.source = "OSM way 1";
+        place.name = "greenstreet (OSM way 1)";
+        return place;
+    };
+    const SunByPlace sun =
+        measured(tower(),
+                 {namedPlace("Park", -30, 20, 50, 60), unnamed(0, 30, 20, 40), unnamed(50.5F, 20, 60, 60),
+                  unnamed(70, 20, 80, 60), namedPlace("Lawn", 0, 40, 20, 50),
+                  namedPlace("Road", 60, 20, 70, 60, PlaceKind::street)},
+                 ofDays(3));
+    using Whole = std::optional<std::size_t>;
+    EXPECT_EQ(sun.partOf, (std::vector<Whole>{{}, 0, 0, {}, {}, {}}));
 }
 
 // A wall 60 m high along the south of the park, in one city alone.
@@ -168,11 +229,16 @@ SunOfCities compared(const std::vector<NamedCity>& cities, const std::vector<Pla
 }
 
 // The park lies north of the wall, the far place where nothing of it can be seen.
-TEST(SunByPlace, ChangesEqualThoseOfCitiesMeasuredApart) {
+class SunByPlaceBy : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Engines, SunByPlaceBy, testing::Values("horizon", "projected"));
+
+TEST_P(SunByPlaceBy, ChangesEqualThoseOfCitiesMeasuredApart) {
+    SunByPlaceSettings settings = ofDays(3);
+    settings.study.engine = GetParam();
     const std::vector<Place> places{namedPlace("Park", -30, 20, 50, 60),
                                     namedPlace("Far", -400, -400, -360, -360)};
-    const SunOfCities both = compared({{"Now", tower()}, {"Wall", withWall(tower())}}, places, ofDays(3));
-    const SunByPlace alone = measured(withWall(tower()), places, ofDays(3));
+    const SunOfCities both = compared({{"Now", tower()}, {"Wall", withWall(tower())}}, places, settings);
+    const SunByPlace alone = measured(withWall(tower()), places, settings);
     ASSERT_EQ(both.compared.size(), 1U);
     const ComparedSun& wall = both.compared[0];
     EXPECT_EQ(wall.sun.name, "Wall");
@@ -251,10 +317,10 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
         settings);
     const ElementTable table = makeTable(sun);
     const std::string csv = toCsv(table);
-    EXPECT_THAT(csv,
-                HasSubstr("name,kind,area_m2,hours_mean,hours_min,hours_max,share_enough,hours_2026-02,"
-                          "hours_2026-03,hours_2026-12-21,share_below_2026-12-21,lon_deg,lat_deg,source"));
-    EXPECT_THAT(csv, HasSubstr("\"A, \"\"B\"\"\",plaza,800.0,"));
+    EXPECT_THAT(csv, HasSubstr("name,kind,part_of,area_m2,hours_mean,hours_min,hours_max,share_enough,"
+                               "hours_dec_feb,hours_mar_may,hours_2026-02,hours_2026-03,hours_2026-12-21,"
+                               "share_below_2026-12-21,cell_m,without_figures,lon_deg,lat_deg,source"));
+    EXPECT_THAT(csv, HasSubstr("\"A, \"\"B\"\"\",plaza,,800.0,"));
     const auto json = nlohmann::json::parse(toJson(sun));
     EXPECT_NEAR(json["places"][1]["hours_mean"].get<double>(), sun.sun[1].meanHours, 1e-4);
     EXPECT_EQ(json["places"][0]["month_hours"].size(), 2U);
@@ -262,7 +328,7 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
 
     const tests::TemporaryFolder folder;
     const auto file = folder.path("places.gpkg");
-    ASSERT_TRUE(writePlacesGeoPackage(file, sun.city.frame, sun.places, table));
+    ASSERT_TRUE(writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeQml(sun)));
     NoProgress quiet;
     const auto read = readPlaces(file, {}, sun.city.frame, quiet, {});
     ASSERT_TRUE(read) << read.error().text();
@@ -270,6 +336,19 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
     EXPECT_EQ(read->places[1].name, "A, \"B\"");
     EXPECT_EQ(read->places[1].kind, PlaceKind::plaza);
     EXPECT_NEAR(area(read->places[0]), 3200, 1);
+}
+
+// More than eight hours: classes of two hours, of which each has a symbol.
+TEST(SunByPlace, StyleHasAClassForEveryHour) {
+    SunByPlace sun;
+    sun.sun.resize(2);
+    sun.sun[0].meanHours = 9.5;
+    const std::string qml = makeQml(sun);
+    EXPECT_THAT(qml, HasSubstr(R"(attr="hours_mean")"));
+    EXPECT_THAT(qml, HasSubstr(R"(symbol="0" lower="0" upper="2")"));
+    EXPECT_THAT(qml, HasSubstr(R"(symbol="4" lower="8" upper="10")"));
+    EXPECT_THAT(qml, HasSubstr(R"(<symbol type="fill" name="4")"));
+    EXPECT_THAT(qml, Not(HasSubstr(R"(name="6")")));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "scenarios/impact/reached_receivers.h"
+#include "core/engines/common/reached_receivers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +25,17 @@ void leaveOut(Receivers& receivers, int firstColumn, int firstRow) {
 
 }  // namespace
 
-Receivers findReached(const Building& building, const Receivers& receivers, const ShadowReach& reach) {
+Receivers findReached(const Buildings& buildings, const Receivers& receivers, const ShadowReach& reach) {
     Receivers reached = receivers;
-    const Box2 box = bounds(building);
-    const double heightM = double(topM(building)) - lowestGroundM(receivers);
+    const double groundM = lowestGroundM(receivers);
+    const auto touchedByAny = [&](const Box2& tile) {
+        return std::ranges::any_of(buildings, [&](const auto& building) {
+            return reach.touches(bounds(*building), double(topM(*building)) - groundM, tile);
+        });
+    };
     for (int row = 0; row < receivers.grid.rows; row += side)
         for (int column = 0; column < receivers.grid.columns; column += side)
-            if (!reach.touches(box, heightM, computeBox(receivers.grid, column, row)))
-                leaveOut(reached, column, row);
+            if (!touchedByAny(computeBox(receivers.grid, column, row))) leaveOut(reached, column, row);
     std::erase_if(reached.cells, [&](std::uint32_t cell) { return reached.kind[cell] == CellKind::outside; });
     return reached;
 }

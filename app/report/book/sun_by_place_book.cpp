@@ -1,0 +1,222 @@
+#include "app/report/book/sun_by_place_book.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/report/book/flow.h"
+#include "app/report/maps/city_painter.h"
+#include "app/report/maps/legend_painter.h"
+#include "app/report/maps/map_furniture.h"
+#include "app/report/maps/map_view.h"
+#include "app/report/sheets/period_words.h"
+#include "app/report/sheets/report_sections.h"
+#include "core/receivers/place_names.h"
+
+namespace noonmark {
+
+namespace {
+
+const SunByPlace& sunOf(const SunOfCities& all) { return all.baseline; }
+
+QString hoursText(double hours) { return std::isnan(hours) ? QString() : QString::number(hours, 'f', 2); }
+QString percentText(double share) {
+    return std::isnan(share) ? QString() : QStringLiteral("%1 %").arg(100 * share, 0, 'f', 0);
+}
+
+/// The places by what they lose to the first scenario or, without one, by their sun; least first. Places
+/// without figures come last.
+std::vector<std::size_t> sortByInterest(const SunOfCities& all) {
+    std::vector<std::size_t> order(sunOf(all).places.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto key = [&](std::size_t i) {
+        const double value =
+            all.compared.empty() ? sunOf(all).sun[i].meanHours : all.compared.front().changes[i].meanHours;
+        return std::isnan(value) ? 1e9 : value;
+    };
+    std::ranges::stable_sort(order, {}, key);
+    return order;
+}
+
+// The sentences of the answer, as the window and the command line state them.
+TextBlocks describeFinding(const SunOfCities& all, UnitSystem units) {
+    const AnswerPage page = makePage(all);
+    TextBlocks blocks{heading(QStringLiteral("Finding")), body(plainText(formatText(page.headline, units)))};
+    for (const Sentence& finding : page.findings)
+        blocks.push_back(body(plainText(formatText(finding, units))));
+    return blocks;
+}
+
+TextBlocks describeMethod(const SunOfCities& all) {
+    const SunByPlace& sun = sunOf(all);
+    TextBlocks blocks{heading(QStringLiteral("How this was made"))};
+    const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
+    add(QStringLiteral("%1. %2.").arg(describePeriod(sun.settings.study.period),
+                                      plainText(sun.field.engine)));
+    add(QStringLiteral(
+            "Cells of %1 m; places with fewer than %2 of them have cells of %3 m. Cells on the edge "
+            "of a place count with the share of them that lies in it.")
+            .arg(sun.settings.study.receivers.cellM)
+            .arg(SunByPlaceSettings::smallPlaceCells)
+            .arg(std::min(sun.settings.smallCellM, sun.settings.study.receivers.cellM)));
+    add(QStringLiteral("Without any shadow there would be %1 h of sun a day.")
+            .arg(hoursText(sun.possibleHours)));
+    add(QStringLiteral("Error of cells: %1.").arg(plainText(describeCellError(sun.error))));
+    for (std::size_t date = 0; date < sun.dateErrors.size(); ++date)
+        add(QStringLiteral("Error on %1: %2.")
+                .arg(describeDates(sun.settings.dates[date]),
+                     plainText(describeCellError(sun.dateErrors[date]))));
+    for (const ComparedSun& one : all.compared)
+        add(QStringLiteral("Error of %1: %2.")
+                .arg(plainText(one.sun.name), plainText(describeCellError(one.sun.error))));
+    if (!all.compared.empty())
+        add(QStringLiteral("The baseline is %1. Ground that is built on in any scenario counts in none.")
+                .arg(plainText(sun.name)));
+    return blocks;
+}
+
+TextBlocks describeSources(const SunByPlace& sun) {
+    Study sources;
+    sources.city = sun.city;
+    sources.warnings = sun.warnings;
+    sources.provenance = sun.provenance;
+    auto sections = sourceSections(sources);
+    sections.pop_back();  // cost and skipped work belong to a field
+    TextBlocks blocks;
+    for (const TextBlocks& section : sections) blocks.insert(blocks.end(), section.begin(), section.end());
+    return blocks;
+}
+
+Legend legendOf(const SunByPlace& sun) {
+    double most = 1;
+    for (const SunOfPlace& of : sun.sun)
+        if (!std::isnan(of.meanHours)) most = std::max(most, of.meanHours);
+    Legend legend;
+    legend.title = QStringLiteral("Sun");
+    legend.unit = QStringLiteral("hours a day, mean over the days and the place");
+    legend.scale = {std::ceil(most), 1};
+    legend.wanted = true;
+    return legend;
+}
+
+// Small places lie on top.
+std::vector<std::size_t> sortByArea(const SunByPlace& sun) {
+    std::vector<std::size_t> order(sun.places.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return area(sun.places[i]); });
+    return order;
+}
+
+void paintPlaces(const Canvas& canvas, const MapView& view, const SunByPlace& sun, const Legend& legend) {
+    canvas.painter.setPen(linePen(canvas, shade::buildingLine, 0.2));
+    for (const std::size_t i : sortByArea(sun)) {
+        QPainterPath path;
+        path.setFillRule(Qt::WindingFill);
+        for (const Footprint& polygon : sun.places[i].polygons) view.addTo(path, polygon);
+        const double hours = sun.sun[i].meanHours;
+        canvas.painter.setBrush(std::isnan(hours) ? QBrush(Qt::NoBrush)
+                                                  : QBrush(shadowColour(1 - hours / legend.scale.top)));
+        canvas.painter.drawPath(path);
+    }
+}
+
+QImage paintMap(const SunByPlace& sun, const QSizeF& sizePt) {
+    constexpr double pixelsPerPt = 300.0 / 72, gapPt = 6;
+    QImage image((sizePt * pixelsPerPt).toSize(), QImage::Format_RGB32);
+    image.fill(ink::paper);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Canvas canvas{painter, pixelsPerPt};
+    const QRectF all(QPointF(0, 0), image.size());
+    const double footPx = legendHeightPt * pixelsPerPt;
+    const QRectF map = all.adjusted(0, 0, 0, -footPx - gapPt * pixelsPerPt);
+    const MapView view(bounds(sun.settings.study.region), map);
+    painter.setClipRect(map);
+    paintBuildings(canvas, view, sun.city, {shade::building, shade::buildingLine, 0.1});
+    const Legend legend = legendOf(sun);
+    paintPlaces(canvas, view, sun, legend);
+    painter.setClipping(false);
+    const QRectF foot(0, all.bottom() - footPx, all.width(), footPx);
+    paintLegend(canvas, foot.adjusted(0, 0, -foot.width() * 0.45, 0), legend);
+    paintScaleBar(canvas, foot.adjusted(foot.width() * 0.6, 0, -40 * pixelsPerPt, 0),
+                  scaleBarWithin(foot.width() * 0.25 / view.unitsPerM()), view.unitsPerM());
+    paintNorthArrow(canvas, QRectF(foot.right() - 30 * pixelsPerPt, foot.top(), 30 * pixelsPerPt, footPx));
+    return image;
+}
+
+BookPage mapPage(const SunByPlace& sun, const PageSetup& setup) {
+    const QRectF content = contentArea(setup);
+    BookPage page{QStringLiteral("Hours of sun by place"),
+                  describePeriod(sun.settings.study.period),
+                  QStringLiteral("Map"),
+                  0,
+                  {}};
+    const QSizeF size(content.width(), content.height() - captionPt(textScale(setup)));
+    page.items.push_back(
+        {content, PagePicture{paintMap(sun, size),
+                              {QStringLiteral("Places by their mean hours of sun a day"),
+                               QStringLiteral("Outlines without colour: places without figures.")}}});
+    return page;
+}
+
+std::vector<QString> titlesOf(const SunOfCities& all) {
+    std::vector<QString> titles{QStringLiteral("Name"),   QStringLiteral("Kind"),  QStringLiteral("Area m²"),
+                                QStringLiteral("Mean h"), QStringLiteral("Min h"), QStringLiteral("Max h"),
+                                QStringLiteral("Enough")};
+    for (const CivilDate& date : sunOf(all).settings.dates)
+        titles.push_back(QStringLiteral("Below, %1").arg(plainText(formatText(date))));
+    for (const ComparedSun& one : all.compared)
+        titles.push_back(QStringLiteral("Change h, %1").arg(plainText(one.sun.name)));
+    return titles;
+}
+
+std::vector<QString> rowOf(const SunOfCities& all, std::size_t i) {
+    const SunByPlace& sun = sunOf(all);
+    const SunOfPlace& of = sun.sun[i];
+    std::vector<QString> row{plainText(sun.places[i].name), plainText(nameOf(sun.places[i].kind))};
+    row.push_back(QString::number(of.areaM2, 'f', 0));
+    for (const double hours : {of.meanHours, of.minHours, of.maxHours}) row.push_back(hoursText(hours));
+    row.push_back(percentText(of.enoughShare));
+    for (std::size_t date = 0; date < sun.settings.dates.size(); ++date)
+        row.push_back(date < of.belowShare.size() ? percentText(of.belowShare[date]) : QString());
+    for (const ComparedSun& one : all.compared) row.push_back(hoursText(one.changes[i].meanHours));
+    return row;
+}
+
+NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order) {
+    const std::size_t shown = std::min(order.size(), maxRowsOfPlaces);
+    NamedTable table{QStringLiteral("Places"), {}, {titlesOf(all), {}, {}}};
+    const QString which = all.compared.empty() ? QStringLiteral("with least sun")
+                                               : QStringLiteral("that lose most to the first scenario");
+    table.note = order.size() == shown
+                     ? QStringLiteral("All %1 places, those %2 first.").arg(order.size()).arg(which)
+                     : QStringLiteral("The %1 of %2 places %3; all of them are in places.csv.")
+                           .arg(shown)
+                           .arg(order.size())
+                           .arg(which);
+    for (std::size_t i = 0; i < shown; ++i) table.table.rows.push_back(rowOf(all, order[i]));
+    return table;
+}
+
+}  // namespace
+
+Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings) {
+    const SunByPlace& sun = sunOf(all);
+    const QString title = QStringLiteral("Sun by place");
+    Book book = beginBook(settings, title, sun.provenance.attribution);
+    book.record = {QStringLiteral("places.json"), toJson(sun, all.compared)};
+    const auto append = [&](std::vector<BookPage> pages) {
+        std::ranges::move(pages, std::back_inserter(book.pages));
+    };
+    const std::vector<std::size_t> order = sortByInterest(all);
+    TextBlocks blocks = describeFinding(all, settings.units);
+    for (const TextBlocks& more : {describeMethod(all), describeSources(sun)})
+        blocks.insert(blocks.end(), more.begin(), more.end());
+    append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, blocks));
+    book.pages.push_back(mapPage(sun, settings.setup));
+    append(makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
+                          {tableOf(all, order)}));
+    return book;
+}
+
+}  // namespace noonmark

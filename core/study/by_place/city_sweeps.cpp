@@ -1,0 +1,99 @@
+#include "core/study/by_place/city_sweeps.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/engines/api/blank_field.h"
+#include "core/engines/auto_engine.h"
+#include "core/engines/common/changed_buildings.h"
+#include "core/engines/common/reached_receivers.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double modelCores = 2;  // of estimateSeconds()
+
+Buildings listChanged(const City& before, const City& after) {
+    ChangedBuildings changed = findChangedBuildings(before.buildings, after.buildings);
+    changed.gone.insert(changed.gone.end(), changed.come.begin(), changed.come.end());
+    return changed.gone;
+}
+
+// The receivers that were not swept have the minutes of the first city.
+void fillFrom(const ShadowBreakdown& first, ShadowBreakdown& part) {
+    for (std::size_t set = 0; set < part.minutes.size(); ++set)
+        for (std::size_t cell = 0; cell < part.minutes[set].size(); ++cell)
+            if (std::isnan(part.minutes[set][cell])) part.minutes[set][cell] = first.minutes[set][cell];
+}
+
+}  // namespace
+
+CitySweeps::CitySweeps(const Engine& asked, std::span<const City* const> cities, const Receivers& receivers,
+                       const SunSteps& sun, const StepSets& sets)
+    : cities_(cities),
+      receivers_(receivers),
+      sun_(sun),
+      sets_(sets),
+      engine_(asked, cities, receivers, sun) {}
+
+Result<ShadowBreakdown> CitySweeps::sweepFirst(Progress& progress, const std::stop_token& stop) {
+    return engine_.breakDown(*cities_.front(), sets_, false, progress, stop);
+}
+
+Result<ShadowBreakdown> CitySweeps::sweepOther(std::size_t city, const ShadowBreakdown& first,
+                                               Progress& progress, const std::stop_token& stop) {
+    const City& other = *cities_[city];
+    const auto reached = findChanged(city);
+    if (!reached) return engine_.breakDown(other, sets_, false, progress, stop);
+    if (reached->cells.empty()) return first;
+    auto part = engine_.breakDownPart(other, *reached, sets_, progress, stop);
+    if (part) fillFrom(first, *part);
+    return part;
+}
+
+std::optional<Receivers> CitySweeps::findChanged(std::size_t city) {
+    const City& other = *cities_[city];
+    if (other.terrain != cities_.front()->terrain || !engine_.isIndependent()) return std::nullopt;
+    if (!reach_) reach_.emplace(sun_);
+    return findReached(listChanged(*cities_.front(), other), receivers_, *reach_);
+}
+
+double CitySweeps::forecast(std::string_view asked, std::size_t sample) {
+    double seconds = 0;
+    for (std::size_t city = 0; city < cities_.size(); ++city) {
+        const auto reached = city == 0 ? std::nullopt : findChanged(city);
+        seconds += forecastOne(*cities_[city], reached ? *reached : receivers_, asked, sample);
+    }
+    return seconds;
+}
+
+double CitySweeps::forecastOne(const City& city, const Receivers& receivers, std::string_view asked,
+                               std::size_t sample) const {
+    const City* const cities[]{&city};
+    EngineLoad load = measureEngineLoad(cities, receivers, sun_, HorizonSweepSettings());
+    load.runs = false;
+    const std::string_view key = engine_.chosenKey().empty() ? asked : engine_.chosenKey();
+    const EstimatedSeconds all = estimateSeconds(load);
+    const double sweep = receivers.cells.empty() ? 0 : key == "projected" ? all.projected : all.horizon;
+    load.receivers = std::min(sample, receivers_.cells.size());
+    const double rays = sample == 0 ? 0 : estimateSeconds(load).ray;
+    return (sweep + rays) * modelCores / double(tbb::this_task_arena::max_concurrency());
+}
+
+ShadowField makeField(const ShadowBreakdown& sums, const Receivers& receivers, const SunSteps& sun) {
+    ShadowField field = makeBlankField(receivers, sun);
+    std::ranges::fill(field.continuousMin, std::numeric_limits<float>::quiet_NaN());
+    for (const std::uint32_t cell : receivers.cells) {
+        double minutes = 0;
+        for (const auto& ofSet : sums.minutes) minutes += double(ofSet[cell]);
+        field.grossMin[cell] = float(minutes / double(sun.dayCount()));
+    }
+    field.engine = sums.engine;
+    return field;
+}
+
+}  // namespace noonmark
