@@ -86,12 +86,16 @@ private:
     StudySettings asked_;
 };
 
+// The scenario comes last; without a baseline it is what the others are compared with.
 std::vector<NamedCity> listCities(const Asked& asked) {
-    std::vector<NamedCity> cities;
-    if (asked.before) cities.push_back({asked.baseline, *asked.before});
-    cities.insert(cities.end(), asked.others.begin(), asked.others.end());
-    cities.push_back({asked.scenario, asked.loaded.read.city});
-    cities.insert(cities.end(), asked.others.begin(), asked.others.end());
+    std::vector<NamedCity> cities = asked.others;
+    const NamedCity scenario{asked.scenario, asked.loaded.read.city};
+    if (asked.before) {
+        cities.insert(cities.begin(), {asked.baseline, *asked.before});
+        cities.push_back(scenario);
+    } else {
+        cities.insert(cities.begin(), scenario);
+    }
     return cities;
 }
 

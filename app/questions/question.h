@@ -22,7 +22,8 @@ struct Asked {
     std::optional<TimeWeights> weights{};     ///< of a score only
     std::vector<Place> places{};              ///< of sun by place only
     SunByPlaceSettings byPlace{};             ///< likewise; its study is `settings`
-    std::vector<NamedCity> others{};          ///< likewise: further scenarios, beside that of the question
+    /// Likewise: further scenarios. With no baseline they are compared with the scenario.
+    std::vector<NamedCity> others{};
     /// Likewise: takes the seconds that the sweeps are expected to last, before they begin.
     std::function<void(double)> forecast{};
     bool byBuilding = false;                  ///< a comparison: the contribution of each new building, too
