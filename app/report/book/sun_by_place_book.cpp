@@ -95,7 +95,7 @@ Legend legendOf(const SunByPlace& sun) {
     legend.title = QStringLiteral("Sun");
     legend.unit = QStringLiteral("hours a day, mean over the days and the place");
     legend.scale = {std::ceil(most), 1};
-    legend.wanted = true;
+    legend.colours = makeWantedScale(legend.scale, false);
     return legend;
 }
 
@@ -114,8 +114,8 @@ void paintPlaces(const Canvas& canvas, const MapView& view, const SunByPlace& su
         path.setFillRule(Qt::WindingFill);
         for (const Footprint& polygon : sun.places[i].polygons) view.addTo(path, polygon);
         const double hours = sun.sun[i].meanHours;
-        canvas.painter.setBrush(std::isnan(hours) ? QBrush(Qt::NoBrush)
-                                                  : QBrush(shadowColour(1 - hours / legend.scale.top)));
+        const auto colour = pickColour(coloursOf(legend), hours);
+        canvas.painter.setBrush(colour ? QBrush(*colour) : QBrush(Qt::NoBrush));
         canvas.painter.drawPath(path);
     }
 }
