@@ -26,8 +26,8 @@ struct Asked {
     std::vector<NamedCity> others{};
     /// Likewise: takes the seconds that the sweeps are expected to last, before they begin.
     std::function<void(double)> forecast{};
-    bool byBuilding = false;                  ///< a comparison: the contribution of each new building, too
-    std::vector<double> thresholdsMin{};      ///< a comparison: of the change, minutes a day
+    bool byBuilding = false;              ///< a comparison: the contribution of each new building, too
+    std::vector<double> thresholdsMin{};  ///< a comparison: of the change, minutes a day
     Provenance provenance{};  ///< what the cities were made from; empty: stated later (Answer::stated)
 };
 

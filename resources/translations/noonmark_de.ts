@@ -3828,6 +3828,14 @@ Die Untersuchung: %2</translation>
         <source>Sunlit area by month, m²</source>
         <translation>Besonnte Fläche nach Monat, m²</translation>
     </message>
+    <message>
+        <source>Cells of small places</source>
+        <translation>Zellen kleiner Orte</translation>
+    </message>
+    <message>
+        <source>Size of the cells of places with fewer than 25 cells, m; as large as the others or larger: the same</source>
+        <translation>Größe der Zellen von Orten mit weniger als 25 Zellen, m; so groß wie die anderen oder größer: dieselbe</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -9256,6 +9264,14 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>Hours of sun a day by month</source>
         <translation>Sonnenstunden am Tag nach Monat</translation>
+    </message>
+    <message>
+        <source>buildings stand on all of it</source>
+        <translation>Gebäude stehen auf der ganzen Fläche</translation>
+    </message>
+    <message>
+        <source>no cell has its centre on its open ground</source>
+        <translation>keine Zelle hat ihre Mitte auf seinem freien Boden</translation>
     </message>
 </context>
 </TS>

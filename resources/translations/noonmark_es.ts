@@ -3828,6 +3828,14 @@ El estudio: %2</translation>
         <source>Sunlit area by month, m²</source>
         <translation>Área con sol por mes, m²</translation>
     </message>
+    <message>
+        <source>Cells of small places</source>
+        <translation>Celdas de lugares pequeños</translation>
+    </message>
+    <message>
+        <source>Size of the cells of places with fewer than 25 cells, m; as large as the others or larger: the same</source>
+        <translation>Tamaño de las celdas de lugares con menos de 25 celdas, m; tan grande como las demás o mayor: el mismo</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -9256,6 +9264,14 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>Hours of sun a day by month</source>
         <translation>Horas de sol al día por mes</translation>
+    </message>
+    <message>
+        <source>buildings stand on all of it</source>
+        <translation>hay edificios en toda su superficie</translation>
+    </message>
+    <message>
+        <source>no cell has its centre on its open ground</source>
+        <translation>ninguna celda tiene su centro en su suelo libre</translation>
     </message>
 </context>
 </TS>

@@ -3803,6 +3803,14 @@ The study: %2</source>
         <source>Sunlit area by month, m²</source>
         <translation>月別の日照面積、m²</translation>
     </message>
+    <message>
+        <source>Cells of small places</source>
+        <translation>小さな場所のセル</translation>
+    </message>
+    <message>
+        <source>Size of the cells of places with fewer than 25 cells, m; as large as the others or larger: the same</source>
+        <translation>25 セル未満の場所のセルの大きさ、m。ほかと同じかそれ以上なら同じ</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -9216,6 +9224,14 @@ Click a building first.</source>
     <message>
         <source>Hours of sun a day by month</source>
         <translation>月別の 1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>buildings stand on all of it</source>
+        <translation>全体に建物が建っています</translation>
+    </message>
+    <message>
+        <source>no cell has its centre on its open ground</source>
+        <translation>空地に中心を持つセルがありません</translation>
     </message>
 </context>
 </TS>

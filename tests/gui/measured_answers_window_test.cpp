@@ -37,7 +37,8 @@ TEST_F(MeasuredAnswersWindow, MeasuredAnswersAreThereAgainTomorrow) {
     EXPECT_FALSE(session().hasUnsavedWork());
     ASSERT_GE(workbench().measured().size(), 2U);
     auto* list = window->findChild<QComboBox*>(QStringLiteral("answers"));
-    const int at = list->findText(QStringLiteral("Study of %1").arg(QString::fromStdString(existingCity)), Qt::MatchStartsWith);
+    const int at = list->findText(QStringLiteral("Study of %1").arg(QString::fromStdString(existingCity)),
+                                  Qt::MatchStartsWith);
     ASSERT_GE(at, 0);
     Q_EMIT list->activated(at);
     ASSERT_TRUE(waitFor([this] { return workbench().answerAs<SavedContent>() != nullptr; }));
@@ -82,7 +83,8 @@ TEST_F(MeasuredAnswersWindow, WhatIsSavedUnderANameIsInTheFileOnce) {
     workbench().document().undoStack().redo();
     saveAndOpenAgain();
     const Project file = ProjectFile::open(session().file()->path()).value().project();
-    EXPECT_EQ(std::ranges::count(file.results, std::string("June"), [](const auto& one) { return one->name; }), 1);
+    EXPECT_EQ(
+        std::ranges::count(file.results, std::string("June"), [](const auto& one) { return one->name; }), 1);
 }
 
 TEST(MeasuredAnswers, NamesThatTheUserHasTakenSinceAreNumberedAndAnyTextIsRead) {
@@ -107,7 +109,8 @@ TEST(MeasuredAnswers, TheOldestAreLeftOutWhereMapsAreTooLarge) {
     for (const char* name : {"Old", "New"}) {
         result.name = name;
         result.layers.resize(std::string(name) == "Old" ? 2 : 1);
-        measured.push_back(std::make_shared<const MeasuredAnswer>(std::make_shared<const SavedResult>(result)));
+        measured.push_back(
+            std::make_shared<const MeasuredAnswer>(std::make_shared<const SavedResult>(result)));
     }
     const Project saved = withMeasured({}, measured);
     ASSERT_EQ(saved.results.size(), 1U);

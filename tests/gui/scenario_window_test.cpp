@@ -3,10 +3,10 @@
 #include <QLabel>
 #include <QTableView>
 
-#include "app/questions/saved_question.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/questions/saved_question.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -44,8 +44,8 @@ Result<void> addRegions(const ByPlaceOptions& options, const StudyRequest& reque
                         std::vector<Place>& places) {
     const City& city = request.loaded.read.city;
     for (const std::string& text : options.regions) {
-        const auto region = request.project ? regionIn(request.project->project(), city, text)
-                                            : readRegion(text, city.frame);
+        const auto region =
+            request.project ? regionIn(request.project->project(), city, text) : readRegion(text, city.frame);
         if (!region) return tl::make_unexpected(region.error());
         places.push_back(makePlace(*region));
     }
@@ -253,9 +253,10 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
         ->allow_extra_args(false)
         ->type_name("FILE");
     command
-        ->add_option("--region", options->regions,
-                     "Also this region as a place, whatever its kind: a box in degrees, a file of polygons, or "
-                     "a region of the project; may be repeated")
+        ->add_option(
+            "--region", options->regions,
+            "Also this region as a place, whatever its kind: a box in degrees, a file of polygons, or "
+            "a region of the project; may be repeated")
         ->allow_extra_args(false)
         ->type_name("W,S,E,N|FILE|NAME");
     constexpr double defaultSidewalkM = 4;

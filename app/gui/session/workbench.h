@@ -44,7 +44,8 @@ public:
     /// Asks the document's question of the displayed scenario: a comparison if a baseline is chosen, else
     /// points or cells. The previous answer stays until then. Replaces a run that is in progress.
     void run();
-    /// As run(), without being asked by the user: its answer is saved with the project, but is no unsaved work.
+    /// As run(), without being asked by the user: its answer is saved with the project, but is no unsaved
+    /// work.
     void runAgain();
     /// Asks a question, which must outlive the workbench. `weights`: the name of the table of a score.
     void ask(const Question& question, const std::string& weights = {});
@@ -161,11 +162,11 @@ public:
     [[nodiscard]] JobSlot& saving() { return saving_; }
 
 Q_SIGNALS:
-    void cityShown();      ///< city() has changed
-    void projectOpened();  ///< another project, after cityShown()
-    void answered();       ///< an answer has arrived or was returned to: answer(), studies()
+    void cityShown();        ///< city() has changed
+    void projectOpened();    ///< another project, after cityShown()
+    void answered();         ///< an answer has arrived or was returned to: answer(), studies()
     void measuredUpdated();  ///< isOutdated() of results
-    void answerUpdated();  ///< answer() has other names, or agrees otherwise with the changed project
+    void answerUpdated();    ///< answer() has other names, or agrees otherwise with the changed project
     void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the running study
     /// The requested run would take long and waits for runAnyway() or runQuicker(). The estimate covers all
     /// its fields.
@@ -235,7 +236,7 @@ private:
     Warnings placeWarnings_;
     std::shared_ptr<const OpenCity> city_;
     std::vector<KnownAnswer> studies_;
-    KnownAnswer comparison_;             ///< the latest
+    KnownAnswer comparison_;  ///< the latest
     MeasuredAnswers measured_;
     std::map<std::shared_ptr<const MeasuredAnswer>, std::string> named_;  ///< saved under these names
     std::set<std::string> outdated_;

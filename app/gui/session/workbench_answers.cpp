@@ -359,7 +359,8 @@ std::string Workbench::savedNameOf(const std::shared_ptr<const MeasuredAnswer>& 
 }
 
 std::shared_ptr<const MeasuredAnswer> Workbench::measuredSavedAs(const std::string& name) const {
-    const auto at = std::ranges::find_if(measured_, [&](const auto& one) { return savedNameOf(one) == name; });
+    const auto at =
+        std::ranges::find_if(measured_, [&](const auto& one) { return savedNameOf(one) == name; });
     return at == measured_.end() ? nullptr : *at;
 }
 

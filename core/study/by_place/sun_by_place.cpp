@@ -595,7 +595,11 @@ Result<SunOfCities> answerSunByPlace(std::span<const NamedCity> cities, const st
     const auto engine = makeSummingEngine(settings.study, engines);
     if (!engine) return tl::make_unexpected(engine.error());
     std::vector<SunByPlace> made = makeBlank(cities, places, settings, stop);
-    Measuring m{.cities = {}, .engine = **engine, .made = made, .progress = progress, .stop = stop,
+    Measuring m{.cities = {},
+                .engine = **engine,
+                .made = made,
+                .progress = progress,
+                .stop = stop,
                 .takeForecast = takeForecast};
     for (const NamedCity& one : cities) m.cities.push_back(&one.city);
     if (auto fits = checkMemory(*m.cities.front(), m.settings().study, engines); !fits)

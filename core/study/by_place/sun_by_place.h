@@ -30,8 +30,8 @@ struct SunByPlaceSettings {
     double enoughHours = 2;        ///< hours of sun a day that are enough, 0 to 24
     std::vector<CivilDate> dates;  ///< days on which the area with less is stated; any, at most 31
     double lossMin = 15;           ///< a cell that loses more minutes a day counts as lost; 0 to 1440
-    /// Of places with fewer than smallPlaceCells cells, whose means larger ones miss by up to an hour; as large
-    /// as those of the study or larger: no others.
+    /// Of places with fewer than smallPlaceCells cells, whose means larger ones miss by up to an hour; as
+    /// large as those of the study or larger: no others.
     double smallCellM = 0.5;
     static constexpr double smallPlaceCells = 25;
 };
@@ -84,18 +84,18 @@ struct SunByPlace {
     City city;
     SunByPlaceSettings settings;
     std::vector<Place> places;
-    std::vector<SunOfPlace> sun;        ///< of each place
+    std::vector<SunOfPlace> sun;                     ///< of each place
     std::vector<std::optional<std::size_t>> partOf;  ///< of each place (findWholes()); none: for itself
-    std::vector<std::string> months;    ///< "2026-01"
-    std::vector<SunSeason> seasons;     ///< that the period has days of, December first
+    std::vector<std::string> months;                 ///< "2026-01"
+    std::vector<SunSeason> seasons;                  ///< that the period has days of, December first
     double possibleHours = 0;           ///< a day with the sun above the horizon, mean over the days
     ShadowField field;                  ///< gross shadow on the union of the places' cells; no longest runs
     std::optional<SampledError> error;  ///< of cells, against the ray reference
     std::vector<std::optional<SampledError>> dateErrors;  ///< likewise; of SunByPlaceSettings::dates
     SunSteps daylight;                                    ///< the period's sun
     std::map<std::string, double> seconds;  ///< by stage, "total", and "forecast" of it before the sweeps
-    Warnings warnings;                                    ///< places without cells among them
-    Provenance provenance;                                ///< set by the caller
+    Warnings warnings;                      ///< places without cells among them
+    Provenance provenance;                  ///< set by the caller
 };
 
 /// What a place gets in one city, set against another. Losses are positive; NaN: no cell.

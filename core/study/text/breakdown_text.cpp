@@ -76,7 +76,8 @@ std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown) {
 
 Bars makeMonthBars(const std::vector<MonthShadow>& months, CivilDate start, int days) {
     Bars bars{.title = monthTitle};
-    const std::vector<MonthDays> counted = countDays(start, days);  // as many as sets (monthsOf in step_sets.h)
+    const std::vector<MonthDays> counted =
+        countDays(start, days);  // as many as sets (monthsOf in step_sets.h)
     for (std::size_t i = 0; i < std::min(counted.size(), months.size()); ++i) {
         const double sunMin = months[i].sunlitMinutes - months[i].meanMinutes;
         bars.groups.push_back({counted[i].month, {sunMin / minutesOfHour / counted[i].days}, BarTone::sun});

@@ -213,8 +213,7 @@ SunByPlace sunWithoutFigures(const Json& json) {
     for (std::size_t i = 0; i < places.size(); ++i) sun.places.push_back(placeOf(places[i], outlines.at(i)));
     sun.partOf = findWholes(sun.places);
     const Json seasons = json.value("seasons", Json::object());
-    for (const auto& season : seasons.items())
-        sun.seasons.push_back({season.key(), season.value()});
+    for (const auto& season : seasons.items()) sun.seasons.push_back({season.key(), season.value()});
     if (places.empty()) return sun;
     const Json months = places[0].value("month_hours", Json::object());
     for (const auto& month : months.items()) sun.months.push_back(month.key());

@@ -35,14 +35,14 @@ struct SavedOrigin {
 struct SavedStudy {
     ShadowField field;  ///< without cost and warnings
     ShadowStatistics statistics;
-    std::uint64_t steps = 0;         ///< of the sun
-    std::uint64_t belowHorizon = 0;  ///< steps left out because the sun was below the horizon
-    double seconds = 0;              ///< run time of the engine; 0: unknown
-    std::string error;               ///< against the ray reference, as text
-    CivilDate start{};               ///< of its period
+    std::uint64_t steps = 0;            ///< of the sun
+    std::uint64_t belowHorizon = 0;     ///< steps left out because the sun was below the horizon
+    double seconds = 0;                 ///< run time of the engine; 0: unknown
+    std::string error;                  ///< against the ray reference, as text
+    CivilDate start{};                  ///< of its period
     std::vector<MonthShadow> months{};  ///< empty: not asked for
-    /// Of the region to the buildings, without indices in City::buildings and sets of steps. None: not asked for,
-    /// or not stored by the version.
+    /// Of the region to the buildings, without indices in City::buildings and sets of steps. None: not asked
+    /// for, or not stored by the version.
     std::optional<std::vector<Contribution>> contributions{};
 };
 

@@ -24,8 +24,8 @@ class SavingActions final : public QObject {
 public:
     /// `capture` returns what is to be saved now; `store` names the recovery file of a project without a
     /// file; dialogs belong to `window`. All must outlive this object.
-    SavingActions(Workbench& workbench, RecoveryStore& store,
-                  std::function<ProjectSaving::Compose()> capture, MessageBar& messages, QWidget& window);
+    SavingActions(Workbench& workbench, RecoveryStore& store, std::function<ProjectSaving::Compose()> capture,
+                  MessageBar& messages, QWidget& window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {save_, saveAs_}; }
     [[nodiscard]] JobSlot& writing() { return saving_.writing(); }

@@ -54,10 +54,7 @@ private:
 
 ProjectSaving::ProjectSaving(ProjectSession& session, std::function<Compose()> capture, fs::path unsavedFile,
                              QObject* parent)
-    : QObject(parent),
-      session_(session),
-      capture_(std::move(capture)),
-      unsavedFile_(std::move(unsavedFile)) {
+    : QObject(parent), session_(session), capture_(std::move(capture)), unsavedFile_(std::move(unsavedFile)) {
     timer_.setSingleShot(true);
     timer_.setInterval(autosaveMs);
     connect(&timer_, &QTimer::timeout, this, &ProjectSaving::keepUnsaved);

@@ -34,8 +34,8 @@ struct ViewState {
 };
 
 /// Keys: "camera", "section", "mode", "measure", "change_scale", "legend" (JSON), "scenario", "baseline",
-/// "answer", "answer_seconds", "shown", "study" (JSON), "elements" (JSON), "review" (JSON). The window adds "weights",
-/// the chosen table, and "figures" (saved_figures.h).
+/// "answer", "answer_seconds", "shown", "study" (JSON), "elements" (JSON), "review" (JSON). The window adds
+/// "weights", the chosen table, and "figures" (saved_figures.h).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
 /// Reads what is valid; the rest is as in ViewState{}. Accepts any text, since the file may come from
