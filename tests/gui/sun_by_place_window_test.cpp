@@ -141,6 +141,38 @@ TEST_F(SunByPlaceWindow, TheThresholdColoursAndCountsThePlacesBelowIt) {
     EXPECT_TRUE(count().contains(QStringLiteral("21 December 2026"))) << count().toStdString();
 }
 
+TEST_F(SunByPlaceWindow, TheShareWithEnoughSunFollowsTheThreshold) {
+    measure();
+    const auto share = [&] {
+        const QAbstractItemModel& model = *table().model();
+        return model.index(0, dock().model().enoughColumn()).data(PlaceSunModel::valueRole).toDouble();
+    };
+    EXPECT_DOUBLE_EQ(share(), 100 * sun()->baseline.sun[0].enoughShare);
+    field<QSlider>("placesSlider").setValue(0);
+    EXPECT_EQ(share(), 100);
+    field<QSlider>("placesSlider").setValue(120);
+    EXPECT_EQ(share(), 0);
+    EXPECT_TRUE(table()
+                    .model()
+                    ->headerData(dock().model().enoughColumn(), Qt::Horizontal)
+                    .toString()
+                    .contains(QStringLiteral("12 h")));
+}
+
+TEST_F(SunByPlaceWindow, OwnRegionsCountAsPlacesOnceTheyAreTicked) {
+    Project next = session().project();
+    next.regions = {{"Our block", {test::square({-60, -40}, 30)}}};
+    ASSERT_TRUE(session().change(std::move(next), QStringLiteral("region")));
+    auto& kinds = field<QListWidget>("placeKinds");
+    ASSERT_EQ(kinds.count(), 4);
+    EXPECT_EQ(kinds.item(3)->checkState(), Qt::Unchecked);
+    kinds.setCurrentRow(3);
+    QTest::keyClick(&kinds, Qt::Key_Space);
+    measure();
+    ASSERT_EQ(sun()->baseline.places.size(), 6U);
+    EXPECT_EQ(sun()->baseline.places.back().name, "Our block");
+}
+
 TEST_F(SunByPlaceWindow, PiecesWithoutANameStandBelowTheirParkOrTheirKind) {
     measure();
     EXPECT_EQ(rows(), (QStringList{"North Park", "Green", "Main Street", "Parks without a name (1)"}));

@@ -295,8 +295,9 @@ void MainWindow::connectStudyForm() {
     connect(&form, &StudyDock::sunByPlaceRequested, &workbench_, &Workbench::runByPlace);
     connect(&workbench_.session(), &ProjectSession::changed, &form, [this, &form] {
         form.setComparing(workbench_.comparing());
-        form.setPlaces(workbench_.session().project().places);
-        form.setScenarioCount(listNames(workbench_.session().project().scenarios).size());
+        const Project& project = workbench_.session().project();
+        form.setPlaces(project.places, project.regions);
+        form.setScenarioCount(listNames(project.scenarios).size());
     });
 }
 

@@ -16,6 +16,15 @@ namespace noonmark {
 namespace {
 
 constexpr double modelCores = 2;  // of estimateSeconds()
+// Months on the cells of places, which lie far apart, against the model's dense regions without months: of
+// Midtown and the Loop, a day to a year.
+constexpr double placesOverModel = 2.3;
+
+// Overhangs take time where receivers are, not on all of their grid.
+double areaOfReceiver(const Receivers& receivers) {
+    const double cells = std::max<double>(1, double(receivers.cells.size()));
+    return receivers.grid.cellAreaM2() * double(receivers.grid.size()) / cells;
+}
 
 Buildings listChanged(const City& before, const City& after) {
     ChangedBuildings changed = findChangedBuildings(before.buildings, after.buildings);
@@ -76,12 +85,13 @@ double CitySweeps::forecastOne(const City& city, const Receivers& receivers, std
     const City* const cities[]{&city};
     EngineLoad load = measureEngineLoad(cities, receivers, sun_, HorizonSweepSettings());
     load.runs = false;
+    load.cellAreaM2 = std::max(load.cellAreaM2, areaOfReceiver(receivers));
     const std::string_view key = engine_.chosenKey().empty() ? asked : engine_.chosenKey();
     const EstimatedSeconds all = estimateSeconds(load);
     const double sweep = receivers.cells.empty() ? 0 : key == "projected" ? all.projected : all.horizon;
     load.receivers = std::min(sample, receivers_.cells.size());
     const double rays = sample == 0 ? 0 : estimateSeconds(load).ray;
-    return (sweep + rays) * modelCores / double(tbb::this_task_arena::max_concurrency());
+    return (sweep * placesOverModel + rays) * modelCores / double(tbb::this_task_arena::max_concurrency());
 }
 
 ShadowField makeField(const ShadowBreakdown& sums, const Receivers& receivers, const SunSteps& sun) {

@@ -29,6 +29,9 @@ public:
     /// model that the automatic engine chooses with. `asked`: key of the engine. Some ms.
     [[nodiscard]] double forecast(std::string_view asked, std::size_t sample);
 
+    /// The engine that was chosen; empty: the one asked for chooses none.
+    [[nodiscard]] std::string_view chosenKey() const { return engine_.chosenKey(); }
+
     /// Goes on to a closer engine where a sample of the first city is off; false: it stands.
     bool goOn(const SampledOff& off) { return engine_.goOn(off); }
 

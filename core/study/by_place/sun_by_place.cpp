@@ -58,6 +58,12 @@ struct CellGroup {
     std::vector<std::vector<CountedCell>> cells;  ///< of each of them
 };
 
+/// An engine that the one asked for chose; null: it chooses none, or one that sums no months.
+struct ChosenEngine {
+    std::string key;
+    std::unique_ptr<Engine> engine;
+};
+
 /// What is measured, in the course of it.
 struct Measuring {
     std::vector<const City*> cities;  ///< the first is the baseline
@@ -70,6 +76,9 @@ struct Measuring {
     std::vector<SunSteps> dates{};
     std::function<void(double)> takeForecast{};  ///< empty: nobody asks
     Stopwatch watch{};
+    /// For the cells of all places, over the period and on each date. Small places are measured by the same,
+    /// so that the error of the others is theirs, too.
+    std::vector<ChosenEngine> chosen{};
     std::vector<SampledOff> off{};  ///< samples after which the engine was changed for a closer one
 
     [[nodiscard]] const SunByPlaceSettings& settings() const { return made.front().settings; }
@@ -138,9 +147,11 @@ double countCells(const std::vector<CountedCell>& cells) {
     return sum;
 }
 
-// Small places, those in one square together: a fine grid over a whole city would be too large.
+// Small places, those in one square together: a fine grid over a whole city would be too large, and each
+// square takes its own walls of buildings.
 std::map<std::pair<int, int>, std::vector<std::size_t>> listSmall(const Measuring& m, const CellGroup& all) {
-    constexpr float squareM = 1000;
+    constexpr double cellsOfSide = 3000;
+    const auto squareM = float(cellsOfSide * m.settings().smallCellM);
     std::map<std::pair<int, int>, std::vector<std::size_t>> small;
     if (m.settings().smallCellM >= m.settings().study.receivers.cellM) return small;
     for (std::size_t i = 0; i < m.places().size(); ++i) {
@@ -351,19 +362,34 @@ public:
     [[nodiscard]] double forecast() const {
         const StudySettings& study = m_.settings().study;
         const std::size_t sample = isMain_ ? std::size_t(study.errorSample.receivers) : 0;
-        double seconds = CitySweeps(m_.engine, m_.cities, receivers_, m_.daylight, m_.months)
-                             .forecast(study.engine, sample);
-        for (const SunSteps& day : m_.dates)
-            if (!day.steps.empty())
-                seconds += CitySweeps(m_.engine, m_.cities, receivers_, day, makeOneSet(day))
-                               .forecast(study.engine, sample);
+        double seconds =
+            CitySweeps(engineOf(0), m_.cities, receivers_, m_.daylight, m_.months).forecast(keyOf(0), sample);
+        for (std::size_t date = 0; date < m_.dates.size(); ++date) {
+            const SunSteps& day = m_.dates[date];
+            if (day.steps.empty() || m_.stop.stop_requested()) continue;
+            const StepSets one = makeOneSet(day);
+            seconds += CitySweeps(engineOf(date + 1), m_.cities, receivers_, day, one)
+                           .forecast(keyOf(date + 1), sample);
+        }
         return seconds;
     }
 
 private:
+    // Over the period (0) or on a date (1 and on).
+    [[nodiscard]] const Engine& engineOf(std::size_t sweep) const {
+        const auto& own = m_.chosen[sweep].engine;
+        return isMain_ || !own ? m_.engine : *own;
+    }
+    [[nodiscard]] std::string_view keyOf(std::size_t sweep) const {
+        const ChosenEngine& own = m_.chosen[sweep];
+        return isMain_ || !own.engine ? std::string_view(m_.settings().study.engine)
+                                      : std::string_view(own.key);
+    }
+
     // By the engine in use, and by those that it goes on to while samples are off by more than it aims at.
     Result<void> sweepMonths() {
-        CitySweeps sweeps(m_.engine, m_.cities, receivers_, m_.daylight, m_.months);
+        CitySweeps sweeps(m_.off.empty() ? engineOf(0) : m_.engine, m_.cities, receivers_, m_.daylight,
+                          m_.months);
         for (const SampledOff& off : m_.off) sweeps.goOn(off);
         for (;;) {
             auto first = sweepFirst(sweeps);
@@ -418,7 +444,7 @@ private:
                 if (auto taken = takeDay(city, sun, makeBlankField(receivers_, sun)); !taken) return taken;
             return {};
         }
-        CitySweeps sweeps(m_.engine, m_.cities, receivers_, sun, one);
+        CitySweeps sweeps(engineOf(date + 1), m_.cities, receivers_, sun, one);
         std::optional<ShadowBreakdown> first;
         for (std::size_t city = 0; city < m_.cities.size(); ++city) {
             ProgressShare share = nextShare();
@@ -468,10 +494,26 @@ Result<void> measureGroups(Measuring& m, const CellGroup& all, const std::vector
     return {};
 }
 
+ChosenEngine chooseEngine(const Measuring& m, const Receivers& receivers, const SunSteps& sun,
+                          const StepSets& sets) {
+    if (sun.steps.empty() || !m.settings().study.engineSettings.empty()) return {};
+    const CitySweeps sweeps(m.engine, m.cities, receivers, sun, sets);
+    ChosenEngine chosen{std::string(sweeps.chosenKey()), nullptr};
+    auto engine = makeEngine(chosen.key);
+    if (engine && (*engine)->capabilities().sets) chosen.engine = *std::move(engine);
+    return chosen;
+}
+
+void chooseEngines(Measuring& m, const Receivers& receivers) {
+    m.chosen.push_back(chooseEngine(m, receivers, m.daylight, m.months));
+    for (const SunSteps& day : m.dates) m.chosen.push_back(chooseEngine(m, receivers, day, makeOneSet(day)));
+}
+
 // What has been done, and the sweeps that follow.
 void forecast(Measuring& m, const CellGroup& all, const std::vector<CellGroup>& small) {
     double seconds = m.watch.seconds() + GroupMeasure(m, all, true, m.progress).forecast();
-    for (const CellGroup& group : small) seconds += GroupMeasure(m, group, false, m.progress).forecast();
+    for (const CellGroup& group : small)
+        if (!m.stop.stop_requested()) seconds += GroupMeasure(m, group, false, m.progress).forecast();
     m.made.front().seconds["forecast"] = seconds;
     if (m.takeForecast) m.takeForecast(seconds);
 }
@@ -550,6 +592,7 @@ Result<void> measure(Measuring& m) {
         made.daylight = m.daylight;
         made.sun.resize(made.places.size());
     }
+    chooseEngines(m, all->on.receivers);
     forecast(m, *all, small);
     if (auto done = measureGroups(m, *all, small); !done) return done;
     for (SunByPlace& made : m.made) made.possibleHours = made.field.sunlitMinutesPerDay / 60;

@@ -142,6 +142,9 @@ Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::ve
                                       std::stop_token stop, const EngineList& engines = coreEngines(),
                                       const std::function<void(double)>& forecast = {});
 
+/// Share of the area of a place with so many hours of sun a day or more, from its cells; NaN: none is known.
+double computeEnoughShare(const SunOfPlace& of, double hours);
+
 /// `before` and `after` have the same places and cells.
 std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after);
 

@@ -29,6 +29,16 @@ SunChange changeOf(const SunOfPlace& before, const SunOfPlace& after, double los
 
 }  // namespace
 
+// Cells hold float hours: compared with 4.1 as float, 4.1 is enough.
+double computeEnoughShare(const SunOfPlace& of, double hours) {
+    double all = 0, enough = 0;
+    for (const SunOfCell& cell : of.ofCells) {
+        all += double(cell.share);
+        if (cell.hours >= float(hours)) enough += double(cell.share);
+    }
+    return enough / all;
+}
+
 std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after) {
     std::vector<SunChange> changes;
     for (std::size_t i = 0; i < before.sun.size(); ++i)

@@ -15,6 +15,7 @@ namespace noonmark {
 namespace {
 
 constexpr double percentOfShare = 100;
+constexpr std::string_view enoughKey = "share_enough";
 
 QString nameOf(const CivilDate& date) {
     return QLocale().toString(QDate(int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))),
@@ -29,20 +30,6 @@ QString columnHeading(const Figure& figure) {
     if (figure.unit == FigureUnit::squareMetres) return QObject::tr("%1, m²").arg(label);
     return figure.unit == FigureUnit::minutesADay ? QObject::tr("%1, min").arg(label)
                                                   : QObject::tr("%1, h").arg(label);
-}
-
-// The middle of its largest polygon.
-glm::dvec2 middleOf(const Place& place) {
-    const auto largest =
-        std::ranges::max_element(place.polygons, {}, [](const Footprint& one) { return area(one); });
-    const Box2 box = bounds(largest->outer);
-    return (glm::dvec2(box.low) + glm::dvec2(box.high)) * 0.5;
-}
-
-bool holds(const Place& place, const Box2& box, glm::dvec2 point) {
-    if (point.x < box.low.x || point.y < box.low.y || point.x > box.high.x || point.y > box.high.y)
-        return false;
-    return std::ranges::any_of(place.polygons, [&](const Footprint& one) { return contains(one, point); });
 }
 
 }  // namespace
@@ -86,22 +73,43 @@ void PlaceSunModel::makeColumns() {
     const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
     const auto add = [&](const Figure& figure) {
         const double factor = isShare(figure) ? percentOfShare : 1;
-        QString tip = translatedSentence(figure.definition);
-        if (isShare(figure))
-            tip += tr(" (here: %1 h)").arg(formatAmount(sun_->baseline.settings.enoughHours));
         addColumn({columnHeading(figure),
-                   tip,
+                   translatedSentence(figure.definition),
                    isShare(figure) ? 0 : figure.shownDecimals,
                    figure.use == FigureUse::basis,
                    {}},
                   [&](std::size_t i) { return figure.get(&sun[i]) * factor; });
     };
-    for (const Figure& figure : sunOfPlaceFigures().rows())
-        if (figure.use != FigureUse::basis) add(figure);
+    for (const Figure& figure : sunOfPlaceFigures().rows()) {
+        if (figure.use == FigureUse::basis) continue;
+        if (figure.key == enoughKey) enough_ = columns_.size();
+        add(figure);
+    }
+    describeEnough(sun_->baseline.settings.enoughHours);
     addChanges();
     addDates();
     for (const Figure& figure : sunOfPlaceFigures().rows())
         if (figure.use == FigureUse::basis) add(figure);
+}
+
+void PlaceSunModel::describeEnough(double hours) {
+    const Figure& figure = findFigure(sunOfPlaceFigures().rows(), enoughKey);
+    FigureColumn& column = columns_[enough_];
+    column.heading = tr("%1 (%2 h), %").arg(translated(figure.label), formatAmount(hours));
+    column.tip = translatedSentence(figure.definition) + tr(" (here: %1 h)").arg(formatAmount(hours));
+}
+
+void PlaceSunModel::setEnough(double hours) {
+    if (!sun_) return;
+    const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
+    if (std::ranges::all_of(sun, [](const SunOfPlace& of) { return of.ofCells.empty(); })) return;
+    describeEnough(hours);
+    FigureColumn& column = columns_[enough_];
+    for (std::size_t i = 0; i < sun.size(); ++i)
+        column.values[i] = percentOfShare * computeEnoughShare(sun[i], hours);
+    for (std::size_t node = 1; node < nodes_.size(); ++node)
+        if (!nodes_[node].place) nodes_[node].values[enough_] = valueAbove(int(node), column);
+    Q_EMIT headerDataChanged(Qt::Horizontal, enoughColumn(), enoughColumn());
 }
 
 void PlaceSunModel::addDates() {
@@ -147,16 +155,15 @@ void PlaceSunModel::makeNodes() {
     if (!sun_) return;
     const std::vector<Place>& places = sun_->baseline.places;
     nodeOf_.assign(places.size(), 0);
-    std::vector<std::size_t> order(places.size()), named;
+    std::vector<std::size_t> order(places.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return places[i].kind; });
     for (const std::size_t place : order) {
         if (!hasOwnName(places[place])) continue;
-        named.push_back(place);
         const int above = grouped_ ? aboveOf(places[place].kind, false) : 0;
         nodeOf_[place] = addNode({.place = place, .text = {}, .kind = places[place].kind}, above);
     }
-    addPlaces(named);
+    addUnnamedPlaces();
     for (std::size_t node = 1; node < nodes_.size(); ++node)
         if (!nodes_[node].place) summarize(int(node));
 }
@@ -170,19 +177,13 @@ int PlaceSunModel::aboveOf(PlaceKind kind, bool unnamed) {
     return addNode({.place = {}, .text = text, .kind = kind}, parent);
 }
 
-// Those without a name: below the place that holds their middle, but not below a street.
-void PlaceSunModel::addPlaces(const std::vector<std::size_t>& named) {
+// Below the place that they are part of, else below their kind.
+void PlaceSunModel::addUnnamedPlaces() {
     const std::vector<Place>& places = sun_->baseline.places;
-    std::vector<Box2> boxes;
-    for (const std::size_t place : named) boxes.push_back(bounds(places[place]));
     for (std::size_t place = 0; place < places.size(); ++place) {
         if (hasOwnName(places[place])) continue;
-        const glm::dvec2 middle = middleOf(places[place]);
-        int above = 0;
-        for (std::size_t i = 0; i < named.size() && above == 0; ++i)
-            if (places[named[i]].kind != PlaceKind::street && holds(places[named[i]], boxes[i], middle))
-                above = nodeOf_[named[i]];
-        if (above == 0) above = aboveOf(places[place].kind, true);
+        const auto whole = sun_->baseline.partOf[place];
+        const int above = whole ? nodeOf_[*whole] : aboveOf(places[place].kind, true);
         nodeOf_[place] = addNode({.place = place, .text = {}, .kind = places[place].kind}, above);
     }
 }
@@ -198,20 +199,21 @@ std::vector<std::size_t> PlaceSunModel::placesBelow(int node) const {
 }
 
 void PlaceSunModel::summarize(int node) {
-    const std::vector<std::size_t> places = placesBelow(node);
+    Node& above = nodes_[std::size_t(node)];
+    above.text = QStringLiteral("%1 (%2)").arg(above.text, formatCount(placesBelow(node).size()));
+    for (const FigureColumn& column : columns_) above.values.push_back(valueAbove(node, column));
+}
+
+double PlaceSunModel::valueAbove(int node, const FigureColumn& column) const {
     const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
-    nodes_[std::size_t(node)].text =
-        QStringLiteral("%1 (%2)").arg(nodes_[std::size_t(node)].text, formatCount(places.size()));
-    for (const FigureColumn& column : columns_) {
-        double sum = 0, areas = 0;
-        for (const std::size_t place : places) {
-            const double value = column.values[place], area = sun[place].areaM2;
-            if (std::isnan(value)) continue;
-            sum += column.isSum ? value : value * area;
-            areas += area;
-        }
-        nodes_[std::size_t(node)].values.push_back(column.isSum ? sum : sum / areas);
+    double sum = 0, areas = 0;
+    for (const std::size_t place : placesBelow(node)) {
+        const double value = column.values[place], area = sun[place].areaM2;
+        if (std::isnan(value)) continue;
+        sum += column.isSum ? value : value * area;
+        areas += area;
     }
+    return column.isSum ? sum : sum / areas;
 }
 
 std::optional<std::size_t> PlaceSunModel::placeOf(const QModelIndex& index) const {

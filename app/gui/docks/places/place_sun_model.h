@@ -34,6 +34,10 @@ public:
 
     void show(std::shared_ptr<const SunOfCities> sun);  ///< null: no rows
     void setGrouped(bool grouped);
+    /// The share with enough sun is that with so many hours a day, where the answer has its cells: a saved one
+    /// has the share with the hours that were asked for. No signal for each row, but for the heading.
+    void setEnough(double hours);
+    [[nodiscard]] int enoughColumn() const { return firstFigure + int(enough_); }
     [[nodiscard]] const std::shared_ptr<const SunOfCities>& sun() const { return sun_; }
     /// Hours a day of a place; NaN: no cell.
     [[nodiscard]] double hoursOf(std::size_t place, const ShownSun& shown) const;
@@ -67,20 +71,23 @@ private:
         std::vector<double> values{};  ///< of a row above places
     };
     void makeColumns();
+    void describeEnough(double hours);
     void addColumn(FigureColumn column, const std::function<double(std::size_t)>& valueOf);
     void addDates();
     void addChanges();
     void makeNodes();
     int addNode(Node node, int parent);
     int aboveOf(PlaceKind kind, bool unnamed);
-    void addPlaces(const std::vector<std::size_t>& named);
+    void addUnnamedPlaces();
     void summarize(int node);
+    [[nodiscard]] double valueAbove(int node, const FigureColumn& column) const;
     [[nodiscard]] std::vector<std::size_t> placesBelow(int node) const;
     [[nodiscard]] QString textOf(const Node& node, int column) const;
 
     std::shared_ptr<const SunOfCities> sun_;
     bool grouped_ = false;
     std::vector<FigureColumn> columns_;
+    std::size_t enough_ = 0;  ///< of the columns, the share with enough sun
     std::vector<Node> nodes_;      ///< 0: above all
     std::vector<int> nodeOf_;      ///< of each place
     std::vector<QColor> colours_;  ///< of each place

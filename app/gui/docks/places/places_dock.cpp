@@ -234,6 +234,8 @@ void PlacesDock::follow(double hours) {
     const QSignalBlocker quietSlider(slider_), quietThreshold(threshold_);
     threshold_->setValue(hours);
     slider_->setValue(int(std::lround(hours * ticksOfHour)));
+    model_->setEnough(hours);
+    if (filter_->sortColumn() == model_->enoughColumn()) filter_->invalidate();
     colour();
 }
 

@@ -16,12 +16,15 @@
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/study/region_words.h"
+#include "core/receivers/place_names.h"
+#include "core/study/by_place/place_parts.h"
 
 namespace noonmark {
 
 namespace {
 
 constexpr int kindRole = Qt::UserRole;
+constexpr int ownRegions = -1;  // in place of a kind
 
 // The shortest day, an equinox and the longest day, as planners state them.
 QString defaultDates(std::chrono::year year) {
@@ -104,9 +107,10 @@ std::size_t PlacesForm::cityCount() const {
     return allScenarios() ? scenarios_ : 2;
 }
 
-void PlacesForm::setPlaces(const std::vector<Place>& places) {
-    if (places == places_) return;
+void PlacesForm::setPlaces(const std::vector<Place>& places, const std::vector<Region>& regions) {
+    if (places == places_ && regions == regions_) return;
     places_ = places;
+    regions_ = regions;
     fill();
     Q_EMIT edited();
 }
@@ -126,25 +130,34 @@ void PlacesForm::fill() {
     for (const PlaceKind kind : placeKinds) {
         const auto count = std::size_t(std::ranges::count(places_, kind, &Place::kind));
         if (count == 0) continue;
-        auto* item =
-            new QListWidgetItem(QStringLiteral("%1 %2").arg(describeKinds(kind), formatCount(count)), kinds_);
-        item->setData(kindRole, int(kind));
-        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-        item->setCheckState(unticked_.contains(kind) ? Qt::Unchecked : Qt::Checked);
+        addLine(QStringLiteral("%1 %2").arg(describeKinds(kind), formatCount(count)), int(kind),
+                !unticked_.contains(kind));
     }
+    if (!regions_.empty())
+        addLine(tr("Own regions %1").arg(formatCount(regions_.size())), ownRegions, regionsTicked_);
     kinds_->setVisible(kinds_->count() > 0);
     none_->setVisible(kinds_->count() == 0);
     kinds_->setFixedHeight(kinds_->sizeHintForRow(0) * std::max(1, kinds_->count()) +
                            2 * kinds_->frameWidth() + 2);
 }
 
+void PlacesForm::addLine(const QString& text, int kind, bool ticked) {
+    auto* item = new QListWidgetItem(text, kinds_);
+    item->setData(kindRole, kind);
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    item->setCheckState(ticked ? Qt::Checked : Qt::Unchecked);
+}
+
 void PlacesForm::follow() {
     for (int i = 0; i < kinds_->count(); ++i) {
-        const auto kind = PlaceKind(kinds_->item(i)->data(kindRole).toInt());
-        if (kinds_->item(i)->checkState() == Qt::Checked)
-            unticked_.erase(kind);
+        const int kind = kinds_->item(i)->data(kindRole).toInt();
+        const bool ticked = kinds_->item(i)->checkState() == Qt::Checked;
+        if (kind == ownRegions)
+            regionsTicked_ = ticked;
+        else if (ticked)
+            unticked_.erase(PlaceKind(kind));
         else
-            unticked_.insert(kind);
+            unticked_.insert(PlaceKind(kind));
     }
     const auto valid = settings();
     refusal_->setVisible(!valid);
@@ -156,6 +169,9 @@ std::vector<Place> PlacesForm::chosen() const {
     std::vector<Place> chosen;
     std::ranges::copy_if(places_, std::back_inserter(chosen),
                          [this](const Place& place) { return !unticked_.contains(place.kind); });
+    if (!regionsTicked_) return chosen;
+    for (const Region& region : regions_) chosen.push_back(makePlace(region));
+    nameApart(chosen);
     return chosen;
 }
 

@@ -20,7 +20,8 @@ class PlacesForm final : public QWidget {
 public:
     explicit PlacesForm(QWidget* parent = nullptr);
 
-    void setPlaces(const std::vector<Place>& places);  ///< of the project; ticks stay
+    /// Of the project; ticks stay. Regions count as places once they are ticked.
+    void setPlaces(const std::vector<Place>& places, const std::vector<Region>& regions);
     /// The dates follow the year of the period until others are typed.
     void setYear(std::chrono::year year);
     void setComparing(bool comparing);             ///< a baseline is chosen
@@ -37,11 +38,14 @@ Q_SIGNALS:
 
 private:
     void fill();
+    void addLine(const QString& text, int kind, bool ticked);
     void enable();
     void follow();
 
     std::vector<Place> places_;
+    std::vector<Region> regions_;
     std::set<PlaceKind> unticked_{PlaceKind::facade, PlaceKind::stainedGlass};
+    bool regionsTicked_ = false;
     std::chrono::year year_{2026};
     QListWidget* kinds_;
     QLabel* none_;  ///< where the project has no places

@@ -172,7 +172,9 @@ void StudyDock::usePeriodOf(StudyKind kind) {
     document_.change(settings, tr("period"));
 }
 
-void StudyDock::setPlaces(const std::vector<Place>& places) { places_->setPlaces(places); }
+void StudyDock::setPlaces(const std::vector<Place>& places, const std::vector<Region>& regions) {
+    places_->setPlaces(places, regions);
+}
 
 void StudyDock::setScenarioCount(std::size_t count) { places_->setScenarioCount(count); }
 

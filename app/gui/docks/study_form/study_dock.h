@@ -40,10 +40,10 @@ public:
     void setRunning(bool running);
     /// The names of regions and places that can be chosen.
     void setRegions(const QStringList& names);
-    void setScenarioCount(std::size_t count);          ///< of the project, with the existing city
-    void setPlaces(const std::vector<Place>& places);  ///< of the project
-    void setCity(std::shared_ptr<const City> city);    ///< of the displayed scenario
-    void setRules(const std::vector<Rule>& rules);     ///< whose days and hours are offered
+    void setScenarioCount(std::size_t count);  ///< of the project, with the existing city
+    void setPlaces(const std::vector<Place>& places, const std::vector<Region>& regions);  ///< of the project
+    void setCity(std::shared_ptr<const City> city);  ///< of the displayed scenario
+    void setRules(const std::vector<Rule>& rules);   ///< whose days and hours are offered
     void setBuilding(const QString& id);               ///< the selected building; empty: none
     /// Looks up the parts of the settings in the project (findElementParts()), to estimate the time of a run.
     using ElementFinder = std::function<ElementSettings(const ElementSettings&)>;
