@@ -87,10 +87,11 @@ struct SunByPlaceWindow : test::AnswersWindow {
 
 TEST_F(SunByPlaceWindow, TheFormCountsKindsAndTicksThemExactly) {
     auto& kinds = field<QListWidget>("placeKinds");
-    ASSERT_EQ(kinds.count(), 3);
+    ASSERT_EQ(kinds.count(), 4);
     EXPECT_EQ(kinds.item(0)->text(), QStringLiteral("Parks 3"));
     EXPECT_EQ(kinds.item(1)->text(), QStringLiteral("Greenstreets 1"));
     EXPECT_EQ(kinds.item(2)->text(), QStringLiteral("Streets 1"));
+    EXPECT_TRUE(kinds.item(3)->text().startsWith(QStringLiteral("Own regions")));
     kinds.setCurrentRow(2);
     QTest::keyClick(&kinds, Qt::Key_Space);
     EXPECT_EQ(kinds.item(2)->checkState(), Qt::Unchecked);

@@ -34,8 +34,8 @@ public:
 
     void show(std::shared_ptr<const SunOfCities> sun);  ///< null: no rows
     void setGrouped(bool grouped);
-    /// The share with enough sun is that with so many hours a day, where the answer has its cells: a saved one
-    /// has the share with the hours that were asked for. No signal for each row, but for the heading.
+    /// The share with enough sun is that with so many hours a day, where the answer has its cells: a saved
+    /// one has the share with the hours that were asked for. No signal for each row, but for the heading.
     void setEnough(double hours);
     [[nodiscard]] int enoughColumn() const { return firstFigure + int(enough_); }
     [[nodiscard]] const std::shared_ptr<const SunOfCities>& sun() const { return sun_; }
@@ -87,7 +87,7 @@ private:
     std::shared_ptr<const SunOfCities> sun_;
     bool grouped_ = false;
     std::vector<FigureColumn> columns_;
-    std::size_t enough_ = 0;  ///< of the columns, the share with enough sun
+    std::size_t enough_ = 0;       ///< of the columns, the share with enough sun
     std::vector<Node> nodes_;      ///< 0: above all
     std::vector<int> nodeOf_;      ///< of each place
     std::vector<QColor> colours_;  ///< of each place

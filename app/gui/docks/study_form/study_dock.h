@@ -44,7 +44,7 @@ public:
     void setPlaces(const std::vector<Place>& places, const std::vector<Region>& regions);  ///< of the project
     void setCity(std::shared_ptr<const City> city);  ///< of the displayed scenario
     void setRules(const std::vector<Rule>& rules);   ///< whose days and hours are offered
-    void setBuilding(const QString& id);               ///< the selected building; empty: none
+    void setBuilding(const QString& id);             ///< the selected building; empty: none
     /// Looks up the parts of the settings in the project (findElementParts()), to estimate the time of a run.
     using ElementFinder = std::function<ElementSettings(const ElementSettings&)>;
     void setElementFinder(ElementFinder find);
