@@ -167,6 +167,22 @@ TEST_F(PlacesCommand, SunByPlaceSetsScenariosAgainstTheBaseline) {
     EXPECT_EQ(noonmarkCli(again).json()["places"][0]["scenarios"]["Without One57"]["change_hours"], 0);
 }
 
+TEST_F(PlacesCommand, SunByPlaceStatesItsAnswerAndWritesSheets) {
+    const auto sun =
+        noonmarkCli({"by-place", file_, "--start", "2026-12-21", "--zone", "America/New_York", "--step", "60",
+                     "--cell", "4", "--kind", "park", "--region", "-73.980,40.765,-73.978,40.766", "--sheets",
+                     "--sheet-date", "May 2026", "--out", folder_.path("sheets").string()});
+    ASSERT_EQ(sun.code, 0) << sun.err;
+    EXPECT_THAT(sun.out, AllOf(HasSubstr("of 2 places have less than 2 h of sun a day."),
+                               HasSubstr("sheets.pdf"), HasSubstr(" expected")));
+    EXPECT_THAT(sun.err, HasSubstr("Sun of 2 places: about"));
+    EXPECT_TRUE(std::filesystem::exists(folder_.path("sheets") / "sheets.pdf"));
+    EXPECT_THAT(noonmarkCli({"by-place", file_, "--start", "2026-12-21", "--zone", "America/New_York",
+                             "--region", "Nowhere", "--out", folder_.path("none").string()})
+                    .err,
+                HasSubstr("Nowhere"));
+}
+
 TEST(PlacesOfFiles, MidtownsParksAndARegionByName) {
     const auto file = sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!file) GTEST_SKIP() << "the shared Midtown extract is missing";
