@@ -70,7 +70,29 @@ TEST_F(MeasuredAnswersWindow, TheSameQuestionIsListedOnce) {
     workbench().document().change(other, QStringLiteral("days"));
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
-    EXPECT_EQ(workbench().measured().size(), 2U);
+    ASSERT_EQ(workbench().measured().size(), 2U);
+    EXPECT_NE(workbench().measured()[0]->name(), workbench().measured()[1]->name());
+}
+
+TEST_F(MeasuredAnswersWindow, AScoreByAnotherWeightTableReplacesNone) {
+    Project next = session().project();
+    next.weights.push_back(makeMonthlyWeights());
+    next.weights.back().name = "other";
+    ASSERT_TRUE(session().change(std::move(next), QStringLiteral("weights")));
+    const auto score = [this](const char* weights) {
+        workbench().runScore(weights);
+        ASSERT_TRUE(waitFor([&] {
+            const auto answer = workbench().answerAs<ScoreAnswer>();
+            return answer && answer->weights.name == weights;
+        }));
+    };
+    score("default");
+    saveAndOpenAgain();
+    const std::size_t before = workbench().measured().size();
+    score("other");
+    EXPECT_EQ(workbench().measured().size(), before + 1);
+    score("default");
+    EXPECT_EQ(workbench().measured().size(), before + 1) << "the same question as in the file";
 }
 
 // Its name is one of the file's own: what is saved under it replaces the answer kept without being asked.

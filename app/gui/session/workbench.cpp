@@ -62,6 +62,7 @@ void Workbench::adoptProject(Result<OpenProject> opened, int version) {
     measured_ = takeMeasured(opened->project);
     named_.clear();
     outdated_.clear();
+    compared_ = {};
     saving_.drop();
     answerSeconds_ = std::numeric_limits<double>::infinity();  // not known for this city yet
     session_.open(std::move(opened->project), std::move(opened->file), openedView_.scenario,

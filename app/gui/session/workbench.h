@@ -190,6 +190,7 @@ private:
     void forgetAnswers();
     void updateAnswers();
     void putInFront(SharedAnswer answer);
+    [[nodiscard]] std::string freeMeasuredName(const QString& name) const;
     void remember(const KnownAnswer& known);
     [[nodiscard]] std::string savedNameOf(const std::shared_ptr<const MeasuredAnswer>& measured) const;
     void showResult(const std::shared_ptr<const SavedResult>& result);
@@ -217,7 +218,7 @@ private:
         std::optional<Error> error;  ///< of several: the others are measured all the same
     };
     void adoptStudies(Result<std::vector<Measured>> made);
-    void tellAll(const std::vector<Measured>& made);
+    void reportAll(const std::vector<Measured>& made);
     void adoptStudy(const KnownAnswer& study);
     std::vector<KnownAnswer> listUnmeasured();
     using Files = Result<std::vector<std::filesystem::path>>;
@@ -240,6 +241,14 @@ private:
     MeasuredAnswers measured_;
     std::map<std::shared_ptr<const MeasuredAnswer>, std::string> named_;  ///< saved under these names
     std::set<std::string> outdated_;
+    /// What outdated_ was found for.
+    struct Compared {
+        std::shared_ptr<const City> city;
+        std::vector<Scenario> scenarios;
+        std::vector<std::shared_ptr<const SavedResult>> results;
+        bool operator==(const Compared&) const = default;
+    };
+    Compared compared_;
     bool again_ = false;  ///< the latest question is that of runAgain()
     std::shared_ptr<const Study> study_;
     SharedAnswer base_, front_, past_;

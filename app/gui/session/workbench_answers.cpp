@@ -235,10 +235,10 @@ void Workbench::adoptStudies(Result<std::vector<Measured>> made) {
         answerSeconds_ = study.answer->seconds();
     }
     putInFront(nullptr);
-    tellAll(*made);
+    reportAll(*made);
 }
 
-void Workbench::tellAll(const std::vector<Measured>& made) {
+void Workbench::reportAll(const std::vector<Measured>& made) {
     ScenarioErrors errors;
     for (const auto& [study, error] : made)
         if (error) errors.emplace_back(scenarioOf(study.city), *error);
@@ -334,6 +334,17 @@ void Workbench::showResult(const std::shared_ptr<const SavedResult>& result) {
         });
 }
 
+// Answers about other regions, or over more days, may have the same name.
+std::string Workbench::freeMeasuredName(const QString& name) const {
+    const auto isTaken = [this](const std::string& one) {
+        return std::ranges::any_of(measured_, [&](const auto& other) { return other->name() == one; }) ||
+               findResult(session_.project(), one);
+    };
+    std::string free = name.toStdString();
+    for (int number = 2; isTaken(free); ++number) free = tr("%1 (%2)").arg(name).arg(number).toStdString();
+    return free;
+}
+
 // In place of the last answer to the same question.
 void Workbench::remember(const KnownAnswer& known) {
     const Answer& answer = *known.answer;
@@ -341,7 +352,7 @@ void Workbench::remember(const KnownAnswer& known) {
         std::erase_if(measured_, [&](const auto& one) { return one->isReplacedBy(answer); });
     if (measured_.size() == maxMeasured) measured_.erase(measured_.begin());
     measured_.push_back(
-        std::make_shared<const MeasuredAnswer>(known, session_, listedName(answer).toStdString()));
+        std::make_shared<const MeasuredAnswer>(known, session_, freeMeasuredName(listedName(answer))));
     if (replaced == 0 && !again_) session_.noteAnswer();
 }
 
@@ -394,9 +405,13 @@ bool Workbench::isThere(const std::string& scenario, const std::shared_ptr<const
 
 // Costs a hash of the city of each scenario that a result is about.
 void Workbench::findOutdated() {
-    std::vector<std::shared_ptr<const SavedResult>> results = session_.project().results;
+    const Project& now = session_.project();
+    std::vector<std::shared_ptr<const SavedResult>> results = now.results;
     for (const auto& one : measured_)
         if (!one->known().answer) results.push_back(one->toSave());
+    Compared asked{now.city, now.scenarios, results};
+    if (asked == compared_) return;
+    compared_ = std::move(asked);
     if (results.empty()) return checking_.drop();
     using Names = std::set<std::string>;
     checking_.start<Names>(

@@ -196,8 +196,7 @@ SunOfPlace sunOfPlace(const Json& json) {
     const Json cell = json.value("cell_m", Json());
     if (cell.is_number()) sun.cellM = cell;
     const std::string why = json.value("without_figures", std::string());
-    for (const NoSunFigures one : {NoSunFigures::builtOver, NoSunFigures::betweenCells})
-        if (describe(one) == why) sun.why = one;
+    sun.why = findChoice(noSunChoices(), why).value_or(NoSunFigures::measured);
     return sun;
 }
 
@@ -302,14 +301,14 @@ std::vector<std::string> listChanges(const SavedResult& result, const SavedOrigi
     return changes;
 }
 
-bool isOutdated(const SavedResult& result, const Project& project, CityHashes& hashes) try {
-    const Json json = Json::parse(result.settings);
-    return !listChanges(result, originOf(json), project, hashes).empty();
-} catch (const std::exception&) {  // JSON of the wrong shape
-    return true;
-}
-
 }  // namespace
+
+Result<SavedOrigin> readSavedOrigin(const SavedResult& result) try {
+    return originOf(Json::parse(result.settings));
+} catch (const std::exception& problem) {  // JSON of the wrong shape
+    return failure(fmt::format("The saved result cannot be read ({})", problem.what()), result.name,
+                   "Measure and save it again");
+}
 
 Result<SavedAnswer> readSavedAnswer(const SavedResult& result) try {
     const Json json = Json::parse(result.settings);
@@ -338,7 +337,8 @@ Result<std::set<std::string>> findOutdated(const std::vector<std::shared_ptr<con
     std::set<std::string> outdated;
     for (const auto& result : results) {
         if (stop.stop_requested()) return cancelled();
-        if (isOutdated(*result, project, hashes)) outdated.insert(result->name);
+        const auto origin = readSavedOrigin(*result);
+        if (!origin || !listChanges(*result, *origin, project, hashes).empty()) outdated.insert(result->name);
     }
     return outdated;
 }

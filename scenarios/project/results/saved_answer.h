@@ -79,6 +79,9 @@ struct SavedAnswer {
     std::variant<SavedStudy, SavedImpact, SavedScore, SavedElements, SavedSunByPlace> answer;
 };
 
+/// Its origin alone, without its maps. Error: the settings are not those of a result.
+Result<SavedOrigin> readSavedOrigin(const SavedResult& result);
+
 /// Copies the layers. Error: the settings or layers do not match the kind.
 Result<SavedAnswer> readSavedAnswer(const SavedResult& result);
 

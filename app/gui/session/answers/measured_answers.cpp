@@ -5,6 +5,7 @@
 
 #include "app/questions/question.h"
 #include "core/study/provenance/study_hash.h"
+#include "scenarios/project/results/saved_answer.h"
 
 namespace noonmark {
 
@@ -14,17 +15,21 @@ using Json = nlohmann::json;
 
 constexpr const char* measuredKey = "measured";  // in Project::view: a JSON list of names of results
 
-// Of a result of an earlier session, whose question is known by its hash only. That of places does not hold
-// which ones they are.
+// Whether the hash of the settings and the scenarios are all that the question depends on: which places or
+// points were asked for is not in it.
+bool isKnownByHash(const Answer& answer) {
+    return answer.settings() && !answer.points() && &answer.question() != &byPlaceQuestion();
+}
+
+// Of a result of an earlier session, whose question is known by its hash only.
 bool isReplaced(const SavedResult& read, const Answer& later) {
     const MeasuredPart part = later.part();
-    if (&later.question() == &byPlaceQuestion() || read.kind != later.question().key ||
-        read.scenario != part.scenario || read.baseline != part.baseline)
+    if (!isKnownByHash(later) || read.kind != later.question().key || read.scenario != part.scenario ||
+        read.baseline != part.baseline)
         return false;
-    const Json json = Json::parse(read.settings, nullptr, false);
-    const Json kept = json.is_object() ? json.value("kept", Json::object()) : Json::object();
-    const Json hash = kept.is_object() ? kept.value("question_sha256", Json()) : Json();
-    return later.settings() && hash == hashQuestion(*later.settings());
+    const auto origin = readSavedOrigin(read);
+    return origin && origin->weights == part.weights &&
+           listHashes(*later.settings()).hold(origin->questionSha256);
 }
 
 bool isNameTaken(const Project& project, const std::string& name) {
