@@ -4,7 +4,7 @@
 #include "app/report/book/sun_by_place_book.h"
 #include "app/report/files/output_folder.h"
 #include "core/base/progress_share.h"
-#include "core/describe/field_json.h"
+#include "core/describe/field_checks.h"
 #include "core/describe/text.h"
 #include "core/study/elements/element_tables.h"
 #include "scenarios/project/results/save_result.h"
@@ -13,9 +13,8 @@ namespace noonmark {
 
 namespace {
 
-nlohmann::ordered_json fieldsOf(const SunOfCities& sun) {
-    SunByPlaceSettings settings = sun.baseline.settings;
-    return fieldsJson(sunByPlaceFields().of(settings), {.which = FieldJson::Which::all});
+std::string questionOf(const SunOfCities& sun) {
+    return questionText(sunByPlaceFields().of(sun.baseline.settings), true);
 }
 
 /// How much sun places get in one scenario, and what it takes from or gives to those of a baseline.
@@ -37,7 +36,7 @@ public:
     [[nodiscard]] bool asksSameAs(const Answer& other) const override {
         const auto* sun = other.as<SunOfCities>();
         return sun && Answer::asksSameAs(other) && sun->baseline.places == content().baseline.places &&
-               fieldsOf(*sun) == fieldsOf(content());
+               questionOf(*sun) == questionOf(content());
     }
 
     /// The baseline of a comparison keeps its name: another one may be chosen while this answer is shown.
@@ -71,7 +70,7 @@ public:
         OutputFolder files(folder, how.rules);
         files.add("places.csv", textContent(toCsv(table)));
         files.add("places.gpkg", [&](const std::filesystem::path& file) {
-            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeQml(sun));
+            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeStyle(sun));
         });
         files.add("places.json", textContent(json()));
         if (how.sheets) {

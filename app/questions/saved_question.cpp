@@ -43,6 +43,19 @@ AnswerPage pageOf(const SavedSunByPlace& places, const SavedContent&, ShownAs) {
     return makePage(places.sun);
 }
 
+// The options that draw the same.
+std::vector<CommandOption> drawnOf(const SavedStudy&, const AnswerFiles& how) {
+    return listLegendOptions(how.legend, false);
+}
+std::vector<CommandOption> drawnOf(const SavedImpact&, const AnswerFiles& how) {
+    return drawnOptions(how.scale, how.legend);
+}
+std::vector<CommandOption> drawnOf(const SavedScore&, const AnswerFiles& how) {
+    return listLegendOptions(how.legend, true);
+}
+std::vector<CommandOption> drawnOf(const SavedElements&, const AnswerFiles&) { return {}; }
+std::vector<CommandOption> drawnOf(const SavedSunByPlace&, const AnswerFiles&) { return {}; }
+
 // Its JSON states it, or why there is none (addRepeat() in provenance_json.h).
 Result<std::string> commandOf(const SavedResult& result) {
     const auto json = nlohmann::ordered_json::parse(result.settings, nullptr, false);
@@ -91,10 +104,7 @@ public:
     [[nodiscard]] Result<std::string> command() const override { return commandOf(*content().result); }
 
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
-        if (content().result->kind == "study") return listLegendOptions(how.legend, false);
-        if (content().result->kind == "impact") return noonmark::drawnOptions(how.scale, how.legend);
-        if (content().result->kind == "score") return listLegendOptions(how.legend, true);
-        return {};
+        return std::visit([&](const auto& saved) { return drawnOf(saved, how); }, content().answer.answer);
     }
     [[nodiscard]] std::string json() const override { return content().result->settings; }
     [[nodiscard]] SavedResult toSave(const Project&) const override { return *content().result; }

@@ -24,8 +24,10 @@ Bars firstSeries(Bars bars, std::size_t most) {
 }
 
 std::string groupKey(const Bars::Group& group) {
+    if (const auto* text = std::get_if<std::string>(&group.name)) return *text;
+    if (const auto* values = std::get_if<Bars::Class>(&group.name))
+        return fmt::format("{:g} to {:g}", values->low, values->high);
     const auto* month = std::get_if<std::chrono::year_month>(&group.name);
-    if (month == nullptr) return std::get<std::string>(group.name);
     return fmt::format("{:04}-{:02}", int(month->year()), unsigned(month->month()));
 }
 

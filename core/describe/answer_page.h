@@ -46,7 +46,7 @@ Bars changesOf(const Bars& bars, std::string_view title);
 /// The first `most` series.
 Bars firstSeries(Bars bars, std::size_t most);
 
-/// "2026-01" of a month.
+/// "2026-01" of a month, "2 to 4" of a class.
 std::string groupKey(const Bars::Group& group);
 
 /// What an answer states, as data: the window, sheets and the command line draw it. Its map, figures and

@@ -33,6 +33,9 @@ enum class SettingRole {
     none,      ///< no result depends on it: names, the memory that the work may take
 };
 
+/// How people enter a text.
+enum class TextEntry { line, date, timeOfDay, zone };
+
 /// What is written down about a field. Texts are in English; labels and help are marked by NM_TEXT.
 struct FieldFacts {
     std::string_view key;         ///< of JSON, with its unit: "step_min"
@@ -40,7 +43,8 @@ struct FieldFacts {
     std::string_view label = {};  ///< of a form: "Step"
     std::string_view help = {};   ///< one sentence
     std::string_view hint = {};   ///< stands for the value in the help of a flag: "MIN"
-    std::string_view unit = {};   ///< "min", "m", "h", "hPa", "C", "deg"; empty: none
+    TextEntry entry = TextEntry::line;
+    std::string_view unit = {};            ///< "min", "m", "h", "hPa", "C", "deg"; empty: none
     std::optional<ValueRange> range = {};  ///< of a number, or of each in a list; both ends are included
     double shownTimes = 1;  ///< people write and read a number times this: 100 for a share in percent
     std::string_view whenEmpty = {};  ///< stands in an empty text field: "found by name"

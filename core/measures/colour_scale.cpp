@@ -125,6 +125,7 @@ std::vector<ColourClass> ColourScale::classes() const {
                         colourAlong(*this, shareOfClass(i, breaks.size() + 1)),
                         {}};
         if (!(one.low < one.high)) continue;  // a threshold at the scale's end leaves no room beyond
+        if (of == Of::minutes && one.high <= 0) continue;  // there is no less than none
         one.label = labelOf(one, unit());
         list.push_back(std::move(one));
     }

@@ -111,4 +111,16 @@ Result<SampledError> sampleError(const City& city, const Receivers& receivers, c
         });
 }
 
+Result<void> takeError(const Result<SampledError>& measured, std::optional<SampledError>& error,
+                       Warnings& warnings) {
+    if (measured) {
+        error = *measured;
+        return {};
+    }
+    if (isCancelled(measured.error())) return tl::make_unexpected(measured.error());
+    warnings.push_back(
+        {WarningKind::leftOut, "the error against the ray reference", measured.error().text()});
+    return {};
+}
+
 }  // namespace noonmark

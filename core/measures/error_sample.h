@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/base/warnings.h"
 #include "core/city/city.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/measures/sampled_error.h"
@@ -57,5 +59,10 @@ double longestDayMinutes(const SunSteps& sun);
 Result<SampledError> sampleError(const City& city, const Receivers& receivers, const SunSteps& sun,
                                  const ShadowField& field, const ErrorSampleSettings& settings,
                                  Progress& progress, std::stop_token stop);
+
+/// Takes the error of a result, or states in a warning why it was not measured, which fails no study. Error:
+/// cancelled().
+Result<void> takeError(const Result<SampledError>& measured, std::optional<SampledError>& error,
+                       Warnings& warnings);
 
 }  // namespace noonmark

@@ -92,4 +92,6 @@ bool hasOwnName(const Place& place) {
     return !place.name.starts_with(std::string(nameOf(place.kind)) + " (" + place.source);
 }
 
+Place makePlace(const Region& region) { return {region.name, PlaceKind::other, region.polygons, "region"}; }
+
 }  // namespace noonmark

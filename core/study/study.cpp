@@ -10,7 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
 #include "core/engines/common/engine_in_use.h"
-#include "core/measures/take_error.h"
+#include "core/measures/error_sample.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/breakdown_check.h"
 #include "core/study/memory_need.h"

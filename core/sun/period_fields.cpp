@@ -33,6 +33,7 @@ const Fields<Period>& periodFields() {
                    .label = NM_TEXT("First day"),
                    .help = "First day: 2026-03-21",
                    .hint = "DATE",
+                   .entry = TextEntry::date,
                    .hasDefault = false,
                    .restated = true}),
         field(&Period::days, {.key = "days",
@@ -64,6 +65,7 @@ const Fields<Period>& periodFields() {
                    .label = NM_TEXT("From"),
                    .help = "Local time of the first step (default 09:00)",
                    .hint = "HH:MM",
+                   .entry = TextEntry::timeOfDay,
                    .restated = true})
             .when(&byClock),
         field(&Period::hours, {.key = "hours",
@@ -88,6 +90,7 @@ const Fields<Period>& periodFields() {
                               .label = NM_TEXT("Time zone"),
                               .help = "Time zone, for example America/New_York",
                               .hint = "ZONE",
+                              .entry = TextEntry::zone,
                               .hasDefault = false,
                               .restated = true}),
         field(&Period::refraction, {.key = "refraction",

@@ -5993,10 +5993,6 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
 <context>
     <name>noonmark::PlaceSunModel</name>
     <message>
-        <source> (here: %1 h)</source>
-        <translation> (hier: %1 h)</translation>
-    </message>
-    <message>
         <source>%1, h</source>
         <translation>%1, h</translation>
     </message>
@@ -6027,6 +6023,14 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>Kind</source>
         <translation>Art</translation>
+    </message>
+    <message>
+        <source>%1 (%2 h), %</source>
+        <translation>%1 (%2 h), %</translation>
+    </message>
+    <message>
+        <source>%1 (here: %2 h)</source>
+        <translation>%1 (hier: %2 h)</translation>
     </message>
 </context>
 <context>
@@ -6166,6 +6170,10 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>Measures the places in all scenarios and compares each with the baseline, which is chosen at the top</source>
         <translation>Misst die Orte in allen Szenarien und vergleicht jedes mit dem Vergleich, der oben gewählt wird</translation>
+    </message>
+    <message>
+        <source>Own regions %1</source>
+        <translation>Eigene Gebiete %1</translation>
     </message>
 </context>
 <context>
@@ -9089,6 +9097,10 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>Comparing results with the buildings</source>
         <translation>Ergebnisse werden mit den Gebäuden verglichen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

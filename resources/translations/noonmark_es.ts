@@ -5993,10 +5993,6 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
 <context>
     <name>noonmark::PlaceSunModel</name>
     <message>
-        <source> (here: %1 h)</source>
-        <translation> (aquí: %1 h)</translation>
-    </message>
-    <message>
         <source>%1, h</source>
         <translation>%1, h</translation>
     </message>
@@ -6027,6 +6023,14 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>Kind</source>
         <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>%1 (%2 h), %</source>
+        <translation>%1 (%2 h), %</translation>
+    </message>
+    <message>
+        <source>%1 (here: %2 h)</source>
+        <translation>%1 (aquí: %2 h)</translation>
     </message>
 </context>
 <context>
@@ -6166,6 +6170,10 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>Measures the places in all scenarios and compares each with the baseline, which is chosen at the top</source>
         <translation>Mide los lugares en todos los escenarios y compara cada uno con la referencia, que se elige arriba</translation>
+    </message>
+    <message>
+        <source>Own regions %1</source>
+        <translation>Regiones propias %1</translation>
     </message>
 </context>
 <context>
@@ -9089,6 +9097,10 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>Comparing results with the buildings</source>
         <translation>Comparando los resultados con los edificios</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

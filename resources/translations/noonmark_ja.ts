@@ -5958,10 +5958,6 @@ Off: the sun&apos;s geometric position, as some rules require</source>
 <context>
     <name>noonmark::PlaceSunModel</name>
     <message>
-        <source> (here: %1 h)</source>
-        <translation> (ここ: %1 時間)</translation>
-    </message>
-    <message>
         <source>%1, h</source>
         <translation>%1、時間</translation>
     </message>
@@ -5992,6 +5988,14 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>Kind</source>
         <translation>種類</translation>
+    </message>
+    <message>
+        <source>%1 (%2 h), %</source>
+        <translation>%1 (%2 h), %</translation>
+    </message>
+    <message>
+        <source>%1 (here: %2 h)</source>
+        <translation>%1（ここでは %2 h）</translation>
     </message>
 </context>
 <context>
@@ -6128,6 +6132,10 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>Measures the places in all scenarios and compares each with the baseline, which is chosen at the top</source>
         <translation>すべてのシナリオで場所を測定し、上で選んだ比較基準とそれぞれ比べます</translation>
+    </message>
+    <message>
+        <source>Own regions %1</source>
+        <translation>自分の領域 %1</translation>
     </message>
 </context>
 <context>
@@ -9049,6 +9057,10 @@ Click a building first.</source>
     <message>
         <source>Comparing results with the buildings</source>
         <translation>結果を建物と比較しています</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
     </message>
 </context>
 <context>

@@ -9,7 +9,7 @@
 #include "core/base/progress_share.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/reached_receivers.h"
-#include "core/measures/take_error.h"
+#include "core/measures/error_sample.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
 #include "core/study/terrain_coverage.h"

@@ -22,7 +22,6 @@
 #include "core/describe/command_flags.h"
 #include "core/io/read_region.h"
 #include "core/receivers/place_names.h"
-#include "core/study/by_place/place_parts.h"
 #include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {

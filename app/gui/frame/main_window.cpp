@@ -255,7 +255,7 @@ void MainWindow::connectDocks() {
     });
     connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
     docks_.results->setActions(results_.saveResult(), scenarios_.compareAction(), results_.exportAction());
-    connect(&panel_->legend(), &LegendStrip::shownChosen, this, [this] { view_.keepShown(); });
+    connect(&panel_->legend(), &LegendStrip::shownChosen, this, [this] { view_.rememberShown(); });
     connect(docks_.results, &ResultsDock::commandWanted, this, [this] {
         workbench_.findCommand(
             {.scale = panel_->legend().changeScale(), .legend = panel_->legend().choice()});

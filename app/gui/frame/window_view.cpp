@@ -21,7 +21,7 @@ ShownAs lastShown(const QSettings& settings) {
 
 }  // namespace
 
-void WindowView::keepShown() {
+void WindowView::rememberShown() {
     const std::string_view key = keyOf(shownChoices(), panel_.legend().choice().show);
     settings_.setValue(shownKey, QString::fromUtf8(key.data(), qsizetype(key.size())));
 }

@@ -25,7 +25,7 @@ public:
     /// middle, with shadow or sun as it was last chosen. Scenario and study are in the workbench already.
     void restore();
     /// For new projects: shadow or sun, as it is shown now.
-    void keepShown();
+    void rememberShown();
 
 private:
     Workbench& workbench_;

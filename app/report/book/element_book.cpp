@@ -126,12 +126,7 @@ TextBlocks describeSources(const ElementStudy& study) {
     sources.warnings = study.warnings;
     sources.provenance = study.provenance;
     sources.heights = study.heights;
-    auto sections = sourceSections(sources);
-    sections.pop_back();  // cost and skipped work belong to a field
-    sections.push_back(repeatBlocks(makeRepeatCommand(study, elementCommandLetters), false));
-    TextBlocks blocks;
-    for (const TextBlocks& section : sections) blocks.insert(blocks.end(), section.begin(), section.end());
-    return blocks;
+    return sourceBlocks(sources, repeatBlocks(makeRepeatCommand(study, elementCommandLetters), false));
 }
 
 }  // namespace

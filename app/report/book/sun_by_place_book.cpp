@@ -80,11 +80,7 @@ TextBlocks describeSources(const SunByPlace& sun) {
     sources.city = sun.city;
     sources.warnings = sun.warnings;
     sources.provenance = sun.provenance;
-    auto sections = sourceSections(sources);
-    sections.pop_back();  // cost and skipped work belong to a field
-    TextBlocks blocks;
-    for (const TextBlocks& section : sections) blocks.insert(blocks.end(), section.begin(), section.end());
-    return blocks;
+    return sourceBlocks(sources);
 }
 
 Legend legendOf(const SunByPlace& sun) {

@@ -34,7 +34,7 @@ Result<std::vector<std::filesystem::path>> writePlaces(const SavedResult& result
     OutputFolder files(folder, rules);
     files.add("places.csv", textContent(toCsv(table)));
     files.add("places.gpkg", [&](const std::filesystem::path& file) {
-        return writePlacesGeoPackage(file, city.frame, sun.baseline.places, table, makeQml(sun.baseline));
+        return writePlacesGeoPackage(file, city.frame, sun.baseline.places, table, makeStyle(sun.baseline));
     });
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();

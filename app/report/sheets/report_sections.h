@@ -19,6 +19,10 @@ TextBlocks definitionBlocks(const Study& study, ShownAs show = ShownAs::shadow);
 std::vector<TextBlocks> methodSections(const Study& study, const QString& errorOf = {});
 std::vector<TextBlocks> sourceSections(const Study& study);
 
+/// The same one after the other, of a result that is no field of shadow: without cost. `sources` has the
+/// city, warnings, heights and provenance of the result. `last`: a section behind them.
+TextBlocks sourceBlocks(const Study& sources, const TextBlocks& last = {});
+
 /// The command line that repeats the study, with the options that draw the same: `drawn`.
 TextBlocks repeatBlocks(const Study& study, const std::vector<CommandOption>& drawn);
 

@@ -154,15 +154,26 @@ QString describeCost(const Study& study) {
     return words + QStringLiteral(". Skipped: ") + describeSkipped(cost) + u'.';
 }
 
+std::vector<TextBlocks> originSections(const Study& study) {
+    std::vector<TextBlocks> sections{inputsOf(study), heightsOf(study), makeWarnings(study)};
+    if (study.provenance.project) sections.insert(sections.begin(), projectOf(study));
+    return sections;
+}
+
 }  // namespace
 
 std::vector<TextBlocks> sourceSections(const Study& study) {
-    std::vector<TextBlocks> sections{inputsOf(study),
-                                     heightsOf(study),
-                                     makeWarnings(study),
-                                     {heading(QStringLiteral("Computation")), body(describeCost(study))}};
-    if (study.provenance.project) sections.insert(sections.begin(), projectOf(study));
+    std::vector<TextBlocks> sections = originSections(study);
+    sections.push_back({heading(QStringLiteral("Computation")), body(describeCost(study))});
     return sections;
+}
+
+TextBlocks sourceBlocks(const Study& sources, const TextBlocks& last) {
+    std::vector<TextBlocks> sections = originSections(sources);
+    sections.push_back(last);
+    TextBlocks blocks;
+    for (const TextBlocks& section : sections) blocks.insert(blocks.end(), section.begin(), section.end());
+    return blocks;
 }
 
 TextBlocks repeatBlocks(const Study& study, const std::vector<CommandOption>& drawn) {

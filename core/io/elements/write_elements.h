@@ -36,11 +36,17 @@ struct ElementTable {
 /// Error: the file cannot be written. Some 4 us a row. Backend: write_elements_gdal.cpp.
 Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const ElementTable& table);
 
+/// A style of QGIS.
+struct LayerStyle {
+    std::string name;
+    std::string qml;  ///< empty: none
+};
+
 /// Writes a row for each place as a GeoPackage with a layer "places" of polygons in longitude and latitude
-/// (EPSG:4326). `table.places` is not used. `qml`: the layer's style in QGIS, stored in the table
-/// layer_styles, from which QGIS takes it by itself; empty: none. Error: the file cannot be written.
+/// (EPSG:4326). `table.places` is not used. `style`: the layer's style in QGIS, stored in the table
+/// layer_styles, from which QGIS takes it by itself. Error: the file cannot be written.
 Result<void> writePlacesGeoPackage(const std::filesystem::path& file, const Frame& frame,
                                    const std::vector<Place>& places, const ElementTable& table,
-                                   const std::string& qml = {});
+                                   const LayerStyle& style = {});
 
 }  // namespace noonmark

@@ -36,12 +36,12 @@ struct WrittenLayer {
     const char* description;
     OGRwkbGeometryType type;
     std::function<std::unique_ptr<OGRGeometry>(std::size_t row)> shape;
-    std::string qml = {};  ///< style in QGIS; empty: none
+    LayerStyle style = {};
 };
 
 /// Makes the table that QGIS stores styles in, with the layer's as its default one.
 bool writeStyle(GDALDataset& dataset, const WrittenLayer& written, const char* geometryColumn) {
-    if (written.qml.empty()) return true;
+    if (written.style.qml.empty()) return true;
     CPLStringList options;
     options.SetNameValue("FID", "id");
     OGRLayer* styles = dataset.CreateLayer("layer_styles", nullptr, wkbNone, options.List());
@@ -59,8 +59,8 @@ bool writeStyle(GDALDataset& dataset, const WrittenLayer& written, const char* g
     for (const auto& [name, text] :
          {std::pair{"f_table_catalog", ""}, std::pair{"f_table_schema", ""},
           std::pair{"f_table_name", written.name}, std::pair{"f_geometry_column", geometryColumn},
-          std::pair{"styleName", "Hours of sun a day"}, std::pair{"styleQML", written.qml.c_str()},
-          std::pair{"description", written.description}})
+          std::pair{"styleName", written.style.name.c_str()},
+          std::pair{"styleQML", written.style.qml.c_str()}, std::pair{"description", written.description}})
         style.SetField(name, text);
     style.SetField("useAsDefault", 1);
     return styles->CreateFeature(&style) == OGRERR_NONE;
@@ -149,9 +149,9 @@ Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const El
 
 Result<void> writePlacesGeoPackage(const std::filesystem::path& file, const Frame& frame,
                                    const std::vector<Place>& places, const ElementTable& table,
-                                   const std::string& qml) {
+                                   const LayerStyle& style) {
     const auto shape = [&](std::size_t row) { return makeMultiPolygon(places[row], frame); };
-    return writeGeoPackage(file, {"places", "Places and their sun", wkbMultiPolygon, shape, qml}, table);
+    return writeGeoPackage(file, {"places", "Places and their sun", wkbMultiPolygon, shape, style}, table);
 }
 
 }  // namespace noonmark

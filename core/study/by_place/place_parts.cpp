@@ -50,6 +50,4 @@ std::vector<std::optional<std::size_t>> findWholes(const std::vector<Place>& pla
     return found;
 }
 
-Place makePlace(const Region& region) { return {region.name, PlaceKind::other, region.polygons, "region"}; }
-
 }  // namespace noonmark

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/receivers/place.h"
-#include "core/receivers/region.h"
 
 namespace noonmark {
 
@@ -16,8 +15,5 @@ namespace noonmark {
 /// + pairs that meet).
 std::vector<std::optional<std::size_t>> findWholes(const std::vector<Place>& places,
                                                    const std::stop_token& stop = {});
-
-/// A region as a place of the kind "other", with the source "region".
-Place makePlace(const Region& region);
 
 }  // namespace noonmark

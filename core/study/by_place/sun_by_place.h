@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/describe/answer_page.h"
+#include "core/describe/choice.h"
 #include "core/describe/field.h"
 #include "core/describe/figure.h"
 #include "core/io/elements/write_elements.h"
@@ -52,7 +53,9 @@ enum class NoSunFigures {
     builtOver,     ///< buildings stand on all of it
     betweenCells,  ///< no cell has its centre on its open ground
 };
-/// NM_TEXT; empty where it is measured.
+/// With the keys of JSON; none for measured.
+std::span<const Choice<NoSunFigures>> noSunChoices();
+/// Their label; empty where it is measured.
 std::string_view describe(NoSunFigures why);
 
 /// Three months of the year.
@@ -162,7 +165,7 @@ ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compa
 
 /// The style of the places for QGIS: coloured by hours_mean, as maps of shadow are, in classes of one or two
 /// hours; places without figures are not drawn.
-std::string makeQml(const SunByPlace& sun);
+LayerStyle makeStyle(const SunByPlace& sun);
 
 /// "0.022 % mean, 0.10 % largest, against rays"; "not measured".
 std::string describeCellError(const std::optional<SampledError>& error);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "core/base/version.h"
@@ -167,7 +168,8 @@ Json placeJson(const SunByPlace& sun, std::span<const ComparedSun> compared, std
     if (sun.partOf[i]) json["part_of"] = wholeOf(sun, i);
     json.update(figuresOf(sun, i));
     json["cell_m"] = sun.sun[i].cellM > 0 ? Json(sun.sun[i].cellM) : Json();
-    if (sun.sun[i].why != NoSunFigures::measured) json["without_figures"] = describe(sun.sun[i].why);
+    if (sun.sun[i].why != NoSunFigures::measured)
+        json["without_figures"] = keyOf(noSunChoices(), sun.sun[i].why);
     for (const ComparedSun& one : compared) {
         Json other = figuresOf(one.sun, i);
         other.update(figuresJson(sunChangeFigures().of(one.changes[i])));
@@ -191,7 +193,21 @@ void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSu
     json["definitions"].update(definitionsJson(sunChangeFigures().rows()));
 }
 
+constexpr std::array noSunList{
+    Choice<NoSunFigures>{NoSunFigures::builtOver, "built_over", NM_TEXT("buildings stand on all of it")},
+    Choice<NoSunFigures>{NoSunFigures::betweenCells, "between_cells",
+                         NM_TEXT("no cell has its centre on its open ground")},
+};
+
 }  // namespace
+
+std::span<const Choice<NoSunFigures>> noSunChoices() { return noSunList; }
+
+std::string_view describe(NoSunFigures why) {
+    for (const Choice<NoSunFigures>& choice : noSunList)
+        if (choice.value == why) return choice.label;
+    return {};
+}
 
 const Figures<SunOfPlace>& sunOfPlaceFigures() {
     static const Figures<SunOfPlace> figures{

@@ -45,19 +45,21 @@ std::string symbolQml(const HourClasses& classes, int i) {
 
 }  // namespace
 
-std::string makeQml(const SunByPlace& sun) {
+LayerStyle makeStyle(const SunByPlace& sun) {
     const HourClasses classes = classesOf(sun);
     std::string ranges, symbols;
     for (int i = 0; i < classes.count; ++i) {
         ranges += rangeQml(classes, i);
         symbols += symbolQml(classes, i);
     }
-    return fmt::format(
-        R"(<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'><qgis version="3.22" )"
-        R"(styleCategories="Symbology"><renderer-v2 type="graduatedSymbol" attr="hours_mean" )"
-        R"(graduatedMethod="GraduatedColor" symbollevels="0" enableorderby="0" forceraster="0"><ranges>{}</ranges>)"
-        R"(<symbols>{}</symbols></renderer-v2><blendMode>0</blendMode><layerGeometryType>2</layerGeometryType></qgis>)",
-        ranges, symbols);
+    return {
+        "Hours of sun a day",
+        fmt::format(
+            R"(<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'><qgis version="3.22" )"
+            R"(styleCategories="Symbology"><renderer-v2 type="graduatedSymbol" attr="hours_mean" )"
+            R"(graduatedMethod="GraduatedColor" symbollevels="0" enableorderby="0" forceraster="0"><ranges>{}</ranges>)"
+            R"(<symbols>{}</symbols></renderer-v2><blendMode>0</blendMode><layerGeometryType>2</layerGeometryType></qgis>)",
+            ranges, symbols)};
 }
 
 }  // namespace noonmark

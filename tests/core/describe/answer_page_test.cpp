@@ -35,6 +35,7 @@ TEST(Bars, AChangeAgainstNothingIsNone) {
 TEST(Bars, AMonthIsCalledByItsYearToo) {
     EXPECT_EQ(groupKey(twoMonths().groups[1]), "2026-02");
     EXPECT_EQ(groupKey({std::string("0 to 1")}), "0 to 1");
+    EXPECT_EQ(groupKey({Bars::Class{-5, 2.5}}), "-5 to 2.5");
 }
 
 }  // namespace

@@ -161,5 +161,12 @@ TEST(LegendChoice, StatesOnTheCommandLineWhatWouldBeDrawnOtherwise) {
               (std::vector<CommandOption>{{"--show", {"sun"}}, {"--change-ramp", {"blue-red"}}}));
 }
 
+TEST(ColourScale, ThereIsNoClassOfLessThanNoSun) {
+    const auto classes = makeThresholdScale({}, 0, 6).classes();
+    ASSERT_EQ(classes.size(), 3U);
+    EXPECT_EQ(classes.front().low, 0);
+    EXPECT_EQ(classes.front().label, "0 to 2 h");
+}
+
 }  // namespace
 }  // namespace noonmark

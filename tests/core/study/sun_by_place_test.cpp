@@ -328,7 +328,7 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
 
     const tests::TemporaryFolder folder;
     const auto file = folder.path("places.gpkg");
-    ASSERT_TRUE(writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeQml(sun)));
+    ASSERT_TRUE(writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeStyle(sun)));
     NoProgress quiet;
     const auto read = readPlaces(file, {}, sun.city.frame, quiet, {});
     ASSERT_TRUE(read) << read.error().text();
@@ -343,7 +343,7 @@ TEST(SunByPlace, StyleHasAClassForEveryHour) {
     SunByPlace sun;
     sun.sun.resize(2);
     sun.sun[0].meanHours = 9.5;
-    const std::string qml = makeQml(sun);
+    const std::string qml = makeStyle(sun).qml;
     EXPECT_THAT(qml, HasSubstr(R"(attr="hours_mean")"));
     EXPECT_THAT(qml, HasSubstr(R"(symbol="0" lower="0" upper="2")"));
     EXPECT_THAT(qml, HasSubstr(R"(symbol="4" lower="8" upper="10")"));

@@ -96,11 +96,10 @@ QWidget* makeZone() {
     return zone;
 }
 
-// What the flag's value looks like decides how it is entered.
 QWidget* makeText(const Field& field) {
-    if (field.hint == "DATE") return makeDate();
-    if (field.hint == "HH:MM") return makeTime();
-    if (field.hint == "ZONE") return makeZone();
+    if (field.entry == TextEntry::date) return makeDate();
+    if (field.entry == TextEntry::timeOfDay) return makeTime();
+    if (field.entry == TextEntry::zone) return makeZone();
     auto* line = new QLineEdit;
     if (!field.whenEmpty.empty()) line->setPlaceholderText(translated(field.whenEmpty));
     return line;

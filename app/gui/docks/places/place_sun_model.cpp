@@ -96,7 +96,7 @@ void PlaceSunModel::describeEnough(double hours) {
     const Figure& figure = findFigure(sunOfPlaceFigures().rows(), enoughKey);
     FigureColumn& column = columns_[enough_];
     column.heading = tr("%1 (%2 h), %").arg(translated(figure.label), formatAmount(hours));
-    column.tip = translatedSentence(figure.definition) + tr(" (here: %1 h)").arg(formatAmount(hours));
+    column.tip = tr("%1 (here: %2 h)").arg(translatedSentence(figure.definition), formatAmount(hours));
 }
 
 void PlaceSunModel::setEnough(double hours) {

@@ -120,7 +120,7 @@ void ResultDisplay::followLegend() {
     showOutdated();
 }
 
-// The measured ones, then those saved under a name; the newest first.
+// The measured ones, newest first, then those saved under a name, in the project's order.
 void ResultDisplay::listAnswers() {
     listed_.clear();
     QStringList names;

@@ -71,4 +71,38 @@ ScenarioErrors adoptEach(std::vector<Result<Answer>> answers, const std::vector<
     return errors;
 }
 
+/// The same question about several scenarios.
+template <class Question>
+struct ScenarioQuestions {
+    std::vector<Question> questions;
+    std::vector<std::string> scenarios;  ///< of each question
+    ScenarioErrors refused;              ///< of the scenarios about which it cannot be asked
+    [[nodiscard]] std::size_t count() const { return scenarios.size() + refused.size(); }
+};
+
+/// `ask(scenario)` returns the question, or why it cannot be asked.
+template <class Question, class Ask>
+ScenarioQuestions<Question> askAbout(const std::vector<std::string>& scenarios, const Ask& ask) {
+    ScenarioQuestions<Question> asked;
+    for (const std::string& scenario : scenarios) {
+        Result<Question> question = ask(scenario);
+        if (!question) {
+            asked.refused.emplace_back(scenario, question.error());
+            continue;
+        }
+        asked.questions.push_back(*std::move(question));
+        asked.scenarios.push_back(scenario);
+    }
+    return asked;
+}
+
+/// Hands the answers over as above, and returns all errors, those of refused questions first.
+template <class Question, class Answer, class Adopt>
+ScenarioErrors adoptEach(std::vector<Result<Answer>> answers, const ScenarioQuestions<Question>& asked,
+                         const Adopt& adopt) {
+    ScenarioErrors errors = adoptEach(std::move(answers), asked.scenarios, adopt);
+    errors.insert(errors.begin(), asked.refused.begin(), asked.refused.end());
+    return errors;
+}
+
 }  // namespace noonmark

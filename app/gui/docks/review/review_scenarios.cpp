@@ -66,41 +66,29 @@ void ReviewSession::recall() {
 }
 
 void ReviewSession::runAll() {
-    const auto known = latest();
-    std::vector<ReviewQuestion> questions;
-    std::vector<std::string> names;
-    ScenarioErrors refused;
-    for (const std::string& name : comparedScenarios()) {
-        if (known.contains(name)) continue;
-        auto question = questionOf(name);
-        if (!question) {
-            refused.emplace_back(name, question.error());
-            continue;
-        }
-        questions.push_back(*std::move(question));
-        names.push_back(name);
-    }
-    if (questions.empty() && !refused.empty()) return tellAll(refused, refused.size());
-    const std::size_t asked = names.size() + refused.size();
+    std::vector<std::string> lacking = comparedScenarios();
+    std::erase_if(lacking, [known = latest()](const std::string& name) { return known.contains(name); });
+    auto asked =
+        askAbout<ReviewQuestion>(lacking, [this](const std::string& name) { return questionOf(name); });
+    if (asked.questions.empty() && !asked.refused.empty()) return reportAll(asked.refused, asked.count());
     using Made = std::vector<Result<ReviewAnswer>>;
     runningAll_.start<Made>(
         tr("All reviews"),
-        [questions = std::move(questions)](Progress& progress, const std::stop_token& stop) -> Result<Made> {
-            return computeEach<ReviewAnswer>(questions, computeReview, progress, stop);
+        [asked](Progress& progress, const std::stop_token& stop) -> Result<Made> {
+            return computeEach<ReviewAnswer>(asked.questions, computeReview, progress, stop);
         },
-        [this, names, refused, asked](Result<Made> answers) {
+        [this, asked](Result<Made> answers) {
             if (!answers) return tell(answers.error());
-            ScenarioErrors errors =
-                adoptEach(*std::move(answers), names,
+            const ScenarioErrors errors =
+                adoptEach(*std::move(answers), asked,
                           [this](ReviewAnswer answer, std::size_t) { cached_.add(std::move(answer)); });
-            errors.insert(errors.begin(), refused.begin(), refused.end());
             recall();
             Q_EMIT answered();
-            tellAll(errors, asked);
+            reportAll(errors, asked.count());
         });
 }
 
-void ReviewSession::tellAll(const ScenarioErrors& errors, std::size_t asked) {
+void ReviewSession::reportAll(const ScenarioErrors& errors, std::size_t asked) {
     for (const auto& [scenario, error] : errors) Q_EMIT scenarioFailed(scenario, error);
     if (!errors.empty()) tell(sumUp(errors, asked));
 }

@@ -91,7 +91,7 @@ Q_SIGNALS:
     void scenarioFailed(std::string scenario, noonmark::Error error);
 
 private:
-    void tellAll(const ScenarioErrors& errors, std::size_t asked);
+    void reportAll(const ScenarioErrors& errors, std::size_t asked);
     void follow();
     [[nodiscard]] bool isKnownAsQuick() const;
     void dropLive();

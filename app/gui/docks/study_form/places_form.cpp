@@ -17,7 +17,6 @@
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/study/region_words.h"
 #include "core/receivers/place_names.h"
-#include "core/study/by_place/place_parts.h"
 
 namespace noonmark {
 

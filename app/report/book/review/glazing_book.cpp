@@ -131,10 +131,8 @@ TextBlocks methodOf(const GlazingBookSource& source) {
     sources.warnings = study.warnings;
     sources.provenance = source.labels.provenance;
     sources.heights = source.heights;
-    auto sections = sourceSections(sources);
-    sections.pop_back();  // cost and skipped work belong to a field
-    sections.push_back(repeatBlocks(makeRepeatCommand(study, source.labels, 60), false));
-    for (const TextBlocks& section : sections) blocks.insert(blocks.end(), section.begin(), section.end());
+    const TextBlocks repeat = repeatBlocks(makeRepeatCommand(study, source.labels, 60), false);
+    for (const TextBlock& block : sourceBlocks(sources, repeat)) blocks.push_back(block);
     return blocks;
 }
 

@@ -85,45 +85,33 @@ std::map<std::string, std::shared_ptr<const GlazingAnswer>> GlazingSession::late
 }
 
 void GlazingSession::runAll() {
-    const auto known = latest();
-    std::vector<GlazingQuestion> questions;
-    std::vector<std::string> names;
-    ScenarioErrors refused;
-    for (const std::string& name : review_.comparedScenarios()) {
-        if (known.contains(name)) continue;
-        auto question = questionOf(review_.comparedCities(name));
-        if (!question) {
-            refused.emplace_back(name, question.error());
-            continue;
-        }
-        questions.push_back(*std::move(question));
-        names.push_back(name);
-    }
-    if (questions.empty() && !refused.empty()) return tellAll(refused, refused.size());
-    const std::size_t asked = names.size() + refused.size();
+    std::vector<std::string> lacking = review_.comparedScenarios();
+    std::erase_if(lacking, [known = latest()](const std::string& name) { return known.contains(name); });
+    auto asked = askAbout<GlazingQuestion>(
+        lacking, [this](const std::string& name) { return questionOf(review_.comparedCities(name)); });
+    if (asked.questions.empty() && !asked.refused.empty()) return reportAll(asked.refused, asked.count());
     using Made = std::vector<Result<GlazingAnswer>>;
     runningAll_.start<Made>(
         tr("All reviews"),
-        [questions = std::move(questions)](Progress& progress, const std::stop_token& stop) -> Result<Made> {
+        [asked](Progress& progress, const std::stop_token& stop) -> Result<Made> {
             return computeEach<GlazingAnswer>(
-                questions,
+                asked.questions,
                 [](const GlazingQuestion& one, Progress& share, const std::stop_token& stopped) {
                     return computeGlazingReview(one, share, stopped);
                 },
                 progress, stop);
         },
-        [this, names, refused, asked](Result<Made> answers) {
+        [this, asked](Result<Made> answers) {
             if (!answers) return tell(answers.error());
-            ScenarioErrors errors =
-                adoptEach(*std::move(answers), names,
+            const ScenarioErrors errors =
+                adoptEach(*std::move(answers), asked,
                           [this](GlazingAnswer answer, std::size_t) { cached_.add(std::move(answer)); });
-            errors.insert(errors.begin(), refused.begin(), refused.end());
             Q_EMIT answered();
-            tellAll(errors, asked);
+            reportAll(errors, asked.count());
         });
 }
 
-void GlazingSession::tellAll(const ScenarioErrors& errors, std::size_t asked) {
+void GlazingSession::reportAll(const ScenarioErrors& errors, std::size_t asked) {
     for (const auto& [scenario, error] : errors) Q_EMIT scenarioFailed(scenario, error);
     if (!errors.empty()) tell(sumUp(errors, asked));
 }

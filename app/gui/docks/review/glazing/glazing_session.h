@@ -50,7 +50,7 @@ Q_SIGNALS:
     void scenarioFailed(std::string scenario, noonmark::Error error);
 
 private:
-    void tellAll(const ScenarioErrors& errors, std::size_t asked);
+    void reportAll(const ScenarioErrors& errors, std::size_t asked);
     void tell(const Error& error);
     [[nodiscard]] Result<GlazingQuestion> questionOf(const Result<ReviewedCities>& cities);
 

@@ -1,0 +1,77 @@
+#include "core/study/by_place/place_warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/city/map_context.h"
+#include "core/city/terrain/post_grid.h"
+#include "core/measures/place_cells.h"
+#include "core/receivers/place_names.h"
+
+namespace noonmark {
+
+namespace {
+
+bool isBuiltOver(std::span<const City* const> cities, const Place& place) {
+    constexpr double nothingM2 = 0.01;
+    const auto built = findBuiltGround(cities, std::span(&place, 1));
+    double openM2 = 0;
+    for (const Footprint& polygon : findOpenGround(place, built.front())) openM2 += area(polygon);
+    return openM2 < nothingM2;
+}
+
+// They stay in the tables, without figures.
+void listPlacesWithoutCells(std::span<const City* const> cities, std::vector<SunByPlace>& all) {
+    SunByPlace& baseline = all.front();
+    for (std::size_t i = 0; i < baseline.places.size(); ++i) {
+        if (baseline.sun[i].cells > 0) continue;
+        const Place& place = baseline.places[i];
+        const auto why = isBuiltOver(cities, place) ? NoSunFigures::builtOver : NoSunFigures::betweenCells;
+        for (SunByPlace& made : all) made.sun[i].why = why;
+        baseline.warnings.push_back(
+            {WarningKind::leftOut, fmt::format("a place without figures: {}", describe(why)), place.name});
+    }
+}
+
+void listPlacesBeyondTerrain(SunByPlace& made) {
+    const auto& terrain = made.city.terrain;
+    if (!terrain) return;
+    for (const Place& place : made.places) {
+        const Box2 box = bounds(place);
+        if (beyondM(terrain->grid, glm::dvec2(box.low + box.high) / 2.0) > 0)
+            made.warnings.push_back({WarningKind::assumed,
+                                     "a place beyond the terrain: the nearest elevation is taken",
+                                     place.name});
+    }
+}
+
+// They are measured all the same: a lake may be the place that matters.
+Result<void> listPlacesOnWater(SunByPlace& made, const CellGroup& all, const std::stop_token& stop) {
+    const auto& map = made.city.context;
+    if (!map || std::ranges::none_of(map->areas,
+                                     [](const ContextArea& area) { return area.kind == ContextKind::water; }))
+        return {};
+    const auto dry = placeReceiversInPart(made.city, made.settings.study.region, all.on.receivers.grid, stop);
+    if (!dry) return tl::make_unexpected(dry.error());
+    for (std::size_t i = 0; i < all.cells.size(); ++i) {
+        const auto wet = std::ranges::count_if(
+            all.cells[i], [&](const CountedCell& one) { return dry->kind[one.cell] == CellKind::water; });
+        if (2 * std::size_t(wet) > all.cells[i].size())
+            made.warnings.push_back({WarningKind::assumed,
+                                     "a place that lies mostly on water: measured at its surface",
+                                     made.places[i].name});
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> warnOfPlaces(std::span<const City* const> cities, std::vector<SunByPlace>& made,
+                          const CellGroup& all, const std::stop_token& stop) {
+    listPlacesWithoutCells(cities, made);
+    listPlacesBeyondTerrain(made.front());
+    return listPlacesOnWater(made.front(), all, stop);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,141 @@
+#include "core/study/by_place/sum_places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace noonmark {
+
+namespace {
+
+double hoursAt(const ShadowField& field, std::uint32_t cell) {
+    return std::max(0.0, field.sunlitMinutesPerDay - double(field.grossMin[cell])) / 60;
+}
+
+/// Shares of the area of a place, from hours a day at its cells.
+struct AreaSums {
+    double cells = 0, hours = 0, enough = 0;
+};
+
+template <class Hours>
+AreaSums sumUp(const std::vector<CountedCell>& cells, double enoughHours, Hours&& hours) {
+    AreaSums sums;
+    for (const CountedCell& one : cells) {
+        const double at = hours(one.cell);
+        sums.cells += one.share;
+        sums.hours += one.share * at;
+        if (at >= enoughHours) sums.enough += one.share;
+    }
+    return sums;
+}
+
+// Of each month of the period, in order (monthsOf() in step_sets.h), with those on which the sun does not
+// rise.
+std::vector<double> countDays(const SunSteps& sun) {
+    std::vector<double> days;
+    std::chrono::year_month last{};
+    for (const SunDay& day : sun.days) {
+        const std::chrono::year_month month{day.date.year(), day.date.month()};
+        if (month != std::exchange(last, month)) days.push_back(0);
+        ++days.back();
+    }
+    return days;
+}
+
+SunOfPlace summarize(const ShadowField& field, const std::vector<CountedCell>& cells, double enoughHours) {
+    SunOfPlace sun;
+    if (cells.empty()) return sun;
+    const auto hours = [&](std::uint32_t cell) { return hoursAt(field, cell); };
+    const AreaSums sums = sumUp(cells, enoughHours, hours);
+    sun.cellM = field.grid.cellM;
+    sun.areaM2 = sums.cells * field.grid.cellAreaM2();
+    sun.meanHours = sums.hours / sums.cells;
+    sun.enoughShare = sums.enough / sums.cells;
+    for (const CountedCell& one : cells)
+        sun.ofCells.push_back({float(hours(one.cell)), float(one.share), one.isInside});
+    const bool anyInside = std::ranges::any_of(cells, &CountedCell::isInside);
+    for (const CountedCell& one : cells) {
+        if (anyInside && !one.isInside) continue;
+        ++sun.cells;
+        sun.minHours = std::fmin(sun.minHours, hours(one.cell));
+        sun.maxHours = std::fmax(sun.maxHours, hours(one.cell));
+    }
+    return sun;
+}
+
+std::vector<double> averageMonths(const ShadowBreakdown& sums, const std::vector<double>& days,
+                                  const std::vector<CountedCell>& cells) {
+    std::vector<double> means;
+    for (std::size_t month = 0; month < days.size(); ++month) {
+        const AreaSums all = sumUp(cells, 0, [&](std::uint32_t cell) {
+            return (sums.sunlitMinutes[month] - double(sums.minutes[month][cell])) / 60 / days[month];
+        });
+        means.push_back(all.hours / all.cells);
+    }
+    return means;
+}
+
+// Index in the year of a month's three months, December to February first.
+std::size_t quarterOf(const std::string& month) {
+    const int number = std::stoi(month.substr(month.size() - 2));
+    return std::size_t(number % 12) / 3;
+}
+
+// Means of the months, each by its days.
+std::vector<double> averageSeasons(const std::vector<std::string>& months, const std::vector<double>& days,
+                                   const std::vector<double>& hours) {
+    std::array<double, 4> sums{}, counts{};
+    for (std::size_t month = 0; month < months.size(); ++month) {
+        sums[quarterOf(months[month])] += hours[month] * days[month];
+        counts[quarterOf(months[month])] += days[month];
+    }
+    std::vector<double> means;
+    for (std::size_t quarter = 0; quarter < sums.size(); ++quarter)
+        if (counts[quarter] > 0) means.push_back(sums[quarter] / counts[quarter]);
+    return means;
+}
+
+}  // namespace
+
+std::vector<SunSeason> listSeasons(const std::vector<std::string>& months, double latDeg) {
+    constexpr double tropicDeg = 23.44;
+    constexpr std::array keys{"dec_feb", "mar_may", "jun_aug", "sep_nov"};
+    constexpr std::array labels{"Dec to Feb", "Mar to May", "Jun to Aug", "Sep to Nov"};
+    constexpr std::array names{"winter", "spring", "summer", "autumn"};
+    std::vector<SunSeason> seasons;
+    for (std::size_t quarter = 0; quarter < keys.size(); ++quarter) {
+        const auto isIn = [&](const std::string& month) { return quarterOf(month) == quarter; };
+        if (std::ranges::none_of(months, isIn)) continue;
+        const std::string season = names[(quarter + (latDeg < 0 ? 2 : 0)) % names.size()];
+        const bool isTropical = std::abs(latDeg) < tropicDeg;
+        seasons.push_back(
+            {keys[quarter], isTropical ? labels[quarter] : fmt::format("{} ({})", labels[quarter], season)});
+    }
+    return seasons;
+}
+
+void takeMonths(SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums,
+                const ShadowField& field) {
+    const std::vector<double> days = countDays(made.daylight);
+    for (std::size_t i = 0; i < group.places.size(); ++i) {
+        SunOfPlace& sun = made.sun[group.places[i]];
+        sun = summarize(field, group.cells[i], made.settings.enoughHours);
+        sun.monthHours = averageMonths(sums, days, group.cells[i]);
+        sun.seasonHours = averageSeasons(made.months, days, sun.monthHours);
+    }
+}
+
+void takeDate(SunByPlace& made, const CellGroup& group, const ShadowField& field) {
+    for (std::size_t i = 0; i < group.places.size(); ++i) {
+        const AreaSums sums = sumUp(group.cells[i], made.settings.enoughHours,
+                                    [&](std::uint32_t cell) { return hoursAt(field, cell); });
+        SunOfPlace& sun = made.sun[group.places[i]];
+        sun.dateHours.push_back(sums.hours / sums.cells);
+        sun.belowShare.push_back(1 - sums.enough / sums.cells);
+    }
+}
+
+}  // namespace noonmark

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/study/by_place/cell_groups.h"
+
+namespace noonmark {
+
+/// The seasons that the months belong to ("2026-01"), December to February first. Named winter to autumn as
+/// they are at the latitude; within the tropics without a name.
+std::vector<SunSeason> listSeasons(const std::vector<std::string>& months, double latDeg);
+
+/// States the figures of the period, its months and seasons of the places of a group. `sums`: by month, of
+/// which `field` is the mean day. Places without a cell have NaN.
+void takeMonths(SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums,
+                const ShadowField& field);
+
+/// Adds the figures of the next date. Places without a cell have NaN.
+void takeDate(SunByPlace& made, const CellGroup& group, const ShadowField& field);
+
+}  // namespace noonmark
