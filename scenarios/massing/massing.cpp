@@ -47,7 +47,7 @@ Result<Heights> heightsOf(const MassingSettings& settings) {
     if ((settings.storeys > 0) == (settings.heightM != 0))
         return failure("The height is given twice or not at all", "massing",
                        "Give either storeys or a total height");
-    Heights heights{0, settings.storeys > 0 ? settings.storeys * settings.storeyHeightM : settings.heightM};
+    Heights heights{0, heightOf(settings)};
     if (!(heights.topM >= settings.storeyHeightM && heights.topM <= tallestBuildingM))
         return outOfRange("A height in m", heights.topM, "Give at least one storey, and at most 2000 m");
     if (!settings.podium) return heights;
@@ -174,6 +174,18 @@ Result<Part> makePart(const Tier& tier, const Footprint& piece, const std::strin
 }
 
 }  // namespace
+
+double heightOf(const MassingSettings& settings) {
+    return settings.storeys > 0 ? settings.storeys * settings.storeyHeightM : settings.heightM;
+}
+
+MassingSettings withHeight(MassingSettings settings, double heightM) {
+    const double storeys = heightM / settings.storeyHeightM;
+    const bool whole = std::abs(storeys - std::round(storeys)) < 1e-6;
+    settings.storeys = whole ? int(std::round(storeys)) : 0;
+    settings.heightM = whole ? 0 : heightM;
+    return settings;
+}
 
 Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM) {
     Massing massing{.tiers = std::move(tiers), .storeyHeightM = storeyHeightM};

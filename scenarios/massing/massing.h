@@ -1,6 +1,7 @@
 #pragma once
 
 // The folder scenarios/massing/ builds towers on lots. massing.h makes one from a user's settings;
+// fit_floor_area.h finds settings for a floor area, nearest_fit.h those nearest to impossible ones;
 // floor_plate.h computes its plates with straight_skeleton.h (backend CGAL), leaning_walls.h the walls of
 // tapered and twisted volumes, floor_uses.h the floor area of each use; same_floor_area.h reshapes a building
 // at constant gross floor area; lot_edits.h turns massings into edits of a city, and tower_design.h finds the
@@ -67,6 +68,12 @@ struct MassingSettings {
     std::vector<FloorUse> uses{};  ///< from bottom to top; empty: not stated
     bool operator==(const MassingSettings&) const = default;
 };
+
+/// The tower's height, metres: as stated, or storeys x storey height.
+double heightOf(const MassingSettings& settings);
+
+/// The same settings with another height. A whole number of storeys is stated as such.
+MassingSettings withHeight(MassingSettings settings, double heightM);
 
 /// One volume of a massing. Its plate has several pieces where insets split it.
 struct Tier {

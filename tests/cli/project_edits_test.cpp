@@ -211,6 +211,10 @@ TEST_F(ProjectEdits, ATowerHasEverySettingOfAMassing) {
     EXPECT_THAT(refused("extrude", {"--scenario", "A", "--lot", "Plot", "--id", "j", "--storeys", "10",
                                     "--setback", "20:15"}),
                 HasSubstr("Give less than 15.0 m"));
+    // The lot has 1,200 m2: ten storeys of it within 12,500 m2, and 600 m2 on each of twenty.
+    EXPECT_THAT(built("k", {"--floor-area", "12500"}), HasSubstr("gross floor area 12,000 m2"));
+    EXPECT_THAT(built("l", {"--floor-area-ratio", "10", "--storeys", "20", "--fit", "plate"}),
+                HasSubstr("coverage 50 %"));
 }
 
 TEST_F(ProjectEdits, ACourtyardStaysOpen) {

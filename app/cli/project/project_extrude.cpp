@@ -10,6 +10,7 @@
 #include "app/cli/project/massing_line.h"
 #include "app/cli/project/project_commands.h"
 #include "scenarios/edits/building_ids.h"
+#include "scenarios/massing/fit_floor_area.h"
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/massing/massing_fields.h"
 #include "scenarios/massing/tower_design.h"
@@ -26,6 +27,7 @@ struct ExtrudeOptions : EditOptions {
     MassingSettings massing;
     Podium podium;
     std::set<std::string, std::less<>> given;  // flags of the podium
+    FloorAreaTarget target;
 };
 
 MassingSettings settingsFrom(const ExtrudeOptions& options) {
@@ -74,6 +76,13 @@ Result<Site> siteOf(const ExtrudeOptions& options, const Project& project, const
     return Site{groundOf(old), {Demolish{old.sourceId}}, {}};
 }
 
+Result<MassingSettings> settingsOn(const Footprint& lot, const ExtrudeOptions& options) {
+    const MassingSettings settings = settingsFrom(options);
+    const auto wantedM2 = options.target.areaOn(lot);
+    if (!wantedM2) return settings;
+    return fitFloorArea(lot, settings, *wantedM2, options.target.by);
+}
+
 Result<std::string> extrude(const ExtrudeOptions& options, Project& project) {
     if (const auto known = scenarioToChange(project, options.scenario); !known)
         return tl::make_unexpected(known.error());
@@ -81,14 +90,15 @@ Result<std::string> extrude(const ExtrudeOptions& options, Project& project) {
     if (!city) return tl::make_unexpected(city.error());
     auto site = siteOf(options, project, city->city);
     if (!site) return tl::make_unexpected(site.error());
-    const MassingSettings settings = settingsFrom(options);
-    const auto massing = makeMassing(site->lot, settings);
+    const auto settings = settingsOn(site->lot, options);
+    if (!settings) return tl::make_unexpected(settings.error());
+    const auto massing = makeMassing(site->lot, *settings);
     if (!massing) return tl::make_unexpected(massing.error());
     const auto building = buildingOf(*massing, options.id);
     if (!building) return tl::make_unexpected(building.error());
     site->edits.emplace_back(
         AddBuilding{std::make_shared<const Building>(*building),
-                    std::make_shared<const TowerDesign>(TowerDesign{site->name, site->lot, settings})});
+                    std::make_shared<const TowerDesign>(TowerDesign{site->name, site->lot, *settings})});
     return withEdits(project, options.scenario, site->edits).map([&](const std::string& words) {
         return fmt::format("{}{}: {}\n{}{}", words, options.id, lineOf(massing->figures),
                            linesOf(massing->figures.uses), site->note);
@@ -113,6 +123,7 @@ void addProjectExtrude(CLI::App& project, Run& run) {
     addFieldOptions(*command, massingFields().of(options->massing));
     addFieldOptions(*command, podiumFields().of(options->podium), {.given = &options->given});
     addFieldOptions(*command, massingListFields().of(options->massing));
+    addFieldOptions(*command, floorAreaFields().of(options->target));
 }
 
 }  // namespace noonmark::cli

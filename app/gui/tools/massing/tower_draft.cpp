@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/massing/tower_design.h"
@@ -43,18 +42,6 @@ Result<DraftedTower> draftTower(const City& city, const TowerDraft& draft) {
     else
         edits.emplace_back(Replace{draft.replaces, std::move(shape), design});
     return DraftedTower{*std::move(massing), std::move(edits)};
-}
-
-double heightOf(const MassingSettings& settings) {
-    return settings.storeys > 0 ? settings.storeys * settings.storeyHeightM : settings.heightM;
-}
-
-MassingSettings withHeight(MassingSettings settings, double heightM) {
-    const double storeys = heightM / settings.storeyHeightM;
-    const bool whole = std::abs(storeys - std::round(storeys)) < 1e-6;
-    settings.storeys = whole ? int(std::round(storeys)) : 0;
-    settings.heightM = whole ? 0 : heightM;
-    return settings;
 }
 
 std::string freeTowerName(const City& city) {

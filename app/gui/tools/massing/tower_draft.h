@@ -27,12 +27,6 @@ struct DraftedTower {
 };
 Result<DraftedTower> draftTower(const City& city, const TowerDraft& draft);
 
-/// The tower's height, metres: as stated, or storeys x storey height.
-double heightOf(const MassingSettings& settings);
-
-/// The same settings with another height. A whole number of storeys is stated as such.
-MassingSettings withHeight(MassingSettings settings, double heightM);
-
 /// "Tower 1", or with the first number that is not a building's id.
 std::string freeTowerName(const City& city);
 /// "Lot 1", or with the first number that is not used.
