@@ -221,7 +221,7 @@ TEST_F(EditToolsTest, ALotIsDrawnAndATowerBuiltOnIt) {
 TEST_F(EditToolsTest, ATowerIsCopiedToAnotherLotWithItsParameters) {
     lots = {{"South", test::square({-25, -65}, 40)}, {"East", test::square({120, -65}, 25)}};
     tools.setLots(lots);
-    tools.tower().begin(lots[0], {}, 20);
+    tools.tower().begin(lots[0], {}, {.storeys = 20});
     tools.tower().build();
     ASSERT_EQ(tools.building().id(), "Tower 1");
     field<QComboBox>(tools.massingDock(), "lot").setCurrentIndex(1);
@@ -269,7 +269,7 @@ TEST_F(EditToolsTest, UsesAreListedWithTheirAreas) {
 TEST_F(EditToolsTest, ATowerOfAnEarlierSessionIsDesignedFurtherAndCopied) {
     lots = {{"South", test::square({-25, -65}, 40)}, {"East", test::square({120, -65}, 25)}};
     tools.setLots(lots);
-    tools.tower().begin(lots[0], {}, 20);
+    tools.tower().begin(lots[0], {}, {.storeys = 20});
     tools.tower().build();
     std::vector<Edit> reopened;
     for (const Edit& edit : all)
@@ -315,7 +315,7 @@ TEST_F(EditToolsTest, ATowerShowsTheSunlightOfItsFacadesUntilItIsSwitchedOff) {
     lots = {{"South", test::square({-25, -65}, 40)}};
     tools.setLots(lots);
     ElementTiles& tiles = view.view().tiles();
-    tools.tower().begin(lots[0], {}, 20);
+    tools.tower().begin(lots[0], {}, {.storeys = 20});
     ASSERT_TRUE(test::waitFor([&] { return !tiles.tiles().empty(); }));
     const EditPreview& preview = tools.context().preview;
     ASSERT_TRUE(
@@ -443,6 +443,61 @@ TEST_F(EditToolsTest, AMassingThatCannotBeSaysItsLimitAndIsNotBuilt) {
     tools.cancel();
     EXPECT_FALSE(tools.context().preview.shown());
     EXPECT_TRUE(made.empty());
+}
+
+// Three quarters of a square of 50 m, turned by 45 degrees: 61 m across, of which 25 degrees are too many.
+TEST_F(EditToolsTest, TheWrongFieldIsMarkedAndTheNearestValueIsOffered) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    auto& panel = *static_cast<MassingPanel*>(tools.massingDock());
+    TowerDraft draft = panel.draft();
+    draft.settings.plate.shareOfLot = 0.75;
+    tools.tower().resume(draft);
+    auto& turn = field<QDoubleSpinBox>(&panel, "towerTurn");
+    const QColor usual = turn.palette().color(QPalette::Base);
+    turn.setValue(45);
+    EXPECT_NE(turn.palette().color(QPalette::Base), usual);
+    EXPECT_FALSE(field<QPushButton>(&panel, "applyMassing").isEnabled());
+    field<QPushButton>(&panel, "takeNearest").click();
+    EXPECT_EQ(turn.palette().color(QPalette::Base), usual);
+    // 43.3 m (cos a + sin a) <= 50 m up to 10 degrees.
+    EXPECT_NEAR(turn.value(), 10, 1);
+    EXPECT_TRUE(panel.message().isEmpty());
+    EXPECT_TRUE(field<QPushButton>(&panel, "applyMassing").isEnabled());
+}
+
+TEST_F(EditToolsTest, AFloorAreaIsReachedByStoreysOrByThePlate) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});  // 2500 m2
+    QWidget* panel = tools.massingDock();
+    field<QDoubleSpinBox>(panel, "targetNumber").setValue(31000);
+    field<QPushButton>(panel, "fitStoreys").click();
+    EXPECT_EQ(tools.tower().draft()->settings.storeys, 12);
+    field<QDoubleSpinBox>(panel, "targetNumber").setValue(15000);
+    field<QPushButton>(panel, "fitPlate").click();
+    EXPECT_NEAR(*tools.tower().draft()->settings.plate.areaM2, 1250, 1.5);
+    field<QDoubleSpinBox>(panel, "targetNumber").setValue(90000);
+    field<QPushButton>(panel, "fitPlate").click();
+    EXPECT_TRUE(static_cast<MassingPanel*>(panel)->message().contains(QStringLiteral("more storeys")));
+    EXPECT_TRUE(field<QPushButton>(panel, "applyMassing").isEnabled()) << "the tower stays as it is";
+}
+
+TEST_F(EditToolsTest, TheNextTowerBeginsWithTheValuesOfTheLastOne) {
+    lots = {{"South", test::square({-25, -65}, 40)}, {"East", test::square({120, -65}, 25)}};
+    tools.setLots(lots);
+    tools.tower().begin(lots[0], {}, {.storeys = 20, .plate = {.areaM2 = 900}});
+    tools.tower().build();
+    field<QComboBox>(tools.massingDock(), "lot").setCurrentIndex(1);
+    QString hint;
+    QObject::connect(&tools, &EditTools::hinted, [&hint](const QString& text) { hint = text; });
+    field<QPushButton>(tools.massingDock(), "designTower").click();
+    EXPECT_EQ(tools.tower().draft()->settings.storeys, 20);
+    EXPECT_TRUE(hint.contains(QStringLiteral("smaller"))) << hint.toStdString();  // 625 m2
+    EXPECT_FALSE(field<QPushButton>(tools.massingDock(), "editTower").isEnabled());
+    tools.cancel();
+    field<QComboBox>(tools.massingDock(), "lot").setCurrentIndex(0);
+    field<QPushButton>(tools.massingDock(), "editTower").click();
+    ASSERT_TRUE(tools.tower().active());
+    EXPECT_EQ(tools.tower().draft()->replaces, "Tower 1");
+    EXPECT_EQ(tools.tower().draft()->settings.plate.areaM2, 900);
 }
 
 TEST_F(EditToolsTest, TheArrowStatesTheHeight) {

@@ -56,7 +56,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QDockWidget* weights = dockOf(QObject::tr("Weights"), "weightsDock", scrolled(docks.weights, sideWidth));
     QDockWidget* building =
         dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));
-    QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, studyWidth));
+    QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", docks.tower);
     QDockWidget* review = dockOf(QObject::tr("Review"), "reviewDock", docks.review);
     QDockWidget* point = dockOf(QObject::tr("Point"), "pointDock", docks.point);
     QDockWidget* elements = dockOf(QObject::tr("Facades and points"), "elementsDock", docks.elements);

@@ -141,10 +141,8 @@ void EditTools::connectTools() {
     connect(selection_, &SelectionPanel::lotRequested, this, &EditTools::lotFromFootprint);
     connect(selection_, &SelectionPanel::importRequested, this, &EditTools::importMesh);
     connect(massing_, &MassingPanel::drawRequested, this, &EditTools::drawLot);
-    connect(massing_, &MassingPanel::designRequested, this, [this](const NamedLot& lot) {
-        tower_.begin(lot, {});
-        tellOfDesign();
-    });
+    connect(massing_, &MassingPanel::designRequested, this, &EditTools::designOn);
+    connect(massing_, &MassingPanel::editTowerRequested, this, &EditTools::editTower);
     connect(massing_, &MassingPanel::copyRequested, this, &EditTools::copyTower);
     connect(&context_.preview, &EditPreview::told, this, &EditTools::hinted);
     connect(&context_.preview, &EditPreview::effectChanged, this, &EditTools::showEffect);
@@ -284,6 +282,7 @@ void EditTools::showLots() {
 void EditTools::enableActions() {
     for (QAction* one : ofBuilding_) one->setEnabled(building_.selected().has_value());
     demolish_->setEnabled(!building_.all().empty());
+    selection_->setDesigned(selectedDesign().has_value());
     if (!building_.all().empty()) Q_EMIT selectionMade();
 }
 
@@ -417,22 +416,42 @@ void EditTools::takeLot(const std::vector<Footprint>& pieces) {
             {"The sides of the lot cross each other", {}, "Draw the corners in order around the lot"});
     const NamedLot lot{freeLotName(context_.lots), pieces.front()};
     Q_EMIT lotDrawn(lot);
-    tower_.begin(lot, {});
+    designOn(lot);
+}
+
+void EditTools::designOn(const NamedLot& lot) {
+    const CopiedMassing start = tower_.lastValuesOn(lot.outline);
+    tower_.begin(lot, {}, start.settings);
     tellOfDesign();
+    if (const QString changes = describeCopy(start); !changes.isEmpty()) Q_EMIT hinted(changes);
+}
+
+void EditTools::editTower(const NamedLot& lot) {
+    if (!context_.city) return;
+    for (const auto& building : context_.city->city().buildings)
+        if (const auto design = tower_.designOf(*building); design && design->lot.name == lot.name) {
+            tower_.resume(*design);
+            return tellOfDesign();
+        }
 }
 
 void EditTools::lotFromFootprint() {
     if (const auto lot = building_.lot()) Q_EMIT lotDrawn(*lot);
 }
 
+std::optional<TowerDraft> EditTools::selectedDesign() const {
+    if (!context_.city || !building_.selected()) return std::nullopt;
+    return tower_.designOf(*context_.city->city().buildings[*building_.selected()]);
+}
+
 // A tower built here is redesigned; any other building is replaced by a new tower of the same height.
 void EditTools::replace() {
     const auto lot = building_.lot();
     if (!lot) return;
-    if (const auto design = tower_.designOf(*context_.city->city().buildings[*building_.selected()]))
+    if (const auto design = selectedDesign())
         tower_.resume(*design);
     else
-        tower_.begin(*lot, building_.id(), std::clamp(building_.storeys(), 1, 500));
+        tower_.begin(*lot, building_.id(), {.storeys = std::clamp(building_.storeys(), 1, 500)});
     tellOfDesign();
 }
 

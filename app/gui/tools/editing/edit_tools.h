@@ -71,6 +71,8 @@ public:
     /// Reads a mesh as a building of the scenario and places it on the lot at this point of the ground, or
     /// there.
     void placeMesh(const QString& file, std::optional<glm::dvec2> ground);
+    /// Begins a tower on the lot with the values of the last one.
+    void designOn(const NamedLot& lot);
     void replace();  ///< the selected building with a tower
     /// The edits were refused: shows the unchanged city.
     void takeBack();
@@ -98,6 +100,8 @@ private:
     void connectTools();
     void connectLots();
     void editChosenLot();
+    void editTower(const NamedLot& lot);
+    [[nodiscard]] std::optional<TowerDraft> selectedDesign() const;
     void standBackForLot();
     [[nodiscard]] bool hasTowerOn(const NamedLot& lot) const;
     void click(QPointF pixel);

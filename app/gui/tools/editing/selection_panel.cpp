@@ -113,25 +113,32 @@ SelectionPanel::SelectionPanel(QWidget* parent)
 
 QWidget* SelectionPanel::makeButtons() {
     auto* demolish = pushButton(tr("Demolish"), "demolish", tr("Removes the building (Delete)"));
-    auto* replace = pushButton(tr("Replace by tower"), "replace",
-                               tr("Replaces it by a tower on its lot or, if it has none, on its footprint"));
+    replace_ = pushButton({}, "replace", {});
+    setDesigned(false);
     auto* lot = pushButton(tr("Lot from footprint"), "lotFromFootprint",
                            tr("Creates a lot from its outline on the ground"));
     moveTool_ =
         pushButton(tr("Move"), "moveTool", tr("Drag the building over the ground; Esc ends the tool"));
     moveTool_->setCheckable(true);
     connect(demolish, &QPushButton::clicked, this, &SelectionPanel::demolishRequested);
-    connect(replace, &QPushButton::clicked, this, &SelectionPanel::replaceRequested);
+    connect(replace_, &QPushButton::clicked, this, &SelectionPanel::replaceRequested);
     connect(lot, &QPushButton::clicked, this, &SelectionPanel::lotRequested);
     connect(moveTool_, &QPushButton::toggled, this, &SelectionPanel::moveToolRequested);
     auto* buttons = new QWidget;
     auto* grid = new QGridLayout(buttons);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->addWidget(demolish, 0, 0);
-    grid->addWidget(replace, 0, 1);
+    grid->addWidget(replace_, 0, 1);
     grid->addWidget(moveTool_, 1, 0);
     grid->addWidget(lot, 1, 1);
     return buttons;
+}
+
+void SelectionPanel::setDesigned(bool designed) {
+    replace_->setText(designed ? tr("Edit tower") : tr("Replace by tower"));
+    replace_->setToolTip(designed
+                             ? tr("Designs the tower further, with the values it was built with")
+                             : tr("Replaces it by a tower on its lot or, if it has none, on its footprint"));
 }
 
 QWidget* SelectionPanel::makeFields() {

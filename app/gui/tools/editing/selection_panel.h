@@ -27,6 +27,8 @@ public:
     void showHeight(double heightM);
     void showMove(glm::dvec2 byM);  ///< likewise
     void setMoving(bool moving);    ///< the move tool is active
+    /// The building is a tower whose design is known: it is edited instead of replaced.
+    void setDesigned(bool designed);
     /// What the edit being previewed changes, in lines; empty: not known, or no edit.
     void showEffect(const QString& words);
     void showError(const QString& text);  ///< empty: none
@@ -67,6 +69,7 @@ private:
     QDoubleSpinBox* east_;
     QDoubleSpinBox* north_;
     QDoubleSpinBox* turn_;
+    QPushButton* replace_;
     QPushButton* moveTool_;
     QLabel* effect_;
     QLabel* error_;

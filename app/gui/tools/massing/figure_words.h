@@ -3,6 +3,7 @@
 #include <QString>
 
 #include "scenarios/massing/copy_massing.h"
+#include "scenarios/massing/nearest_fit.h"
 
 namespace noonmark {
 
@@ -14,6 +15,9 @@ QString describeAssumedStoreys(int storeys);
 /// Two lines, "35.0 m above ground, 10 storeys / 12,345 m² floor area, FAR 8.21", shown beside the cursor
 /// while a tower is extruded.
 QString describeFigures(const MassingFigures& figures, double groundElevationM);
+
+/// "14°", "8 storeys", "62 %": the number with which the tower fits.
+QString describeNearest(const NearestFit& fit);
 
 /// What a copy of a tower had to change to fit its lot; empty: nothing.
 QString describeCopy(const CopiedMassing& copy);

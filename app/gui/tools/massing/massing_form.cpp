@@ -9,13 +9,13 @@
 #include <algorithm>
 
 #include "app/gui/base/looks/height_reference.h"
+#include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/height_words.h"
 #include "app/gui/base/widgets/length_field.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/translated.h"
 #include "app/gui/tools/massing/plate_field.h"
 #include "app/gui/tools/massing/setback_table.h"
-#include "app/gui/tools/massing/tower_draft.h"
 #include "app/gui/tools/massing/use_table.h"
 #include "app/gui/tools/massing/wall_field.h"
 #include "core/city/plausible_heights.h"
@@ -65,6 +65,7 @@ MassingForm::MassingForm(QWidget* parent)
 void MassingForm::makeFields() {
     storeys_->setObjectName(QStringLiteral("storeys"));
     height_->setObjectName(QStringLiteral("totalHeight"));
+    turn_->setObjectName(QStringLiteral("towerTurn"));
     walls_->setObjectName(QStringLiteral("towerWalls"));
     podiumWalls_->setObjectName(QStringLiteral("podiumWalls"));
     explain(*storeys_, "--storeys");
@@ -159,6 +160,48 @@ void MassingForm::addSetback() {
     settings_.setbacks.push_back({.aboveM = (from + top) / 2, .insetM = 3});
     show(settings_);
     Q_EMIT edited();
+}
+
+QWidget* MassingForm::fieldOf(const NearestFit& fit) const {
+    switch (fit.number) {
+        case MassingNumber::height:
+            return settings_.storeys > 0 ? static_cast<QWidget*>(storeys_) : height_;
+        case MassingNumber::storeyHeight:
+            return storeyHeight_;
+        case MassingNumber::turn:
+            return turn_;
+        case MassingNumber::plate:
+            return plate_->sizeField();
+        case MassingNumber::taper:
+            return walls_->taperBox();
+        case MassingNumber::twist:
+            return walls_->twistBox();
+        case MassingNumber::podiumStoreys:
+            return podiumStoreys_;
+        case MassingNumber::podiumPlate:
+            return podiumPlate_->sizeField();
+        case MassingNumber::podiumTaper:
+            return podiumWalls_->taperBox();
+        case MassingNumber::podiumTwist:
+            return podiumWalls_->twistBox();
+        case MassingNumber::setbackAbove:
+        case MassingNumber::setbackInset:
+        case MassingNumber::setbackTaper:
+        case MassingNumber::setbackTwist:
+            break;
+    }
+    return setbacks_->fieldOf(fit.number, fit.setback);
+}
+
+void MassingForm::markWrong(const NearestFit* fit) {
+    if (wrong_) wrong_->setPalette({});
+    wrong_ = fit == nullptr ? nullptr : fieldOf(*fit);
+    if (!wrong_) return;
+    const NoteColours colours = errorColours(themeInUse());
+    QPalette palette = wrong_->palette();
+    palette.setColor(QPalette::Base, colours.background);
+    palette.setColor(QPalette::Text, colours.text);
+    wrong_->setPalette(palette);
 }
 
 void MassingForm::show(const MassingSettings& settings) {

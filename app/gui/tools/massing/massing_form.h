@@ -1,8 +1,9 @@
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 
-#include "scenarios/massing/massing.h"
+#include "scenarios/massing/nearest_fit.h"
 
 class QDoubleSpinBox;
 class QGroupBox;
@@ -28,6 +29,8 @@ public:
     void show(const MassingSettings& settings);  ///< without a signal
     /// The ground under the tower, metres above the datum: heights are shown from there or from the datum.
     void setGround(double groundElevationM);
+    /// Marks the field of the number that makes the tower impossible; null: none.
+    void markWrong(const NearestFit* fit);
 
 Q_SIGNALS:
     void edited();
@@ -38,6 +41,7 @@ private:
     void takeHeight();
     void takeRest();
     void addSetback();
+    [[nodiscard]] QWidget* fieldOf(const NearestFit& fit) const;
 
     MassingSettings settings_;
     QSpinBox* storeys_;
@@ -53,6 +57,7 @@ private:
     WallField* podiumWalls_;
     SetbackTable* setbacks_;
     UseTable* uses_;
+    QPointer<QWidget> wrong_;  ///< the marked field
     bool showing_ = false;
 };
 

@@ -7,8 +7,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/error_words.h"
@@ -18,6 +20,7 @@
 #include "app/gui/session/study/region_words.h"
 #include "app/gui/tools/massing/figure_words.h"
 #include "app/gui/tools/massing/massing_form.h"
+#include "app/gui/tools/massing/target_row.h"
 
 namespace noonmark {
 
@@ -35,7 +38,15 @@ QString makeUseRows(const std::vector<UseArea>& uses) {
     return rows;
 }
 
-QString makeRows(const MassingFigures& figures, std::size_t demolished, double groundElevationM) {
+// Of a height that is no number of whole storeys.
+QString describeTopStorey(const Massing& massing) {
+    const double topM = massing.figures.heightM - (massing.figures.storeys - 1) * massing.storeyHeightM;
+    if (std::abs(topM - massing.storeyHeightM) < 0.005) return {};
+    return QObject::tr(" (top: %1)").arg(describeLength(topM));
+}
+
+QString makeRows(const Massing& massing, std::size_t demolished, double groundElevationM) {
+    const MassingFigures& figures = massing.figures;
     const auto row = [](const QString& name, const QString& value) {
         return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align='right'><b>%2</b></td></tr>")
             .arg(name, value);
@@ -46,8 +57,7 @@ QString makeRows(const MassingFigures& figures, std::size_t demolished, double g
            row(QObject::tr("Floor area ratio (FAR)"), groupDigits(figures.floorAreaRatio, 2)) +
            row(QObject::tr("Lot coverage"), groupDigits(figures.coverage * 100) + QStringLiteral(" %")) +
            row(QObject::tr("Height"), describeHeight(figures.heightM, groundElevationM)) +
-           row(QObject::tr("Storeys"), QString::number(figures.storeys)) +
-           row(QObject::tr("Lot"), describeArea(figures.lotM2)) +
+           row(QObject::tr("Storeys"), QString::number(figures.storeys) + describeTopStorey(massing)) +
            row(QObject::tr("Buildings demolished"), QString::number(demolished)) + QStringLiteral("</table>");
 }
 
@@ -60,16 +70,29 @@ MassingPanel::MassingPanel(QWidget* parent)
     auto* names = new QFormLayout;
     names->addRow(tr("On"), on_);
     names->addRow(tr("Name"), name_);
+    auto* target = new TargetRow;
+    names->addRow(tr("Target"), target);
     auto* inside = new QVBoxLayout(body_);
     inside->setContentsMargins(0, 0, 0, 0);
     inside->addLayout(names);
     inside->addWidget(form_);
     inside->addWidget(makeLiveChoices());
-    inside->addWidget(makeFigures());
+    auto* scrolled = new QWidget;
+    auto* above = new QVBoxLayout(scrolled);
+    above->setContentsMargins(6, 6, 6, 6);
+    above->addWidget(makeLotRow());
+    above->addWidget(body_);
+    above->addStretch(1);
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(scrolled);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
     auto* column = new QVBoxLayout(this);
-    column->addWidget(makeLotRow());
-    column->addWidget(body_);
-    column->addStretch(1);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(scroll, 1);
+    footer_ = makeFooter();
+    column->addWidget(footer_);
+    connect(target, &TargetRow::fitRequested, this, &MassingPanel::fitRequested);
     connect(form_, &MassingForm::edited, this, &MassingPanel::edited);
     connect(name_, &QLineEdit::textEdited, this, &MassingPanel::edited);
     setLots({});
@@ -82,6 +105,8 @@ QWidget* MassingPanel::makeLotRow() {
     lot_->setToolTip(tr("The project's lots"));
     design_ = pushButton(tr("Design tower"), "designTower",
                          tr("Designs a tower on this lot; building it demolishes the buildings on the lot"));
+    editTower_ = pushButton(tr("Edit tower"), "editTower",
+                            tr("Designs the tower on this lot further, with the values it was built with"));
     copy_ =
         pushButton(tr("Copy tower here"), "copyTower",
                    tr("Sets the tower that is selected or being designed on this lot too, with its storeys, "
@@ -102,8 +127,15 @@ QWidget* MassingPanel::makeLotRow() {
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(lot_);
     column->addLayout(buttons);
-    column->addWidget(design_);
+    auto* towers = new QHBoxLayout;
+    towers->addWidget(design_);
+    towers->addWidget(editTower_);
+    column->addLayout(towers);
     column->addWidget(copy_);
+    connect(lot_, &QComboBox::currentIndexChanged, this, &MassingPanel::enableLotButtons);
+    connect(editTower_, &QPushButton::clicked, this, [this] {
+        if (const auto lot = chosenLot()) Q_EMIT editTowerRequested(*lot);
+    });
     connect(draw, &QPushButton::clicked, this, &MassingPanel::drawRequested);
     connect(edit_, &QPushButton::clicked, this, [this] {
         if (const auto lot = chosenLot()) Q_EMIT editRequested(*lot);
@@ -155,7 +187,8 @@ void MassingPanel::showEffect(const QString& words) {
     effect_->setVisible(!words.isEmpty());
 }
 
-QWidget* MassingPanel::makeFigures() {
+// Figures, error and buttons, which stay in sight while the fields are scrolled.
+QWidget* MassingPanel::makeFooter() {
     figures_ = new QLabel;
     figures_->setTextFormat(Qt::RichText);
     figures_->setObjectName(QStringLiteral("figures"));
@@ -168,23 +201,30 @@ QWidget* MassingPanel::makeFigures() {
     error_->setWordWrap(true);
     error_->setObjectName(QStringLiteral("massingError"));
     showAsError(*error_);
+    nearest_ = pushButton({}, "takeNearest", tr("Takes the nearest value with which the tower can be built"));
+    connect(nearest_, &QPushButton::clicked, this, &MassingPanel::nearestTaken);
+    auto* group = new QFrame;
+    group->setFrameShape(QFrame::StyledPanel);
+    auto* column = new QVBoxLayout(group);
+    for (QWidget* one :
+         std::initializer_list<QWidget*>{figures_, effect_, error_, nearest_, makeAnswerButtons()})
+        column->addWidget(one);
+    return group;
+}
+
+QWidget* MassingPanel::makeAnswerButtons() {
     apply_ = pushButton(tr("Build"), "applyMassing",
                         tr("Adds the tower to the scenario, as one undo step (Enter over the view)"));
     auto* cancel =
         pushButton(tr("Cancel"), "cancelMassing", tr("Leaves the scenario unchanged (Esc over the view)"));
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(apply_);
-    buttons->addWidget(cancel);
-    auto* group = new QWidget;
-    auto* column = new QVBoxLayout(group);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(figures_);
-    column->addWidget(effect_);
-    column->addWidget(error_);
-    column->addLayout(buttons);
+    auto* buttons = new QWidget;
+    auto* row = new QHBoxLayout(buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(apply_);
+    row->addWidget(cancel);
     connect(apply_, &QPushButton::clicked, this, &MassingPanel::applied);
     connect(cancel, &QPushButton::clicked, this, &MassingPanel::cancelled);
-    return group;
+    return buttons;
 }
 
 void MassingPanel::setLots(const std::vector<NamedLot>& lots) {
@@ -195,10 +235,23 @@ void MassingPanel::setLots(const std::vector<NamedLot>& lots) {
     if (lots.empty()) lot_->addItem(tr("No lots yet: draw one"));
     lot_->setCurrentIndex(std::max(0, lot_->findText(chosen)));
     lot_->setEnabled(!lots.empty());
-    for (QPushButton* button : {edit_, design_, copy_}) button->setEnabled(!lots.empty());
+    enableLotButtons();
 }
 
-void MassingPanel::setDesigning(bool designing) { body_->setVisible(designing); }
+void MassingPanel::setDesignedLots(std::set<std::string> names) {
+    designed_ = std::move(names);
+    enableLotButtons();
+}
+
+void MassingPanel::enableLotButtons() {
+    const auto lot = chosenLot();
+    for (QPushButton* button : {edit_, design_, copy_}) button->setEnabled(lot.has_value());
+    editTower_->setEnabled(lot && designed_.contains(lot->name));
+}
+
+void MassingPanel::setDesigning(bool designing) {
+    for (QWidget* one : {body_, footer_}) one->setVisible(designing);
+}
 
 void MassingPanel::showDraft(const TowerDraft& draft) {
     draft_ = draft;
@@ -223,20 +276,28 @@ TowerDraft MassingPanel::draft() const {
     return draft;
 }
 
-void MassingPanel::showFigures(const MassingFigures& figures, std::size_t demolished,
-                               double groundElevationM) {
+void MassingPanel::showFigures(const Massing& massing, std::size_t demolished, double groundElevationM) {
     form_->setGround(groundElevationM);
-    figures_->setText(makeRows(figures, demolished, groundElevationM));
+    form_->markWrong(nullptr);
+    figures_->setText(makeRows(massing, demolished, groundElevationM));
     error_->clear();
-    error_->hide();
+    for (QWidget* one : std::initializer_list<QWidget*>{error_, nearest_}) one->hide();
     apply_->setEnabled(true);
 }
 
 // The last figures stay: they describe the tower still in the view.
-void MassingPanel::showError(const Error& error) {
+void MassingPanel::showError(const Error& error, const NearestFit* nearest) {
     error_->setText(describeError(error));
     error_->show();
+    form_->markWrong(nearest);
+    nearest_->setVisible(nearest != nullptr);
+    if (nearest != nullptr) nearest_->setText(tr("Use %1").arg(describeNearest(*nearest)));
     apply_->setEnabled(false);
+}
+
+void MassingPanel::showNotReached(const Error& error) {
+    error_->setText(describeError(error));
+    error_->show();
 }
 
 QString MassingPanel::message() const { return error_->text(); }

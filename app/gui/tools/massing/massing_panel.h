@@ -2,8 +2,12 @@
 
 #include <QWidget>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "app/gui/tools/massing/tower_draft.h"
+#include "scenarios/massing/fit_floor_area.h"
+#include "scenarios/massing/nearest_fit.h"
 
 class QCheckBox;
 class QComboBox;
@@ -29,20 +33,28 @@ public:
     [[nodiscard]] TowerDraft draft() const;
 
     /// `groundElevationM`: of the ground under the tower, above the datum.
-    void showFigures(const MassingFigures& figures, std::size_t demolished, double groundElevationM);
+    void showFigures(const Massing& massing, std::size_t demolished, double groundElevationM);
     void setFacadesShown(bool shown);  ///< without a signal
     void setChangeShown(bool shown);   ///< likewise
     /// What the tower changes, in lines; empty: not known.
     void showEffect(const QString& words);
-    void showError(const Error& error);
+    /// `nearest`: what would be possible, which a button takes, and whose field is marked; null: not known.
+    void showError(const Error& error, const NearestFit* nearest = nullptr);
+    /// A target that no settings reach; the tower stays as it is.
+    void showNotReached(const Error& error);
+    /// The lots with a tower that can be edited.
+    void setDesignedLots(std::set<std::string> names);
     [[nodiscard]] QString message() const;  ///< the displayed error; empty: none
 
 Q_SIGNALS:
     void drawRequested();
-    void editRequested(noonmark::NamedLot lot);    ///< to change its outline
-    void designRequested(noonmark::NamedLot lot);  ///< a tower on an existing lot
-    void copyRequested(noonmark::NamedLot lot);    ///< the tower selected or designed, on this lot
+    void editRequested(noonmark::NamedLot lot);       ///< to change its outline
+    void designRequested(noonmark::NamedLot lot);     ///< a tower on an existing lot
+    void editTowerRequested(noonmark::NamedLot lot);  ///< the tower designed on this lot
+    void copyRequested(noonmark::NamedLot lot);       ///< the tower selected or designed, on this lot
     void edited();
+    void fitRequested(noonmark::FloorAreaTarget target);
+    void nearestTaken();  ///< the nearest possible settings instead
     void facadesShownChosen(bool shown);
     void changeShownChosen(bool shown);
     void applied();
@@ -51,7 +63,9 @@ Q_SIGNALS:
 private:
     QWidget* makeLotRow();
     QWidget* makeLiveChoices();
-    QWidget* makeFigures();
+    QWidget* makeFooter();
+    QWidget* makeAnswerButtons();
+    void enableLotButtons();
     void setDesigning(bool designing);
 
     std::vector<NamedLot> lots_;
@@ -59,8 +73,11 @@ private:
     QComboBox* lot_;
     QPushButton* edit_;
     QPushButton* design_;
+    QPushButton* editTower_;
     QPushButton* copy_;
+    std::set<std::string> designed_;  ///< lots with a designed tower
     QWidget* body_;
+    QWidget* footer_;
     QLabel* on_;
     QLineEdit* name_;
     MassingForm* form_;
@@ -69,6 +86,7 @@ private:
     QLabel* figures_;
     QLabel* effect_;
     QLabel* error_;
+    QPushButton* nearest_;
     QPushButton* apply_;
 };
 

@@ -17,6 +17,7 @@ public:
 
     [[nodiscard]] PlateSize plate() const;
     void show(const PlateSize& plate);  ///< without a signal
+    [[nodiscard]] QDoubleSpinBox* sizeField() const { return size_; }
 
 Q_SIGNALS:
     void edited();

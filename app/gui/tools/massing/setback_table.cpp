@@ -50,6 +50,21 @@ std::vector<Setback> SetbackTable::setbacks() const {
     return setbacks;
 }
 
+QWidget* SetbackTable::fieldOf(MassingNumber number, std::size_t setback) const {
+    switch (number) {
+        case MassingNumber::setbackAbove:
+            return table().cellWidget(int(setback), aboveColumn);
+        case MassingNumber::setbackInset:
+            return table().cellWidget(int(setback), insetColumn);
+        case MassingNumber::setbackTaper:
+            return table().cellWidget(int(setback), taperColumn);
+        case MassingNumber::setbackTwist:
+            return table().cellWidget(int(setback), twistColumn);
+        default:
+            return nullptr;
+    }
+}
+
 // An unchanged table is not rebuilt, so that the field the user is in stays.
 void SetbackTable::show(const std::vector<Setback>& setbacks) {
     if (setbacks == this->setbacks()) return;

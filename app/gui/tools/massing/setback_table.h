@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/gui/base/widgets/field_table.h"
-#include "scenarios/massing/massing.h"
+#include "scenarios/massing/nearest_fit.h"
 
 namespace noonmark {
 
@@ -18,6 +18,8 @@ public:
     void show(const std::vector<Setback>& setbacks);  ///< without a signal
     /// Heights are shown from this zero (app/gui/base/widgets/height_words.h).
     void setZero(double zeroM);
+    /// The field of a number of this setback, counted from below; null: it has none.
+    [[nodiscard]] QWidget* fieldOf(MassingNumber number, std::size_t setback) const;
 
 private:
     void add(const Setback& setback);

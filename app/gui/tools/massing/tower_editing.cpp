@@ -1,22 +1,26 @@
 #include "app/gui/tools/massing/tower_editing.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "app/gui/base/widgets/height_words.h"
 #include "app/gui/tools/massing/figure_words.h"
 #include "app/gui/tools/massing/massing_panel.h"
+#include "core/city/footprints/plan_lines.h"
 #include "core/city/terrain/building_ground.h"
+#include "scenarios/massing/floor_plate.h"
 
 namespace noonmark {
 
 namespace {
 
-// The handle's position: the middle of the highest floor plate.
+// The handle's position, on the roof of the highest volume whatever its shape.
 glm::dvec2 findMiddle(const Tier& tier) {
-    Building building;
-    for (const Footprint& piece : tier.plate) building.parts.push_back({.footprint = piece});
-    return noonmark::findMiddle(building);
+    const auto size = [](const Footprint& piece) { return area(piece); };
+    const Footprint& largest = *std::ranges::max_element(tier.plate, {}, size);
+    const glm::dvec2 middle = findMiddle(std::vector{largest});
+    return contains(largest, middle) ? middle : findPointInside(largest);
 }
 
 }  // namespace
@@ -24,14 +28,30 @@ glm::dvec2 findMiddle(const Tier& tier) {
 TowerEditing::TowerEditing(EditContext& context, MassingPanel& panel, QObject* parent)
     : QObject(parent), context_(context), panel_(panel) {
     connect(&panel_, &MassingPanel::edited, this, &TowerEditing::take);
+    connect(&panel_, &MassingPanel::fitRequested, this, &TowerEditing::fit);
+    connect(&panel_, &MassingPanel::nearestTaken, this, &TowerEditing::takeNearest);
     connect(&panel_, &MassingPanel::applied, this, &TowerEditing::build);
     connect(&panel_, &MassingPanel::cancelled, this, &TowerEditing::cancel);
 }
 
-void TowerEditing::begin(const NamedLot& lot, const std::string& replaces, int storeys) {
+void TowerEditing::setTowers(std::map<std::string, ProposedTower> towers) {
+    towers_ = std::move(towers);
+    std::set<std::string> lots;
+    for (const auto& [id, tower] : towers_)
+        if (tower.design && !tower.changed) lots.insert(tower.design->lotName);
+    panel_.setDesignedLots(std::move(lots));
+}
+
+CopiedMassing TowerEditing::lastValuesOn(const Footprint& lot) const {
+    const CopiedMassing first{.settings = {.storeys = 10}};
+    if (!built_) return first;
+    return copyMassing(built_->lot.outline, built_->settings, lot).value_or(first);
+}
+
+void TowerEditing::begin(const NamedLot& lot, const std::string& replaces, const MassingSettings& settings) {
     if (!context_.city) return;
     resume({.lot = lot,
-            .settings = {.storeys = storeys},
+            .settings = settings,
             .tower = freeTowerName(context_.city->city()),
             .replaces = replaces});
 }
@@ -55,6 +75,7 @@ std::optional<TowerDraft> TowerEditing::designToCopy(const Building& building) c
 void TowerEditing::resume(TowerDraft draft) {
     if (!context_.city) return;
     draft_ = std::move(draft);
+    possible_.reset();
     Q_EMIT began();
     panel_.showDraft(*draft_);
     show();
@@ -66,11 +87,34 @@ void TowerEditing::take() {
     show();
 }
 
+void TowerEditing::fit(const FloorAreaTarget& target) {
+    if (!draft_) return;
+    const Footprint& lot = draft_->lot.outline;
+    const auto fitted = fitFloorArea(lot, draft_->settings, *target.areaOn(lot), target.by);
+    if (!fitted) return panel_.showNotReached(fitted.error());
+    draft_->settings = *fitted;
+    panel_.showDraft(*draft_);
+    show();
+}
+
+void TowerEditing::takeNearest() {
+    if (!draft_ || !nearest_) return;
+    draft_->settings = nearest_->settings;
+    panel_.showDraft(*draft_);
+    show();
+}
+
+void TowerEditing::showImpossible(const Error& error) {
+    nearest_ = possible_ ? findNearestFit(draft_->lot.outline, *possible_, draft_->settings) : std::nullopt;
+    panel_.showError(error, nearest_ ? &*nearest_ : nullptr);
+}
+
 void TowerEditing::show() {
     if (!draft_) return;
     const auto tower = draftTower(context_.city->city(), *draft_);
     edits_.clear();
-    if (!tower) return panel_.showError(tower.error());
+    if (!tower) return showImpossible(tower.error());
+    possible_ = draft_->settings;
     if (const auto shown = context_.preview.show(tower->edits); !shown)
         return panel_.showError(shown.error());
     edits_ = tower->edits;
@@ -79,7 +123,7 @@ void TowerEditing::show() {
     const glm::dvec2 foot = findMiddle(tower->massing.tiers.back());
     const double ground = double(findGroundUnder(*built, city));
     const double elevation = computeElevation(city, {foot.x, foot.y, ground});
-    panel_.showFigures(tower->massing.figures, context_.preview.changes().removed.size(), elevation);
+    panel_.showFigures(tower->massing, context_.preview.changes().removed.size(), elevation);
     context_.handle.stand({{foot.x, foot.y, ground},
                            tower->massing.figures.heightM,
                            draft_->settings.storeyHeightM,
@@ -98,6 +142,7 @@ void TowerEditing::setHeight(double heightM) {
 void TowerEditing::build() {
     if (!draft_ || edits_.empty()) return;
     const TowerDraft done = *draft_;
+    built_ = done;
     draft_.reset();
     context_.handle.hide();
     panel_.showNone();

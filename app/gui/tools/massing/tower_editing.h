@@ -11,6 +11,9 @@
 
 #include "app/gui/tools/massing/tower_draft.h"
 #include "app/gui/tools/preview/edit_context.h"
+#include "scenarios/massing/copy_massing.h"
+#include "scenarios/massing/fit_floor_area.h"
+#include "scenarios/massing/nearest_fit.h"
 #include "scenarios/massing/tower_design.h"
 
 namespace noonmark {
@@ -26,9 +29,12 @@ public:
                  QObject* parent = nullptr);  ///< both outlive it
 
     /// `replaces`: id of the building that the tower replaces; empty: none.
-    void begin(const NamedLot& lot, const std::string& replaces, int storeys = 10);
+    void begin(const NamedLot& lot, const std::string& replaces,
+               const MassingSettings& settings = {.storeys = 10});
+    /// The values of the last tower that was built, as far as they fit this lot; at first ten storeys.
+    [[nodiscard]] CopiedMassing lastValuesOn(const Footprint& lot) const;
     /// The towers of the shown scenario.
-    void setTowers(std::map<std::string, ProposedTower> towers) { towers_ = std::move(towers); }
+    void setTowers(std::map<std::string, ProposedTower> towers);
     [[nodiscard]] const std::map<std::string, ProposedTower>& towers() const { return towers_; }
     /// The draft that a designed tower was built from; nothing for any other building, nor where it was
     /// changed since.
@@ -51,11 +57,17 @@ Q_SIGNALS:
 
 private:
     void take();
+    void fit(const FloorAreaTarget& target);
+    void takeNearest();
+    void showImpossible(const Error& error);
 
     EditContext& context_;
     MassingPanel& panel_;
     std::optional<TowerDraft> draft_;
-    std::vector<Edit> edits_;  ///< of the draft; empty while it is invalid
+    std::vector<Edit> edits_;                  ///< of the draft; empty while it is invalid
+    std::optional<MassingSettings> possible_;  ///< of the draft, as they could be built last
+    std::optional<NearestFit> nearest_;        ///< to what cannot be built
+    std::optional<TowerDraft> built_;          ///< the last tower
     std::map<std::string, ProposedTower> towers_;
 };
 

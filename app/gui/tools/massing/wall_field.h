@@ -16,6 +16,8 @@ public:
 
     [[nodiscard]] WallShape walls() const;
     void show(const WallShape& walls);  ///< without a signal
+    [[nodiscard]] QDoubleSpinBox* taperBox() const { return taper_; }
+    [[nodiscard]] QDoubleSpinBox* twistBox() const { return twist_; }
 
 Q_SIGNALS:
     void edited();
