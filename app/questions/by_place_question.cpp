@@ -1,5 +1,5 @@
 #include "app/input/all_engines.h"
-#include "app/questions/question.h"
+#include "app/questions/saved_question.h"
 #include "app/report/book/print_book.h"
 #include "app/report/book/sun_by_place_book.h"
 #include "app/report/files/output_folder.h"
@@ -113,6 +113,16 @@ Result<std::shared_ptr<const Answer>> computeByPlace(const Asked& asked, Progres
                                            asked.settings);
 }
 
+SavedForm savedPlaces() {
+    return {savedPlaceNames(),
+            [](const SavedContent& saved, ShownAs) { return makePage(saved.as<SavedSunByPlace>()->sun); },
+            [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
+               const AnswerFiles& how) {
+                return writeSavedPlaces(*saved.result, saved.as<SavedSunByPlace>()->sun, source.city, folder,
+                                        how.rules);
+            }};
+}
+
 }  // namespace
 
 std::vector<std::string> byPlaceFileNames(bool withSheets) {
@@ -122,8 +132,11 @@ std::vector<std::string> byPlaceFileNames(bool withSheets) {
 }
 
 const Question& byPlaceQuestion() {
-    static const Question question{
-        .key = "by-place", .label = NM_TEXT("Sun by place"), .ofRun = false, .compute = computeByPlace};
+    static const Question question{.key = "by-place",
+                                   .label = NM_TEXT("Sun by place"),
+                                   .ofRun = false,
+                                   .compute = computeByPlace,
+                                   .saved = savedPlaces()};
     return question;
 }
 

@@ -1,5 +1,5 @@
 #include "app/input/all_engines.h"
-#include "app/questions/question.h"
+#include "app/questions/saved_question.h"
 #include "app/report/files/answer_files.h"
 #include "app/report/sheets/impact_report.h"
 #include "core/base/stopwatch.h"
@@ -10,6 +10,10 @@
 namespace noonmark {
 
 namespace {
+
+std::vector<CommandOption> drawnOfComparison(const AnswerFiles& how) {
+    return drawnOptions(how.scale, how.legend);
+}
 
 /// How shadow changes from one scenario to another.
 class ComparisonAnswer final : public AnswerOf<ImpactAnswer> {
@@ -44,7 +48,7 @@ public:
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
-        return noonmark::drawnOptions(how.scale, how.legend);
+        return drawnOfComparison(how);
     }
     [[nodiscard]] std::string json() const override { return impactJson(content()); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
@@ -79,11 +83,18 @@ Result<std::shared_ptr<const Answer>> computeComparison(const Asked& asked, Prog
     return std::make_shared<ComparisonAnswer>(std::move(impact), watch.seconds());
 }
 
+AnswerPage pageOfSavedImpact(const SavedImpact& impact, const SavedContent&, ShownAs show) {
+    return makePage(impact.impact, impact.figures, show);
+}
+
 }  // namespace
 
 const Question& comparisonQuestion() {
-    static const Question question{
-        .key = "impact", .label = NM_TEXT("Comparison"), .fields = 2, .compute = computeComparison};
+    static const Question question{.key = "impact",
+                                   .label = NM_TEXT("Comparison"),
+                                   .fields = 2,
+                                   .compute = computeComparison,
+                                   .saved = savedMaps<SavedImpact>(pageOfSavedImpact, drawnOfComparison)};
     return question;
 }
 

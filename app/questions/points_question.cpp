@@ -1,4 +1,4 @@
-#include "app/questions/question.h"
+#include "app/questions/saved_question.h"
 #include "app/report/files/element_files.h"
 #include "core/describe/text.h"
 #include "core/study/elements/element_map.h"
@@ -87,11 +87,27 @@ Result<std::shared_ptr<const Answer>> computePoints(const Asked& asked, Progress
         asked.scenario);
 }
 
+SavedForm savedPoints() {
+    return {savedPointNames(),
+            [](const SavedContent& saved, ShownAs) {
+                const auto& points = *saved.as<SavedElements>();
+                return makePage(points.map, points.figures);
+            },
+            [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
+               const AnswerFiles& how) {
+                return writeSavedPoints(*saved.result, *saved.as<SavedElements>(), source.city, folder,
+                                        how.rules);
+            }};
+}
+
 }  // namespace
 
 const Question& pointsQuestion() {
-    static const Question question{
-        .key = "elements", .label = NM_TEXT("Study"), .ofPoints = true, .compute = computePoints};
+    static const Question question{.key = "elements",
+                                   .label = NM_TEXT("Study"),
+                                   .ofPoints = true,
+                                   .compute = computePoints,
+                                   .saved = savedPoints()};
     return question;
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
 
 #include "app/input/load_city.h"
@@ -31,6 +32,21 @@ struct Asked {
     Provenance provenance{};  ///< what the cities were made from; empty: stated later (Answer::stated)
 };
 
+struct SavedContent;
+struct SavedSource;
+
+/// What is shown and written of a question's results that were saved in a project.
+struct SavedForm {
+    std::vector<std::string> fileNames;
+    /// Of what savedKinds() reads for the question's key (scenarios/project/results/saved_answer.h).
+    std::function<AnswerPage(const SavedContent&, ShownAs)> page;
+    std::function<Result<std::vector<std::filesystem::path>>(
+        const SavedContent&, const SavedSource&, const std::filesystem::path& folder, const AnswerFiles&)>
+        write;
+    /// The options that its command needs to draw the same; none: it draws nothing that can be chosen.
+    std::function<std::vector<CommandOption>(const AnswerFiles&)> drawnOptions{};
+};
+
 /// One thing that can be asked.
 struct Question {
     std::string_view key;    ///< "impact": the kind of a saved result
@@ -42,7 +58,14 @@ struct Question {
     bool ofRun = true;
     std::function<Result<std::shared_ptr<const Answer>>(const Asked&, Progress&, const std::stop_token&)>
         compute;
+    /// None: its saved results come back as the numbers of `figures`.
+    std::optional<SavedForm> saved{};
+    std::span<const Figure> figures{};
 };
+
+/// What can be asked, in one list: it reads saved results back.
+using Questions = std::span<const Question* const>;
+Questions allQuestions();
 
 const Question& studyQuestion();
 const Question& comparisonQuestion();

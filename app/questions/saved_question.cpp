@@ -1,14 +1,10 @@
 #include "app/questions/saved_question.h"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
-#include "app/questions/question.h"
-#include "app/report/files/saved_files.h"
-#include "app/report/sheets/impact_report.h"
 #include "core/describe/text.h"
-#include "core/measures/shadow_figures.h"
-#include "core/study/text/region_text.h"
-#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
 
@@ -19,42 +15,6 @@ std::vector<std::string> listChanges(const SavedContent& saved) {
     all.insert(all.end(), saved.weightChanges.begin(), saved.weightChanges.end());
     return all;
 }
-
-AnswerPage pageOf(const SavedStudy& study, const SavedContent& saved, ShownAs show) {
-    Region region;
-    region.name = saved.answer.origin.region;
-    return withMonths(makePage(study.field, study.statistics, nameOf(region), show),
-                      makeMonthBars(study.months, study.start, study.field.days));
-}
-
-AnswerPage pageOf(const SavedImpact& impact, const SavedContent&, ShownAs show) {
-    return makePage(impact.impact, impact.figures, show);
-}
-
-AnswerPage pageOf(const SavedScore& score, const SavedContent& saved, ShownAs show) {
-    return makePage(score.score, saved.result->scenario, show);
-}
-
-AnswerPage pageOf(const SavedElements& points, const SavedContent&, ShownAs) {
-    return makePage(points.map, points.figures);
-}
-
-AnswerPage pageOf(const SavedSunByPlace& places, const SavedContent&, ShownAs) {
-    return makePage(places.sun);
-}
-
-// The options that draw the same.
-std::vector<CommandOption> drawnOf(const SavedStudy&, const AnswerFiles& how) {
-    return listLegendOptions(how.legend, false);
-}
-std::vector<CommandOption> drawnOf(const SavedImpact&, const AnswerFiles& how) {
-    return drawnOptions(how.scale, how.legend);
-}
-std::vector<CommandOption> drawnOf(const SavedScore&, const AnswerFiles& how) {
-    return listLegendOptions(how.legend, true);
-}
-std::vector<CommandOption> drawnOf(const SavedElements&, const AnswerFiles&) { return {}; }
-std::vector<CommandOption> drawnOf(const SavedSunByPlace&, const AnswerFiles&) { return {}; }
 
 // Its JSON states it, or why there is none (addRepeat() in provenance_json.h).
 Result<std::string> commandOf(const SavedResult& result) {
@@ -72,7 +32,8 @@ Result<std::string> commandOf(const SavedResult& result) {
 /// A result of any kind as it was saved in the project.
 class SavedResultAnswer final : public AnswerOf<SavedContent> {
 public:
-    using AnswerOf::AnswerOf;
+    SavedResultAnswer(std::shared_ptr<const SavedContent> content, const Question& of)
+        : AnswerOf(std::move(content)), of_(of) {}
 
     [[nodiscard]] const Question& question() const override { return savedQuestion(); }
     [[nodiscard]] const StudySettings* settings() const override { return nullptr; }
@@ -91,35 +52,67 @@ public:
         if (changes == content().weightChanges) return nullptr;
         auto now = std::make_shared<SavedContent>(content());
         now->weightChanges = std::move(changes);
-        return std::make_shared<SavedResultAnswer>(std::move(now));
+        return std::make_shared<SavedResultAnswer>(std::move(now), of_);
     }
     [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance) const override {
-        return std::make_shared<SavedResultAnswer>(shared());
+        return std::make_shared<SavedResultAnswer>(shared(), of_);
     }
 
     [[nodiscard]] AnswerPage page(ShownAs show) const override {
-        return std::visit([&](const auto& saved) { return pageOf(saved, content(), show); },
-                          content().answer.answer);
+        return of_.saved ? of_.saved->page(content(), show) : AnswerPage{};
+    }
+    [[nodiscard]] std::vector<FigureLine> figures() const override {
+        const auto* lines = content().as<SavedFigureLines>();
+        return lines ? *lines : SavedFigureLines();
     }
     [[nodiscard]] Result<std::string> command() const override { return commandOf(*content().result); }
 
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
-        return std::visit([&](const auto& saved) { return drawnOf(saved, how); }, content().answer.answer);
+        const bool draws = of_.saved && of_.saved->drawnOptions;
+        return draws ? of_.saved->drawnOptions(how) : std::vector<CommandOption>();
     }
     [[nodiscard]] std::string json() const override { return content().result->settings; }
     [[nodiscard]] SavedResult toSave(const Project&) const override { return *content().result; }
     [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
-        return savedFileNames(*content().result);
+        return of_.saved ? of_.saved->fileNames : savedFigureNames();
     }
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City& city,
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
-        return writeSavedFiles(*content().result, {city, listChanges(content()), how.regions}, how.scale,
-                               folder, how.rules, how.pictureWidth, how.legend);
+        const SavedSource source{city, listChanges(content()), how.regions};
+        if (of_.saved) return of_.saved->write(content(), source, folder, how);
+        return writeSavedFigures(*content().result, content().answer.origin, source, figures(), folder,
+                                 how.book, how.rules);
     }
+
+private:
+    const Question& of_;
 };
 
+// Those that results saved by earlier versions lack, or that only people read, are left out.
+SavedFigureLines readLines(std::span<const Figure> figures, const nlohmann::ordered_json& json) {
+    SavedFigureLines lines;
+    for (const Figure& figure : figures)
+        if (figure.inFiles && json.contains(std::string(figure.key)))
+            lines.push_back({&figure, figures::readFigure(figure, json)});
+    return lines;
+}
+
+SavedKind kindOf(const Question& question) {
+    const auto known = std::ranges::find(savedKinds(), question.key, &SavedKind::kind);
+    if (known != savedKinds().end()) return *known;
+    return {question.key, [&question](const SavedResult&, const nlohmann::ordered_json& json) -> std::any {
+                return readLines(question.figures, json);
+            }};
+}
+
 }  // namespace
+
+Questions allQuestions() {
+    static const std::array all{&studyQuestion(), &comparisonQuestion(), &scoreQuestion(), &pointsQuestion(),
+                                &byPlaceQuestion()};
+    return all;
+}
 
 const Question& savedQuestion() {
     static const Question question{.key = "saved", .label = NM_TEXT("Saved result"), .ofRun = false};
@@ -127,12 +120,17 @@ const Question& savedQuestion() {
 }
 
 Result<std::shared_ptr<const Answer>> readSaved(const std::shared_ptr<const SavedResult>& result,
-                                                const Project& project) {
-    return readSavedAnswer(*result).map([&](SavedAnswer answer) -> std::shared_ptr<const Answer> {
+                                                const Project& project, Questions questions) {
+    std::vector<SavedKind> kinds;
+    const auto of = std::ranges::find(questions, result->kind, &Question::key);
+    if (of != questions.end()) kinds.push_back(kindOf(**of));
+    return readSavedAnswer(*result, kinds).map([&](SavedAnswer answer) -> std::shared_ptr<const Answer> {
         auto changes = findChangesSince(*result, answer.origin, project);
         auto weightChanges = findWeightChangesSince(answer.origin, project);
-        return std::make_shared<SavedResultAnswer>(std::make_shared<const SavedContent>(
-            SavedContent{result, std::move(answer), std::move(changes), std::move(weightChanges)}));
+        return std::make_shared<SavedResultAnswer>(
+            std::make_shared<const SavedContent>(
+                SavedContent{result, std::move(answer), std::move(changes), std::move(weightChanges)}),
+            **of);
     });
 }
 

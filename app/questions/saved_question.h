@@ -1,6 +1,9 @@
 #pragma once
 
-#include "app/questions/answer.h"
+#include <any>
+
+#include "app/questions/question.h"
+#include "app/report/files/saved_files.h"
 #include "scenarios/project/results/saved_answer.h"
 
 namespace noonmark {
@@ -12,13 +15,38 @@ struct SavedContent {
     std::vector<std::string> changes;        ///< of buildings and files since it was saved, a sentence each
     std::vector<std::string> weightChanges;  ///< of a score's weight table
     [[nodiscard]] bool upToDate() const { return changes.empty() && weightChanges.empty(); }
+    /// What was saved, if it is a T: SavedStudy, SavedImpact... ; else null.
+    template <class T>
+    [[nodiscard]] const T* as() const {
+        return std::any_cast<T>(&answer.content);
+    }
 };
+
+/// Figures by key, of questions without a SavedForm.
+using SavedFigureLines = std::vector<FigureLine>;
 
 /// It is read, not computed.
 const Question& savedQuestion();
 
-/// For use in a job. Error: as of readSavedAnswer().
+/// For use in a job. Error: as of readSavedAnswer(), of a kind that is no key of `questions` too.
 Result<std::shared_ptr<const Answer>> readSaved(const std::shared_ptr<const SavedResult>& result,
-                                                const Project& project);
+                                                const Project& project, Questions questions = allQuestions());
+
+/// How results with maps are written: see writeSavedMaps().
+template <class T>
+SavedForm savedMaps(AnswerPage (*page)(const T&, const SavedContent&, ShownAs),
+                    std::vector<CommandOption> (*drawnOptions)(const AnswerFiles&)) {
+    return {savedMapNames(),
+            [page](const SavedContent& saved, ShownAs show) { return page(*saved.as<T>(), saved, show); },
+            [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
+               const AnswerFiles& how) {
+                const auto sheet = [&](const SavedMaps& maps) {
+                    return makeSavedSheet(*saved.result, *saved.as<T>(), maps);
+                };
+                return writeSavedMaps(*saved.result, saved.answer.origin, source, sheet, folder,
+                                      {how.scale, how.legend, how.pictureWidth, how.rules});
+            },
+            drawnOptions};
+}
 
 }  // namespace noonmark

@@ -1,5 +1,5 @@
 #include "app/input/all_engines.h"
-#include "app/questions/question.h"
+#include "app/questions/saved_question.h"
 #include "app/report/files/answer_files.h"
 #include "core/base/progress_share.h"
 #include "core/base/stopwatch.h"
@@ -11,6 +11,10 @@
 namespace noonmark {
 
 namespace {
+
+std::vector<CommandOption> drawnOfScore(const AnswerFiles& how) {
+    return listLegendOptions(how.legend, true);
+}
 
 /// Wanted shade weighed against unwanted shadow in one scenario.
 class WeighedAnswer final : public AnswerOf<ScoreAnswer> {
@@ -44,7 +48,7 @@ public:
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
-        return listLegendOptions(how.legend, true);
+        return drawnOfScore(how);
     }
     [[nodiscard]] std::string json() const override { return scoreJson(content()); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
@@ -79,11 +83,18 @@ Result<std::shared_ptr<const Answer>> computeWeighed(const Asked& asked, Progres
     return std::make_shared<WeighedAnswer>(std::move(answer), watch.seconds());
 }
 
+AnswerPage pageOfSavedScore(const SavedScore& score, const SavedContent& saved, ShownAs show) {
+    return makePage(score.score, saved.result->scenario, show);
+}
+
 }  // namespace
 
 const Question& scoreQuestion() {
-    static const Question question{
-        .key = "score", .label = NM_TEXT("Score"), .ofRun = false, .compute = computeWeighed};
+    static const Question question{.key = "score",
+                                   .label = NM_TEXT("Score"),
+                                   .ofRun = false,
+                                   .compute = computeWeighed,
+                                   .saved = savedMaps<SavedScore>(pageOfSavedScore, drawnOfScore)};
     return question;
 }
 

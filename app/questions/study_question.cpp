@@ -1,5 +1,5 @@
 #include "app/input/all_engines.h"
-#include "app/questions/question.h"
+#include "app/questions/saved_question.h"
 #include "app/report/files/study_files.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
@@ -16,6 +16,10 @@ namespace {
 StudyFileOptions studyOptions(const AnswerFiles& how) {
     return {
         .cellsCsv = how.cells, .rules = how.rules, .pictureWidth = how.pictureWidth, .legend = how.legend};
+}
+
+std::vector<CommandOption> drawnOfStudy(const AnswerFiles& how) {
+    return listLegendOptions(how.legend, false);
 }
 
 /// The shadow over cells of one scenario.
@@ -49,7 +53,7 @@ public:
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
-        return listLegendOptions(how.legend, false);
+        return drawnOfStudy(how);
     }
     [[nodiscard]] std::string json() const override { return studyJson(content()); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
@@ -79,10 +83,20 @@ Result<std::shared_ptr<const Answer>> computeStudy(const Asked& asked, Progress&
     return std::make_shared<StudyAnswer>(std::make_shared<const Study>(*std::move(study)), asked.scenario);
 }
 
+AnswerPage pageOfSavedStudy(const SavedStudy& study, const SavedContent& saved, ShownAs show) {
+    Region region;
+    region.name = saved.answer.origin.region;
+    return withMonths(makePage(study.field, study.statistics, nameOf(region), show),
+                      makeMonthBars(study.months, study.start, study.field.days));
+}
+
 }  // namespace
 
 const Question& studyQuestion() {
-    static const Question question{.key = "study", .label = NM_TEXT("Study"), .compute = computeStudy};
+    static const Question question{.key = "study",
+                                   .label = NM_TEXT("Study"),
+                                   .compute = computeStudy,
+                                   .saved = savedMaps<SavedStudy>(pageOfSavedStudy, drawnOfStudy)};
     return question;
 }
 

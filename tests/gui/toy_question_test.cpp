@@ -1,14 +1,16 @@
 #include <gmock/gmock.h>
 
+#include <QComboBox>
 #include <fstream>
 
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
+#include "app/report/files/read_report.h"
 #include "tests/gui/answers_window.h"
 
-// A question that nobody has written a line for outside this file is asked, shown, exported, saved and marked
-// as outdated by the window.
+// A question that nobody has written a line for outside this file is asked, shown, exported, saved, marked as
+// outdated, listed, shown again and printed by the window.
 namespace noonmark::test {
 namespace {
 
@@ -79,13 +81,16 @@ const Question& toyQuestion() {
                       const std::stop_token&) -> Result<std::shared_ptr<const Answer>> {
             return std::make_shared<ToyAnswer>(std::make_shared<const Toy>(
                 Toy{asked.settings, asked.scenario, double(asked.loaded.read.city.buildings.size())}));
-        }};
+        },
+        .figures = toyFigures().rows()};
     return question;
 }
 
 struct ToyQuestion : AnswersWindow {
     void SetUp() override {
         AnswersWindow::SetUp();
+        static const std::array questions{&toyQuestion()};
+        workbench().setQuestions(questions);
         workbench().ask(toyQuestion());
         ASSERT_TRUE(waitFor([this] { return workbench().answerAs<Toy>() != nullptr; }));
     }
@@ -116,6 +121,42 @@ TEST_F(ToyQuestion, IsSaved) {
     ASSERT_EQ(session().project().results.size(), 1U);
     EXPECT_EQ(session().project().results[0]->kind, "toy");
     EXPECT_THAT(session().project().results[0]->settings, HasSubstr("trees_felled"));
+}
+
+TEST_F(ToyQuestion, IsListedAndShownAgainWithItsFigures) {
+    keep("Felled");
+    auto* dock = window->findChild<ProjectDock*>();
+    EXPECT_TRUE(dock->model().indexOf(ProjectPart::result, "Felled").isValid());
+    showSaved("Felled");
+    const auto lines = workbench().answer()->figures();
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].value, double(session().city()->buildings.size()));
+    const auto& rows = window->findChild<ResultsDock*>()->rows();
+    EXPECT_EQ(rows[0].value, QStringLiteral("Felled"));
+    EXPECT_EQ(rows.back().name, QStringLiteral("Trees felled"));
+    const auto* list = window->findChild<QComboBox*>(QStringLiteral("answers"));
+    ASSERT_NE(list, nullptr);
+    EXPECT_EQ(list->currentText(), QStringLiteral("Saved: Felled"));
+}
+
+TEST_F(ToyQuestion, IsExportedAndPrintedAfterItWasSaved) {
+    keep("Felled");
+    showSaved("Felled");
+    const QString out = folder.filePath(QStringLiteral("out"));
+    workbench().exportShown(out.toStdString(), {});
+    ASSERT_TRUE(waitFor([this] { return !workbench().writing().busy(); }));
+    QFile table(out + QStringLiteral("/figures.csv"));
+    ASSERT_TRUE(table.open(QIODevice::ReadOnly));
+    EXPECT_THAT(table.readAll().toStdString(), HasSubstr("trees_felled"));
+    const auto words = readPrintedWords((out + QStringLiteral("/result.pdf")).toStdString());
+    ASSERT_TRUE(words) << words.error().text();
+    EXPECT_THAT(*words, HasSubstr("Trees felled"));
+}
+
+TEST_F(ToyQuestion, OfWhichTheListKnowsNothingCannotBeShownAgain) {
+    keep("Felled");
+    EXPECT_THAT(readSaved(session().project().results[0], session().project()).error().what,
+                HasSubstr("results of the kind 'toy'"));
 }
 
 TEST_F(ToyQuestion, BecomesOutdatedWithSettingsAndBuildings) {

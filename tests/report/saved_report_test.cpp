@@ -10,6 +10,7 @@
 #include "app/report/files/saved_files.h"
 #include "app/report/sheets/study_report.h"
 #include "core/io/write_raster.h"
+#include "core/measures/shadow_figures.h"
 #include "scenarios/project/results/save_result.h"
 #include "tests/report/synthetic_study.h"
 
@@ -28,17 +29,26 @@ SavedResult makeSavedStudy(const Study& study) {
     return result;
 }
 
-/// A saved result as its sheet needs it.
-struct SavedSheet {
+/// A saved study as its sheet needs it.
+struct ReadBack {
     SavedResult result;
     SavedAnswer answer = readSavedAnswer(result).value();
-    Region region = makeSavedRegion(result, answer, {});
+    Region region = makeSavedRegion(result, answer.origin, {});
+
+    [[nodiscard]] SavedSheet sheetOf(const SavedMaps& maps) const {
+        return makeSavedSheet(result, std::any_cast<const SavedStudy&>(answer.content), maps);
+    }
 };
 
 TEST(SavedReport, HasTheColoursAndFiguresOfTheStudy) {
     const Study study = tests::syntheticStudy();
-    const SavedSheet saved{makeSavedStudy(study)};
-    const Sheet sheet = makeSheet(saved.result, saved.answer, saved.region, {study.city}, {});
+    const ReadBack saved{makeSavedStudy(study)};
+    const ChangeScale scale;
+    const LegendChoice legend;
+    const SavedSource source{study.city};
+    const Sheet sheet =
+        makeSheet(saved.result, saved.answer.origin, saved.sheetOf({study.city, saved.region, scale, legend}),
+                  saved.region, source);
     const Sheet expected = makeSheet(study);
     EXPECT_EQ(sheet.map.legend.scale.top, expected.map.legend.scale.top);
     ASSERT_EQ(sheet.figures.size(), expected.figures.size());
@@ -61,23 +71,27 @@ TEST(SavedReport, HasTheColoursAndFiguresOfTheStudy) {
 TEST(SavedReport, OutlinesTheRegionOfThatNameWhereItStillHasItsExtent) {
     Study study = tests::syntheticStudy();
     study.settings.region.name = "Yard";
-    const SavedSheet saved{makeSavedStudy(study)};
+    const ReadBack saved{makeSavedStudy(study)};
     Region corner = study.settings.region;  // without its last corner: as wide and as high
     corner.polygons[0].outer.pop_back();
-    EXPECT_EQ(makeSavedRegion(saved.result, saved.answer, {corner}).polygons, corner.polygons);
+    EXPECT_EQ(makeSavedRegion(saved.result, saved.answer.origin, {corner}).polygons, corner.polygons);
     Region elsewhere = corner;
     for (glm::vec2& point : elsewhere.polygons[0].outer) point += glm::vec2(40, 0);
-    EXPECT_EQ(bounds(makeSavedRegion(saved.result, saved.answer, {elsewhere})).low, bounds(corner).low);
+    EXPECT_EQ(bounds(makeSavedRegion(saved.result, saved.answer.origin, {elsewhere})).low,
+              bounds(corner).low);
 }
 
 TEST(SavedFiles, HoldPageAndPictureAndStateWhatHasChanged) {
     const QTemporaryDir folder;
     const std::filesystem::path out = folder.filePath(QStringLiteral("out")).toStdString();
     const Study study = tests::syntheticStudy();
-    const SavedResult result = makeSavedStudy(study);
-    const auto paths = writeSavedFiles(result, {study.city, {"'Existing' has changed since."}}, {}, out);
+    const ReadBack saved{makeSavedStudy(study)};
+    const SavedResult& result = saved.result;
+    const auto paths = writeSavedMaps(
+        result, saved.answer.origin, {study.city, {"'Existing' has changed since."}},
+        [&](const SavedMaps& maps) { return saved.sheetOf(maps); }, out);
     ASSERT_TRUE(paths) << paths.error().text();
-    EXPECT_EQ(paths->size(), savedFileNames(result).size());
+    EXPECT_EQ(paths->size(), savedMapNames().size());
     EXPECT_EQ(QImage(QString::fromStdString((out / "result.png").string())).width(), pictureWidth);
     const auto bands = readGeoTiff(out / "result.tif", result.grid);
     ASSERT_TRUE(bands) << bands.error().text();
@@ -88,14 +102,18 @@ TEST(SavedFiles, HoldPageAndPictureAndStateWhatHasChanged) {
                               HasSubstr("streets.gpkg")));
 }
 
-TEST(SavedFiles, OfADamagedResultAreNotBegun) {
+TEST(SavedFiles, OfAnyFiguresAreATableAndPages) {
     const QTemporaryDir folder;
     const std::filesystem::path out = folder.filePath(QStringLiteral("out")).toStdString();
     const Study study = tests::syntheticStudy();
-    SavedResult result = makeSavedStudy(study);
-    result.layers.clear();
-    EXPECT_FALSE(writeSavedFiles(result, {study.city}, {}, out));
-    EXPECT_FALSE(std::filesystem::exists(out / "result.tif"));
+    const ReadBack saved{makeSavedStudy(study)};
+    const auto lines = listLines(shadowFigures().of(study.statistics));
+    const auto paths = writeSavedFigures(saved.result, saved.answer.origin, {study.city}, lines, out);
+    ASSERT_TRUE(paths) << paths.error().text();
+    EXPECT_EQ(paths->size(), savedFigureNames().size());
+    const auto words = readPrintedWords(out / "result.pdf");
+    ASSERT_TRUE(words) << words.error().text();
+    EXPECT_THAT(*words, AllOf(HasSubstr("June"), HasSubstr("Shadow area"), HasSubstr("abcdef")));
 }
 
 }  // namespace

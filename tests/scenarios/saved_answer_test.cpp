@@ -83,7 +83,7 @@ TEST(SavedAnswers, AStudyComesBackWithItsFiguresAndOrigin) {
     EXPECT_EQ(saved.origin.engine, study.field.engine);
     EXPECT_EQ(saved.origin.region, "Square");
     EXPECT_EQ(saved.origin.period, formatText(question().period));
-    const auto& back = std::get<SavedStudy>(saved.answer);
+    const auto& back = std::any_cast<const SavedStudy&>(saved.content);
     EXPECT_TRUE(same(back.field.grossMin, study.field.grossMin));
     EXPECT_TRUE(same(back.field.continuousMin, study.field.continuousMin));
     EXPECT_EQ(back.field.days, 2);
@@ -100,7 +100,7 @@ TEST(SavedAnswers, AnImpactComesBackWithThresholdsAndBuildings) {
     const Project project = saved(addResult(town(), "Tower", answer, keptAt));
     const auto result = project.results.at(0);
     const SavedAnswer saved = readSavedAnswer(*result).value();
-    const auto& back = std::get<SavedImpact>(saved.answer);
+    const auto& back = std::any_cast<const SavedImpact&>(saved.content);
     const ComparisonFigures wanted = computeFigures(answer);
     EXPECT_TRUE(same(back.impact.grossMin, answer.study.total.grossMin));
     EXPECT_EQ(back.impact.change, answer.study.total.change) << "what was built over";
@@ -130,14 +130,14 @@ TEST(SavedAnswers, WhatHasNoRunsComesBackWithoutThem) {
     for (const auto& result : project.results) EXPECT_EQ(result->layers.size(), 1U) << result->name;
     const auto june = readSavedAnswer(*project.results.at(0));
     ASSERT_TRUE(june) << june.error().text();
-    const auto& back = std::get<SavedStudy>(june->answer);
+    const auto& back = std::any_cast<const SavedStudy&>(june->content);
     EXPECT_FALSE(hasRuns(back.field));
     EXPECT_FALSE(hasRuns(back.statistics));
     EXPECT_EQ(back.statistics.meanGrossMin, study.statistics.meanGrossMin);
     EXPECT_TRUE(same(back.field.grossMin, study.field.grossMin));
     const auto tower = readSavedAnswer(*project.results.at(1));
     ASSERT_TRUE(tower) << tower.error().text();
-    const auto& impact = std::get<SavedImpact>(tower->answer);
+    const auto& impact = std::any_cast<const SavedImpact&>(tower->content);
     EXPECT_FALSE(hasRuns(impact.impact));
     EXPECT_FALSE(hasRuns(impact.figures.all.at(0)));
     EXPECT_FALSE(hasRuns(impact.figures.byBuilding.at(0).figures));
@@ -149,7 +149,7 @@ TEST(SavedAnswers, AScoreComesBackMonthByMonth) {
     const Project project = saved(addResult(town(), "Score", answer, keptAt));
     const auto result = project.results.at(0);
     const SavedAnswer saved = readSavedAnswer(*result).value();
-    const auto& back = std::get<SavedScore>(saved.answer);
+    const auto& back = std::any_cast<const SavedScore&>(saved.content);
     EXPECT_EQ(back.weights, "default");
     EXPECT_EQ(saved.origin.weights, makeMonthlyWeights());
     EXPECT_THAT(findWeightChangesSince(saved.origin, project), IsEmpty());
@@ -195,7 +195,7 @@ TEST(SavedAnswers, SunByPlaceComesBackWithOutlinesDatesAndChanges) {
     const auto read = readSavedAnswer(result);
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_THAT(findChangesSince(result, read->origin, project), IsEmpty());
-    const auto& back = std::get<SavedSunByPlace>(read->answer);
+    const auto& back = std::any_cast<const SavedSunByPlace&>(read->content);
     EXPECT_EQ(back.sun.baseline.places, answer.baseline.places);
     EXPECT_EQ(back.sun.baseline.settings.dates, answer.baseline.settings.dates);
     EXPECT_EQ(back.sun.baseline.settings.enoughHours, 2.5);
@@ -233,7 +233,7 @@ TEST(SavedAnswers, SunByPlaceOfSeveralScenariosComesBackInTheirOrder) {
     result.scenario = "Renamed";
     const auto read = readSavedAnswer(result);
     ASSERT_TRUE(read) << read.error().text();
-    const SunOfCities& back = std::get<SavedSunByPlace>(read->answer).sun;
+    const SunOfCities& back = std::any_cast<const SavedSunByPlace&>(read->content).sun;
     ASSERT_EQ(back.compared.size(), 2U);
     EXPECT_EQ(back.compared[0].sun.name, "Wide");
     EXPECT_EQ(back.compared[0].changes[0].meanHours, 0);
@@ -310,7 +310,7 @@ TEST(SavedAnswers, CellsThatChangedOutsideOfTheGridAreAnError) {
     EXPECT_FALSE(withCells(Cells::array({5})));
     json["kept"].erase("changed_cells");
     result.settings = json.dump();
-    const auto older = std::get<SavedImpact>(readSavedAnswer(result)->answer);
+    const auto older = std::any_cast<SavedImpact>(readSavedAnswer(result)->content);
     EXPECT_EQ(std::ranges::count(older.impact.change, CellChange::none), std::ptrdiff_t(result.grid.size()));
 }
 
@@ -351,7 +351,7 @@ TEST(SavedAnswers, AStudyKeepsItsMonthsAndWhatBuildingsTake) {
     NoProgress progress;
     const Study study = runStudy(*project.city, settings, progress, {}).value();
     const auto answer = readSavedAnswer(makeSavedResult(project, existingCity, study, keptAt)).value();
-    const auto& saved = std::get<SavedStudy>(answer.answer);
+    const auto& saved = std::any_cast<const SavedStudy&>(answer.content);
     const std::vector<MonthShadow> months = monthsOf(*study.breakdown);
     ASSERT_EQ(saved.months.size(), 2U);
     EXPECT_EQ(saved.months[1].month, "2026-06");

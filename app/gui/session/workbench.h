@@ -47,6 +47,8 @@ public:
     /// As run(), without being asked by the user: its answer is saved with the project, but is no unsaved
     /// work.
     void runAgain();
+    /// What can be asked, for saved results; the questions and their list must outlive the workbench.
+    void setQuestions(Questions questions) { questions_ = questions; }
     /// Asks a question, which must outlive the workbench. `weights`: the name of the table of a score.
     void ask(const Question& question, const std::string& weights = {});
     /// Asks for the score of the displayed scenario with a weight table of the project.
@@ -229,6 +231,7 @@ private:
     [[nodiscard]] AnswerFiles withProject(AnswerFiles files) const;
     void report(const Error& error);
 
+    Questions questions_ = allQuestions();
     StudyDocument document_;
     ProjectSession session_{document_.undoStack()};
     Source source_;

@@ -324,8 +324,8 @@ void Workbench::showResult(const std::shared_ptr<const SavedResult>& result) {
     if (session_.cityOf(result->scenario)) session_.goTo(result->scenario);
     reading_.start<SharedAnswer>(
         tr("Showing %1").arg(QString::fromStdString(result->name)),
-        [result, project = session_.project()](Progress&, const std::stop_token&) {
-            return readSaved(result, project);
+        [result, project = session_.project(), questions = questions_](Progress&, const std::stop_token&) {
+            return readSaved(result, project, questions);
         },
         [this](Result<SharedAnswer> saved) {
             if (!saved) return report(saved.error());

@@ -215,4 +215,23 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
     return book;
 }
 
+Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
+                   const std::vector<FigureLine>& lines, const BookSettings& settings) {
+    const QString title = plainText(result.name);
+    Book book = beginBook(settings, title, attributionOf(result));
+    book.record = {QStringLiteral("result.json"), result.settings};
+    PageTable table{
+        {QStringLiteral("Figure"), QStringLiteral("Value")}, {}, {}, {}, tablePt * textScale(settings.setup)};
+    for (const FigureLine& line : lines)
+        table.rows.push_back({plainText(labelOf(line)), plainText(valueOf(line, settings.units))});
+    book.pages = makeTablePages(book.setup, {title, plainText(result.scenario), title, 0, {}},
+                                {{QStringLiteral("Figures"), {}, std::move(table)}});
+    TextBlocks blocks{heading(QStringLiteral("Definitions")), body(defineFigures(lines))};
+    for (const TextBlocks& section : makeSavedSections(result, origin, source))
+        blocks.insert(blocks.end(), section.begin(), section.end());
+    const QString sources = QStringLiteral("Method and sources");
+    appendPages(book, makeTextPages(book.setup, {sources, {}, sources, 0, {}}, blocks));
+    return book;
+}
+
 }  // namespace noonmark

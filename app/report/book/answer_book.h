@@ -3,6 +3,7 @@
 #include "app/report/book/book.h"
 #include "app/report/maps/change_scale.h"
 #include "app/report/sheets/answer_source.h"
+#include "app/report/sheets/saved_report.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score_text.h"
 
@@ -19,5 +20,9 @@ Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, cons
 /// method and sources.
 Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const BookSettings& settings,
                    const LegendChoice& legend = {});
+
+/// The pages of a saved result of any question: its figures, what they mean, and where they are from.
+Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
+                   const std::vector<FigureLine>& lines, const BookSettings& settings);
 
 }  // namespace noonmark

@@ -2,6 +2,8 @@
 
 #include <QGuiApplication>
 
+#include "app/report/book/answer_book.h"
+#include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/raster_style.h"
 #include "app/report/maps/write_png.h"
@@ -12,23 +14,78 @@ namespace noonmark {
 
 namespace {
 
-Result<std::vector<std::filesystem::path>> writeElements(const SavedResult& result,
-                                                         const SavedElements& saved, const City& city,
-                                                         const std::filesystem::path& folder,
-                                                         const OutputRules& rules) {
-    const ElementTable table = makeElementTable(saved.map, city, saved.source);
-    OutputFolder files(folder, rules);
-    files.add("elements.csv", textContent(toCsv(table)));
-    files.add("elements.gpkg",
-              [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
-    files.add("elements.glb", textContent(toGlb(saved.map)));
+using FileNames = std::vector<std::string>;
+
+// Key, value and definition of each figure.
+std::string figuresCsv(const std::vector<FigureLine>& lines) {
+    CsvText csv({"figure", "value", "definition"});
+    for (const FigureLine& line : lines)
+        csv.text(std::string(line.figure->key))
+            .number(line.value, line.figure->decimals)
+            .text(std::string(line.figure->definition))
+            .endRow();
+    return csv.take();
+}
+
+}  // namespace
+
+const FileNames& savedMapNames() {
+    static const FileNames names{"result.tif", "result.qml", "result.png", "result.pdf", "result.json"};
+    return names;
+}
+
+const FileNames& savedPointNames() {
+    static const FileNames names{"elements.csv", "elements.gpkg", "elements.glb", "result.json"};
+    return names;
+}
+
+const FileNames& savedPlaceNames() {
+    static const FileNames names{"places.csv", "places.gpkg", "result.json"};
+    return names;
+}
+
+const FileNames& savedFigureNames() {
+    static const FileNames names{"figures.csv", "result.pdf", "result.json"};
+    return names;
+}
+
+WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
+                            const std::function<SavedSheet(const SavedMaps&)>& makeSheetOf,
+                            const std::filesystem::path& folder, const SavedLook& look) {
+    if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
+    const Region region = makeSavedRegion(result, origin, source.regions);
+    const Sheet sheet = makeSheet(result, origin, makeSheetOf({source.city, region, look.scale, look.legend}),
+                                  region, source);
+    const FileTags tags{{"RESULT", result.name}, {"SCENARIO", result.scenario}};
+    std::vector<RasterBand> bands;
+    for (const SavedLayer& layer : result.layers) bands.push_back({layer.name, layer.unit, &layer.values});
+    OutputFolder files(folder, look.rules);
+    files.add("result.tif", [&](const std::filesystem::path& file) {
+        return writeGeoTiff(file, source.city.frame, result.grid, bands, tags);
+    });
+    files.add("result.qml", textContent(rasterStyle(sheet.map.legend)));
+    files.add("result.png", [&](QIODevice& device) {
+        return writePng(makePicture(sheet, look.pictureWidth), tags, device);
+    });
+    files.add("result.pdf", [&](QIODevice& device) { return writePdf(sheet, device); });
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();
 }
 
-Result<std::vector<std::filesystem::path>> writePlaces(const SavedResult& result, SunOfCities sun,
-                                                       const City& city, const std::filesystem::path& folder,
-                                                       const OutputRules& rules) {
+WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& points, const City& city,
+                              const std::filesystem::path& folder, const OutputRules& rules) {
+    const ElementTable table = makeElementTable(points.map, city, points.source);
+    OutputFolder files(folder, rules);
+    files.add("elements.csv", textContent(toCsv(table)));
+    files.add("elements.gpkg",
+              [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
+    files.add("elements.glb", textContent(toGlb(points.map)));
+    files.add("result.json", textContent(result.settings));
+    return std::move(files).result();
+}
+
+WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun, const City& city,
+                              const std::filesystem::path& folder, const OutputRules& rules) {
     sun.baseline.city = city;
     const ElementTable table = makeTable(sun.baseline, sun.compared);
     OutputFolder files(folder, rules);
@@ -40,39 +97,16 @@ Result<std::vector<std::filesystem::path>> writePlaces(const SavedResult& result
     return std::move(files).result();
 }
 
-}  // namespace
-
-std::vector<std::string> savedFileNames(const SavedResult& result) {
-    if (result.kind == "elements") return {"elements.csv", "elements.gpkg", "elements.glb", "result.json"};
-    if (result.kind == "by-place") return {"places.csv", "places.gpkg", "result.json"};
-    return {"result.tif", "result.qml", "result.png", "result.pdf", "result.json"};
-}
-
-Result<std::vector<std::filesystem::path>> writeSavedFiles(
-    const SavedResult& result, const SavedSource& source, const ChangeScale& scale,
-    const std::filesystem::path& folder, const OutputRules& rules, int width, const LegendChoice& legend) {
+WrittenFiles writeSavedFigures(const SavedResult& result, const SavedOrigin& origin,
+                               const SavedSource& source, const std::vector<FigureLine>& lines,
+                               const std::filesystem::path& folder, const BookSettings& book,
+                               const OutputRules& rules) {
     if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
-    if (auto may = checkOutputs(folder, savedFileNames(result), rules); !may)
-        return tl::make_unexpected(may.error());
-    const auto answer = readSavedAnswer(result);
-    if (!answer) return tl::make_unexpected(answer.error());
-    if (const auto* elements = std::get_if<SavedElements>(&answer->answer))
-        return writeElements(result, *elements, source.city, folder, rules);
-    if (const auto* saved = std::get_if<SavedSunByPlace>(&answer->answer))
-        return writePlaces(result, saved->sun, source.city, folder, rules);
-    const Region region = makeSavedRegion(result, *answer, source.regions);
-    const Sheet sheet = makeSheet(result, *answer, region, source, scale, legend);
-    const FileTags tags{{"RESULT", result.name}, {"SCENARIO", result.scenario}};
-    std::vector<RasterBand> bands;
-    for (const SavedLayer& layer : result.layers) bands.push_back({layer.name, layer.unit, &layer.values});
+    auto pages = printBook(makeSavedBook(result, origin, source, lines, book));
+    if (!pages) return tl::make_unexpected(pages.error());
     OutputFolder files(folder, rules);
-    files.add("result.tif", [&](const std::filesystem::path& file) {
-        return writeGeoTiff(file, source.city.frame, result.grid, bands, tags);
-    });
-    files.add("result.qml", textContent(rasterStyle(sheet.map.legend)));
-    files.add("result.png",
-              [&](QIODevice& device) { return writePng(makePicture(sheet, width), tags, device); });
-    files.add("result.pdf", [&](QIODevice& device) { return writePdf(sheet, device); });
+    files.add("figures.csv", textContent(figuresCsv(lines)));
+    files.add("result.pdf", textContent(pages->toStdString()));
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();
 }

@@ -1,27 +1,53 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "app/report/book/book.h"
 #include "app/report/sheets/saved_report.h"
+#include "core/describe/figure_text.h"
 #include "core/io/files/check_output.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark {
 
-/// result.tif with its style result.qml, result.png, result.pdf and result.json; of points elements.csv,
-/// elements.gpkg, elements.glb and result.json.
-std::vector<std::string> savedFileNames(const SavedResult& result);
+// The files of saved results. What is written is as it was saved: all files or none. Each function returns
+// the paths that it wrote. Error: a file cannot be written. They need a QGuiApplication (the `offscreen`
+// platform suffices). `source`: its city may differ from the one that was measured.
 
-/// Of a study at points: its tables, as they were when it was saved. Of others: the maps of a saved result, a
-/// band each, its picture and its page (saved_report.h), and its settings and figures as they were saved.
-/// `scale`: of a comparison. `width` of the picture in pixels: see makePicture(). Returns the paths written;
-/// all files or none. Error: the result cannot be read (readSavedAnswer), or a file cannot be written. Needs
-/// a QGuiApplication (the `offscreen` platform suffices).
-Result<std::vector<std::filesystem::path>> writeSavedFiles(
-    const SavedResult& result, const SavedSource& source, const ChangeScale& scale,
-    const std::filesystem::path& folder, const OutputRules& rules = {}, int width = pictureWidth,
-    const LegendChoice& legend = {});
+using WrittenFiles = Result<std::vector<std::filesystem::path>>;
+
+/// How their maps look, and which files may be replaced.
+struct SavedLook {
+    ChangeScale scale{};  ///< of a comparison
+    LegendChoice legend{};
+    int pictureWidth = noonmark::pictureWidth;  ///< pixels: see makePicture()
+    OutputRules rules{};
+};
+
+/// The maps, a band each, with their style; picture, page (saved_report.h), settings and figures.
+const std::vector<std::string>& savedMapNames();
+WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
+                            const std::function<SavedSheet(const SavedMaps&)>& makeSheetOf,
+                            const std::filesystem::path& folder, const SavedLook& look = {});
+
+/// The tables of points, settings and figures.
+const std::vector<std::string>& savedPointNames();
+WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& points, const City& city,
+                              const std::filesystem::path& folder, const OutputRules& rules = {});
+
+/// The tables of places, settings and figures.
+const std::vector<std::string>& savedPlaceNames();
+WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun, const City& city,
+                              const std::filesystem::path& folder, const OutputRules& rules = {});
+
+/// The figures of any result as a table, its pages, settings and figures.
+const std::vector<std::string>& savedFigureNames();
+WrittenFiles writeSavedFigures(const SavedResult& result, const SavedOrigin& origin,
+                               const SavedSource& source, const std::vector<FigureLine>& lines,
+                               const std::filesystem::path& folder, const BookSettings& book = {},
+                               const OutputRules& rules = {});
 
 }  // namespace noonmark

@@ -20,14 +20,6 @@ using SavedJson = nlohmann::json;
 
 QString plainText(const std::string& text) { return QString::fromStdString(text); }
 
-/// What the maps of each kind of result are made from.
-struct SavedMaps {
-    const City& city;
-    const Region& region;
-    const ChangeScale& scale;
-    const LegendChoice& legend;
-};
-
 SheetMap makeStudyMap(const ShadowField& field, ShadowMeasure measure, const SavedMaps& from) {
     const Legend legend = makeLegend(field, measure, from.legend);
     const auto image = [&field, measure, scale = coloursOf(legend)](int wantedPixels) {
@@ -39,86 +31,12 @@ SheetMap makeStudyMap(const ShadowField& field, ShadowMeasure measure, const Sav
     return {{from.city, from.region, field.grid, image}, legend};
 }
 
-void addMaps(Sheet& sheet, const SavedStudy& study, const SavedMaps& from) {
-    if (!isInstant(study.field) && hasRuns(study.statistics))
-        sheet.smallMap.emplace(makeStudyMap(study.field, ShadowMeasure::continuous, from));
-}
-
-void addMaps(Sheet& sheet, const SavedImpact& saved, const SavedMaps& from) {
-    const Impact& impact = saved.impact;
-    if (!isInstant(impact) && hasRuns(impact))
-        sheet.smallMap.emplace(makeImpactMap(impact, from.city, from.region, ShadowMeasure::continuous,
-                                             from.scale, from.legend));
-}
-
-void addMaps(Sheet&, const SavedScore&, const SavedMaps&) {}
-
-// Points have no sheet of their own yet: writeSavedFiles() writes their tables.
-void addMaps(Sheet&, const SavedElements&, const SavedMaps&) {}
-SheetMap makeMainMap(const SavedElements&, const SavedMaps& from) { return {{from.city, from.region}, {}}; }
-std::vector<FigureText> figuresOf(const SavedElements&, ShownAs) { return {}; }
-
-// Nor has sun by place.
-void addMaps(Sheet&, const SavedSunByPlace&, const SavedMaps&) {}
-SheetMap makeMainMap(const SavedSunByPlace&, const SavedMaps& from) { return {{from.city, from.region}, {}}; }
-std::vector<FigureText> figuresOf(const SavedSunByPlace&, ShownAs) { return {}; }
-
-SheetMap makeMainMap(const SavedStudy& study, const SavedMaps& from) {
-    return makeStudyMap(study.field, ShadowMeasure::gross, from);
-}
-
-SheetMap makeMainMap(const SavedImpact& saved, const SavedMaps& from) {
-    return makeImpactMap(saved.impact, from.city, from.region, ShadowMeasure::gross, from.scale, from.legend);
-}
-
-SheetMap makeMainMap(const SavedScore& saved, const SavedMaps& from) {
-    return makeScoreMap(saved.score, from.city, from.region, from.legend);
-}
-
-std::vector<FigureText> figuresOf(const SavedStudy& study, ShownAs show) {
-    return makeStudyFigures(study.statistics, study.field, study.steps, show);
-}
-
-std::vector<FigureText> figuresOf(const SavedImpact& saved, ShownAs show) {
-    return figureTexts(listLines(saved.figures, show));
-}
-
-std::vector<FigureText> figuresOf(const SavedScore& saved, ShownAs) { return makeScoreFigures(saved.score); }
-
-QString describeSubject(const SavedResult& result) {
-    const QString scenario = plainText(result.scenario);
-    if (result.kind == "score") return QStringLiteral("Shadow score of %1").arg(scenario);
-    if (result.kind == "impact")
-        return QStringLiteral("%1 compared with %2").arg(scenario, plainText(result.baseline));
-    return QStringLiteral("Shadow study of %1").arg(scenario);
-}
-
 QString describeTime(const SavedOrigin& origin) {
     if (origin.at.empty()) return QStringLiteral("at an unknown time");
     QString at = plainText(origin.at);
     at.replace(QLatin1Char('T'), QLatin1Char(' ')).replace(QLatin1Char('Z'), QStringLiteral(" UTC"));
     return QStringLiteral("on ") + at;
 }
-
-TextBlocks definitionsOf(const SavedResult&, const SavedStudy& study, ShownAs show) {
-    return {body(defineFigures(listLines(shadowFigures().of(study.statistics),
-                                         {.isInstant = isInstant(study.field), .show = show})))};
-}
-
-TextBlocks definitionsOf(const SavedResult& result, const SavedImpact& saved, ShownAs show) {
-    return {body(QStringLiteral("Change: minutes in %1 minus minutes in %2; positive means more %3. %4")
-                     .arg(plainText(result.scenario), plainText(result.baseline),
-                          show == ShownAs::shadow ? QStringLiteral("shadow") : QStringLiteral("sun"),
-                          defineFigures(listLines(saved.figures, show))))};
-}
-
-TextBlocks definitionsOf(const SavedResult&, const SavedScore& saved, ShownAs) {
-    const ScoreTotals totals = totalsOf(saved.score);
-    return {body(defineFigures(listLines(scoreFigures().of(totals))))};
-}
-
-TextBlocks definitionsOf(const SavedResult&, const SavedElements&, ShownAs) { return {}; }
-TextBlocks definitionsOf(const SavedResult&, const SavedSunByPlace&, ShownAs) { return {}; }
 
 TextBlocks originSection(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source) {
     TextBlocks blocks{
@@ -133,15 +51,14 @@ TextBlocks originSection(const SavedResult& result, const SavedOrigin& origin, c
     return blocks;
 }
 
-TextBlocks methodSection(const SavedResult& result, const SavedAnswer& answer) {
+TextBlocks methodSection(const SavedResult& result, const SavedOrigin& origin, const std::string& error) {
     TextBlocks blocks{
         heading(QStringLiteral("Method")),
-        body(QStringLiteral("Engine: %1.").arg(describeEngineUsed(answer.origin.engine))),
+        body(QStringLiteral("Engine: %1.").arg(describeEngineUsed(origin.engine))),
         body(QStringLiteral("Square cells of %1 m; those that were not measured are white on the map.")
                  .arg(describeAmount(result.grid.cellM, 2)))};
-    if (const auto* study = std::get_if<SavedStudy>(&answer.answer); study && !study->error.empty())
-        blocks.push_back(body(QStringLiteral("Error: %1.").arg(plainText(study->error))));
-    if (const auto& weights = answer.origin.weights)
+    if (!error.empty()) blocks.push_back(body(QStringLiteral("Error: %1.").arg(plainText(error))));
+    if (const auto& weights = origin.weights)
         blocks.push_back(body(QStringLiteral("Weight table: %1.").arg(plainText(weights->name))));
     return blocks;
 }
@@ -168,11 +85,6 @@ TextBlocks inputsSection(const SavedResult& result) {
     return blocks;
 }
 
-std::string attributionOf(const SavedResult& result) {
-    const SavedJson settings = SavedJson::parse(result.settings, nullptr, false);
-    return settings.is_object() ? textIn(settings, "attribution") : std::string();
-}
-
 Box2 boxOf(const Grid& grid) {
     return {glm::vec2(grid.westM, grid.southM), glm::vec2(grid.eastM(), grid.northM())};
 }
@@ -185,44 +97,92 @@ bool haveSameExtent(const Box2& region, const Box2& cells, double cellM) {
     return !region.empty() && std::max(off(region.low, cells.low), off(region.high, cells.high)) < 2 * cellM;
 }
 
-Headline headlineOf(const SavedResult& result, const SavedOrigin& origin, const Region& region,
+Headline headlineOf(const QString& subject, const SavedOrigin& origin, const Region& region,
                     const Frame& frame) {
     const QString name = origin.region.empty() || origin.region == "box"
                              ? QString()
                              : QStringLiteral(": ") + plainText(origin.region);
-    return {describeSubject(result) + name, plainText(origin.period), describePlace(region, frame)};
+    return {subject + name, plainText(origin.period), describePlace(region, frame)};
 }
 
 }  // namespace
 
-Region makeSavedRegion(const SavedResult& result, const SavedAnswer& answer,
+Region makeSavedRegion(const SavedResult& result, const SavedOrigin& origin,
                        const std::vector<Region>& known) {
     const Box2 cells = boxOf(result.grid);
     for (const Region& region : known)
-        if (region.name == answer.origin.region && haveSameExtent(bounds(region), cells, result.grid.cellM))
+        if (region.name == origin.region && haveSameExtent(bounds(region), cells, result.grid.cellM))
             return region;
     Region region = makeRegionFromLocalBox(cells);
-    region.name = answer.origin.region;
+    region.name = origin.region;
     return region;
 }
 
-Sheet makeSheet(const SavedResult& result, const SavedAnswer& answer, const Region& region,
-                const SavedSource& source, const ChangeScale& scale, const LegendChoice& legend) {
-    const SavedMaps from{source.city, region, scale, legend};
-    return std::visit(
-        [&](const auto& saved) {
-            Sheet sheet{.headline = headlineOf(result, answer.origin, region, source.city.frame),
-                        .map = makeMainMap(saved, from),
-                        .definitions = definitionsOf(result, saved, legend.show),
-                        .figures = figuresOf(saved, legend.show),
-                        .sections = {originSection(result, answer.origin, source),
-                                     methodSection(result, answer), inputsSection(result)},
-                        .credit = describeData(attributionOf(result)),
-                        .record = {QStringLiteral("result.json"), result.settings}};
-            addMaps(sheet, saved, from);
-            return sheet;
-        },
-        answer.answer);
+SavedSheet makeSavedSheet(const SavedResult& result, const SavedStudy& study, const SavedMaps& with) {
+    const bool isOfMoment = isInstant(study.field);
+    SavedSheet sheet{
+        .subject = QStringLiteral("Shadow study of %1").arg(plainText(result.scenario)),
+        .map = makeStudyMap(study.field, ShadowMeasure::gross, with),
+        .definitions = {body(defineFigures(listLines(shadowFigures().of(study.statistics),
+                                                     {.isInstant = isOfMoment, .show = with.legend.show})))},
+        .figures = makeStudyFigures(study.statistics, study.field, study.steps, with.legend.show),
+        .error = study.error};
+    if (!isOfMoment && hasRuns(study.statistics))
+        sheet.smallMap.emplace(makeStudyMap(study.field, ShadowMeasure::continuous, with));
+    return sheet;
+}
+
+SavedSheet makeSavedSheet(const SavedResult& result, const SavedImpact& saved, const SavedMaps& with) {
+    const Impact& impact = saved.impact;
+    const QString scenario = plainText(result.scenario), baseline = plainText(result.baseline);
+    const auto map = [&](ShadowMeasure measure) {
+        return makeImpactMap(impact, with.city, with.region, measure, with.scale, with.legend);
+    };
+    const ShownAs show = with.legend.show;
+    const auto lines = listLines(saved.figures, show);
+    SavedSheet sheet{
+        .subject = QStringLiteral("%1 compared with %2").arg(scenario, baseline),
+        .map = map(ShadowMeasure::gross),
+        .definitions = {body(
+            QStringLiteral("Change: minutes in %1 minus minutes in %2; positive means more %3. %4")
+                .arg(scenario, baseline,
+                     show == ShownAs::shadow ? QStringLiteral("shadow") : QStringLiteral("sun"),
+                     defineFigures(lines)))},
+        .figures = figureTexts(lines)};
+    if (!isInstant(impact) && hasRuns(impact)) sheet.smallMap.emplace(map(ShadowMeasure::continuous));
+    return sheet;
+}
+
+SavedSheet makeSavedSheet(const SavedResult& result, const SavedScore& saved, const SavedMaps& with) {
+    const ScoreTotals totals = totalsOf(saved.score);
+    return {.subject = QStringLiteral("Shadow score of %1").arg(plainText(result.scenario)),
+            .map = makeScoreMap(saved.score, with.city, with.region, with.legend),
+            .definitions = {body(defineFigures(listLines(scoreFigures().of(totals))))},
+            .figures = makeScoreFigures(saved.score)};
+}
+
+std::string attributionOf(const SavedResult& result) {
+    const SavedJson settings = SavedJson::parse(result.settings, nullptr, false);
+    return settings.is_object() ? textIn(settings, "attribution") : std::string();
+}
+
+std::vector<TextBlocks> makeSavedSections(const SavedResult& result, const SavedOrigin& origin,
+                                          const SavedSource& source, const std::string& error) {
+    return {originSection(result, origin, source), methodSection(result, origin, error),
+            inputsSection(result)};
+}
+
+Sheet makeSheet(const SavedResult& result, const SavedOrigin& origin, SavedSheet saved, const Region& region,
+                const SavedSource& source) {
+    auto sections = makeSavedSections(result, origin, source, saved.error);
+    return {.headline = headlineOf(saved.subject, origin, region, source.city.frame),
+            .map = std::move(saved.map),
+            .definitions = std::move(saved.definitions),
+            .smallMap = std::move(saved.smallMap),
+            .figures = std::move(saved.figures),
+            .sections = std::move(sections),
+            .credit = describeData(attributionOf(result)),
+            .record = {QStringLiteral("result.json"), result.settings}};
 }
 
 }  // namespace noonmark

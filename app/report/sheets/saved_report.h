@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,43 @@ struct SavedSource {
 
 /// The region of a saved result, whose outline is not stored: the region of `known` that has its name and the
 /// extent of its cells, else the rectangle around the cells.
-Region makeSavedRegion(const SavedResult& result, const SavedAnswer& answer,
+Region makeSavedRegion(const SavedResult& result, const SavedOrigin& origin,
                        const std::vector<Region>& known);
 
+/// What maps of saved results are drawn with.
+struct SavedMaps {
+    const City& city;
+    const Region& region;  ///< makeSavedRegion()
+    const ChangeScale& scale;
+    const LegendChoice& legend;
+};
+
+/// What the page of a saved result has of its kind.
+struct SavedSheet {
+    QString subject;  ///< "Shadow study of Tower"
+    SheetMap map;
+    std::optional<SheetMap> smallMap{};
+    TextBlocks definitions{};
+    std::vector<FigureText> figures{};
+    std::string error{};  ///< of a study, as text; empty: none is stated
+};
+
+/// The maps refer to the saved content, which must outlive them.
+SavedSheet makeSavedSheet(const SavedResult& result, const SavedStudy& study, const SavedMaps& with);
+SavedSheet makeSavedSheet(const SavedResult& result, const SavedImpact& impact, const SavedMaps& with);
+SavedSheet makeSavedSheet(const SavedResult& result, const SavedScore& score, const SavedMaps& with);
+
+/// Credit of the data that it was measured with.
+std::string attributionOf(const SavedResult& result);
+
+/// When it was saved and what has changed since, method, and inputs with their hashes.
+std::vector<TextBlocks> makeSavedSections(const SavedResult& result, const SavedOrigin& origin,
+                                          const SavedSource& source, const std::string& error = {});
+
 /// The page of a saved result: its maps and figures as they were saved, method, inputs with their hashes,
-/// when it was saved and what has changed since. `answer` was read from `result`; `region`:
-/// makeSavedRegion(). All arguments must outlive the sheet.
-Sheet makeSheet(const SavedResult& result, const SavedAnswer& answer, const Region& region,
-                const SavedSource& source, const ChangeScale& scale, const LegendChoice& legend = {});
+/// when it was saved and what has changed since. `origin` was read from `result`. All arguments must outlive
+/// the sheet.
+Sheet makeSheet(const SavedResult& result, const SavedOrigin& origin, SavedSheet saved, const Region& region,
+                const SavedSource& source);
 
 }  // namespace noonmark

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 
@@ -43,17 +44,23 @@ std::optional<TimeWeights> weightsOf(const Json& json, const Json& saved) {
     return *table;
 }
 
+// A text that not every question states.
+std::string textOf(const Json& json, const char* member) {
+    const Json text = json.value(member, Json());
+    return text.is_string() ? text.get<std::string>() : std::string();
+}
+
 SavedOrigin originOf(const Json& json) {
     const Json saved = json.value("kept", Json::object());
-    const Json& region = json.at("region");
+    const Json region = json.value("region", Json());
     return {saved.value("at", ""),
             saved.value("city_sha256", ""),
             saved.value("baseline_sha256", ""),
             saved.value("question_sha256", ""),
-            json.at("program"),
-            json.contains("engine_settings") ? json.at("engine_settings") : json.at("engine_used"),
-            json.at("period").at("text"),
-            region.is_object() ? region.at("name").get<std::string>() : region.get<std::string>(),
+            textOf(json, "program"),
+            textOf(json, json.contains("engine_settings") ? "engine_settings" : "engine_used"),
+            textOf(json.value("period", Json::object()), "text"),
+            region.is_object() ? textOf(region, "name") : textOf(json, "region"),
             weightsOf(json, saved)};
 }
 
@@ -310,16 +317,22 @@ Result<SavedOrigin> readSavedOrigin(const SavedResult& result) try {
                    "Measure and save it again");
 }
 
-Result<SavedAnswer> readSavedAnswer(const SavedResult& result) try {
+std::span<const SavedKind> savedKinds() {
+    static const std::array<SavedKind, 5> kinds{SavedKind{"study", studyOf},
+                                                {"impact", impactOf},
+                                                {"score", readScore},
+                                                {"elements", elementsOf},
+                                                {"by-place", sunByPlaceOf}};
+    return kinds;
+}
+
+Result<SavedAnswer> readSavedAnswer(const SavedResult& result, std::span<const SavedKind> kinds) try {
     const Json json = Json::parse(result.settings);
-    const SavedOrigin origin = originOf(json);
-    if (result.kind == "study") return SavedAnswer{origin, studyOf(result, json)};
-    if (result.kind == "impact") return SavedAnswer{origin, impactOf(result, json)};
-    if (result.kind == "score") return SavedAnswer{origin, readScore(result, json)};
-    if (result.kind == "elements") return SavedAnswer{origin, elementsOf(result, json)};
-    if (result.kind == "by-place") return SavedAnswer{origin, sunByPlaceOf(result, json)};
-    return failure(fmt::format("This version cannot show results of the kind '{}'", result.kind), result.name,
-                   "Open the project with a newer Noonmark");
+    const auto known = std::ranges::find(kinds, result.kind, &SavedKind::kind);
+    if (known == kinds.end())
+        return failure(fmt::format("This version cannot show results of the kind '{}'", result.kind),
+                       result.name, "Open the project with a newer Noonmark");
+    return SavedAnswer{originOf(json), known->read(result, json)};
 } catch (const std::exception& problem) {  // JSON or layers of the wrong shape
     return failure(fmt::format("The saved result cannot be shown ({})", problem.what()), result.name,
                    "Measure and save it again");

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <any>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
+#include <span>
 #include <stop_token>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/engines/api/shadow_field.h"
@@ -76,14 +79,26 @@ struct SavedSunByPlace {
 /// A saved result read back, with the figures it was saved with.
 struct SavedAnswer {
     SavedOrigin origin;
-    std::variant<SavedStudy, SavedImpact, SavedScore, SavedElements, SavedSunByPlace> answer;
+    std::any content;  ///< of the type that its kind gives: SavedStudy, SavedImpact...
 };
 
 /// Its origin alone, without its maps. Error: the settings are not those of a result.
 Result<SavedOrigin> readSavedOrigin(const SavedResult& result);
 
-/// Copies the layers. Error: the settings or layers do not match the kind.
-Result<SavedAnswer> readSavedAnswer(const SavedResult& result);
+/// Results of one kind, and what reads them back.
+struct SavedKind {
+    std::string_view kind;  ///< as of SavedResult
+    /// Takes the result and its settings. Throws nlohmann's or other standard exceptions where settings or
+    /// layers do not match.
+    std::function<std::any(const SavedResult&, const nlohmann::ordered_json&)> read;
+};
+
+/// Studies, comparisons, scores, points and sun by place.
+std::span<const SavedKind> savedKinds();
+
+/// Copies the layers. Error: the settings or layers do not match the kind, or `kinds` lacks it.
+Result<SavedAnswer> readSavedAnswer(const SavedResult& result,
+                                    std::span<const SavedKind> kinds = savedKinds());
 
 /// Reasons why the current project would not give this result, one sentence each: other buildings, terrain or
 /// files. Empty where there is none. Costs a hash of the scenario's city and of the baseline's.

@@ -121,7 +121,7 @@ void ContributionLinks::showStudy(const Study& study) {
 
 // What a place gets is computed from a study, which the project file does not hold.
 void ContributionLinks::showSaved(const SavedContent& saved) {
-    const auto* study = std::get_if<SavedStudy>(&saved.answer.answer);
+    const auto* study = saved.as<SavedStudy>();
     if (study && study->contributions && dock_.subject().empty() && workbench_.city())
         return dock_.show(makeContributionSheet(*study, workbench_.city()->city()));
     dock_.explain(tr("A saved result holds what buildings take from its whole region, if that was asked for. "

@@ -17,7 +17,7 @@ using SharedSun = std::shared_ptr<const SunOfCities>;
 SharedSun sunOf(const std::shared_ptr<const Answer>& answer) {
     if (auto sun = contentOf<SunOfCities>(answer)) return sun;
     const auto saved = contentOf<SavedContent>(answer);
-    const auto* places = saved ? std::get_if<SavedSunByPlace>(&saved->answer.answer) : nullptr;
+    const auto* places = saved ? saved->as<SavedSunByPlace>() : nullptr;
     return places ? SharedSun(saved, &places->sun) : nullptr;
 }
 

@@ -78,12 +78,12 @@ std::optional<SavedFigures> readSavedFigures(const SavedResult& result, const Pr
     if (!saved || !findChangesSince(result, saved->origin, project).empty()) return std::nullopt;
     SavedFigures figures{.question = saved->origin.questionSha256, .weights = saved->origin.weights};
     figures.grid = result.grid;
-    if (const auto* study = std::get_if<SavedStudy>(&saved->answer)) figures.measured = study->statistics;
-    if (const auto* score = std::get_if<SavedScore>(&saved->answer)) {
+    if (const auto* study = std::any_cast<SavedStudy>(&saved->content)) figures.measured = study->statistics;
+    if (const auto* score = std::any_cast<SavedScore>(&saved->content)) {
         figures.score = totalsOf(score->score);
         figures.scoreMonths = score->score.months;
     }
-    if (const auto* impact = std::get_if<SavedImpact>(&saved->answer))
+    if (const auto* impact = std::any_cast<SavedImpact>(&saved->content))
         figures.impact = impact->figures.all.front();
     if (!figures.measured) figures.settings = questionOf(Json::parse(result.settings)).dump();
     return figures;

@@ -35,10 +35,12 @@ QString listedName(const Answer& answer) {
                                      QString::fromStdString(formatText(answer.settings()->period.start)));
 }
 
-const AnswerViewer& viewerOf(const Answer& answer) {
+const AnswerViewer& viewerOf(const Answer& answer) { return viewerOf(answer.question().key); }
+
+const AnswerViewer& viewerOf(std::string_view question) {
     static const std::array all{&studyViewer(),  &comparisonViewer(), &scoreViewer(),
                                 &pointsViewer(), &byPlaceViewer(),    &savedViewer()};
-    const auto found = std::ranges::find(all, answer.question().key, &AnswerViewer::question);
+    const auto found = std::ranges::find(all, question, &AnswerViewer::question);
     return found == all.end() ? anyViewer : **found;
 }
 

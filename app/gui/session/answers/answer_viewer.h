@@ -5,7 +5,7 @@
 #include "app/gui/base/layers/element_picture.h"
 #include "app/gui/base/layers/ground_answer.h"
 #include "app/gui/session/answers/result_rows.h"
-#include "app/questions/question.h"
+#include "app/questions/saved_question.h"
 
 namespace noonmark {
 
@@ -28,10 +28,17 @@ struct AnswerViewer {
     /// The name that it is saved under, with its first day; null: the title.
     QString (*name)(const Answer&) = nullptr;
     AnswerNote (*note)(const Answer&) = nullptr;  ///< null: none
+    /// Of results that were saved, whose note is added: what the view shows, and the rows after those on
+    /// their origin; null: none, and Answer::figures().
+    std::optional<AnswerLayer> (*savedLayer)(const std::shared_ptr<const SavedContent>&) = nullptr;
+    std::vector<ResultRow> (*savedRows)(const SavedContent&, ShownAs) = nullptr;
 };
 
 /// As lists name an answer, and the project file: "Study of Tower, 2026-06-21".
 QString listedName(const Answer& answer);
+
+/// The row of the question with this key, or that of all others.
+const AnswerViewer& viewerOf(std::string_view question);
 
 /// The row of the answer's question, or that of all others.
 const AnswerViewer& viewerOf(const Answer& answer);

@@ -30,6 +30,12 @@ std::vector<ResultRow> rowsOfPlaces(const Answer& answer, ShownAs) {
                                  baseline.field.engine});
 }
 
+std::vector<ResultRow> rowsOfSavedPlaces(const SavedContent& saved, ShownAs) {
+    const auto& places = *saved.as<SavedSunByPlace>();
+    return makeRows(PlaceFigures{places.sun, places.steps, places.belowHorizon, places.seconds,
+                                 saved.answer.origin.period, places.error, saved.answer.origin.engine});
+}
+
 QString titleOfPlaces(const Answer& answer) {
     const MeasuredPart part = answer.part();
     const QString scenario = QString::fromStdString(part.scenario);
@@ -66,7 +72,11 @@ QString countText(const SunByPlace& sun) {
 }  // namespace
 
 const AnswerViewer& byPlaceViewer() {
-    static const AnswerViewer viewer{byPlaceQuestion().key, layerOfPlaces, rowsOfPlaces, titleOfPlaces};
+    static const AnswerViewer viewer{.question = byPlaceQuestion().key,
+                                     .layer = layerOfPlaces,
+                                     .rows = rowsOfPlaces,
+                                     .title = titleOfPlaces,
+                                     .savedRows = rowsOfSavedPlaces};
     return viewer;
 }
 

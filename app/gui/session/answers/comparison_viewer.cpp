@@ -30,6 +30,14 @@ std::vector<ResultRow> rowsOfComparison(const Answer& answer, ShownAs show) {
     return makeRows(computeFigures(*answer.as<ImpactAnswer>()), show);
 }
 
+std::optional<AnswerLayer> layerOfSavedImpact(const std::shared_ptr<const SavedContent>& saved) {
+    return markMissingRuns({.map = std::shared_ptr<const Impact>(saved, &saved->as<SavedImpact>()->impact)});
+}
+
+std::vector<ResultRow> rowsOfSavedImpact(const SavedContent& saved, ShownAs show) {
+    return makeRows(saved.as<SavedImpact>()->figures, show);
+}
+
 QString titleOfComparison(const Answer& answer) {
     const MeasuredPart part = answer.part();
     return QObject::tr("%1 compared with %2")
@@ -39,8 +47,12 @@ QString titleOfComparison(const Answer& answer) {
 }  // namespace
 
 const AnswerViewer& comparisonViewer() {
-    static const AnswerViewer viewer{comparisonQuestion().key, layerOfComparison, rowsOfComparison,
-                                     titleOfComparison};
+    static const AnswerViewer viewer{.question = comparisonQuestion().key,
+                                     .layer = layerOfComparison,
+                                     .rows = rowsOfComparison,
+                                     .title = titleOfComparison,
+                                     .savedLayer = layerOfSavedImpact,
+                                     .savedRows = rowsOfSavedImpact};
     return viewer;
 }
 

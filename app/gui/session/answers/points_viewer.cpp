@@ -30,6 +30,18 @@ std::optional<AnswerLayer> layerOfPoints(const std::shared_ptr<const Answer>& an
                        .runNote = errorOf(ShadowMeasure::continuous)};
 }
 
+std::optional<AnswerLayer> layerOfSavedPoints(const std::shared_ptr<const SavedContent>& saved) {
+    return ElementView{.map = std::shared_ptr<const ElementMap>(saved, &saved->as<SavedElements>()->map)};
+}
+
+std::vector<ResultRow> rowsOfSavedPoints(const SavedContent& saved, ShownAs show) {
+    const auto& points = *saved.as<SavedElements>();
+    return makeRows(
+        PointFigures{points.figures, points.steps, points.belowHorizon, points.seconds,
+                     saved.answer.origin.period, points.error, points.byRays, saved.answer.origin.engine},
+        show);
+}
+
 QString titleOfPoints(const Answer& answer) {
     return QObject::tr("Points of %1").arg(QString::fromStdString(answer.part().scenario));
 }
@@ -37,7 +49,12 @@ QString titleOfPoints(const Answer& answer) {
 }  // namespace
 
 const AnswerViewer& pointsViewer() {
-    static const AnswerViewer viewer{pointsQuestion().key, layerOfPoints, rowsOfPoints, titleOfPoints};
+    static const AnswerViewer viewer{.question = pointsQuestion().key,
+                                     .layer = layerOfPoints,
+                                     .rows = rowsOfPoints,
+                                     .title = titleOfPoints,
+                                     .savedLayer = layerOfSavedPoints,
+                                     .savedRows = rowsOfSavedPoints};
     return viewer;
 }
 

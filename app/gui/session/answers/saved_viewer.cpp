@@ -16,66 +16,25 @@ QString keptAt(const SavedOrigin& origin) {
     return at.isValid() ? at.toString(QStringLiteral("yyyy-MM-dd HH:mm")) : QObject::tr("at an unknown date");
 }
 
-std::vector<ResultRow> figureRows(const SavedStudy& study, const SavedContent& result, ShownAs show) {
-    const ShadowField& field = study.field;
-    return makeRows(StudyFigures{study.statistics,
-                                 isInstant(field),
-                                 study.steps,
-                                 study.belowHorizon,
-                                 field.sunlitMinutesPerDay,
-                                 0,
-                                 study.seconds,
-                                 result.answer.origin.period,
-                                 {{"error", study.error}},
-                                 field.engine},
-                    show);
-}
-
-std::vector<ResultRow> figureRows(const SavedImpact& impact, const SavedContent&, ShownAs show) {
-    return makeRows(impact.figures, show);
-}
-
-std::vector<ResultRow> figureRows(const SavedScore& score, const SavedContent& result, ShownAs show) {
-    return makeScoreRows(score.score, result.result->scenario, score.weights, result.answer.origin.period,
-                         show);
-}
-
-std::vector<ResultRow> figureRows(const SavedElements& saved, const SavedContent& result, ShownAs show) {
-    return makeRows(
-        PointFigures{saved.figures, saved.steps, saved.belowHorizon, saved.seconds,
-                     result.answer.origin.period, saved.error, saved.byRays, result.answer.origin.engine},
-        show);
-}
-
-std::vector<ResultRow> figureRows(const SavedSunByPlace& saved, const SavedContent& result, ShownAs) {
-    return makeRows(PlaceFigures{saved.sun, saved.steps, saved.belowHorizon, saved.seconds,
-                                 result.answer.origin.period, saved.error, result.answer.origin.engine});
-}
-
 QString noteOf(const SavedContent& result) {
     const QString saved =
         QObject::tr("Saved %1: %2").arg(keptAt(result.answer.origin), formatText(result.result->name));
     return result.upToDate() ? saved : QObject::tr("%1. Outdated").arg(saved);
 }
 
-GroundAnswer::Map mapOf(const std::shared_ptr<const SavedContent>& saved) {
-    const auto& answer = saved->answer.answer;
-    if (const auto* study = std::get_if<SavedStudy>(&answer))
-        return std::shared_ptr<const ShadowField>(saved, &study->field);
-    if (const auto* impact = std::get_if<SavedImpact>(&answer))
-        return std::shared_ptr<const Impact>(saved, &impact->impact);
-    return std::shared_ptr<const Score>(saved, &std::get<SavedScore>(answer).score);
-}
-
-// Places have a table of their own that paints the view (app/gui/docks/places).
 // The note states when the result was saved and whether anything has changed since; if so, it is marked.
 std::optional<AnswerLayer> layerOfSaved(const std::shared_ptr<const Answer>& answer) {
     const auto saved = contentOf<SavedContent>(answer);
-    if (std::holds_alternative<SavedSunByPlace>(saved->answer.answer)) return std::nullopt;
-    const QString note = noteOf(*saved);
-    if (const auto* points = std::get_if<SavedElements>(&saved->answer.answer))
-        return ElementView{std::shared_ptr<const ElementMap>(saved, &points->map), note, !saved->upToDate()};
-    return markMissingRuns({mapOf(saved), nullptr, note, !saved->upToDate()});
+    const auto find = viewerOf(saved->result->kind).savedLayer;
+    auto layer = find ? find(saved) : std::nullopt;
+    if (!layer) return layer;
+    std::visit(
+        [&](auto& shown) {
+            shown.note = noteOf(*saved);
+            shown.marked = !saved->upToDate();
+        },
+        *layer);
+    return layer;
 }
 
 // Its figures, preceded by what it is, where, when and by which version it was computed.
@@ -94,11 +53,9 @@ std::vector<ResultRow> rowsOfSaved(const Answer& answer, ShownAs show) {
         {QObject::tr("Computed by"),
          QObject::tr("%1, saved %2").arg(formatText(origin.program), keptAt(origin)),
          {}}};
-    std::visit(
-        [&](const auto& content) {
-            for (ResultRow& row : figureRows(content, saved, show)) rows.push_back(std::move(row));
-        },
-        saved.answer.answer);
+    const auto list = viewerOf(saved.result->kind).savedRows;
+    for (ResultRow& row : list ? list(saved, show) : figureRows(answer.figures()))
+        rows.push_back(std::move(row));
     return rows;
 }
 

@@ -42,6 +42,16 @@ std::vector<ResultRow> rowsOfScore(const Answer& answer, ShownAs show) {
                          show);
 }
 
+std::optional<AnswerLayer> layerOfSavedScore(const std::shared_ptr<const SavedContent>& saved) {
+    return markMissingRuns({.map = std::shared_ptr<const Score>(saved, &saved->as<SavedScore>()->score)});
+}
+
+std::vector<ResultRow> rowsOfSavedScore(const SavedContent& saved, ShownAs show) {
+    const auto& score = *saved.as<SavedScore>();
+    return makeScoreRows(score.score, saved.result->scenario, score.weights, saved.answer.origin.period,
+                         show);
+}
+
 QString titleOfScore(const Answer& answer) {
     const auto& score = *answer.as<ScoreAnswer>();
     return QObject::tr("Score of %1 with %2")
@@ -51,7 +61,12 @@ QString titleOfScore(const Answer& answer) {
 }  // namespace
 
 const AnswerViewer& scoreViewer() {
-    static const AnswerViewer viewer{scoreQuestion().key, layerOfScore, rowsOfScore, titleOfScore};
+    static const AnswerViewer viewer{.question = scoreQuestion().key,
+                                     .layer = layerOfScore,
+                                     .rows = rowsOfScore,
+                                     .title = titleOfScore,
+                                     .savedLayer = layerOfSavedScore,
+                                     .savedRows = rowsOfSavedScore};
     return viewer;
 }
 

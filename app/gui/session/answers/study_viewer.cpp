@@ -54,6 +54,27 @@ std::vector<ResultRow> rowsOfStudy(const Answer& answer, ShownAs show) {
     return makeRows(figuresOfStudy(*answer.as<Study>()), show);
 }
 
+std::optional<AnswerLayer> layerOfSavedStudy(const std::shared_ptr<const SavedContent>& saved) {
+    return markMissingRuns(
+        {.map = std::shared_ptr<const ShadowField>(saved, &saved->as<SavedStudy>()->field)});
+}
+
+std::vector<ResultRow> rowsOfSavedStudy(const SavedContent& saved, ShownAs show) {
+    const auto& study = *saved.as<SavedStudy>();
+    const ShadowField& field = study.field;
+    return makeRows(StudyFigures{study.statistics,
+                                 isInstant(field),
+                                 study.steps,
+                                 study.belowHorizon,
+                                 field.sunlitMinutesPerDay,
+                                 0,
+                                 study.seconds,
+                                 saved.answer.origin.period,
+                                 {{"error", study.error}},
+                                 field.engine},
+                    show);
+}
+
 QString scenarioOf(const Answer& answer) { return QString::fromStdString(answer.part().scenario); }
 
 QString titleOfStudy(const Answer& answer) { return QObject::tr("Study of %1").arg(scenarioOf(answer)); }
@@ -61,8 +82,13 @@ QString titleOfStudy(const Answer& answer) { return QObject::tr("Study of %1").a
 }  // namespace
 
 const AnswerViewer& studyViewer() {
-    static const AnswerViewer viewer{studyQuestion().key, layerOfStudy, rowsOfStudy, titleOfStudy,
-                                     scenarioOf};
+    static const AnswerViewer viewer{.question = studyQuestion().key,
+                                     .layer = layerOfStudy,
+                                     .rows = rowsOfStudy,
+                                     .title = titleOfStudy,
+                                     .name = scenarioOf,
+                                     .savedLayer = layerOfSavedStudy,
+                                     .savedRows = rowsOfSavedStudy};
     return viewer;
 }
 
