@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/describe/text.h"
 #include "core/engines/accrual/interval_options.h"
 #include "core/engines/accrual/shadow_accrual_map.h"
 #include "core/engines/api/engine_registry.h"
@@ -22,81 +23,88 @@ using Made = Result<std::unique_ptr<Engine>>;
 EngineOption levelsOption() {
     const double usual = InverseAccrualSettings{}.levels;
     return {"levels",
-            "Source levels",
+            NM_TEXT("Source levels"),
             "",
             1,
             RayScene::maxLevels,
             usual,
             OptionKind::wholeNumber,
-            "How many occluders, nearest first, are followed from each cell"};
+            NM_TEXT("How many occluders, nearest first, are followed from each cell")};
 }
 
 EngineOption sourcesOption() {
-    return {
-        "rays",
-        "Sources by rays",
-        "",
-        0,
-        1,
-        0,
-        OptionKind::yesNo,
-        "Embree finds the occluders at an interval's ends; otherwise filled polygons do, which is faster"};
+    return {"rays",
+            NM_TEXT("Sources by rays"),
+            "",
+            0,
+            1,
+            0,
+            OptionKind::yesNo,
+            NM_TEXT("Embree finds the occluders at an interval's ends; otherwise filled polygons do, which "
+                    "is faster")};
 }
 
 EngineOption nearestHitOption() {
     return {"nearest",
-            "Nearest hit",
+            NM_TEXT("Nearest hit"),
             "m",
             InverseAccrualSettings::minNearestHitM,
             InverseAccrualSettings::maxNearestHitM,
             double(InverseAccrualSettings{}.nearestHitM),
             OptionKind::number,
-            "Occluders nearer to a cell than this are left out (the paper: 1 m)"};
+            NM_TEXT("Occluders nearer to a cell than this are left out (the paper: 1 m)")};
 }
 
 EngineOption deviceOption() {
     return {"device",
-            "OpenCL device",
+            NM_TEXT("OpenCL device"),
             "",
             -1,
             63,
             -1,
             OptionKind::wholeNumber,
-            "Which OpenCL device draws, counted from 0; -1: the processor itself"};
+            NM_TEXT("Which OpenCL device draws, counted from 0; -1: the processor itself")};
 }
 
 EngineEntry rayReference() {
-    return {{referenceEngine, "Ray reference",
-             "One ray per receiver and step, traced by Embree: the truth that others are measured against",
-             RayReference::able},
-            [](const EngineSettings&) -> Made { return std::make_unique<RayReference>(); }};
+    return {
+        {referenceEngine, NM_TEXT("Ray reference"),
+         NM_TEXT(
+             "One ray per receiver and step, traced by Embree: the truth that others are measured against"),
+         RayReference::able},
+        [](const EngineSettings&) -> Made { return std::make_unique<RayReference>(); }};
 }
 
 EngineEntry projectedShadows() {
-    return {{"projected", "Projected shadows",
-             "Each building's shadow filled as polygons at every step: exact and fast on flat ground",
-             ProjectedShadows::able, 16},
-            [](const EngineSettings&) -> Made { return std::make_unique<ProjectedShadows>(); }};
+    return {
+        {"projected", NM_TEXT("Projected shadows"),
+         NM_TEXT("Each building's shadow filled as polygons at every step: exact and fast on flat ground"),
+         ProjectedShadows::able, 16},
+        [](const EngineSettings&) -> Made { return std::make_unique<ProjectedShadows>(); }};
 }
 
 EngineEntry horizonSweep() {
-    return {{"horizon", "Horizon sweep",
+    return {
+        {"horizon", NM_TEXT("Horizon sweep"),
+         NM_TEXT(
              "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and "
-             "roofs too",
-             HorizonSweep::able, 24, sweepOptions()},
-            [](const EngineSettings& settings) -> Made {
-                return std::make_unique<HorizonSweep>(readSweepSettings(settings));
-            }};
+             "roofs too"),
+         HorizonSweep::able, 24, sweepOptions()},
+        [](const EngineSettings& settings) -> Made {
+            return std::make_unique<HorizonSweep>(readSweepSettings(settings));
+        }};
 }
 
 EngineEntry autoEngine() {
-    return {{"auto", "Automatic",
+    return {
+        {"auto", NM_TEXT("Automatic"),
+         NM_TEXT(
              "Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result "
-             "says which and why",
-             AutoEngine().capabilities(), 24, sweepOptions()},
-            [](const EngineSettings& settings) -> Made {
-                return std::make_unique<AutoEngine>(readSweepSettings(settings));
-            }};
+             "says which and why"),
+         AutoEngine().capabilities(), 24, sweepOptions()},
+        [](const EngineSettings& settings) -> Made {
+            return std::make_unique<AutoEngine>(readSweepSettings(settings));
+        }};
 }
 
 Made inverseAccrual(const EngineSettings& settings) {
@@ -117,21 +125,21 @@ std::vector<EngineOption> inverseAccrualOptions() {
 }
 
 EngineEntry inverseAccrualMap() {
-    return {
-        {"iam",
-         "Inverse accrual map",
-         "Occluders at both ends of each hour, their shadows moved along straight lines between; hours that "
-         "look alike computed once",
-         {},
-         // Sources of two instants, masks, and some 30 maps of runs alive in a year.
-         200,
-         inverseAccrualOptions()},
-        inverseAccrual};
+    return {{"iam",
+             NM_TEXT("Inverse accrual map"),
+             NM_TEXT("Occluders at both ends of each hour, their shadows moved along straight lines between; "
+                     "hours that "
+                     "look alike computed once"),
+             {},
+             // Sources of two instants, masks, and some 30 maps of runs alive in a year.
+             200,
+             inverseAccrualOptions()},
+            inverseAccrual};
 }
 
 EngineEntry rayGraph() {
-    return {{"ray-graph", "Ray reference through the direction graph",
-             "Rays, with hours that look alike traced once: what the graph alone does to the error",
+    return {{"ray-graph", NM_TEXT("Ray reference through the direction graph"),
+             NM_TEXT("Rays, with hours that look alike traced once: what the graph alone does to the error"),
              RayIntervals::able,
              // Masks, and some 30 maps of runs alive in a year.
              130, graphOptions()},
@@ -149,14 +157,15 @@ Made shadowAccrual(const EngineSettings& settings) {
 }
 
 EngineEntry shadowAccrualMap() {
-    return {{"sam",
-             "Shadow accrual map",
-             "A depth map of each step of an hour, drawn from a city placed once; hours that look alike "
-             "computed once",
-             {},
-             accrualBytesPerCell,
-             accrualOptions(AccrualSettings::maxMapSize)},
-            shadowAccrual};
+    return {
+        {"sam",
+         NM_TEXT("Shadow accrual map"),
+         NM_TEXT("A depth map of each step of an hour, drawn from a city placed once; hours that look alike "
+                 "computed once"),
+         {},
+         accrualBytesPerCell,
+         accrualOptions(AccrualSettings::maxMapSize)},
+        shadowAccrual};
 }
 
 }  // namespace

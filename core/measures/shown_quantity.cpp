@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -35,13 +37,13 @@ double ShownQuantity::ofError(double grossMin) const {
 }
 
 std::string_view ShownQuantity::title() const {
-    if (as == ShownAs::sun) return "Hours of sun";
-    return as == ShownAs::share ? "Share of the sunlit time" : "Gross shadow";
+    if (as == ShownAs::sun) return NM_TEXT("Hours of sun");
+    return as == ShownAs::share ? NM_TEXT("Share of the sunlit time") : NM_TEXT("Gross shadow");
 }
 
 std::string_view ShownQuantity::unit() const {
-    if (as == ShownAs::sun) return "hours of sun a day";
-    return as == ShownAs::share ? "% in the sun" : "minutes in shadow a day";
+    if (as == ShownAs::sun) return NM_TEXT("hours of sun a day");
+    return as == ShownAs::share ? NM_TEXT("% in the sun") : NM_TEXT("minutes in shadow a day");
 }
 
 std::string_view ShownQuantity::shortUnit() const {

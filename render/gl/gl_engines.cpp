@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/describe/text.h"
 #include "core/engines/accrual/interval_options.h"
 #include "core/engines/graph/graph_engine.h"
 #include "render/gl/gl_shadow_maps.h"
@@ -25,12 +26,14 @@ EngineList findEngines() {
     if (!context) return {};
     const GlLimits& limits = (*context)->limits();
     return {
-        engineOf({"shadow-map-gl", "Shadow maps (OpenGL)",
-                  "Draws one depth map per step and tests every cell against it: the method that the paper "
-                  "compares accrual maps with"},
-                 GlPasses::oneAStep, limits),
-        engineOf({"sam-gl", "Shadow accrual map (OpenGL)",
-                  "One draw on the graphics device fills the depth maps of all steps of an hour"},
+        engineOf(
+            {"shadow-map-gl", NM_TEXT("Shadow maps (OpenGL)"),
+             NM_TEXT(
+                 "Draws one depth map per step and tests every cell against it: the method that the paper "
+                 "compares accrual maps with")},
+            GlPasses::oneAStep, limits),
+        engineOf({"sam-gl", NM_TEXT("Shadow accrual map (OpenGL)"),
+                  NM_TEXT("One draw on the graphics device fills the depth maps of all steps of an hour")},
                  GlPasses::oneAnInterval, limits)};
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -24,28 +26,33 @@ const std::vector<float>& getValues(const Impact& impact, ShadowMeasure measure)
 
 Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale& scale,
                   const LegendChoice& choice) {
-    Legend legend{
-        QStringLiteral("Change of %1").arg(nameOf(measure).toLower()), {}, {}, isInstant(impact), true};
+    const bool isGross = measure == ShadowMeasure::gross;
+    Legend legend{isGross ? QStringLiteral(NM_TEXT("Change of gross shadow"))
+                          : QStringLiteral(NM_TEXT("Change of continuous shadow")),
+                  isGross ? QStringLiteral(NM_TEXT("min a day")) : QStringLiteral(NM_TEXT("min")),
+                  {},
+                  isInstant(impact),
+                  true};
     const ShownQuantity quantity =
         legend.instant ? ShownQuantity{} : quantityOf(measure, choice.show, impact.sunlitMinutesPerDay);
-    if (quantity.isSun()) legend.title = QStringLiteral("Change of sun");
+    if (quantity.isSun()) legend.title = QStringLiteral(NM_TEXT("Change of sun"));
     const std::vector<float>& values = getValues(impact, measure);
     const ChangeSpread spread = changeSpreadOf(values, float(noChangeMin));
     legend.scale = legendScaleOf(scale, spread);
     legend.colours =
         makeSignedScale(choice, ColourScale::Of::change, quantity, legend.scale, noChangeMin, values);
     if (legend.instant) legend.colours->breaks.clear();
-    legend.unit = measure == ShadowMeasure::gross ? QStringLiteral("min a day") : QStringLiteral("min");
-    if (!legend.instant)
-        legend.unit +=
-            scale.lockedMin
-                ? QStringLiteral(", scale locked: ±%1 min").arg(QString::fromStdString(formatText(scale)))
-                : QStringLiteral(", scale fitted to this difference");
+    if (!legend.instant && scale.lockedMin)
+        legend.notes.push_back({QStringLiteral(NM_TEXT("scale locked: %1")),
+                                QStringLiteral("±%1 min").arg(QString::fromStdString(formatText(scale)))});
+    else if (!legend.instant)
+        legend.notes.push_back({QStringLiteral(NM_TEXT("scale fitted to this difference"))});
     if (spread.most > legend.scale.top)
-        legend.unit += QStringLiteral(", largest %1").arg(spread.most, 0, 'f', 0);
+        legend.notes.push_back({QStringLiteral(NM_TEXT("largest %1")), QString::number(spread.most, 'f', 0)});
     addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding,
-             QStringLiteral("built over"));
-    addPatch(legend, impact, CellChange::becameGround, ground::becameGround, QStringLiteral("now ground"));
+             QStringLiteral(NM_TEXT("built over")));
+    addPatch(legend, impact, CellChange::becameGround, ground::becameGround,
+             QStringLiteral(NM_TEXT("now ground")));
     return legend;
 }
 

@@ -4,6 +4,8 @@
 #include <QLinearGradient>
 #include <cmath>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -32,7 +34,7 @@ void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) 
     painter.setFont(textFont(canvas, titlePt));
     painter.setPen(canvas.inks.quiet);
     painter.drawText(QPointF(area.left() + used, baseline),
-                     fittingParts(legend.unit, QFontMetricsF(painter.font()), area.width() - used));
+                     fittingParts(describeUnit(legend), QFontMetricsF(painter.font()), area.width() - used));
 }
 
 QRectF barOf(const Canvas& canvas, const QRectF& area) {
@@ -174,6 +176,13 @@ double paintOwnColours(const Canvas& canvas, const QRectF& area, const std::vect
 
 }  // namespace
 
+QString describeUnit(const Legend& legend) {
+    QStringList parts{legend.unit};
+    for (const LegendNote& note : legend.notes)
+        parts << (note.number.isEmpty() ? note.text : note.text.arg(note.number));
+    return parts.join(QStringLiteral(", "));
+}
+
 ShownQuantity quantityOf(ShadowMeasure measure, ShownAs show, double sunlitMin) {
     return {measure == ShadowMeasure::gross ? show : ShownAs::shadow, sunlitMin};
 }
@@ -193,8 +202,12 @@ Legend makeLegend(ShadowMeasure measure, const LegendChoice& choice, double sunl
     return legend;
 }
 
+Legend momentLegend() {
+    return {QStringLiteral(NM_TEXT("Shadow")), QStringLiteral(NM_TEXT("at this moment")), {1, 1}, true};
+}
+
 Legend makeLegend(const ShadowField& field, ShadowMeasure measure, const LegendChoice& choice) {
-    if (isInstant(field)) return {QStringLiteral("Shadow"), QStringLiteral("at this moment"), {1, 1}, true};
+    if (isInstant(field)) return momentLegend();
     return makeLegend(measure, choice, field.sunlitMinutesPerDay, topOf(field, measure),
                       getValues(field, measure));
 }

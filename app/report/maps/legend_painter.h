@@ -16,7 +16,14 @@ struct LegendPatch {
     QString label;
 };
 
-/// A legend: maps colours back to minutes.
+/// What a legend states beside its unit.
+struct LegendNote {
+    QString text;      ///< NM_TEXT: "largest %1"
+    QString number{};  ///< stands for %1
+};
+
+/// A legend: maps colours back to minutes. Title, unit and the labels of classes and patches are English and
+/// marked by NM_TEXT; the GUI translates them.
 struct Legend {
     QString title;                       ///< "Gross shadow"
     QString unit;                        ///< "minutes in shadow a day"
@@ -27,7 +34,11 @@ struct Legend {
     std::vector<LegendPatch> classes{};  ///< if any: patches in their order instead of a scale
     /// The colours from colours->low to colours->high; none: those of plainScale().
     std::optional<ColourScale> colours{};
+    std::vector<LegendNote> notes{};
 };
+
+/// "min a day, scale fitted to this difference, largest 12"
+QString describeUnit(const Legend& legend);
 
 /// What a map of the measure shows: continuous shadow is always minutes of shadow.
 ShownQuantity quantityOf(ShadowMeasure measure, ShownAs show, double sunlitMin);
@@ -39,6 +50,9 @@ Legend makeLegend(ShadowMeasure measure, const LegendChoice& choice, double sunl
 
 /// The legend of a map of `measure`. O(cells). A moment's has two patches.
 Legend makeLegend(const ShadowField& field, ShadowMeasure measure, const LegendChoice& choice = {});
+
+/// Two patches: sun and shadow.
+Legend momentLegend();
 
 /// The colours of a map with this legend; of a moment those of sun and shadow.
 ColourScale coloursOf(const Legend& legend);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 const std::vector<float>& getValues(const ShadowField& field, ShadowMeasure measure) {
@@ -9,13 +11,13 @@ const std::vector<float>& getValues(const ShadowField& field, ShadowMeasure meas
 }
 
 QString nameOf(ShadowMeasure measure) {
-    return measure == ShadowMeasure::gross ? QStringLiteral("Gross shadow")
-                                           : QStringLiteral("Continuous shadow");
+    return measure == ShadowMeasure::gross ? QStringLiteral(NM_TEXT("Gross shadow"))
+                                           : QStringLiteral(NM_TEXT("Continuous shadow"));
 }
 
 QString describeMeasure(ShadowMeasure measure) {
-    return measure == ShadowMeasure::gross ? QStringLiteral("minutes in shadow a day")
-                                           : QStringLiteral("longest run, minutes");
+    return measure == ShadowMeasure::gross ? QStringLiteral(NM_TEXT("minutes in shadow a day"))
+                                           : QStringLiteral(NM_TEXT("longest run, minutes"));
 }
 
 double topOf(const ShadowField& field, ShadowMeasure measure) {

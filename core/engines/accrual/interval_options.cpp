@@ -1,52 +1,56 @@
 #include "core/engines/accrual/interval_options.h"
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
 
 EngineOption mapOption(int largestMap) {
-    return {"map",
-            "Map size",
-            "texels",
-            AccrualSettings::minMapSize,
-            double(largestMap),
-            double(AccrualSettings{}.mapSize),
-            OptionKind::wholeNumber,
+    return {
+        "map",
+        NM_TEXT("Map size"),
+        "texels",
+        AccrualSettings::minMapSize,
+        double(largestMap),
+        double(AccrualSettings{}.mapSize),
+        OptionKind::wholeNumber,
+        NM_TEXT(
             "Texels along a side of the depth map that is stretched over the region; no more than cells are "
-            "used"};
+            "used")};
 }
 
 EngineOption biasOption() {
     return {"bias",
-            "Bias",
+            NM_TEXT("Bias"),
             "m",
             0,
             double(AccrualSettings::maxBiasM),
             double(AccrualSettings{}.biasM),
             OptionKind::number,
-            "How high above the ground something must be to shade it"};
+            NM_TEXT("How high above the ground something must be to shade it")};
 }
 
 EngineOption intervalOption() {
     return {"interval",
-            "Interval",
+            NM_TEXT("Interval"),
             "min",
             0.1,
             120,
             DirectionGraphSettings{}.intervalMinutes,
             OptionKind::number,
-            "How long the sun is taken to move in a straight line"};
+            NM_TEXT("How long the sun is taken to move in a straight line")};
 }
 
 EngineOption boundOption() {
     return {"bound",
-            "Direction bound",
+            NM_TEXT("Direction bound"),
             "deg",
             0.1,
             20,
             DirectionGraphSettings{}.boundDeg,
             OptionKind::number,
-            "Hours whose sun is less than this apart are computed once"};
+            NM_TEXT("Hours whose sun is less than this apart are computed once")};
 }
 
 }  // namespace

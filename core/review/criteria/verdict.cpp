@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -27,13 +29,13 @@ Verdict compareHigh(double limit, const Measured& measured) {
 std::string_view nameOf(Verdict verdict) {
     switch (verdict) {
         case Verdict::pass:
-            return "pass";
+            return NM_TEXT("pass");
         case Verdict::borderline:
-            return "borderline";
+            return NM_TEXT("borderline");
         case Verdict::fail:
-            return "fail";
+            return NM_TEXT("fail");
         case Verdict::notApplicable:
-            return "not applicable";
+            return NM_TEXT("not applicable");
         case Verdict::notChecked:
             return "not checked";
     }

@@ -21,6 +21,7 @@
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/study/region_words.h"
 #include "app/report/maps/palette.h"
+#include "core/describe/text.h"
 
 namespace noonmark {
 
@@ -54,10 +55,10 @@ QColor colourOf(const ColourScale& scale, double hours) {
 }
 
 Legend legendOf(const ColourScale& scale) {
-    Legend legend{QStringLiteral("Sun by place"), QStringLiteral("hours of sun a day")};
+    Legend legend{QStringLiteral(NM_TEXT("Sun by place")), QStringLiteral(NM_TEXT("hours of sun a day"))};
     if (scale.of == ColourScale::Of::change) {
-        legend.title = QStringLiteral("Change of sun by place");
-        legend.unit = QStringLiteral("minutes of sun a day");
+        legend.title = QStringLiteral(NM_TEXT("Change of sun by place"));
+        legend.unit = QStringLiteral(NM_TEXT("minutes of sun a day"));
     }
     legend.scale = {scale.high, scale.tick};
     legend.colours = scale;

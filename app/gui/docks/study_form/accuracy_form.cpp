@@ -9,7 +9,7 @@
 
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/session/study/engine_words.h"
+#include "app/gui/base/widgets/translated.h"
 
 namespace noonmark {
 
@@ -20,10 +20,9 @@ QString text(std::string_view view) { return QString::fromUtf8(view.data(), qsiz
 QString tipOf(const EngineOption& option) {
     if (option.kind == OptionKind::yesNo)
         return QObject::tr("%1.\nDefault: %2")
-            .arg(translateEngineWord(option.about),
-                 translateEngineWord(formatOptionValue(option, option.standard)));
+            .arg(translated(option.about), option.standard != 0 ? QObject::tr("yes") : QObject::tr("no"));
     return QObject::tr("%1.\n%2 to %3 %4, usually %5")
-        .arg(translateEngineWord(option.about), formatShort(option.min, 6), formatShort(option.max, 6),
+        .arg(translated(option.about), formatShort(option.min, 6), formatShort(option.max, 6),
              text(option.unit), formatShort(option.standard, 6));
 }
 
@@ -77,8 +76,8 @@ void AccuracyForm::fillEngines() {
     engine_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     engine_->setMinimumContentsLength(18);
     for (const auto& [engine, make] : engines_) {
-        engine_->addItem(translateEngineWord(engine.name), text(engine.key));
-        engine_->setItemData(engine_->count() - 1, translateEngineWord(engine.about), Qt::ToolTipRole);
+        engine_->addItem(translated(engine.name), text(engine.key));
+        engine_->setItemData(engine_->count() - 1, translated(engine.about), Qt::ToolTipRole);
     }
 }
 
@@ -96,16 +95,16 @@ void AccuracyForm::makeFields(const EngineInfo& engine) {
 }
 
 void AccuracyForm::addField(const EngineOption& option) {
-    const auto tell = [this, name = translateEngineWord(option.name)] { Q_EMIT edited(name); };
+    const auto tell = [this, name = translated(option.name)] { Q_EMIT edited(name); };
     if (option.kind == OptionKind::yesNo) {
-        auto* box = new QCheckBox(translateEngineWord(option.name));
+        auto* box = new QCheckBox(translated(option.name));
         fields_.push_back({option, box, nullptr, box});
         form_->addRow(box);
         connect(box, &QCheckBox::toggled, this, tell);
     } else {
         QDoubleSpinBox* box = numberFieldOf(option);
         fields_.push_back({option, box, box, nullptr});
-        form_->addRow(translateEngineWord(option.name), box);
+        form_->addRow(translated(option.name), box);
         connect(box, &QDoubleSpinBox::valueChanged, this, tell);
     }
     const QSignalBlocker quiet(this);

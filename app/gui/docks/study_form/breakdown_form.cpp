@@ -6,7 +6,6 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/widgets/translated.h"
-#include "app/gui/session/study/engine_words.h"
 #include "app/input/all_engines.h"
 #include "core/study/contributions/contributions.h"
 #include "core/study/text/breakdown_text.h"
@@ -28,7 +27,7 @@ QCheckBox* makeBox(const QString& text, const char* name, const QString& tip) {
 QString listEnginesWith(Ability ability) {
     QStringList names;
     for (const EngineEntry& engine : coreEngines())
-        if (engine.info.capabilities.*ability) names << translateEngineWord(engine.info.name);
+        if (engine.info.capabilities.*ability) names << translated(engine.info.name);
     return names.join(QObject::tr(", "));
 }
 

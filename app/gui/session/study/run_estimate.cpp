@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/session/study/engine_words.h"
+#include "app/gui/base/widgets/translated.h"
 #include "app/input/all_engines.h"
 #include "core/engines/auto_engine.h"
 #include "core/receivers/roof_receivers.h"
@@ -46,7 +46,7 @@ double breakdownSeconds(const StudySettings& settings, std::string_view engine, 
 QString nameOfEngine(std::string_view key) {
     const EngineEntry* entry = findEngine(allEngines(), key);
     if (!entry) return {};
-    return translateEngineWord(entry->info.name);
+    return translated(entry->info.name);
 }
 
 QString describeCells(double cells) {

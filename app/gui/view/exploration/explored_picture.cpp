@@ -23,7 +23,7 @@ bool isInstant(const ExploredView& view) { return view.days == 1 && view.shadow.
 }  // namespace
 
 Legend makeLegend(const ExploredView& view, ShadowMeasure measure, const LegendChoice& choice) {
-    if (isInstant(view)) return {QStringLiteral("Shadow"), QStringLiteral("at this moment"), {1, 1}, true};
+    if (isInstant(view)) return momentLegend();
     const std::vector<float>& minutes = minutesOf(view, measure);
     float most = 0;
     for (const float value : minutes)

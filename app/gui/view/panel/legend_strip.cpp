@@ -12,8 +12,9 @@
 #include <cmath>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/translated.h"
 #include "app/gui/view/panel/legend_editor.h"
-#include "app/gui/view/panel/legend_words.h"
 #include "app/report/maps/map_furniture.h"
 
 namespace noonmark {
@@ -101,6 +102,18 @@ QString elideNote(const QString& note, const QFont& font, const QSizeF& room) {
     return some();
 }
 
+QString translatedWord(const QString& word) { return translated(word.toStdString()); }
+
+// app/report writes the words of legends in English, for sheets and files.
+Legend translatedLegend(Legend legend) {
+    legend.title = translatedWord(legend.title);
+    legend.unit = localiseNumbers(translatedWord(legend.unit));
+    for (LegendNote& note : legend.notes) note = {translatedWord(note.text), localiseNumbers(note.number)};
+    for (auto* patches : {&legend.classes, &legend.patches})
+        for (LegendPatch& patch : *patches) patch.label = translatedWord(patch.label);
+    return legend;
+}
+
 }  // namespace
 
 LegendStrip::LegendStrip(QWidget* parent)
@@ -115,8 +128,8 @@ LegendStrip::LegendStrip(QWidget* parent)
              "follow from it."))) {
     setFixedHeight(stripHeight);
     measure_->setObjectName(QStringLiteral("measure"));
-    measure_->addItem(translateLegendWord(nameOf(ShadowMeasure::gross)));
-    measure_->addItem(translateLegendWord(nameOf(ShadowMeasure::continuous)));
+    measure_->addItem(translatedWord(nameOf(ShadowMeasure::gross)));
+    measure_->addItem(translatedWord(nameOf(ShadowMeasure::continuous)));
     measure_->setToolTip(
         tr("What is displayed.\nGross shadow: minutes in shadow per day, mean over the days.\nContinuous "
            "shadow: longest unbroken run in shadow on any day, minutes."));
@@ -340,7 +353,7 @@ void LegendStrip::paintEvent(QPaintEvent*) {
     const QRectF area = legendArea();
     if (legend_)
         return paintLegend({painter, area.height() / legendHeightPt, canvas.inks}, area,
-                           translateLegend(*legend_));
+                           translatedLegend(*legend_));
     painter.setPen(canvas.inks.quiet);
     painter.setFont(font());
     painter.drawText(area, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, hint_);

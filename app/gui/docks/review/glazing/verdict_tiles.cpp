@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/gui/docks/review/verdict_words.h"
+#include "core/describe/text.h"
 #include "core/receivers/points/pane_corners.h"
 
 namespace noonmark {
@@ -14,9 +15,10 @@ constexpr std::array shownClasses{Verdict::pass, Verdict::borderline, Verdict::f
 constexpr std::array shownChanges{VerdictChange::same, VerdictChange::worse, VerdictChange::better,
                                   VerdictChange::notCompared};
 
-// The words of legends are English here, as in files; legend_words.cpp has their translations.
+// The words of legends are English here, as in files.
 QString wordOf(VerdictChange change) {
-    constexpr std::array words{"the same", "worse", "better", "not compared"};
+    constexpr std::array words{NM_TEXT("the same"), NM_TEXT("worse"), NM_TEXT("better"),
+                               NM_TEXT("not compared")};
     return QString::fromLatin1(words[std::size_t(change)]);
 }
 
@@ -28,10 +30,11 @@ QColor colourOf(const GlazingReview& review, ShownVerdicts shown) {
 Legend makeVerdictLegend(ShownVerdicts shown) {
     Legend legend;
     const bool ofChange = shown == ShownVerdicts::change;
-    legend.title = ofChange ? QStringLiteral("Change of verdicts") : QStringLiteral("Verdicts on windows");
-    legend.unit = ofChange                         ? QStringLiteral("from before to after")
-                  : shown == ShownVerdicts::before ? QStringLiteral("before")
-                                                   : QStringLiteral("after");
+    legend.title = ofChange ? QStringLiteral(NM_TEXT("Change of verdicts"))
+                            : QStringLiteral(NM_TEXT("Verdicts on windows"));
+    legend.unit = ofChange                         ? QStringLiteral(NM_TEXT("from before to after"))
+                  : shown == ShownVerdicts::before ? QStringLiteral(NM_TEXT("before"))
+                                                   : QStringLiteral(NM_TEXT("after"));
     if (ofChange)
         for (const VerdictChange change : shownChanges)
             legend.classes.push_back({tileColour(change), wordOf(change)});
