@@ -114,8 +114,8 @@ TEST_F(AnswersWindow, TheScaleOfDifferencesIsLockedChangedAndFoundAgain) {
     auto* field = window->findChild<QSpinBox*>(QStringLiteral("changeScale"));
     EXPECT_TRUE(field->isVisible());
     EXPECT_EQ(legend.legend()->scale.top, 60);
-    EXPECT_TRUE(legend.legend()->unit.contains(QStringLiteral("scale locked: ±60 min")))
-        << legend.legend()->unit.toStdString();
+    EXPECT_TRUE(describeUnit(*legend.legend()).contains(QStringLiteral("scale locked: ±60 min")))
+        << describeUnit(*legend.legend()).toStdString();
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 8}}, QStringLiteral("low")));
     const auto before = workbench().answerAs<ImpactAnswer>();
     ASSERT_TRUE(waitFor([&] {
@@ -130,8 +130,8 @@ TEST_F(AnswersWindow, TheScaleOfDifferencesIsLockedChangedAndFoundAgain) {
     EXPECT_EQ(changeScaleIn(ProjectFile::open(session().file()->path()).value().project().view),
               ChangeScale{25});
     field->setValue(0);
-    EXPECT_TRUE(legend.legend()->unit.contains(QStringLiteral("fitted")))
-        << legend.legend()->unit.toStdString();
+    EXPECT_TRUE(describeUnit(*legend.legend()).contains(QStringLiteral("fitted")))
+        << describeUnit(*legend.legend()).toStdString();
     const auto open = workbench().city();
     window->open({QString::fromStdString(session().file()->path().string())});
     ASSERT_TRUE(waitFor([&] { return workbench().city() != open; }));

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app/report/maps/impact_legend.h"
+#include "app/report/sheets/impact_report.h"
+#include "tests/report/synthetic_study.h"
 
 namespace noonmark {
 namespace {
@@ -35,7 +37,8 @@ TEST(ChangeScales, LockedTheColoursOfTwoProposalsAreTheSame) {
     };
     EXPECT_EQ(legend(small, {}).scale.top, 60);
     EXPECT_EQ(legend(large, {}).scale.top, 60);
-    EXPECT_EQ(legend(large, {}).unit, QStringLiteral("min a day, scale locked: ±60 min, largest 230"));
+    EXPECT_EQ(describeUnit(legend(large, {})),
+              QStringLiteral("min a day, scale locked: ±60 min, largest 230"));
     const ColourScale colours = coloursOf(legend(small, {}));
     EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 1, colours),
               pickColour(large, ShadowMeasure::gross, 1, coloursOf(legend(large, {}))));
@@ -45,7 +48,22 @@ TEST(ChangeScales, LockedTheColoursOfTwoProposalsAreTheSame) {
     const ChangeScale fitted{std::nullopt};
     const Impact even = impactOf(std::vector<float>(200, 20));
     EXPECT_EQ(legend(even, fitted).scale.top, 20);
-    EXPECT_EQ(legend(even, fitted).unit, QStringLiteral("min a day, scale fitted to this difference"));
+    EXPECT_EQ(describeUnit(legend(even, fitted)),
+              QStringLiteral("min a day, scale fitted to this difference"));
+}
+
+TEST(ChangeScales, AreStatedOnTheSheetOfAComparison) {
+    const Study study = tests::syntheticStudy();
+    ImpactAnswer answer{.from = "Existing", .to = "Tower", .settings = {study.settings}};
+    answer.study.sun = study.sun;
+    answer.study.before = answer.study.after = study.field;
+    answer.study.total = impactOf(study.field.grossMin);
+    answer.study.total.grid = study.field.grid;
+    const auto stated = [&](const ChangeScale& scale) {
+        return makeSheet(answer, {study.city}, scale).definitions.at(0).text;
+    };
+    EXPECT_TRUE(stated({}).contains(QStringLiteral("min a day, scale locked: ±60 min")));
+    EXPECT_TRUE(stated({std::nullopt}).contains(QStringLiteral("scale fitted to this difference")));
 }
 
 }  // namespace

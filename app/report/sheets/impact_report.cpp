@@ -13,7 +13,7 @@ QString describeArea(double areaM2) { return describeAmount(areaM2, 0) + QString
 
 TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale, const LegendChoice& legend) {
     const auto unitOf = [&](ShadowMeasure measure) {
-        return makeLegend(answer.study.total, measure, scale, legend).unit;
+        return describeUnit(makeLegend(answer.study.total, measure, scale, legend));
     };
     const bool isSun = legend.show != ShownAs::shadow;
     return {body(QStringLiteral("Colours: %1 in %2; continuous shadow in %3.")
