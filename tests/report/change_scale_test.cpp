@@ -62,7 +62,7 @@ TEST(ChangeScales, AreStatedOnTheSheetOfAComparison) {
     const auto stated = [&](const ChangeScale& scale) {
         return makeSheet(answer, {study.city}, scale).definitions.at(0).text;
     };
-    EXPECT_TRUE(stated({}).contains(QStringLiteral("min a day, scale locked: ±60 min")));
+    EXPECT_TRUE(stated({}).contains(QStringLiteral("scale locked: ±60")));
     EXPECT_TRUE(stated({std::nullopt}).contains(QStringLiteral("scale fitted to this difference")));
 }
 
