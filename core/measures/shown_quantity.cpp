@@ -11,6 +11,19 @@ namespace {
 constexpr double minutesAnHour = 60;
 constexpr double wholePct = 100;
 
+struct QuantityWords {
+    ShownAs as;
+    std::string_view title, unit, shortUnit;
+};
+
+constexpr QuantityWords quantityWords[] = {
+    {ShownAs::shadow, NM_TEXT("Gross shadow"), NM_TEXT("minutes in shadow a day"), "min"},
+    {ShownAs::sun, NM_TEXT("Hours of sun"), NM_TEXT("hours of sun a day"), "h"},
+    {ShownAs::share, NM_TEXT("Share of the sunlit time"), NM_TEXT("% in the sun"), "%"},
+};
+
+const QuantityWords& wordsOf(ShownAs as) { return *std::ranges::find(quantityWords, as, &QuantityWords::as); }
+
 double pctOf(double minutes, double sunlitMin) { return sunlitMin > 0 ? wholePct * minutes / sunlitMin : 0; }
 
 }  // namespace
@@ -36,19 +49,10 @@ double ShownQuantity::ofError(double grossMin) const {
     return grossMin;
 }
 
-std::string_view ShownQuantity::title() const {
-    if (as == ShownAs::sun) return NM_TEXT("Hours of sun");
-    return as == ShownAs::share ? NM_TEXT("Share of the sunlit time") : NM_TEXT("Gross shadow");
-}
+std::string_view ShownQuantity::title() const { return wordsOf(as).title; }
 
-std::string_view ShownQuantity::unit() const {
-    if (as == ShownAs::sun) return NM_TEXT("hours of sun a day");
-    return as == ShownAs::share ? NM_TEXT("% in the sun") : NM_TEXT("minutes in shadow a day");
-}
+std::string_view ShownQuantity::unit() const { return wordsOf(as).unit; }
 
-std::string_view ShownQuantity::shortUnit() const {
-    if (as == ShownAs::sun) return "h";
-    return as == ShownAs::share ? "%" : "min";
-}
+std::string_view ShownQuantity::shortUnit() const { return wordsOf(as).shortUnit; }
 
 }  // namespace noonmark

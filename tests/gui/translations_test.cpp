@@ -14,7 +14,9 @@
 #include "app/gui/base/looks/language.h"
 #include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/translated.h"
 #include "app/input/all_engines.h"
+#include "core/receivers/roof_receivers.h"
 #include "tests/gui/answers_window.h"
 #include "tests/gui/translation_messages.h"
 
@@ -120,6 +122,12 @@ TEST_F(Languages, EnginesAndTheirOptionsHaveWordsInEveryLanguage) {
             }
         }
     }
+}
+
+TEST_F(Languages, ChoicesOfCoreAreTranslated) {
+    use(Language::german);
+    for (const auto& choice : receiverPlaceChoices)
+        EXPECT_NE(noonmark::translated(choice.label), QString::fromUtf8(choice.label.data())) << choice.label;
 }
 
 TEST_F(Languages, ErrorsOfTheWindowAreTranslatedAndThoseOfCoreStay) {

@@ -1,6 +1,7 @@
 #include "core/review/criteria/verdict.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "core/describe/text.h"
@@ -8,6 +9,10 @@
 namespace noonmark {
 
 namespace {
+
+// In the order of Verdict.
+constexpr std::array<std::string_view, 5> verdictNames{
+    NM_TEXT("pass"), NM_TEXT("borderline"), NM_TEXT("fail"), NM_TEXT("not applicable"), "not checked"};
 
 double quotient(double value, double former) {
     if (former > 0) return value / former;
@@ -26,21 +31,7 @@ Verdict compareHigh(double limit, const Measured& measured) {
 
 }  // namespace
 
-std::string_view nameOf(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::pass:
-            return NM_TEXT("pass");
-        case Verdict::borderline:
-            return NM_TEXT("borderline");
-        case Verdict::fail:
-            return NM_TEXT("fail");
-        case Verdict::notApplicable:
-            return NM_TEXT("not applicable");
-        case Verdict::notChecked:
-            return "not checked";
-    }
-    return {};
-}
+std::string_view nameOf(Verdict verdict) { return verdictNames.at(std::size_t(verdict)); }
 
 Verdict compareWith(Comparison comparison, double limit, const Measured& measured) {
     const bool low = comparison == Comparison::atMost || comparison == Comparison::below;
