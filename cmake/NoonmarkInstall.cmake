@@ -35,7 +35,7 @@ endfunction()
 function(noonmark_install_program component target)
   install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component})
   install(TARGETS noonmark-mesh-reader RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/noonmark COMPONENT ${component})
-  install(TARGETS noonmark-movie-encoder LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/noonmark COMPONENT ${component})
+  install(TARGETS noonmark-movie-encoder noonmark-body-writer LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/noonmark COMPONENT ${component})
 endfunction()
 
 noonmark_install_program(command-line noonmark-cli)

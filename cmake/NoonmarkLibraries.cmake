@@ -30,6 +30,8 @@ pkg_check_modules(POPPLER REQUIRED IMPORTED_TARGET poppler-qt6)
 pkg_check_modules(QPDF REQUIRED IMPORTED_TARGET libqpdf)
 # Writes movies as MP4 and GIF.
 pkg_check_modules(LIBAV REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
+# Writes buildings as faces in DXF, which GDAL's driver cannot.
+pkg_check_modules(DXFLIB REQUIRED IMPORTED_TARGET dxflib)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(OpenCL REQUIRED)
 # Cities with their time zones; without it the window guesses a zone from the tz database's cities alone.

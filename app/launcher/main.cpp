@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <climits>
 #include <cstdio>
@@ -77,8 +78,14 @@ int startProgram(char** argv) {
 
 }  // namespace noonmark::launcher
 
+// `noonmark-cli help study` asks the same as `noonmark-cli study --help`.
 int main(int argc, char** argv) {
     using namespace noonmark::launcher;
+    static char helpOption[] = "--help";
+    if (argc > 1 && std::strcmp(argv[1], "help") == 0) {
+        std::rotate(argv + 1, argv + 2, argv + argc);
+        argv[argc - 1] = helpOption;
+    }
     if (asksForHelp(argc, argv))
         if (const HelpText* help = findHelp(argc, argv)) return print(help->text);
     return startProgram(argv);

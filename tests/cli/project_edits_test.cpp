@@ -217,6 +217,31 @@ TEST_F(ProjectEdits, ATowerHasEverySettingOfAMassing) {
                 HasSubstr("coverage 50 %"));
 }
 
+// What other programs get comes back where it was, from each format.
+TEST_F(ProjectEdits, ProposedBuildingsAreWrittenForCad) {
+    done("extrude", {"--scenario", "A", "--lot", "One57", "--id", "New", "--height", "80", "--clear"});
+    const Box2 box = bounds(building("New"));
+    const LonLat origin = opened().city->frame.lonLatFromLocal({0, 0});
+    const std::string at = fmt::format("{:.10f},{:.10f}", origin.lonDeg, origin.latDeg);
+    for (const std::string ending : {"obj", "glb", "dxf"}) {
+        const std::string out = folder_.path("tower." + ending).string();
+        EXPECT_THAT(done("export", {"--scenario", "A", "--buildings", "proposed", "--out", out}),
+                    AllOf(HasSubstr("1 buildings in 1 parts"), HasSubstr("Transverse Mercator")));
+        done("import", {out, "--scenario", "A", "--id", ending, "--origin-at", at, "--mesh-unit", "m"});
+        EXPECT_NEAR(bounds(building(ending)).low.x, box.low.x, 0.01) << ending;
+        EXPECT_NEAR(bounds(building(ending)).high.y, box.high.y, 0.01) << ending;
+        EXPECT_NEAR(topM(building(ending)), 80, 0.01) << ending;
+        EXPECT_THAT(refused("export", {"--scenario", "A", "--out", out}), HasSubstr("--overwrite"));
+        done("export", {"--scenario", "A", "--buildings", "proposed", "--out", out, "--overwrite"});
+    }
+    const std::string file = folder_.path("x").string();
+    EXPECT_THAT(refused("export", {"--scenario", "A", "--out", file + ".skp"}), HasSubstr(".glb, .obj"));
+    EXPECT_THAT(refused("export", {"--scenario", "A", "--plane", "utm", "--out", file + ".obj"}),
+                HasSubstr("Only DXF"));
+    EXPECT_THAT(refused("export", {"--buildings", "proposed", "--out", file + ".obj"}),
+                HasSubstr("There is no building to write"));
+}
+
 TEST_F(ProjectEdits, ACourtyardStaysOpen) {
     const Frame frame = opened().city->frame;
     const auto ring = [&](double low, double high) {

@@ -19,16 +19,22 @@ std::size_t partCount(const City& city) {
     return parts;
 }
 
-void printJson(const City& city, const std::filesystem::path& file, const Warnings& warnings,
-               std::ostream& out) {
-    out << toJsonText({{"file", file.string()},
-                       {"buildings", city.buildings.size()},
-                       {"parts", partCount(city)},
-                       {"warnings", warningsJson(warnings)}})
-        << '\n';
-}
-
 }  // namespace
+
+void printSaved(const SavedBuildings& saved, bool json, std::ostream& out) {
+    if (json) {
+        out << toJsonText({{"file", saved.file.string()},
+                           {"buildings", saved.buildings},
+                           {"parts", saved.parts},
+                           {"warnings", warningsJson(saved.warnings)}})
+            << '\n';
+        return;
+    }
+    out << fmt::format("{}: {} buildings in {} parts\n", saved.file.string(), withCommas(saved.buildings),
+                       withCommas(saved.parts));
+    if (!saved.note.empty()) out << "  " << saved.note << '\n';
+    printWarnings(out, saved.warnings);
+}
 
 int saveCity(const City& city, const std::filesystem::path& file, bool json, const Console& console,
              const Warnings& ofReading) {
@@ -36,13 +42,7 @@ int saveCity(const City& city, const std::filesystem::path& file, bool json, con
     if (!written) return fail(console, written.error(), exitFailed);
     Warnings warnings = ofReading;
     warnings.insert(warnings.end(), written->begin(), written->end());
-    if (json) {
-        printJson(city, file, warnings, console.out);
-        return exitOk;
-    }
-    console.out << fmt::format("{}: {} buildings in {} parts\n", file.string(),
-                               withCommas(city.buildings.size()), withCommas(partCount(city)));
-    printWarnings(console.out, warnings);
+    printSaved({file, city.buildings.size(), partCount(city), {}, std::move(warnings)}, json, console.out);
     return exitOk;
 }
 

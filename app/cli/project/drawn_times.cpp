@@ -1,5 +1,7 @@
 #include "app/cli/project/drawn_times.h"
 
+#include <map>
+
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/project_question.h"
 
@@ -37,6 +39,15 @@ Result<void> checkTimesGiven(const DrawnTimeChoice& options) {
     if (options.times.empty() && options.everyMin == 0)
         return failure("The times are missing", "times", "Give --times 09:00,12:00 or --every 60");
     return {};
+}
+
+void addPlaneOption(CLI::App& command, DrawingPlane& plane, const char* help) {
+    static const std::map<std::string, DrawingPlane> names{{"local", DrawingPlane::local},
+                                                           {"utm", DrawingPlane::utm}};
+    const auto lower = [](const std::string& text) { return CLI::detail::to_lower(text); };
+    command.add_option("--plane", plane, help)
+        ->transform(CLI::CheckedTransformer(names, lower).description(""))
+        ->type_name("local|utm");
 }
 
 void addDrawnAreaOptions(CLI::App& command, DrawnAreaOptions& options) {

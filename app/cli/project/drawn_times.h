@@ -6,6 +6,7 @@
 
 #include "app/cli/base/command.h"
 #include "core/io/shadows/drawn_times.h"
+#include "core/io/shadows/write_shadows.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark::cli {
@@ -15,6 +16,9 @@ CLI::Option* addDrawnTimeOptions(CLI::App& command, DrawnTimeChoice& options);
 
 /// Error: neither --times nor --every is given.
 Result<void> checkTimesGiven(const DrawnTimeChoice& options);
+
+/// --plane, of CAD files.
+void addPlaneOption(CLI::App& command, DrawingPlane& plane, const char* help);
 
 /// What --region or --place asks to draw.
 struct DrawnAreaOptions {

@@ -45,8 +45,6 @@ const std::map<std::string, ShadowFormat> formatNames{{"dxf", ShadowFormat::dxf}
                                                       {"gpkg", ShadowFormat::geoPackage},
                                                       {"geojson", ShadowFormat::geoJson},
                                                       {"svg", ShadowFormat::svg}};
-const std::map<std::string, DrawingPlane> planeNames{{"local", DrawingPlane::local},
-                                                     {"utm", DrawingPlane::utm}};
 
 struct ShadowAnswer {
     ShadowDrawing drawing;
@@ -190,9 +188,7 @@ void addOutputs(CLI::App& command, ShadowOptions& options) {
         ->delimiter(',')
         ->transform(CLI::CheckedTransformer(formatNames, names).description(""))
         ->type_name("dxf,gpkg,geojson,svg");
-    command.add_option("--plane", options.files.plane, "Plane of DXF and GeoPackage: local (default) or utm")
-        ->transform(CLI::CheckedTransformer(planeNames, names).description(""))
-        ->type_name("local|utm");
+    addPlaneOption(command, options.files.plane, "Plane of DXF and GeoPackage: local (default) or utm");
     command.add_option("--scale", options.files.scale, "Scale of SVG: 1:SCALE")
         ->capture_default_str()
         ->check(within(50, 100000))

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <QCoreApplication>
-#include <QLibrary>
 #include <algorithm>
 #include <array>
 
+#include "app/report/files/helper_library.h"
 #include "app/report/movie/encoder/movie_encoder.h"
 #include "app/report/movie/frame_colours.h"
 
@@ -16,27 +15,12 @@ namespace {
 
 constexpr int minSide = 64, maxSide = 4096;
 constexpr double minRate = 0.5, maxRate = 60;
-constexpr const char* libraryName = "noonmark-movie-encoder.so";
 
 bool isGif(const std::filesystem::path& file) { return file.extension() == ".gif"; }
 
 Error cannotWrite(const std::string& file, const char* what) {
     return {std::string("The movie cannot be written: ") + what, file,
             "Check that the folder exists, is writable and has space"};
-}
-
-// Beside the program, or where an installed program has its helpers. The library stays loaded.
-Result<MakeMovieEncoder> loadEncoder() {
-    const QString folder = QCoreApplication::applicationDirPath();
-    QString problem;
-    for (const QString& below : {QString(), QStringLiteral("/" NOONMARK_HELPER_FOLDER)}) {
-        QLibrary library(folder + below + '/' + libraryName);
-        if (const auto make = library.resolve(makeMovieEncoderName))
-            return reinterpret_cast<MakeMovieEncoder>(make);
-        if (problem.isEmpty()) problem = library.errorString();
-    }
-    return failure("The library that writes movies cannot be loaded: " + problem.toStdString(), libraryName,
-                   "Install Noonmark again");
 }
 
 }  // namespace
@@ -83,12 +67,13 @@ Result<MovieWriter> MovieWriter::create(const std::filesystem::path& file, const
     if (auto valid = validate(format); !valid) return tl::make_unexpected(valid.error());
     if (!isGif(file) && file.extension() != ".mp4")
         return failure("The name of a movie ends with .mp4 or .gif", file.string(), "Give such a name");
-    const auto make = loadEncoder();
+    const auto make = loadHelper("noonmark-movie-encoder", makeMovieEncoderName, "writes movies");
     if (!make) return tl::make_unexpected(make.error());
-    const MadeMovieEncoder made = (*make)(file.c_str(), {.width = format.size.width(),
-                                                         .height = format.size.height(),
-                                                         .framesPerSecond = format.framesPerSecond,
-                                                         .gif = isGif(file)});
+    const MadeMovieEncoder made =
+        reinterpret_cast<MakeMovieEncoder>(*make)(file.c_str(), {.width = format.size.width(),
+                                                                 .height = format.size.height(),
+                                                                 .framesPerSecond = format.framesPerSecond,
+                                                                 .gif = isGif(file)});
     if (made.encoder == nullptr) return tl::make_unexpected(cannotWrite(file.string(), made.problem));
     return MovieWriter(std::make_unique<Parts>(
         Parts{file.string(), format, isGif(file), std::unique_ptr<MovieEncoder>(made.encoder)}));

@@ -27,7 +27,7 @@ constexpr std::array kindsOfEndings{
     KindOfEnding{".json", OutputKind::json},       KindOfEnding{".dxf", OutputKind::dxf},
     KindOfEnding{".svg", OutputKind::svg},         KindOfEnding{".mp4", OutputKind::movie},
     KindOfEnding{".gif", OutputKind::movie},       KindOfEnding{".glb", OutputKind::glb},
-    KindOfEnding{".qml", OutputKind::style},
+    KindOfEnding{".qml", OutputKind::style},       KindOfEnding{".obj", OutputKind::obj},
 };
 
 bool beginsWithOneOf(std::string_view head, std::initializer_list<std::string_view> magics) {
@@ -65,6 +65,18 @@ bool looksLikeDxf(std::string_view head) {
            head.find("SECTION") != head.npos;
 }
 
+// Text whose first statement is one of those that an OBJ begins with, after comments.
+bool looksLikeObj(std::string_view head) {
+    std::string_view text = withoutMarkAndBlanks(head);
+    while (text.starts_with('#')) {
+        const auto end = text.find('\n');
+        if (end == text.npos) return false;
+        text = withoutMarkAndBlanks(text.substr(end));
+    }
+    return head.find('\0') == head.npos &&
+           beginsWithOneOf(text, {"v "sv, "o "sv, "g "sv, "mtllib "sv, "usemtl "sv, "vt "sv, "vn "sv});
+}
+
 JsonKind jsonKindOf(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return detectJsonKind(stream);
@@ -94,6 +106,8 @@ bool hasHeadOf(std::string_view head, OutputKind kind) {
                    head.find("<svg") != head.npos;
         case OutputKind::glb:
             return head.starts_with("glTF");
+        case OutputKind::obj:
+            return looksLikeObj(head);
         case OutputKind::style:
             return withoutMarkAndBlanks(head).starts_with("<!DOCTYPE qgis");
         case OutputKind::movie:
@@ -137,6 +151,8 @@ std::string_view describe(OutputKind kind) {
             return "an SVG picture";
         case OutputKind::glb:
             return "a binary glTF file";
+        case OutputKind::obj:
+            return "an OBJ file";
         case OutputKind::style:
             return "a style of QGIS";
         case OutputKind::movie:

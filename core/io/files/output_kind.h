@@ -19,6 +19,7 @@ enum class OutputKind {
     svg,
     movie,    ///< MP4 or GIF
     glb,      ///< binary glTF
+    obj,      ///< Wavefront OBJ
     style,    ///< QML, a style of QGIS
     project,  ///< a Noonmark project
 };

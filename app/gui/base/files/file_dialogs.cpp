@@ -111,6 +111,10 @@ QString askForMovie(QWidget* parent, const QString& suggested) {
     return file + QStringLiteral(".mp4");
 }
 
+QString askForBuildings(QWidget* parent, const QString& suggested, const QString& formats) {
+    return QFileDialog::getSaveFileName(parent, QObject::tr("Export buildings"), suggested, formats);
+}
+
 QString askForLogo(QWidget* parent) {
     return QFileDialog::getOpenFileName(parent, QObject::tr("Logo for the title block"), {},
                                         QObject::tr("Pictures (*.png *.jpg *.jpeg)"));

@@ -22,6 +22,8 @@ QStringList askForPlaces(QWidget* parent);
 QString askForSky(QWidget* parent);                              ///< likewise: .svg, .png or .csv
 QString askForTable(QWidget* parent, const QString& suggested);  ///< likewise: .csv
 QString askForPicture(QWidget* parent);                          ///< always with a file extension
+/// Buildings for CAD and GIS; may replace one. `formats`: "glTF (*.glb);;OBJ (*.obj)".
+QString askForBuildings(QWidget* parent, const QString& suggested, const QString& formats);
 QString askForMovie(QWidget* parent, const QString& suggested);  ///< .mp4 or .gif; may replace one
 QString askForLogo(QWidget* parent);
 QString askForFolder(QWidget* parent, const QString& title);

@@ -3,20 +3,35 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <set>
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/number_words.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/scenarios/latest_answers.h"
 #include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
 #include "app/gui/session/workbench.h"
+#include "app/report/bodies/body_files.h"
 #include "core/io/files/check_output.h"
 #include "core/io/files/write_text.h"
 #include "scenarios/impact/impact_text.h"
+#include "scenarios/massing/tower_design.h"
 
 namespace noonmark {
+
+namespace {
+
+QString listFormats() {
+    QStringList formats;
+    for (const BodyFormat& format : bodyFormats())
+        formats << QStringLiteral("%1 (*%2)").arg(QLatin1String(format.name), QLatin1String(format.ending));
+    return formats.join(QStringLiteral(";;"));
+}
+
+}  // namespace
 
 ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, ProjectDock& tree,
                                  ScenariosDock& scenarios)
@@ -37,7 +52,11 @@ ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, P
                               "dock Weights shows"))),
       reviewAll_(makeAction(this, tr("&Review all scenarios"), {},
                             tr("Reviews the scenarios whose verdicts the dock Scenarios lacks, by the rule "
-                               "chosen in the dock Review"))) {
+                               "chosen in the dock Review"))),
+      exportBuildings_(
+          makeAction(this, tr("&Export buildings..."), {},
+                     tr("Writes the buildings that the displayed scenario proposes as glTF, OBJ, "
+                        "DXF or GeoPackage; of the existing city all buildings"))) {
     compare_->setObjectName(QStringLiteral("compareExisting"));
     compare_->setCheckable(true);
     ProjectSession& session = workbench.session();
@@ -56,6 +75,11 @@ ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, P
     connect(&scenarios, &ScenariosDock::copyRequested, this, [this] {
         QGuiApplication::clipboard()->setText(makeTableText(dock_.shownTable()));
         Q_EMIT workbench_.noted(tr("The table of scenarios is on the clipboard"));
+    });
+    connect(exportBuildings_, &QAction::triggered, this, [this] {
+        const QString name = QString::fromStdString(workbench_.session().scenario());
+        saveBuildings(
+            askForBuildings(&dock_, name + QLatin1String(bodyFormats().front().ending), listFormats()));
     });
     connect(&scenarios, &ScenariosDock::exportRequested, this,
             [this] { saveTable(askForTable(&dock_, QStringLiteral("scenarios.csv"))); });
@@ -102,6 +126,30 @@ void ScenarioActions::endWaiting() {
 
 void ScenarioActions::saveTable(const QString& file) { save(file, dock_.table().csv()); }
 
+void ScenarioActions::saveBuildings(const QString& file) {
+    if (file.isEmpty()) return;
+    const std::filesystem::path path = file.toStdString();
+    if (const auto may = checkOutput(path, detectOutputKind(path), workbench_.exportRules()); !may)
+        return Q_EMIT workbench_.failed(may.error());
+    const ProjectSession& session = workbench_.session();
+    std::set<std::string> proposed;
+    if (const auto edits = collectEdits(session.project().scenarios, session.scenario()))
+        for (const auto& [id, tower] : findProposedTowers(*edits)) proposed.insert(id);
+    const bool existing = session.scenario() == existingCity;
+    const auto city = session.city();
+    workbench_.writing().start<WrittenBodies>(
+        tr("Export buildings"),
+        [=](Progress&, const std::stop_token&) {
+            return writeBodies(path, *city, proposed,
+                               {.which = existing ? WrittenBuildings::all : WrittenBuildings::proposed});
+        },
+        [this, file](const Result<WrittenBodies>& written) {
+            if (!written) return Q_EMIT workbench_.failed(written.error());
+            Q_EMIT workbench_.noted(tr("%1 building(s) saved as %2", "", pluralNumber(written->buildings))
+                                        .arg(formatCount(written->buildings), file));
+        });
+}
+
 void ScenarioActions::saveMonths(const QString& file) {
     save(file, monthsCsv(makeMonthCharts(dock_.table().months())));
 }
@@ -116,7 +164,7 @@ void ScenarioActions::save(const QString& file, const std::string& csv) {
 }
 
 QList<QAction*> ScenarioActions::actions() const {
-    return {newScenario_, newFromThis_, compare_, measureAll_, scoreAll_, reviewAll_};
+    return {newScenario_, newFromThis_, compare_, measureAll_, scoreAll_, reviewAll_, exportBuildings_};
 }
 
 }  // namespace noonmark

@@ -24,6 +24,9 @@ public:
     [[nodiscard]] QAction* compareAction() const { return compare_; }
     /// Writes the table of scenarios as CSV; asks for no file. Empty: nothing.
     void saveTable(const QString& file);
+    /// Writes the buildings that the displayed scenario proposes, or all of the existing city, in the format
+    /// of the file's ending (app/report/bodies/body_files.h). Empty: nothing.
+    void saveBuildings(const QString& file);
     /// Likewise the months of the scenarios.
     void saveMonths(const QString& file);
     /// What shows both scenarios side by side until their comparison is computed; it must outlive this
@@ -49,6 +52,7 @@ private:
     QAction* measureAll_;
     QAction* scoreAll_;
     QAction* reviewAll_;
+    QAction* exportBuildings_;
 };
 
 }  // namespace noonmark
