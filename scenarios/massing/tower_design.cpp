@@ -18,8 +18,10 @@ public:
     void operator()(const AddBuilding& edit) { add(*edit.building, edit.design); }
     void operator()(const ImportMesh& edit) { towers_[edit.shape->sourceId] = {{}, edit.storeyHeightM}; }
     void operator()(const ChangeHeight& edit) {
-        if (const auto found = towers_.find(edit.building); found != towers_.end())
-            found->second.changed = found->second.reshaped = true;
+        const auto found = towers_.find(edit.building);
+        if (found == towers_.end()) return;
+        found->second.changed = true;
+        found->second.heightM = edit.heightM;
     }
     template <class Change>
     void operator()(const Change& edit) {
@@ -47,14 +49,31 @@ std::map<std::string, ProposedTower> findProposedTowers(std::span<const Edit> ed
 
 namespace {
 
+bool isUpright(const MassingSettings& settings) {
+    const auto upright = [](const Setback& setback) { return setback.walls.upright(); };
+    return settings.walls.upright() && (!settings.podium || settings.podium->walls.upright()) &&
+           std::ranges::all_of(settings.setbacks, upright);
+}
+
+}  // namespace
+
+std::optional<MassingFigures> figuresOf(const ProposedTower& tower) {
+    if (!tower.design) return std::nullopt;
+    MassingSettings settings = tower.design->settings;
+    if (tower.heightM > 0 && !isUpright(settings)) return std::nullopt;
+    if (tower.heightM > 0) settings = withHeight(settings, tower.heightM);
+    const auto massing = makeMassing(tower.design->lot, settings);
+    return massing ? std::optional(massing->figures) : std::nullopt;
+}
+
+namespace {
+
 // A tower without uses is one use without a name. Nothing where the floors are not known.
 std::optional<std::vector<UseArea>> usesOf(const ProposedTower& tower) {
-    if (!tower.design || tower.reshaped) return std::nullopt;
-    const auto massing = makeMassing(tower.design->lot, tower.design->settings);
-    if (!massing) return std::nullopt;
-    const MassingFigures& figures = massing->figures;
-    if (!figures.uses.empty()) return figures.uses;
-    return std::vector<UseArea>{{{}, figures.storeys, figures.grossFloorM2}};
+    const auto figures = figuresOf(tower);
+    if (!figures) return std::nullopt;
+    if (!figures->uses.empty()) return figures->uses;
+    return std::vector<UseArea>{{{}, figures->storeys, figures->grossFloorM2}};
 }
 
 void addTo(std::map<std::string, UseArea>& sums, const UseArea& area) {

@@ -25,8 +25,13 @@ struct ProposedTower {
     DesignOfShape design;      ///< null: not designed here
     double storeyHeightM = 0;  ///< 2 to 10; 0: not known
     bool changed = false;      ///< since it was built: moved, turned, or made higher or lower
-    bool reshaped = false;     ///< its height was changed, so that the design no longer tells its floors
+    double heightM = 0;        ///< after the last change of its height, above its ground; 0: as designed
 };
+
+/// The figures of a tower's design at its present height; none: it has no design, or one that tells nothing
+/// of its floors any more: its walls lean, which a change of height stretches, or a setback is cut off. Some
+/// ms.
+std::optional<MassingFigures> figuresOf(const ProposedTower& tower);
 
 /// The proposed buildings after all edits of a scenario (collectEdits()), by id. A building
 /// that was demolished or replaced later is not among them. O(edits).
@@ -35,7 +40,7 @@ std::map<std::string, ProposedTower> findProposedTowers(std::span<const Edit> ed
 /// The gross floor area of a scenario's towers by use.
 struct ScenarioUses {
     std::vector<UseArea> areas;  ///< by name of the use, that without a name last; storeys of all towers
-    int towersNotCounted = 0;    ///< proposed buildings without a known massing: meshes, changed heights
+    int towersNotCounted = 0;    ///< proposed buildings without figuresOf(): meshes, some changed heights
     bool operator==(const ScenarioUses&) const = default;
 };
 

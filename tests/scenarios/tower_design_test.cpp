@@ -105,12 +105,28 @@ TEST(ScenarioUses, AreSummedOverTheTowersThatAreKnown) {
                                   ImportMesh{shape("m"), {}, "m.obj"}};
     const ScenarioUses uses = sumUses(edits);
     ASSERT_EQ(uses.areas.size(), 3U);
-    EXPECT_EQ(uses.areas[0], (UseArea{"homes", 9, 1800}));
+    EXPECT_EQ(uses.areas[0], (UseArea{"homes", 12, 2400}));  // 4 of a, 5 of b, 3 of d
     EXPECT_EQ(uses.areas[1], (UseArea{"retail", 2, 400}));
     EXPECT_EQ(uses.areas[2], (UseArea{"", 3, 600}));
-    EXPECT_EQ(uses.towersNotCounted, 2) << "one was made lower, one is a mesh";
-    EXPECT_EQ(sumFloorAreaM2(uses), 1800 + 400 + 600);
+    EXPECT_EQ(uses.towersNotCounted, 1) << "a mesh";
+    EXPECT_EQ(sumFloorAreaM2(uses), 2400 + 400 + 600);
     EXPECT_EQ(sumFloorAreaM2({}), std::nullopt);
+}
+
+TEST(TowerFigures, FollowAChangeOfHeightAsFarAsTheDesignTellsTheFloors) {
+    const auto made = [](MassingSettings settings) {
+        return std::make_shared<const TowerDesign>(TowerDesign{"", box(0, 0, 20, 10), std::move(settings)});
+    };
+    ProposedTower tower{.design = made({.storeyHeightM = 4, .storeys = 10, .setbacks = {{20, 1}}})};
+    EXPECT_EQ(figuresOf(tower)->storeys, 10);
+    tower.heightM = 30;  // five storeys of 200 m2, and floors at 20 and 24 m of 18 x 8 m
+    EXPECT_EQ(figuresOf(tower)->storeys, 7);
+    EXPECT_NEAR(figuresOf(tower)->grossFloorM2, 5 * 200 + 2 * 144, 0.1);
+    tower.heightM = 15;
+    EXPECT_FALSE(figuresOf(tower)) << "the setback is cut off";
+    tower.design = made({.storeys = 10, .walls = {.taper = 0.2}});
+    EXPECT_FALSE(figuresOf(tower)) << "its walls were stretched";
+    EXPECT_FALSE(figuresOf({})) << "a mesh";
 }
 
 TEST(ProposedHeight, IsThatOfTheHighestAddedBuildingAboveItsGround) {

@@ -123,7 +123,8 @@ void BuildingEditing::show() {
 void BuildingEditing::showFacts() {
     const City& city = context_.city->city();
     if (all_.size() > 1) return panel_.showGroup(collectFacts(std::span(all_), city));
-    panel_.show(selected_ ? std::optional(collectFacts(building(), city)) : std::nullopt);
+    panel_.show(selected_ ? std::optional(collectFacts(building(), city, context_.findTower(building())))
+                          : std::nullopt);
 }
 
 void BuildingEditing::showHandle() {

@@ -30,13 +30,13 @@ QString describeSource(HeightSource source) {
     return {};
 }
 
-Result<GivenMass> massOf(const Building& building, const City& city) {
-    return givenBy(building, double(findGroundUnder(building, city)), defaultStoreyM);
+Result<GivenMass> massOf(const Building& building, const City& city, double storeyHeightM = defaultStoreyM) {
+    return givenBy(building, double(findGroundUnder(building, city)), storeyHeightM);
 }
 
 }  // namespace
 
-BuildingFacts collectFacts(const Building& building, const City& city) {
+BuildingFacts collectFacts(const Building& building, const City& city, const ProposedTower* tower) {
     BuildingFacts facts;
     facts.id = QString::fromStdString(building.sourceId);
     facts.title = building.name.empty() ? facts.id : QString::fromStdString(building.name);
@@ -46,12 +46,18 @@ BuildingFacts collectFacts(const Building& building, const City& city) {
     facts.parts = building.parts.size();
     const auto highest = std::ranges::max_element(building.parts, {}, &Part::topM);
     if (highest != building.parts.end()) facts.heightSource = describeSource(highest->heightSource);
-    facts.storeys = int(std::lround(facts.heightM / defaultStoreyM));
-    if (const auto mass = massOf(building, city)) {
+    if (tower != nullptr && tower->storeyHeightM > 0) facts.storeyHeightM = tower->storeyHeightM;
+    facts.storeys = int(std::lround(facts.heightM / facts.storeyHeightM));
+    if (const auto mass = massOf(building, city, facts.storeyHeightM)) {
         facts.planM2 = computeArea(mass->plate);
         facts.grossFloorM2 = mass->grossFloorM2;
         facts.estimatedStoreys = mass->estimatedStoreys;
     }
+    const auto figures = tower != nullptr ? figuresOf(*tower) : std::nullopt;
+    if (!figures) return facts;
+    facts.designed = true;
+    facts.storeys = figures->storeys;
+    facts.grossFloorM2 = figures->grossFloorM2;
     return facts;
 }
 

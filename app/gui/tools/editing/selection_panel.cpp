@@ -50,8 +50,9 @@ QString makeRows(const GroupFacts& facts) {
 }
 
 QString makeRows(const BuildingFacts& facts) {
-    const QString storeys =
-        facts.storeys == 0 ? QString() : QStringLiteral(", ") + describeAssumedStoreys(facts.storeys);
+    const QString storeys = facts.storeys == 0 ? QString()
+                            : facts.designed   ? QStringLiteral(", ") + describeStoreys(facts.storeys)
+                                               : QStringLiteral(", ") + describeAssumedStoreys(facts.storeys);
     return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
            (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
            row(QObject::tr("Height"),
@@ -60,7 +61,7 @@ QString makeRows(const BuildingFacts& facts) {
            row(QObject::tr("Parts"), QString::number(facts.parts)) +
            row(QObject::tr("Plan"), describeArea(facts.planM2)) +
            row(QObject::tr("Floor area"), describeSmallArea(facts.grossFloorM2) + storeys +
-                                              QObject::tr(" of %1").arg(describeLength(defaultStoreyM)) +
+                                              QObject::tr(" of %1").arg(describeLength(facts.storeyHeightM)) +
                                               describeEstimate(facts.estimatedStoreys)) +
            QStringLiteral("</table>");
 }

@@ -35,9 +35,9 @@ TowerEditing::TowerEditing(EditContext& context, MassingPanel& panel, QObject* p
 }
 
 void TowerEditing::setTowers(std::map<std::string, ProposedTower> towers) {
-    towers_ = std::move(towers);
+    context_.towers = std::move(towers);
     std::set<std::string> lots;
-    for (const auto& [id, tower] : towers_)
+    for (const auto& [id, tower] : context_.towers)
         if (tower.design && !tower.changed) lots.insert(tower.design->lotName);
     panel_.setDesignedLots(std::move(lots));
 }
@@ -57,15 +57,15 @@ void TowerEditing::begin(const NamedLot& lot, const std::string& replaces, const
 }
 
 std::optional<TowerDraft> TowerEditing::designOf(const Building& building) const {
-    const auto found = towers_.find(building.sourceId);
-    if (found == towers_.end() || found->second.changed) return std::nullopt;
+    const ProposedTower* tower = context_.findTower(building);
+    if (tower == nullptr || tower->changed) return std::nullopt;
     return designToCopy(building);
 }
 
 std::optional<TowerDraft> TowerEditing::designToCopy(const Building& building) const {
-    const auto found = towers_.find(building.sourceId);
-    if (found == towers_.end() || !found->second.design) return std::nullopt;
-    const TowerDesign& design = *found->second.design;
+    const ProposedTower* tower = context_.findTower(building);
+    if (tower == nullptr || !tower->design) return std::nullopt;
+    const TowerDesign& design = *tower->design;
     return TowerDraft{.lot = {design.lotName, design.lot},
                       .settings = design.settings,
                       .tower = building.sourceId,

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] CopiedMassing lastValuesOn(const Footprint& lot) const;
     /// The towers of the shown scenario.
     void setTowers(std::map<std::string, ProposedTower> towers);
-    [[nodiscard]] const std::map<std::string, ProposedTower>& towers() const { return towers_; }
+    [[nodiscard]] const std::map<std::string, ProposedTower>& towers() const { return context_.towers; }
     /// The draft that a designed tower was built from; nothing for any other building, nor where it was
     /// changed since.
     [[nodiscard]] std::optional<TowerDraft> designOf(const Building& building) const;
@@ -68,7 +68,6 @@ private:
     std::optional<MassingSettings> possible_;  ///< of the draft, as they could be built last
     std::optional<NearestFit> nearest_;        ///< to what cannot be built
     std::optional<TowerDraft> built_;          ///< the last tower
-    std::map<std::string, ProposedTower> towers_;
 };
 
 }  // namespace noonmark

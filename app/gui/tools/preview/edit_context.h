@@ -1,9 +1,12 @@
 #pragma once
 
+#include <map>
+
 #include "app/gui/session/study/open_city.h"
 #include "app/gui/tools/preview/edit_preview.h"
 #include "app/gui/tools/preview/extrude_handle.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "scenarios/massing/tower_design.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark {
@@ -18,6 +21,13 @@ struct EditContext {
     ExtrudeHandle handle;
     std::shared_ptr<const OpenCity> city;  ///< null before the first city
     std::vector<NamedLot> lots;
+    std::map<std::string, ProposedTower> towers;  ///< of the shown scenario
+
+    /// Null: it was not designed here.
+    [[nodiscard]] const ProposedTower* findTower(const Building& building) const {
+        const auto found = towers.find(building.sourceId);
+        return found == towers.end() ? nullptr : &found->second;
+    }
 };
 
 }  // namespace noonmark
