@@ -258,8 +258,7 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
             "a region of the project; may be repeated")
         ->allow_extra_args(false)
         ->type_name("W,S,E,N|FILE|NAME");
-    constexpr double defaultSidewalkM = 4;
-    options->place.settings.sidewalkM = defaultSidewalkM;
+    options->place.settings.sidewalkM = PlaceSettings::usualSidewalkM;
     addPlaceOptions(*command, options->place);
     addFieldOptions(*command, sunByPlaceFields().of(options->settings));
     addCellOptions(*command, study.settings);

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -15,6 +16,7 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/push_button.h"
 #include "app/gui/session/study/region_words.h"
 #include "core/receivers/place_names.h"
 
@@ -40,6 +42,10 @@ PlacesForm::PlacesForm(QWidget* parent)
     : QWidget(parent),
       kinds_(new QListWidget),
       none_(new QLabel(tr("The project has no places. Read some (Study > Read places...) or draw one."))),
+      streets_(pushButton(
+          tr("Read streets"), "readStreets",
+          tr("Adds the streets of the city's OpenStreetMap file, cut at their junctions, carriageway and "
+             "sidewalks apart"))),
       enough_(numberField(0, SunByPlaceSettings::maxHours, 1, 0.5, tr(" h"))),
       dates_(new QLineEdit(defaultDates(year_))),
       all_(new QCheckBox(tr("All scenarios"))),
@@ -67,11 +73,13 @@ PlacesForm::PlacesForm(QWidget* parent)
     form->addRow(tr("Dates"), dates_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* widget : {static_cast<QWidget*>(kinds_), static_cast<QWidget*>(none_)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(kinds_), static_cast<QWidget*>(none_), static_cast<QWidget*>(streets_)})
         column->addWidget(widget);
     column->addLayout(form);
     column->addWidget(all_);
     column->addWidget(refusal_);
+    connect(streets_, &QPushButton::clicked, this, &PlacesForm::streetsWanted);
     connect(kinds_, &QListWidget::itemChanged, this, &PlacesForm::follow);
     connect(enough_, &QDoubleSpinBox::valueChanged, this, &PlacesForm::edited);
     connect(dates_, &QLineEdit::textChanged, this, &PlacesForm::follow);
@@ -136,6 +144,7 @@ void PlacesForm::fill() {
         addLine(tr("Own regions %1").arg(formatCount(regions_.size())), ownRegions, regionsTicked_);
     kinds_->setVisible(kinds_->count() > 0);
     none_->setVisible(kinds_->count() == 0);
+    streets_->setVisible(std::ranges::find(places_, PlaceKind::street, &Place::kind) == places_.end());
     kinds_->setFixedHeight(kinds_->sizeHintForRow(0) * std::max(1, kinds_->count()) +
                            2 * kinds_->frameWidth() + 2);
 }

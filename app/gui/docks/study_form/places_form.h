@@ -10,6 +10,7 @@ class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QPushButton;
 
 namespace noonmark {
 
@@ -35,6 +36,7 @@ public:
 
 Q_SIGNALS:
     void edited();
+    void streetsWanted();  ///< to be read into the project, which has none
 
 private:
     void fill();
@@ -49,6 +51,7 @@ private:
     std::chrono::year year_{2026};
     QListWidget* kinds_;
     QLabel* none_;  ///< where the project has no places
+    QPushButton* streets_;
     QDoubleSpinBox* enough_;
     QLineEdit* dates_;
     QCheckBox* all_;

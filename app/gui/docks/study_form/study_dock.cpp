@@ -121,6 +121,7 @@ void StudyDock::connectForms() {
         usePeriodOf(kind);
         showDocument();
     });
+    connect(places_, &PlacesForm::streetsWanted, this, &StudyDock::streetsWanted);
     connect(places_, &PlacesForm::edited, this, &StudyDock::showDocument);
     connect(when_, &WhenForm::edited, this, [this](const Period& period, const QString& field) {
         StudySettings settings = document_.settings();

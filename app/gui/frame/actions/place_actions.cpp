@@ -78,6 +78,10 @@ PlaceActions::PlaceActions(Workbench& workbench, OpeningActions& opening, EditTo
       read_(makeAction(this, tr("Read &places..."), {},
                        tr("Parks, playgrounds, school grounds... from OpenStreetMap or any file of polygons"),
                        "place")),
+      streets_(makeAction(this, tr("Read s&treets"), {},
+                          tr("Streets from OpenStreetMap as places, cut at their junctions, carriageway and "
+                             "sidewalks apart"),
+                          "place")),
       draw_(makeAction(this, tr("Draw p&lace"), QKeySequence(tr("Ctrl+Shift+D")),
                        tr("Click corners on the ground; Enter finishes, Esc cancels"), "place")),
       fromBuilding_(makeAction(this, tr("Place from b&uilding outline"), {},
@@ -99,6 +103,7 @@ void PlaceActions::makeActions() {
     show_->setChecked(true);
     fromBuilding_->setEnabled(false);
     connect(read_, &QAction::triggered, this, &PlaceActions::askForFiles);
+    connect(streets_, &QAction::triggered, this, &PlaceActions::readStreets);
     connect(draw_, &QAction::triggered, this, &PlaceActions::draw);
     connect(fromBuilding_, &QAction::triggered, this, &PlaceActions::makeFromBuilding);
     connect(show_, &QAction::toggled, this, [this](bool on) { panel_.view().places().setShown(on); });
@@ -123,14 +128,32 @@ void PlaceActions::askForFiles() {
     read(askForPlaces(&window_));
 }
 
-void PlaceActions::read(const QStringList& files) {
+// Those of the city as it was opened, or of the files that its project was made from.
+void PlaceActions::readStreets() {
+    if (!workbench_.city())
+        return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
+    QStringList files;
+    const auto add = [&files](const QString& file) {
+        if (isOsmFile(file.toStdString()) && !files.contains(file)) files << file;
+    };
+    for (const QString& file : workbench_.source().files) add(file);
+    for (const InputFile& input : workbench_.session().project().inputs)
+        add(QString::fromStdString(input.path.string()));
+    read(files.isEmpty() ? askForPlaces(&window_) : files, {.kinds = {PlaceKind::street},
+                                                            .streets = true,
+                                                            .wholeStreets = false,
+                                                            .sidewalkM = PlaceSettings::usualSidewalkM});
+}
+
+void PlaceActions::read(const QStringList& files, const PlaceSettings& settings) {
     if (files.isEmpty() || !workbench_.city()) return;
     std::vector<std::string> names;
     for (const QString& file : files) names.push_back(file.toStdString());
     reading_.start<PlacesRead>(
         tr("Reading places"),
-        [names, frame = workbench_.city()->city().frame](Progress& progress, const std::stop_token& stop) {
-            return loadPlaceFiles(names, {}, frame, {}, progress, stop);
+        [names, settings, frame = workbench_.city()->city().frame](Progress& progress,
+                                                                   const std::stop_token& stop) {
+            return loadPlaceFiles(names, settings, frame, {}, progress, stop);
         },
         [this](Result<PlacesRead> read) {
             if (read) return take(*read);

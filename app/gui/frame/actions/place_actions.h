@@ -29,11 +29,13 @@ public:
     PlaceActions(Workbench& workbench, OpeningActions& opening, EditTools& tools, ViewPanel& panel,
                  ProjectDock& tree, QWidget& window);
 
-    [[nodiscard]] QList<QAction*> actions() const { return {read_, draw_, fromBuilding_}; }
+    [[nodiscard]] QList<QAction*> actions() const { return {read_, streets_, draw_, fromBuilding_}; }
     [[nodiscard]] QAction* showAction() const { return show_; }  ///< shows and hides outlines and names
 
     /// Reads places into the open project; those of the same source are replaced.
-    void read(const QStringList& files);
+    void read(const QStringList& files, const PlaceSettings& settings = {});
+    /// Reads the streets of the city's OpenStreetMap files, or of files that the user chooses.
+    void readStreets();
     /// Files dropped on the window. A mesh dropped on an open city becomes a proposal, placed on the lot
     /// under `pixel` or there on the ground. Other files are opened, or, if a city is open and they may hold
     /// places, as the user chooses.
@@ -67,6 +69,7 @@ private:
     ProjectDock& tree_;
     QWidget& window_;
     QAction* read_;
+    QAction* streets_;
     QAction* draw_;
     QAction* fromBuilding_;
     QAction* show_;
