@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <limits>
 
+#include "app/gui/base/files/file_endings.h"
 #include "app/gui/session/project/recent_files.h"
 #include "scenarios/impact/impact_text.h"
 
@@ -153,6 +154,7 @@ QString Workbench::projectName() const {
                         : RecentFiles::nameOf(source_.files.join(QLatin1Char('\n')));
     name.remove(QStringLiteral("sample:"));
     name.remove(QLatin1String(projectEnding));
+    name = withoutEndings(name);
     return name.isEmpty() ? tr("Untitled") : name;
 }
 

@@ -44,13 +44,14 @@ Sentence describeMean(const SunByPlace& sun) {
 }
 
 Sentence describeLosses(const ComparedSun& compared) {
+    constexpr double minuteHours = 1.0 / 60;  // less is left to the table
     std::size_t losing = 0;
     double largest = 0;
     for (const SunChange& change : compared.changes) {
-        if (change.meanHours < 0) ++losing;
+        if (change.meanHours < -minuteHours) ++losing;
         largest = std::fmax(largest, change.maxLossMin);
     }
-    return {NM_TEXT("%1 takes sun from %2 places, at most %3 a day at one spot."),
+    return {NM_TEXT("%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot."),
             {compared.sun.name, countOf(losing), Amount{largest, FigureUnit::minutes}}};
 }
 

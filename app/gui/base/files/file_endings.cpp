@@ -1,6 +1,7 @@
 #include "app/gui/base/files/file_endings.h"
 
 #include <QObject>
+#include <algorithm>
 
 #include "scenarios/project/project_file.h"
 
@@ -24,6 +25,21 @@ QStringList pictureEndings() {
     for (const Format& format : coreFormats())
         if (format.isPicture) endings += withoutDots(format.endings);
     return endings;
+}
+
+QString withoutEndings(QString name) {
+    const QStringList endings =
+        endingsOf({FileKind::footprints, FileKind::terrain, FileKind::cityJson, FileKind::mesh});
+    const auto chop = [&name](const QString& ending) {
+        const qsizetype length = ending.size() + 1;
+        if (name.size() <= length || !name.endsWith(QLatin1Char('.') + ending, Qt::CaseInsensitive))
+            return false;
+        name.chop(length);
+        return true;
+    };
+    while (std::ranges::any_of(endings, chop)) {
+    }
+    return name;
 }
 
 QString makeFileFilter(const QString& name, const QStringList& endings) {

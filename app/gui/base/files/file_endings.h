@@ -12,6 +12,10 @@ namespace noonmark {
 QStringList endingsOf(std::initializer_list<FileKind> kinds);
 QStringList pictureEndings();  ///< the same of aerial photographs
 
+/// The name without the endings of files that are read, of which it may have several: "loop" of
+/// "loop.osm.pbf".
+QString withoutEndings(QString name);
+
 /// A filter of a file dialog: "Meshes (*.obj *.ply)".
 QString makeFileFilter(const QString& name, const QStringList& endings);
 

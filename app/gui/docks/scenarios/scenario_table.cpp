@@ -182,7 +182,9 @@ QVariant ScenarioTable::shownValueAt(const Row& row, int column) const {
     if (!value.isValid() || !showsDifferenceAt(row, column)) return value;
     const auto baseline = std::ranges::find(rows_, basis_.baseline, &Row::scenario);
     const QVariant base = baseline == rows_.end() ? QVariant() : valueAt(*baseline, column);
-    return base.isValid() ? QVariant(value.toDouble() - base.toDouble()) : QVariant();
+    if (base.isValid()) return value.toDouble() - base.toDouble();
+    // A baseline that adds no building has no height and no floor area: all of the value is the difference.
+    return scenarioColumns()[std::size_t(column)].work == ScenarioWork::none ? value : QVariant();
 }
 
 bool ScenarioTable::isBest(const Row& row, int column) const {

@@ -17,6 +17,12 @@ Period withDays(Period period, CivilDate first, CivilDate last) {
     return period;
 }
 
+// Of a long time all its sun is asked for, not that of some hours of the clock.
+Period withSeason(Period period, CivilDate first, CivilDate last) {
+    if (!period.window) period.window = SolarHours{};
+    return withDays(std::move(period), first, last);
+}
+
 }  // namespace
 
 QString nameOf(PeriodPreset preset, double latitudeDeg) {
@@ -54,10 +60,11 @@ Period applied(PeriodPreset preset, Period period, CivilDate today, double latit
         case PeriodPreset::december:
             return oneDay(year / December / 21);
         case PeriodPreset::growingSeason:
-            if (latitudeDeg < 0) return withDays(period, year / October / 1, (year + years(1)) / April / 30);
-            return withDays(period, year / April / 1, year / October / 31);
+            if (latitudeDeg < 0)
+                return withSeason(period, year / October / 1, (year + years(1)) / April / 30);
+            return withSeason(period, year / April / 1, year / October / 31);
         case PeriodPreset::year:
-            return withDays(period, year / January / 1, year / December / 31);
+            return withSeason(period, year / January / 1, year / December / 31);
         case PeriodPreset::own:
             break;
     }
@@ -66,7 +73,8 @@ Period applied(PeriodPreset preset, Period period, CivilDate today, double latit
 
 PeriodPreset presetOf(const Period& period, CivilDate today, double latitudeDeg) {
     return *std::ranges::find_if(allPeriodPresets, [&](PeriodPreset preset) {
-        return applied(preset, period, today, latitudeDeg) == period;
+        const Period there = applied(preset, period, today, latitudeDeg);
+        return there.start == period.start && there.days == period.days;
     });
 }
 

@@ -38,11 +38,7 @@ QGroupBox* groupOf(const QString& title, std::initializer_list<QWidget*> content
 // 2,215 places of Chicago's Loop over a year.
 double fieldsOfPlaces(std::size_t dates) { return 2.4 + 0.2 * double(dates); }
 
-Period wholeYear(const Period& period) {
-    Period year = applied(PeriodPreset::year, period, period.start, 0);
-    year.window = SolarHours{};
-    return year;
-}
+Period wholeYear(const Period& period) { return applied(PeriodPreset::year, period, period.start, 0); }
 
 QLabel* lineOf(const char* name) {
     auto* line = new QLabel;

@@ -34,6 +34,7 @@ constexpr int maxNamePx = 80;
 constexpr int monthNamePx = 50;  // has room in a chart of this height
 constexpr int letterPx = 10;
 constexpr int marginPx = 4;
+constexpr int nameBorderPx = 8;  // that the axis adds to its names, and does not make room for
 
 QFont smallFont(QFont font, bool bold = false) {
     font.setPixelSize(letterPx);
@@ -171,7 +172,7 @@ int roomForLongerNames(const QStringList& names, const QFont& font) {
     const QFontMetrics metrics(smallFont(font));
     const auto widthOf = [&](const QString& name) { return metrics.horizontalAdvance(name); };
     const auto [least, most] = std::ranges::minmax(names, {}, widthOf);
-    return widthOf(most) - widthOf(least) + marginPx;
+    return widthOf(most) - widthOf(least) + marginPx + nameBorderPx;
 }
 
 // What the groups are stands below the title: as the title of their axis it would lie on the longest names.
@@ -221,7 +222,8 @@ QChartView* viewOf(const Bars& bars, const QFont& font) {
     addAxes(*chart, *series, bars, font);
     auto* view = new QChartView(chart);  // owns the chart
     view->setRenderHint(QPainter::Antialiasing);
-    view->setFixedHeight(chartHeightPx + 2 * std::max(0, longestOf(names, font) - monthNamePx));
+    view->setFixedHeight(chartHeightPx + nameBorderPx +
+                         2 * std::max(0, longestOf(names, font) - monthNamePx));
     view->setFrameShape(QFrame::NoFrame);
     view->setContextMenuPolicy(Qt::ActionsContextMenu);
     auto* copy = new QAction(QObject::tr("&Copy the values"), view);

@@ -19,7 +19,7 @@ QString describeKind(PlaceKind kind) {
         case PlaceKind::plaza:
             return QObject::tr("plaza");
         case PlaceKind::greenstreet:
-            return QObject::tr("greenstreet");
+            return QObject::tr("lawn or bed");
         case PlaceKind::cemetery:
             return QObject::tr("cemetery");
         case PlaceKind::street:
@@ -45,7 +45,7 @@ QString describeKinds(PlaceKind kind) {
         case PlaceKind::plaza:
             return QObject::tr("Plazas");
         case PlaceKind::greenstreet:
-            return QObject::tr("Greenstreets");
+            return QObject::tr("Lawns and beds");
         case PlaceKind::cemetery:
             return QObject::tr("Cemeteries");
         case PlaceKind::street:

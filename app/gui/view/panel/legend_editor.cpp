@@ -129,7 +129,14 @@ void LegendEditor::addRows() {
     addPair(tr("Cla&sses"), kind_, count_);
     form->addRow(tr("&Numbers"), breaks_);
     form->addRow(problem_);
-    form->addRow(QString(), undo_);
+    auto* close = new QPushButton(tr("Close"));
+    close->setObjectName(QStringLiteral("legendClose"));
+    close->setShortcut(Qt::Key_Escape);
+    connect(close, &QPushButton::clicked, this, &QWidget::close);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(undo_);
+    buttons->addWidget(close);
+    form->addRow(QString(), buttons);
 }
 
 void LegendEditor::connectRows() {

@@ -72,6 +72,7 @@ QSpinBox* changeScaleField() {
     field->setPrefix(QStringLiteral("±"));
     field->setSuffix(LegendStrip::tr(" min"));
     field->setSpecialValueText(LegendStrip::tr("Automatic"));
+    field->setMinimumWidth(field->sizeHint().width());
     field->setToolTip(
         LegendStrip::tr("The ends of the colour scale of a difference.\nLock it to compare pictures of "
                         "several proposals; 0: automatic, fitted to each difference."));
