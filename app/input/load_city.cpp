@@ -7,7 +7,7 @@
 
 #include "core/base/stop_scope.h"
 #include "core/base/stopwatch.h"
-#include "core/city/main_bounds.h"
+#include "core/city/main_part.h"
 #include "core/city/map_context.h"
 #include "core/samples/sample_city.h"
 
@@ -108,13 +108,12 @@ Result<Region> cityRegion(const City& city) {
 Region firstRegion(const LoadedCity& loaded, float maxM) {
     if (loaded.files.size() == 1 && loaded.files.front() == parkSample)
         return centralParkRegion(loaded.read.city);
-    Box2 box = mainBounds(loaded.read.city);
+    Box2 box = findMainPart(loaded.read.city).box;
     if (box.empty()) box = {{-maxM / 2, -maxM / 2}, {maxM / 2, maxM / 2}};
-    const glm::vec2 centre = (box.low + box.high) / 2.0F;
     // The border leaves some open ground even around a single building.
     constexpr float borderM = 50;
-    const glm::vec2 half = glm::min((box.high - box.low) / 2.0F + borderM, glm::vec2(maxM / 2));
-    Region region = makeRegionFromLocalBox({centre - half, centre + half});
+    const Box2 within{box.low - borderM, box.high + borderM};
+    Region region = makeRegionFromLocalBox(findDensestBox(loaded.read.city, within, glm::vec2(maxM)));
     region.name = "the middle of the city";
     return region;
 }

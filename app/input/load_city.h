@@ -40,8 +40,8 @@ Result<City> sampleCity(const std::string& name);
 /// The bounding box of all buildings.
 Result<Region> cityRegion(const City& city);
 
-/// A default region: the park for Central Park South, otherwise the centre of the city with a border of 50 m,
-/// up to `maxM` metres per side.
+/// A default region: the park for Central Park South, otherwise the main part of the city with a border of
+/// 50 m, or where it is densest if that is more than `maxM` metres wide or high (core/city/main_part.h).
 Region firstRegion(const LoadedCity& loaded, float maxM = 800);
 
 }  // namespace noonmark

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/city/main_bounds.h"
+#include "core/city/main_part.h"
 #include "render/scene/feature_edges.h"
 
 namespace noonmark {
@@ -94,7 +94,7 @@ ArrayDifference computeDifference(const CityArrays& drawn, const City& city) {
 CityArrays makeArrays(const City& city, std::size_t maxEdgeTriangles) {
     CityArrays arrays = makeBuildingArrays(city, maxEdgeTriangles);
     arrays.bounds = computeViewBounds(city);
-    arrays.mainBox = mainBounds(city);
+    arrays.mainPart = findMainPart(city);
     if (city.terrain) addTerrain(arrays, *city.terrain);
     // Below a terrain the square only fills the view up to the horizon.
     const float below = city.terrain ? 0.5F + float(arrays.bounds.radiusM()) * 1e-3F : 0;

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/city/city.h"
+#include "core/city/main_part.h"
 #include "render/view/camera_pose.h"
 
 namespace noonmark {
@@ -29,7 +29,7 @@ struct CityArrays {
     std::vector<glm::vec3> groundPoints;
     std::vector<std::uint32_t> groundTriangles;
     ViewBounds bounds;
-    Box2 mainBox;  ///< around the main body of the city, which is shown first; empty: all of it
+    MainPart mainPart;  ///< is shown first, and what scale and haze are fitted to
 };
 
 /// Merges the buildings into one array. The ground is the terrain, or a level square that extends far beyond

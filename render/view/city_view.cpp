@@ -28,6 +28,7 @@ namespace {
 constexpr QColor lineColour{0xd6, 0x3c, 0x1e};
 constexpr double viewDeg = 40;
 constexpr int restMs = 200;
+constexpr double hazeDistances = 4;
 
 ViewLens inDevicePixels(ViewLens lens, double ratio) {
     lens.widthPx = std::round(lens.widthPx * ratio);
@@ -153,11 +154,9 @@ void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
     tiles_->clear();
     other_.clear();
     setSides({});
-    ViewBounds first = arrays->bounds;
-    if (!arrays->mainBox.empty()) first.box = arrays->mainBox;
     displayed_.showCity(std::move(arrays));
     tellTraced();
-    setPose(wholeCity(first, lens()));
+    setPose(wholeCity(mainBounds(), lens()));
 }
 
 void CityView::showChanges(const ArrayDifference& changes) {
@@ -236,8 +235,9 @@ void CityView::applyCamera() {
     else
         camera()->lens()->setPerspectiveProjection(float(viewDeg), aspect, float(clip.nearM),
                                                    float(clip.farM));
-    // Nothing is far away in a parallel projection.
-    const auto haze = parallel ? 1e9F : float(5 * bounds.radiusM());
+    // Nothing is far away in a parallel projection, and what the camera looks at never fades.
+    const auto haze =
+        parallel ? 1e9F : float(std::max(5 * mainBounds().radiusM(), hazeDistances * pose_.distanceM));
     for (DrawnCity* city : {&displayed_, &other_}) city->setHaze(haze);
     camera()->setPosition(toVector(computeEye(pose_)));
     camera()->setViewCenter(toVector(pose_.target));
@@ -252,6 +252,12 @@ void CityView::applyCamera() {
     names_->start();
     cameraMoved_ = false;
     trace(clip);
+}
+
+ViewBounds CityView::mainBounds() const {
+    ViewBounds bounds = displayed_.bounds();
+    if (const auto drawn = arrays(); drawn && !drawn->mainPart.box.empty()) bounds.box = drawn->mainPart.box;
+    return bounds;
 }
 
 ViewBounds CityView::drawnBounds() const {

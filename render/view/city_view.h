@@ -102,6 +102,8 @@ public:
     [[nodiscard]] const CameraPose& pose() const { return pose_; }
     void setPose(const CameraPose& pose);
     [[nodiscard]] const ViewBounds& viewBounds() const { return displayed_.bounds(); }
+    /// Of the city without its far buildings (MainPart).
+    [[nodiscard]] ViewBounds mainBounds() const;
     [[nodiscard]] ViewLens lens() const;
 
     /// Captures the next frame in device pixels; calls back in this thread.

@@ -9,6 +9,7 @@
 #include "app/gui/frame/actions/place_actions.h"
 #include "app/gui/frame/actions/saving_actions.h"
 #include "app/gui/session/study/open_options.h"
+#include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/workbench.h"
 #include "app/input/load_city.h"
 #include "core/io/files/file_kind.h"
@@ -137,6 +138,9 @@ void OpeningActions::showGuesses() {
     if (!zone.others.isEmpty() && !workbench_.openedView().study)
         lines << tr("The time zone %1 is a guess; %2 is also nearby.")
                      .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
+    const std::size_t far = workbench_.city()->arrays->mainPart.farBuildings;
+    if (far > 0)
+        lines << tr("%1 far building(s) left aside.", "", pluralNumber(far)).arg(formatCount(far));
     const bool read = !workbench_.session().file() && !workbench_.session().project().places.empty();
     if (read || !workbench_.placeWarnings().empty())
         lines << describePlacesRead(workbench_.session().project().places.size(), 0,
@@ -146,6 +150,8 @@ void OpeningActions::showGuesses() {
     messages_.showHelp(lines.join(u'\n'));
     if ((heights || doubt || stand) && !workbench_.source().files.isEmpty() && !workbench_.session().file())
         offerOptions();
+    if (far > 0)
+        messages_.offerToo(tr("Zoom to all"), [this] { Q_EMIT wholeCityWanted(); });
 }
 
 // If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.

@@ -33,6 +33,9 @@ public:
     void takeProject();  ///< another project is open: adds it to the recent files
     void showGuesses();  ///< reports what is assumed because the files do not state it: heights, time zone
 
+Q_SIGNALS:
+    void wholeCityWanted();  ///< to see buildings that the first view leaves aside
+
 private:
     void makeActions();
     void replaceBy(const QStringList& files, const ReadSettings& reading);

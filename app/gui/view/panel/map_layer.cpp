@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "app/report/maps/context_painter.h"
+#include "core/city/main_part.h"
 #include "render/view/city_view.h"
 
 namespace noonmark {
@@ -50,7 +51,8 @@ void MapLayer::showCity(const City& city) {
     context_ = city.context;
     whole_.reset();
     picture_.reset();
-    around_ = bounds(city);
+    around_ = findMainPart(city).box;
+    if (around_.empty()) around_ = bounds(city);
     around_.low -= aroundM;
     around_.high += aroundM;
     show();
