@@ -121,6 +121,8 @@ std::optional<ContextKind> classifyContextPoint(const PlaceTags& tags) {
     return std::nullopt;
 }
 
+bool isCoastline(const PlaceTags& tags) { return valueOf(tags, "natural") == "coastline"; }
+
 double widthOfLine(ContextKind kind, const PlaceTags& tags) {
     if (const auto street = readStreetWidth(tags)) return street->widthM;
     if (const LineRule* rule = findLine(tags)) return rule->widthM;

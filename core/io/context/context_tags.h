@@ -15,6 +15,9 @@ std::optional<ContextKind> classifyContextArea(const PlaceTags& tags);
 std::optional<ContextKind> classifyContextLine(const PlaceTags& tags);
 std::optional<ContextKind> classifyContextPoint(const PlaceTags& tags);
 
+/// Whether a line is a coastline: the edge of the sea, which lies on its right.
+bool isCoastline(const PlaceTags& tags);
+
 /// The width to draw a line with, metres: as tagged, else the usual one of its class.
 double widthOfLine(ContextKind kind, const PlaceTags& tags);
 

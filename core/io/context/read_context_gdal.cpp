@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <iterator>
 
 #include "core/city/footprints/clip_ring.h"
 #include "core/geo/distance.h"
+#include "core/io/context/coast.h"
 #include "core/io/context/context_tags.h"
 #include "core/io/context/read_context.h"
 #include "core/io/files/open_dataset.h"
@@ -47,6 +49,7 @@ public:
         const OGRGeometry* geometry = feature.GetGeometryRef();
         if (geometry == nullptr || geometry->IsEmpty() != FALSE) return;
         const PlaceTags tags = tagsOf(feature);
+        if (geometry->getDimension() == 1 && isCoastline(tags)) addLines(*geometry, coast_);
         const auto kind = kindOf(feature, tags, geometry->getDimension());
         if (!kind || (waterOnly_ && *kind != ContextKind::water)) return;
         UnplacedShape shape{*kind, nameIn(tags), widthOf(feature, *kind, tags), readPolygons(*geometry), {}};
@@ -54,7 +57,7 @@ public:
         if (!shape.polygons.empty() || !shape.lines.empty()) shapes_.push_back(std::move(shape));
     }
 
-    [[nodiscard]] std::size_t size() const { return shapes_.size(); }
+    [[nodiscard]] std::size_t size() const { return shapes_.size() + coast_.size(); }
 
     /// All points go through one call: GDAL spends 0.1 ms on choosing a transformation for each.
     void place(const Frame& frame, double farAwayM, ContextRead& into) {
@@ -63,6 +66,7 @@ public:
         places_ = toLonLat_.lonLat(points);
         next_ = 0;
         for (const UnplacedShape& shape : shapes_) add(shape, frame, farAwayM, into);
+        for (const Points& line : coast_) addCoast(line.size(), frame, into);
         if (farAway_ > 0)
             into.warnings.push_back({WarningKind::leftOut, "features of the map are too far from the city",
                                      fmt::format("{} features", farAway_)});
@@ -75,6 +79,7 @@ private:
                 for (const Points& ring : polygon) std::ranges::for_each(ring, take);
             for (const Points& line : shape.lines) std::ranges::for_each(line, take);
         }
+        for (const Points& line : coast_) std::ranges::for_each(line, take);
     }
 
     [[nodiscard]] PlaceTags tagsOf(const OGRFeature& feature) const {
@@ -180,6 +185,17 @@ private:
         if (!near) ++farAway_;
     }
 
+    // In double, so that ways that share a node share its place. A coast beyond the frame ends where it
+    // leaves it.
+    void addCoast(std::size_t count, const Frame& frame, ContextRead& into) {
+        CoastLine line;
+        for (std::size_t i = 0; i < count; ++i, ++next_)
+            if (const LonLat at = places_[next_]; std::isfinite(at.lonDeg) && std::isfinite(at.latDeg) &&
+                                                  computeGreatCircleM(at, frame.origin()) <= widestM)
+                line.push_back(frame.localFromLonLat(at));
+        if (line.size() > 1) into.coast.push_back(std::move(line));
+    }
+
     static constexpr double widestM = 1e6;  // as far as a frame is meant for
 
     CrsToLonLat toLonLat_;
@@ -187,9 +203,56 @@ private:
     std::vector<std::pair<int, std::string>> fields_;
     int kindField_ = -1, widthField_ = -1;
     std::vector<UnplacedShape> shapes_;
+    std::vector<Points> coast_;
     std::vector<LonLat> places_;
     std::size_t next_ = 0, farAway_ = 0;
 };
+
+// The largest upright box inside the corners of one in longitude and latitude, cut to what lies near.
+Box2 boxIn(const Frame& frame, const LonLatBox& box, double farAwayM) {
+    const glm::dvec2 southWest = frame.localFromLonLat({box.westDeg, box.southDeg}),
+                     southEast = frame.localFromLonLat({box.eastDeg, box.southDeg}),
+                     northWest = frame.localFromLonLat({box.westDeg, box.northDeg}),
+                     northEast = frame.localFromLonLat({box.eastDeg, box.northDeg});
+    const glm::dvec2 low(std::max(southWest.x, northWest.x), std::max(southWest.y, southEast.y)),
+        high(std::min(southEast.x, northEast.x), std::min(northWest.y, northEast.y));
+    return {glm::vec2(glm::max(low, glm::dvec2(-farAwayM))), glm::vec2(glm::min(high, glm::dvec2(farAwayM)))};
+}
+
+Box2 boxAround(const std::vector<CoastLine>& coast, double farAwayM) {
+    Box2 box;
+    for (const CoastLine& line : coast)
+        for (const glm::dvec2 point : line)
+            box.add(glm::vec2(glm::clamp(point, glm::dvec2(-farAwayM), glm::dvec2(farAwayM))));
+    return box;
+}
+
+std::string describePlace(const Frame& frame, glm::dvec2 local) {
+    const LonLat place = frame.lonLatFromLocal(local);
+    return fmt::format("at {:.5f}, {:.5f} (longitude, latitude)", place.lonDeg, place.latDeg);
+}
+
+/// Adds the sea of the coastlines that were read, within the box that the file covers.
+void addSea(ContextRead& read, const std::optional<LonLatBox>& covered, const Frame& frame, double farAwayM) {
+    if (read.coast.empty()) return;
+    const Box2 box = covered ? boxIn(frame, *covered, farAwayM) : boxAround(read.coast, farAwayM);
+    if (box.empty()) return;
+    Sea sea = findSea(read.coast, box);
+    for (const double metres : sea.continuedM)
+        read.warnings.push_back({WarningKind::assumed,
+                                 "the coastline goes on straight to the edge of the map",
+                                 fmt::format("over {:.0f} m", metres)});
+    for (const glm::dvec2 end : sea.openEnds)
+        read.warnings.push_back({WarningKind::leftOut,
+                                 "the coastline does not close, so the sea there is not known",
+                                 describePlace(frame, end)});
+    for (std::size_t i = 0; i < sea.contradictions; ++i)
+        read.warnings.push_back({WarningKind::leftOut,
+                                 "coastlines disagree where land and sea lie, so it is taken for land",
+                                 "an area between coastlines"});
+    if (!sea.polygons.empty())
+        read.context.areas.push_back({ContextKind::water, {}, std::move(sea.polygons)});
+}
 
 bool isWanted(OGRLayer& layer, bool fromOsm) {
     const std::string_view name = layer.GetName();
@@ -222,6 +285,7 @@ Result<ContextRead> readLayers(GDALDataset& dataset, const std::string& file, co
     if (!features) return tl::make_unexpected(features.error());
     ContextRead read{{}, {}, *features};
     for (ContextLayer& reader : readers) reader.place(frame, settings.farAwayM, read);
+    addSea(read, isFromOsm(dataset) ? findOsmBox(dataset) : std::nullopt, frame, settings.farAwayM);
     if (stop.stop_requested()) return cancelled();
     if (isFromOsm(dataset)) read.context.attribution = osmCredit;
     if (!read.context.empty() || isFromOsm(dataset) || settings.waterOnly) return read;
@@ -236,7 +300,7 @@ OsmSelection selectContext() {
     OsmSelection selection{.keys = kinds,
                            .areaKeys = kinds,
                            .kindKeys = kinds,
-                           .lineKeys = {"highway", "railway", "waterway"},
+                           .lineKeys = {"highway", "railway", "waterway", "natural"},
                            .pointKeys = {"natural"}};
     for (const char* key : {"water", "building"}) selection.areaKeys.emplace_back(key);
     for (const char* key : {"highway", "waterway"}) selection.kindKeys.emplace_back(key);
@@ -249,7 +313,8 @@ OsmSelection selectContext() {
 // The keys of which areas of water have one.
 OsmSelection selectWater() {
     const std::vector<std::string> kinds{"natural", "waterway", "landuse", "leisure"};
-    OsmSelection selection{.keys = kinds, .areaKeys = kinds, .kindKeys = kinds};
+    OsmSelection selection{
+        .keys = kinds, .areaKeys = kinds, .kindKeys = kinds, .lineKeys = {"natural"}};
     for (const char* key : {"name", "building", "tunnel", "layer", "location"})
         selection.keys.emplace_back(key);
     return selection;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "core/geo/lon_lat_box.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/osm/osm_map.h"
 
@@ -12,6 +15,9 @@ namespace noonmark {
 Result<DatasetPointer> readOsmLayers(const std::filesystem::path& file, OsmFormat format,
                                      const OsmSelection& selection, Progress& progress,
                                      const std::stop_token& stop);
+
+/// The box that the file of a dataset from readOsmLayers() states to cover; nothing if it states none.
+std::optional<LonLatBox> findOsmBox(GDALDataset& dataset);
 
 /// Whether the dataset is from readOsmLayers().
 bool isFromOsm(GDALDataset& dataset);

@@ -3,6 +3,8 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <cstdlib>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -16,6 +18,7 @@ namespace {
 
 constexpr const char* sourceItem = "SOURCE";
 constexpr const char* sourceName = "OpenStreetMap";
+constexpr const char* sideItems[] = {"WEST", "SOUTH", "EAST", "NORTH"};  // of the box, OpenStreetMap's units
 
 // A layer in memory takes any feature, unless memory runs out.
 void require(OGRErr result) {
@@ -109,6 +112,12 @@ private:
     OGRSpatialReference system_;
 };
 
+void noteBox(GDALDataset& dataset, const OsmBox& box) {
+    const std::int32_t sides[] = {box.low.lon, box.low.lat, box.high.lon, box.high.lat};
+    for (std::size_t i = 0; i < std::size(sides); ++i)
+        dataset.SetMetadataItem(sideItems[i], std::to_string(sides[i]).c_str());
+}
+
 }  // namespace
 
 Result<DatasetPointer> readOsmLayers(const std::filesystem::path& file, OsmFormat format,
@@ -120,12 +129,24 @@ Result<DatasetPointer> readOsmLayers(const std::filesystem::path& file, OsmForma
     if (driver == nullptr) throw std::runtime_error("GDAL was built without its driver for memory");
     DatasetPointer dataset(driver->Create("", 0, 0, 0, GDT_Unknown, nullptr));
     dataset->SetMetadataItem(sourceItem, sourceName);
+    if (map->box) noteBox(*dataset, *map->box);
     LayerFiller filler(*dataset, selection);
     if (!selection.pointKeys.empty()) filler.addPoints(map->points);
     if (!selection.lineKeys.empty()) filler.addLines(map->ways);
     filler.addAreas(*map, stop);
     if (stop.stop_requested()) return cancelled();
     return dataset;
+}
+
+std::optional<LonLatBox> findOsmBox(GDALDataset& dataset) {
+    LonLatBox box;
+    double* const sides[] = {&box.westDeg, &box.southDeg, &box.eastDeg, &box.northDeg};
+    for (std::size_t i = 0; i < std::size(sides); ++i) {
+        const char* text = dataset.GetMetadataItem(sideItems[i]);
+        if (text == nullptr) return std::nullopt;
+        *sides[i] = degrees(std::int32_t(std::strtol(text, nullptr, 10)));
+    }
+    return box;
 }
 
 bool isFromOsm(GDALDataset& dataset) {

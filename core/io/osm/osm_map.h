@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -28,7 +29,9 @@ struct OsmSelection {
     std::vector<std::string> keys;       ///< the tags to keep
     std::vector<std::string> areaKeys;   ///< closed ways with one of these are areas, unless area=no
     std::vector<std::string> kindKeys;   ///< areas without any of these are not; empty: all are kept
-    std::vector<std::string> lineKeys;   ///< ways that are no areas and have one of these are lines
+    /// Ways that are no areas and have one of these are lines; with the key natural coastlines, too, which
+    /// as closed ways may be areas besides.
+    std::vector<std::string> lineKeys;
     std::vector<std::string> pointKeys;  ///< nodes with one of these are points
 };
 
@@ -41,7 +44,7 @@ struct OsmNode {
 struct OsmWay {
     std::int64_t id = 0;
     bool area = false;    ///< closed, and has an area key or area=yes, but not area=no
-    bool line = false;    ///< no area, and has a line key
+    bool line = false;    ///< has a line key, and is no area or a coastline
     bool tagged = false;  ///< an area with tags that describe it, besides remarks such as note
     OsmTags tags;         ///< those asked for, of areas and lines only
     /// In the way's order, without nodes that the file lacks; an area ends with its first point.
@@ -60,12 +63,18 @@ struct OsmRelation {
     std::vector<OsmMember> members;
 };
 
+/// A box that a file states to cover; low is its south-western corner.
+struct OsmBox {
+    OsmPoint low, high;
+};
+
 /// The selected points, lines and areas of an OpenStreetMap file, and the ways of which its relations
 /// consist.
 struct OsmMap {
     std::vector<OsmWay> ways;            ///< by id; each has two points at least
     std::vector<OsmRelation> relations;  ///< multipolygons and boundaries, in the file's order
     std::vector<OsmNode> points;         ///< in the file's order
+    std::optional<OsmBox> box;           ///< around all boxes that the file's header states
 };
 
 /// Reads the file three times: relations, ways, and the nodes of the ways that are kept, so that memory grows

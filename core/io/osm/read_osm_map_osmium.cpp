@@ -44,6 +44,8 @@ bool isTaggedAsArea(const osmium::TagList& tags, const Keys& areaKeys) {
     return area;
 }
 
+bool isCoast(const osmium::TagList& tags) { return tags.has_tag("natural", "coastline"); }
+
 OsmTags wantedTags(const osmium::TagList& tags, const Keys& keys) {
     OsmTags wanted;
     for (const osmium::Tag& tag : tags)
@@ -210,6 +212,7 @@ private:
     Taken readPart(const osmium::io::File& part, Take& take, Report report) {
         osmium::io::Reader reader(part, osmium::osm_entity_bits::from_item_type(Object::itemtype),
                                   osmium::io::read_meta::no, pool_);
+        takeBox(reader.header().joined_boxes());
         while (const osmium::memory::Buffer buffer = reader.read()) {
             if (stop_.stop_requested()) return cancelled();
             for (const auto& object : buffer.select<Object>())
@@ -218,6 +221,12 @@ private:
         }
         reader.close();
         return stop_.stop_requested() ? Taken(cancelled()) : Taken();
+    }
+
+    void takeBox(const osmium::Box& box) {
+        if (!box.valid()) return;
+        map_.box = OsmBox{{box.bottom_left().x(), box.bottom_left().y()},
+                          {box.top_right().x(), box.top_right().y()}};
     }
 
     void report(std::size_t turn, double share) {
@@ -248,7 +257,7 @@ private:
         if (way.nodes().size() > maxNodes)
             return tooLarge("way", way.id(), way.nodes().size(), "nodes", maxNodes);
         const bool area = way.ends_have_same_id() && isWantedArea(way.tags());
-        const bool line = !area && hasOneOf(way.tags(), selection_.lineKeys);
+        const bool line = hasOneOf(way.tags(), selection_.lineKeys) && (!area || isCoast(way.tags()));
         if (!area && !line && !std::ranges::binary_search(members_, way.id())) return {};
         const bool tagged = area && std::ranges::any_of(way.tags(), [](const osmium::Tag& tag) {
                                 return !isRemark(tag.key());

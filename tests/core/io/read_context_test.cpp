@@ -1,5 +1,6 @@
 #include "core/io/context/read_context.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,6 +66,91 @@ TEST(ReadContext, TakesAreasOfAnOpenStreetMapFileWithTheirHoles) {
     ASSERT_EQ(park->polygons.size(), 1U);
     EXPECT_EQ(park->polygons[0].holes.size(), 1U);
     EXPECT_NEAR(area(park->polygons[0]), 200 * 100 - 40 * 30, 1);
+}
+
+/// A coast from west to east through the middle of a box of 2 km, and a ring of land in the sea.
+std::string coastXml(const std::string& bounds, double fromX) {
+    const auto node = [](int id, double x, double y) {
+        const LonLat at = contextFrame.lonLatFromLocal({x, y});
+        return fmt::format("<node id=\"{}\" version=\"1\" lat=\"{:.9f}\" lon=\"{:.9f}\"/>", id, at.latDeg,
+                           at.lonDeg);
+    };
+    const auto way = [](int id, const std::string& nodes) {
+        return fmt::format(
+            "<way id=\"{}\" version=\"1\">{}<tag k=\"natural\" v=\"coastline\"/></way>", id, nodes);
+    };
+    return "<?xml version=\"1.0\"?><osm version=\"0.6\">" + bounds + node(1, fromX, 0) + node(2, 0, 0) +
+           node(3, 1200, 0) + node(4, 100, -500) + node(5, 300, -500) + node(6, 300, -300) +
+           node(7, 100, -300) + way(1, "<nd ref=\"2\"/><nd ref=\"3\"/>") +
+           way(2, "<nd ref=\"1\"/><nd ref=\"2\"/>") +
+           way(3, "<nd ref=\"4\"/><nd ref=\"5\"/><nd ref=\"6\"/><nd ref=\"7\"/><nd ref=\"4\"/>") +
+           "</osm>";
+}
+
+std::string boundsOfTwoKilometres() {
+    const LonLat low = contextFrame.lonLatFromLocal({-1000, -1000}),
+                 high = contextFrame.lonLatFromLocal({1000, 1000});
+    return fmt::format("<bounds minlat=\"{:.9f}\" minlon=\"{:.9f}\" maxlat=\"{:.9f}\" maxlon=\"{:.9f}\"/>",
+                       low.latDeg, low.lonDeg, high.latDeg, high.lonDeg);
+}
+
+double seaOf(const ContextRead& read) {
+    double sum = 0;
+    for (const ContextArea& water : read.context.areas)
+        if (water.kind == ContextKind::water)
+            for (const Footprint& polygon : water.polygons) sum += area(polygon);
+    return sum;
+}
+
+TEST(ReadContext, ClosesTheSeaAlongTheBoxOfTheFile) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.path("coast.osm");
+    std::ofstream(file) << coastXml(boundsOfTwoKilometres(), -1200);
+    const auto read = readContextFrom(file);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_NEAR(seaOf(*read), 2000.0 * 1000 - 200 * 200, 200);
+    EXPECT_TRUE(read->warnings.empty());
+    NoProgress quiet;
+    const auto water = readContext(file, {.waterOnly = true}, contextFrame, quiet, {});
+    ASSERT_TRUE(water) << water.error().text();
+    EXPECT_EQ(water->context.areas, read->context.areas) << "so that its cells are no ground";
+}
+
+TEST(ReadContext, SaysThatACoastDoesNotClose) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.path("coast.osm");
+    std::ofstream(file) << coastXml(boundsOfTwoKilometres(), -500);
+    const auto read = readContextFrom(file);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(seaOf(*read), 0);
+    ASSERT_EQ(read->warnings.size(), 1U);
+    EXPECT_THAT(read->warnings[0].what, HasSubstr("does not close"));
+    EXPECT_THAT(read->warnings[0].where, HasSubstr("-73.98")) << "where";
+}
+
+TEST(ReadContext, ClosesTheSeaAlongTheCoastsOwnBoxWhereTheFileStatesNone) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.path("coast.osm");
+    std::ofstream(file) << coastXml("", -1200);
+    const auto read = readContextFrom(file);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_NEAR(seaOf(*read), 2400.0 * 500 - 200 * 200, 200);
+}
+
+TEST(ReadContext, FindsTheSeaOfMonacoAndTheRiversOfManhattan) {
+    const auto monaco = tests::sharedData("monaco/monaco-latest.osm.pbf"),
+               midtown = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
+    if (!monaco || !midtown) GTEST_SKIP() << "needs the shared data";
+    NoProgress quiet;
+    const auto sea = readContext(*monaco, {.waterOnly = true}, Frame({7.425, 43.737}), quiet, {});
+    ASSERT_TRUE(sea) << sea.error().text();
+    EXPECT_GT(seaOf(*sea), 3e6);
+    const auto rivers = readContext(*midtown, {.waterOnly = true}, contextFrame, quiet, {});
+    ASSERT_TRUE(rivers) << rivers.error().text();
+    EXPECT_GT(seaOf(*rivers), 5e5);
+    for (const auto& read : {sea, rivers})
+        for (const Warning& warning : read->warnings)
+            EXPECT_EQ(warning.what.find("does not close"), std::string::npos) << warning.where;
 }
 
 TEST(ReadContext, TakesKindsAndWidthsOfOtherFiles) {
