@@ -58,6 +58,7 @@ PlaceMarks::~PlaceMarks() {
 void PlaceMarks::show(std::vector<Mark> marks) {
     marks_ = std::move(marks);
     highlighted_.reset();
+    hovered_.reset();
     draw();
 }
 
@@ -73,7 +74,34 @@ void PlaceMarks::setShown(bool shown) {
     draw();
 }
 
+void PlaceMarks::setOutlinesShown(bool shown) {
+    outlinesShown_ = shown;
+    draw();
+}
+
+void PlaceMarks::hover(std::optional<std::size_t> mark) {
+    if (mark && *mark >= marks_.size()) mark.reset();
+    if (mark == hovered_) return;
+    hovered_ = mark;
+    if (shown_ && !outlinesShown_) drawOutlines();
+}
+
+bool PlaceMarks::isOutlined(std::size_t mark) const {
+    return mark == highlighted_ || (shown_ && (outlinesShown_ || mark == hovered_));
+}
+
+std::size_t PlaceMarks::outlined() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < marks_.size(); ++i) count += isOutlined(i) ? 1 : 0;
+    return count;
+}
+
 void PlaceMarks::draw() {
+    drawOutlines();
+    if (changed_) changed_();
+}
+
+void PlaceMarks::drawOutlines() {
     delete std::exchange(lines_, nullptr);
     delete std::exchange(thinLines_, nullptr);
     delete std::exchange(highlightedLines_, nullptr);
@@ -82,13 +110,13 @@ void PlaceMarks::draw() {
     if (highlighted_)
         highlightedLines_ =
             makeArrayEntity(makeOutlineGeometry(marks_[*highlighted_].lines), *bold_, root_, blended_);
-    if (changed_) changed_();
 }
 
 Qt3DCore::QEntity* PlaceMarks::drawLines(bool named, ShaderMaterial& material) {
     std::vector<GroundLine> lines;
-    for (const Mark& mark : marks_)
-        if (shown_ && mark.named == named) lines.insert(lines.end(), mark.lines.begin(), mark.lines.end());
+    for (std::size_t i = 0; i < marks_.size(); ++i)
+        if (const Mark& mark = marks_[i]; mark.named == named && i != highlighted_ && isOutlined(i))
+            lines.insert(lines.end(), mark.lines.begin(), mark.lines.end());
     return lines.empty() ? nullptr : makeArrayEntity(makeOutlineGeometry(lines), material, root_, blended_);
 }
 
@@ -119,6 +147,7 @@ void PlaceMarks::layNames(const CameraPose& pose, const ViewLens& lens) {
         box.adjust(-labelGapPx, -labelGapPx, labelGapPx, labelGapPx);
         if (!screen.contains(box)) continue;  // a name that is cut off cannot be read
         if (std::ranges::any_of(taken, [&](const QRectF& other) { return other.intersects(box); })) continue;
+        if (i != highlighted_ && isHidden_ && isHidden_(mark.at)) continue;
         taken.push_back(box);
         chosen.push_back(i);
     }

@@ -21,8 +21,9 @@ namespace noonmark {
 class NameLabels;
 class ShaderMaterial;
 
-/// Outlines of places on the ground with their names. Names keep their size on the screen; where they would
-/// cover each other the larger place has its name.
+/// Names of places on the ground, and outlines of those that are chosen, under the cursor, or all. Names keep
+/// their size on the screen; where they would cover each other the larger place has its name, and what
+/// buildings hide has none.
 class PlaceMarks {
 public:
     struct Mark {
@@ -46,11 +47,19 @@ public:
     void show(std::vector<Mark> marks);
     /// Draws the outline of this mark bolder, and its name in any case; an index beyond the marks: none.
     void highlight(std::optional<std::size_t> mark);
-    void setShown(bool shown);
+    void setShown(bool shown);  ///< names, and outlines where they are wanted
     [[nodiscard]] bool shown() const { return shown_; }
+    /// All outlines; otherwise only those of the highlighted mark and of the one under the cursor.
+    void setOutlinesShown(bool shown);
+    /// Draws the outline of this mark, which is under the cursor; none: of no mark.
+    void hover(std::optional<std::size_t> mark);
+    /// Marks with an outline.
+    [[nodiscard]] std::size_t outlined() const;
+    /// Whether something hides a point from the camera: its name is left out.
+    void hideNamesWhere(std::function<bool(const glm::dvec3&)> isHidden) { isHidden_ = std::move(isHidden); }
 
     /// Chooses the names for this camera: at most maxNames, the highlighted one first, then by area. A place
-    /// that is small on the screen has none. Some ms.
+    /// that is small on the screen or hidden has none. Some ms.
     void layNames(const CameraPose& pose, const ViewLens& lens);
     /// The marks whose names are shown, in the order of their choice.
     [[nodiscard]] const std::vector<std::size_t>& named() const { return named_; }
@@ -61,6 +70,8 @@ public:
 
 private:
     void draw();
+    void drawOutlines();
+    [[nodiscard]] bool isOutlined(std::size_t mark) const;
     [[nodiscard]] Qt3DCore::QEntity* drawLines(bool named, ShaderMaterial& material);
     [[nodiscard]] std::vector<std::size_t> ranked() const;
 
@@ -76,8 +87,11 @@ private:
     std::vector<Mark> marks_;
     std::vector<std::size_t> named_;
     std::optional<std::size_t> highlighted_;
+    std::optional<std::size_t> hovered_;
     std::function<void()> changed_;
+    std::function<bool(const glm::dvec3&)> isHidden_;
     bool shown_ = true;
+    bool outlinesShown_ = false;
 };
 
 }  // namespace noonmark

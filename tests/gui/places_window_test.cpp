@@ -98,6 +98,31 @@ TEST_F(PlacesWindow, PlacesAreNamedInTheViewAndOneIsZoomedTo) {
     ASSERT_TRUE(waitFor([&] { return marks.named().size() == 1; }));  // the chosen one stays
 }
 
+TEST_F(PlacesWindow, OnlyChosenPlacesAndThatUnderTheCursorHaveOutlines) {
+    read(polygonFile());
+    PlaceMarks& marks = window->panel().view().places();
+    EXPECT_EQ(marks.outlined(), 0U);
+    marks.hover(0);
+    EXPECT_EQ(marks.outlined(), 1U);
+    tree().use(tree().model().indexOf(ProjectPart::place, "Court"));
+    EXPECT_EQ(marks.outlined(), 2U);
+    marks.hover(std::nullopt);
+    EXPECT_EQ(marks.outlined(), 1U) << "the chosen one stays";
+    window->places().outlinesAction()->setChecked(true);
+    EXPECT_EQ(marks.outlined(), places().size());
+}
+
+TEST_F(PlacesWindow, ANameThatSomethingHidesIsLeftOut) {
+    read(polygonFile());
+    PlaceMarks& marks = window->panel().view().places();
+    const CityView& view = window->panel().view();
+    window->panel().navigator().show(bounds(places()[1]));
+    ASSERT_TRUE(waitFor([&] { return !marks.named().empty(); }));
+    marks.hideNamesWhere([](const glm::dvec3&) { return true; });
+    marks.layNames(view.pose(), view.lens());
+    EXPECT_TRUE(marks.named().empty());
+}
+
 TEST_F(PlacesWindow, TheRegionListTakesAPlaceByItsNameAndSuggestsOneForAMistypedName) {
     read(polygonFile());
     auto* list = window->findChild<QComboBox*>(QStringLiteral("regionList"));

@@ -82,6 +82,7 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addAction(actions.towers.storeyLines());
     menu.addAction(actions.towers.aboveDatum());
     menu.addAction(actions.places.showAction());
+    menu.addAction(actions.places.outlinesAction());
     menu.addAction(actions.sunDome);
     menu.addMenu(QObject::tr("S&un"))->addActions(actions.sun);
     menu.addMenu(QObject::tr("Mo&de"))->addActions(actions.modes);

@@ -86,7 +86,10 @@ PlaceActions::PlaceActions(Workbench& workbench, OpeningActions& opening, EditTo
                        tr("Click corners on the ground; Enter finishes, Esc cancels"), "place")),
       fromBuilding_(makeAction(this, tr("Place from b&uilding outline"), {},
                                tr("Creates a place from the selected building's outline"))),
-      show_(makeAction(this, tr("P&laces"), Qt::Key_P, tr("Shows outlines and names of places"))),
+      show_(makeAction(this, tr("P&laces"), Qt::Key_P, tr("Shows names of places"))),
+      outlines_(makeAction(this, tr("Outlines of all places"), {},
+                           tr("Without it, the outline of the chosen place is shown, and of the one under "
+                              "the cursor"))),
       ask_(askByMenu) {
     makeActions();
     connectTree(tree);
@@ -101,12 +104,19 @@ void PlaceActions::makeActions() {
     draw_->setObjectName(QStringLiteral("drawPlace"));
     show_->setCheckable(true);
     show_->setChecked(true);
+    outlines_->setObjectName(QStringLiteral("placeOutlines"));
+    outlines_->setCheckable(true);
     fromBuilding_->setEnabled(false);
     connect(read_, &QAction::triggered, this, &PlaceActions::askForFiles);
     connect(streets_, &QAction::triggered, this, &PlaceActions::readStreets);
     connect(draw_, &QAction::triggered, this, &PlaceActions::draw);
     connect(fromBuilding_, &QAction::triggered, this, &PlaceActions::makeFromBuilding);
-    connect(show_, &QAction::toggled, this, [this](bool on) { panel_.view().places().setShown(on); });
+    connect(show_, &QAction::toggled, this, [this](bool on) {
+        panel_.view().places().setShown(on);
+        outlines_->setEnabled(on);
+    });
+    connect(outlines_, &QAction::toggled, this,
+            [this](bool on) { panel_.view().places().setOutlinesShown(on); });
     connect(&tools_.building(), &BuildingEditing::selectionChanged, this,
             [this] { fromBuilding_->setEnabled(tools_.building().selected().has_value()); });
 }

@@ -30,7 +30,8 @@ public:
                  ProjectDock& tree, QWidget& window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {read_, streets_, draw_, fromBuilding_}; }
-    [[nodiscard]] QAction* showAction() const { return show_; }  ///< shows and hides outlines and names
+    [[nodiscard]] QAction* showAction() const { return show_; }  ///< shows and hides names
+    [[nodiscard]] QAction* outlinesAction() const { return outlines_; }  ///< shows outlines of all places
 
     /// Reads places into the open project; those of the same source are replaced.
     void read(const QStringList& files, const PlaceSettings& settings = {});
@@ -73,6 +74,7 @@ private:
     QAction* draw_;
     QAction* fromBuilding_;
     QAction* show_;
+    QAction* outlines_;
     std::function<Dropped()> ask_;
     JobSlot reading_;
 };

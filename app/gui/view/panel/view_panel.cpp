@@ -7,7 +7,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 #include "app/gui/base/layers/hover_text.h"
 #include "app/gui/session/study/region_words.h"
@@ -24,6 +26,20 @@ namespace noonmark {
 namespace {
 
 constexpr double straightDownDeg = 89;
+
+bool isInPlace(const Place& place, glm::dvec2 point) {
+    return std::ranges::any_of(place.polygons, [&](const Footprint& polygon) {
+        const Box2 box = bounds(polygon);
+        return point.x >= double(box.low.x) && point.x <= double(box.high.x) &&
+               point.y >= double(box.low.y) && point.y <= double(box.high.y) && contains(polygon, point);
+    });
+}
+
+double areaOf(const Place& place) {
+    double sum = 0;
+    for (const Footprint& polygon : place.polygons) sum += area(polygon);
+    return sum;
+}
 
 // Some window managers give the keys to the whole window at each click, away from the view inside it.
 void takeKeys(QWindow& view) {
@@ -68,8 +84,10 @@ ViewPanel::ViewPanel(QWidget* parent)
     connect(navigator_, &ViewNavigator::hovered, this, &ViewPanel::tellWhatIsAt);
     connect(navigator_, &ViewNavigator::left, this, [this] {
         label_->hide();
+        view_->places().hover(std::nullopt);
         Q_EMIT hovered({});
     });
+    view_->places().hideNamesWhere([this](const glm::dvec3& at) { return isHidden(at); });
     connectDrawing();
     connectNavigator();
     connectMeasuring();
@@ -192,6 +210,28 @@ void ViewPanel::markPlaces() {
     highlightPlace(highlighted_);
 }
 
+// Trees and furniture are lower than what counts as hidden, and so is what stands on the place itself.
+bool ViewPanel::isHidden(const glm::dvec3& at) const {
+    constexpr double nearM = 15;
+    const auto pixel = pixelOf(view_->pose(), view_->lens(), at);
+    const auto seen = pixel ? navigator_->pickAt({pixel->x, pixel->y}) : std::nullopt;
+    const glm::dvec3 forward = computeForward(view_->pose());
+    return seen && seen->building && glm::dot(at - seen->position, forward) > nearM;
+}
+
+// The smallest of the places there, as it lies in the others.
+void ViewPanel::hoverPlace(const std::optional<Pick>& pick) {
+    std::optional<std::size_t> smallest;
+    double leastM2 = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; pick && !pick->building && i < places_.size(); ++i)
+        if (isInPlace(places_[i], glm::dvec2(pick->position)))
+            if (const double areaM2 = areaOf(places_[i]); areaM2 < leastM2) {
+                smallest = i;
+                leastM2 = areaM2;
+            }
+    view_->places().hover(smallest);
+}
+
 void ViewPanel::showRegion(const Region& region) {
     region_ = region;
     showLines();
@@ -213,6 +253,7 @@ void ViewPanel::tellWhatIsAt(QPointF pixel) {
     polygons_->hover(pixel);
     measure(pixel, false);
     const auto pick = navigator_->pickAt(pixel);
+    hoverPlace(pick);
     Q_EMIT hovered(pick ? hoverText(*pick, city_->city(), results_->minutesAt(*pick)) : QString());
 }
 

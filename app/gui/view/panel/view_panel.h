@@ -84,6 +84,8 @@ private:
     void connectDrawing();
     void showCrossCursor(bool cross);
     void markPlaces();
+    [[nodiscard]] bool isHidden(const glm::dvec3& at) const;
+    void hoverPlace(const std::optional<Pick>& pick);
     void showLines();
     void measure(QPointF pixel, bool clicked);
     void connectMeasuring();
