@@ -16,7 +16,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr QColor groundColour{0xd8, 0xdb, 0xdf};
+constexpr QColor groundColour{0xee, 0xed, 0xe8};
+constexpr QColor skyColour{0xa9, 0xcb, 0xe8};
 constexpr QColor buildingColour{0xf7, 0xf5, 0xf1};
 constexpr QColor edgeColour{0x3a, 0x40, 0x4a};
 // More edges are hidden while the camera moves.
@@ -88,6 +89,7 @@ DrawnCity::DrawnCity(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3D
     setAll(bodyMaterials_, QStringLiteral("baseColour"), toVector(buildingColour));
     setAll(groundMaterials_, QStringLiteral("groundColour"), toVector(groundColour));
     setAll(surfaces, QStringLiteral("haze"), toVector(backgroundColour));
+    traced_.material()->set(QStringLiteral("skyBlue"), toVector(skyColour));
     setAll({edge_, traced_.material()}, QStringLiteral("edgeColour"), toVector(edgeColour));
     clearPicture();
     clearMap();

@@ -22,7 +22,7 @@ class QViewport;
 namespace noonmark {
 
 /// What is drawn where there is nothing; what is far away fades into it.
-inline constexpr QColor backgroundColour{0xf3, 0xf5, 0xf7};
+inline constexpr QColor backgroundColour{0xe7, 0xee, 0xf3};
 
 /// The layers of the view's nodes; nothing is owned.
 struct ViewLayers {

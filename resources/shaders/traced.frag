@@ -21,6 +21,7 @@ vec4 lookUp(sampler2D picture, vec2 within, vec4 box, vec3 at) {
     return texelFetch(picture, min(ivec2(within * vec2(texels)), texels - 1), level);
 }
 #pragma include light.inc
+#pragma include sky.inc
 #pragma include body.inc
 #pragma include earth.inc
 
@@ -42,6 +43,7 @@ void main() {
     if (kind == 3) shown = vec3(0.36, 0.30, 0.42);  // as cut.frag
     // As edge.frag: far edges fade.
     float edge = float(bits >> 26 & 1) * 0.42 * (1.0 - smoothstep(0.15, 0.8, distanceToEye / hazeDistance));
-    colour = vec4(kind == 0 ? haze : mix(shown, edgeColour, edge), 1.0);
+    vec3 sky = skyColour(normalize(tracedForward + across));
+    colour = vec4(kind == 0 ? sky : mix(shown, edgeColour, edge), 1.0);
     gl_FragDepth = kind == 0 ? 1.0 : tracedClip.x + tracedClip.y * (tracedParallel > 0.0 ? seen.x : 1.0 / seen.x);
 }

@@ -12,6 +12,7 @@
 #include "app/gui/docks/study_form/accuracy_form.h"
 #include "app/gui/frame/main_window.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/time/time_strip.h"
 #include "app/report/maps/palette.h"
 #include "tests/gui/wait_for.h"
 
@@ -129,6 +130,9 @@ struct ModesTest : ::testing::Test {
         window.show();
         window.open({QStringLiteral("sample:central-park-south")});
         ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
+        TimeLook period = window.panel().time().look();
+        period.span = LookSpan::period;
+        window.panel().time().choose(period);
         change([](StudySettings& question) {
             question.period.stepMinutes = 10;
             question.period.zone = "America/New_York";
@@ -187,6 +191,7 @@ std::array<Share, 3> rightColours(const ExploredView& view, const QImage& image,
     std::mt19937 random(5);
     for (int i = 0; i < 6000; ++i) {
         const std::size_t point = random() % view.surface->points.size();
+        if (view.shadow.grossMin[point] == 0) continue;  // not painted
         const int column = int(view.surface->pixel[point] % std::uint32_t(view.camera.widthPx));
         const int row = int(view.surface->pixel[point] / std::uint32_t(view.camera.widthPx));
         const bool level = view.surface->points.normals[point].z > 0.5F;

@@ -99,7 +99,7 @@ TEST_P(MomentWindow, TheGroundIsDarkWhereSomethingHidesTheSun) {
             if (!pick || pick->building || !colour.isValid() || !isEven(point)) continue;
             const bool shaded = isShaded(point);
             ++(shaded ? dark : lit);
-            wrong += (colour.lightness() < 160) != shaded;
+            wrong += (colour.lightness() < 195) != shaded;
         }
     EXPECT_GT(dark, 30);
     EXPECT_GT(lit, 30);

@@ -236,6 +236,7 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::showProject);
     connect(&workbench_, &Workbench::failed, &panel_->messages(), &MessageBar::showError);
     connect(&answers_, &LatestAnswers::failed, &panel_->messages(), &MessageBar::showError);
+    connect(&opening_, &OpeningActions::wholeCityWanted, &panel_->navigator(), &ViewNavigator::showWholeCity);
     connect(&workbench_, &Workbench::noted, &panel_->messages(), &MessageBar::showNote);
     connect(&workbench_.document(), &StudyDocument::changed, this, &MainWindow::showDocument);
     connect(&workbench_.session(), &ProjectSession::unsavedChanged, this, &MainWindow::showTitle);
@@ -436,6 +437,7 @@ void MainWindow::showProject() {
     opening_.showGuesses();
     study_.repeatSaved();
     recovery_.offer();
+    if (mode_.mode() == ViewMode::exploration) time_.showPresent();
 }
 
 void MainWindow::showDocument() {

@@ -96,6 +96,8 @@ public:
     [[nodiscard]] SavedViews& savedViews() { return savedViews_; }
     [[nodiscard]] PointInspector& points() { return points_; }
 
+    [[nodiscard]] TimeDisplay& time() { return time_; }
+
     void open(const QStringList& files) { opening_.open(files); }  ///< asks first if there is unsaved work
 
 protected:

@@ -17,24 +17,24 @@ QColor colourOf(ContextKind kind) {
         case ContextKind::wood:
             return {0xbf, 0xd6, 0xb0};
         case ContextKind::grass:
-            return {0xd9, 0xe8, 0xcb};
+            return {0xdc, 0xe9, 0xcf};
         case ContextKind::park:
-            return {0xcd, 0xe2, 0xbd};
+            return {0xcf, 0xe3, 0xc0};
         case ContextKind::cemetery:
             return {0xcf, 0xdb, 0xc8};
         case ContextKind::sports:
             return {0xd2, 0xdf, 0xc4};
         case ContextKind::plaza:
-            return {0xee, 0xeb, 0xe4};
+            return {0xe6, 0xe2, 0xd8};
         case ContextKind::water:
         case ContextKind::waterway:
-            return {0xb4, 0xd2, 0xe4};
+            return {0xa8, 0xcb, 0xe0};
         case ContextKind::path:
-            return {0xf0, 0xea, 0xdc};
+            return {0xe3, 0xdd, 0xcf};
         case ContextKind::rail:
             return {0xa9, 0xa9, 0xae};
         case ContextKind::street:
-            return {0xfd, 0xfd, 0xfc};
+            return {0xd9, 0xd9, 0xd8};
         case ContextKind::tree:
             return {0x86, 0xb0, 0x78, 150};
     }

@@ -64,8 +64,10 @@ Pixel pixelOf(const QColor& colour) {
 
 std::vector<Pixel> paletteOf(const ColourScale& scale, double topMin) {
     std::vector<Pixel> palette;
+    palette.reserve(shades);
     for (int i = 0; i < shades; ++i)
         palette.push_back(toPixel(scale.colourOf(scale.quantity.of(topMin * i / (shades - 1)))));
+    if (scale.leavesZeroFree()) palette.front() = {};
     return palette;
 }
 

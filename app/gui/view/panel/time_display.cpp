@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/base/widgets/number_words.h"
@@ -49,7 +50,10 @@ void TimeDisplay::connectWorkbench() {
     connect(&workbench_, &Workbench::answered, this, &TimeDisplay::offer);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &TimeDisplay::offer);
     connect(&workbench_.document(), &StudyDocument::changed, this, &TimeDisplay::offer);
-    connect(&mode_, &ModeSwitch::changed, this, &TimeDisplay::offer);
+    connect(&mode_, &ModeSwitch::changed, this, [this](ViewMode mode) {
+        if (mode != ViewMode::exploration) leavePresent();
+        offer();
+    });
 }
 
 void TimeDisplay::connectView() {
@@ -98,6 +102,34 @@ void TimeDisplay::makeActions() {
 
 bool TimeDisplay::showsMoment() const { return panel_.time().look().span == LookSpan::moment; }
 
+void TimeDisplay::showPresent() {
+    if (!workbench_.city()) return;
+    const StudySettings& settings = workbench_.document().settings();
+    const Observer observer = makeObserver(workbench_.city()->city(), settings);
+    const auto look = findPresentLook(observer, settings.period, clock_());
+    if (!look) return;
+    present_ = Present{*look, look->at == std::chrono::hours(12)};
+    panel_.time().choose(*look);
+    showSun();
+}
+
+// A result is of a period, not of the moment that the window began with.
+void TimeDisplay::leavePresent() {
+    const auto present = std::exchange(present_, std::nullopt);
+    TimeLook look = panel_.time().look();
+    if (!present || look != present->look) return;
+    look.span = LookSpan::period;
+    panel_.time().choose(look);
+}
+
+QString TimeDisplay::moment() const {
+    if (!showsMoment()) return {};
+    const TimeLook& look = panel_.time().look();
+    const QString words = tr("%1. %2").arg(describe(look), describe(sun_));
+    const bool night = present_ && present_->night && present_->look == look;
+    return night ? tr("It is night there now, so this is noon: %1").arg(words) : words;
+}
+
 void TimeDisplay::offer() {
     if (!workbench_.city()) return;
     const auto study = mode_.mode() != ViewMode::exploration ? workbench_.answerAs<Study>() : nullptr;
@@ -133,7 +165,7 @@ void TimeDisplay::showSun() {
     sun_ = *sun;
     strip.setSun(sun_);
     const bool moment = showsMoment(), visible = moment && sun_.towards.z > lowestSunZ;
-    panel_.results().setMoment(moment ? tr("%1. %2").arg(describe(strip.look()), describe(sun_)) : QString());
+    panel_.results().setMoment(this->moment());
     rest_->stop();
     CityView& view = panel_.view();
     Q_EMIT sunChanged();

@@ -2,6 +2,8 @@
 
 #include <QObject>
 #include <QPointF>
+#include <functional>
+#include <optional>
 
 #include "app/gui/view/time/sun_at_moment.h"
 #include "app/gui/view/time/sun_shadow.h"
@@ -25,8 +27,17 @@ public:
     TimeDisplay(Workbench& workbench, const ModeSwitch& mode, ViewPanel& panel,
                 std::shared_ptr<SharedHorizonCache> horizons);
 
+    /// What the time is; the system's clock unless set.
+    using Clock = std::function<Instant()>;
+    void setClock(Clock clock) { clock_ = std::move(clock); }
+    /// Shows sun and shadow of the present moment at the city, or of noon while it is night there. It lasts
+    /// until another moment is chosen or exploration ends: then the whole period is shown.
+    void showPresent();
     void offer();  ///< after another city, period or result is shown
     [[nodiscard]] bool showsMoment() const;
+    /// "21 June 2026, 12:00. Sun 180° S, 72° high", and whether it stands for the night; empty: no moment is
+    /// shown.
+    [[nodiscard]] QString moment() const;
     [[nodiscard]] TimeLooking& looking() { return looking_; }
     [[nodiscard]] const TimeLooking& looking() const { return looking_; }
     [[nodiscard]] const SunShadow& shadow() const { return shadow_; }
@@ -45,6 +56,7 @@ private:
     void connectView();
     void makeActions();
     void look(const TimeLook& look);
+    void leavePresent();
     void show();
     void showSun();
     void drawShadow();
@@ -61,6 +73,13 @@ private:
     SunShadow otherShadow_;  // of CityView::other()
     bool otherShown_ = false;
     SunAtMoment sun_;
+    Clock clock_ = [] { return std::chrono::time_point_cast<Instant::duration>(std::chrono::system_clock::now()); };
+    /// The look of showPresent(), and the time it was then.
+    struct Present {
+        TimeLook look;
+        bool night = false;  ///< look is noon instead
+    };
+    std::optional<Present> present_;
     QTimer* rest_;    // then the shadow is drawn finely
     QPointF turned_;  // minutes and days of a drag that are not whole yet
     QList<QAction*> actions_;

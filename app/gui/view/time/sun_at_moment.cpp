@@ -43,6 +43,19 @@ Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period,
     return moment;
 }
 
+Result<TimeLook> findPresentLook(const Observer& observer, const Period& period, Instant now) {
+    const auto zone = Zone::named(period.zone);
+    if (!zone) return tl::make_unexpected(zone.error());
+    const CivilDate today = zone->dateAt(now);
+    TimeLook look{LookSpan::moment, period.start.year() / today.month() / today.day(),
+                  std::chrono::minutes(wallClock(*zone, now))};
+    if (!look.date.ok()) look.date = look.date.year() / look.date.month() / std::chrono::last;
+    const auto sun = computeSunAt(observer, period, look);
+    if (!sun) return tl::make_unexpected(sun.error());
+    if (!sun->isUp()) look.at = std::chrono::hours(12);
+    return look;
+}
+
 QString describe(const SunAtMoment& sun) {
     if (!sun.isUp()) return QObject::tr("Sun below the horizon");
     return QObject::tr("Sun %1° %2, %3° high")

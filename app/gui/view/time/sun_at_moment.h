@@ -21,6 +21,10 @@ struct SunAtMoment {
 /// Zone and refraction are those of `period`. Error: an unknown zone. About 0.3 ms.
 Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period, const TimeLook& look);
 
+/// The moment that it is at `now` in the period's zone, with the day in the year of the period; noon of that
+/// day while the sun is down. Error: an unknown zone.
+Result<TimeLook> findPresentLook(const Observer& observer, const Period& period, Instant now);
+
 /// "Sun 221° SW, 32° high", "Sun below the horizon".
 QString describe(const SunAtMoment& sun);
 

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "app/gui/frame/main_window.h"
+#include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/time/sun_at_moment.h"
+#include "app/gui/view/time/time_strip.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using namespace std::chrono_literals;
+using test::waitFor;
+
+const Observer newYork{.place = {-73.98, 40.76}};
+const Period inNewYork{.start = 2025y / std::chrono::March / 21, .zone = "America/New_York"};
+
+Instant at(std::chrono::year_month_day date, std::chrono::minutes utc) {
+    return Instant(std::chrono::sys_days(date) + utc);
+}
+
+TEST(PresentLook, IsTheTimeAtTheCityInTheYearOfThePeriod) {
+    const TimeLook look =
+        findPresentLook(newYork, inNewYork, at(2026y / std::chrono::June / 21, 18h + 5min)).value();
+    EXPECT_EQ(look, (TimeLook{LookSpan::moment, 2025y / std::chrono::June / 21, 14h + 5min}));
+}
+
+TEST(PresentLook, IsNoonOfTheSameDayWhileTheSunIsDown) {
+    const TimeLook look =
+        findPresentLook(newYork, inNewYork, at(2026y / std::chrono::June / 22, 3h)).value();
+    EXPECT_EQ(look, (TimeLook{LookSpan::moment, 2025y / std::chrono::June / 21, 12h}))
+        << "eleven in the evening before";
+}
+
+TEST(PresentLook, TheDayThatAYearLacksIsTheLastOfItsMonth) {
+    const TimeLook look =
+        findPresentLook(newYork, inNewYork, at(2028y / std::chrono::February / 29, 17h)).value();
+    EXPECT_EQ(look.date, 2025y / std::chrono::February / 28);
+}
+
+/// The window with a sample that is opened at 16:00 UTC, or at night there.
+struct PresentWindow : ::testing::Test {
+    QTemporaryDir folder;
+    QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    MainWindow window{settings};
+
+    void openAt(std::chrono::minutes utc) {
+        window.time().setClock([utc] { return at(2026y / std::chrono::June / 21, utc); });
+        window.resize(900, 640);
+        window.show();
+        window.open({QStringLiteral("sample:central-park-south")});
+        ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
+    }
+    [[nodiscard]] const TimeLook& look() { return window.panel().time().look(); }
+};
+
+TEST_F(PresentWindow, ACityOpensWithTheSunOfNowAndNoResult) {
+    openAt(16h);
+    EXPECT_EQ(look().span, LookSpan::moment);
+    EXPECT_EQ(look().at, 12h) << "16:00 UTC in June";
+    EXPECT_FALSE(window.panel().legend().legend());
+    EXPECT_FALSE(window.exploration().working());
+    EXPECT_TRUE(window.time().moment().startsWith(QStringLiteral("21 June 2026, 12:00. Sun ")))
+        << window.time().moment().toStdString();
+}
+
+TEST_F(PresentWindow, AtNightItIsNoonAndSaysSo) {
+    openAt(5h);
+    EXPECT_EQ(look().span, LookSpan::moment);
+    EXPECT_EQ(look().at, 12h);
+    EXPECT_TRUE(window.time().moment().startsWith(QStringLiteral("It is night there now")))
+        << window.time().moment().toStdString();
+}
+
+TEST_F(PresentWindow, AnAnswerIsOfItsPeriodAndNotOfThatMoment) {
+    openAt(16h);
+    window.workbench().run();
+    ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }, 60000));
+    EXPECT_EQ(look().span, LookSpan::period);
+    EXPECT_TRUE(window.panel().legend().legend());
+}
+
+TEST_F(PresentWindow, AMomentThatTheUserChoseStays) {
+    openAt(16h);
+    window.panel().time().choose({LookSpan::moment, look().date, 9h});
+    window.mode().setMode(ViewMode::analysis);
+    EXPECT_EQ(look().span, LookSpan::moment);
+    EXPECT_EQ(look().at, 9h);
+}
+
+}  // namespace
+}  // namespace noonmark
