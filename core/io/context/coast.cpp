@@ -45,7 +45,7 @@ std::optional<PlanLine> clipLine(const PlanLine& line, const Box2& box) {
             if (low > 0 || high < 0) return std::nullopt;
             continue;
         }
-        const auto [first, last] = std::minmax(low / along[axis], high / along[axis]);
+        const auto [first, last] = std::minmax({low / along[axis], high / along[axis]});
         from = std::max(from, first);
         to = std::min(to, last);
     }
