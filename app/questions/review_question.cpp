@@ -9,17 +9,25 @@
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
 #include "scenarios/project/project_provenance.h"
+#include "scenarios/project/rule_parcels.h"
 
 namespace noonmark {
 
 namespace {
+
+bool isAllOf(const Project& project, const ReviewQuestion& question) {
+    const std::vector<Place> all = placesUnder(question.rule, project);
+    return std::ranges::equal(all, question.places, {}, &Place::name, &Place::name);
+}
 
 ReviewLabels labelsOf(const ReviewQuestion& question, const ReviewSource& source,
                       const BookSettings& settings) {
     ReviewLabels labels{question.from, question.to, provenanceOf(source, question), question.named,
                         makeRepeatOptions(settings)};
     // Not the names of what was measured: of rules about parcels these are two belts for each.
-    if (labels.places.empty())
+    if (labels.places.empty() && isAllOf(source.project, question))
+        labels.places = {"all"};
+    else if (labels.places.empty())
         for (const Place& place : question.places) labels.places.push_back(place.name);
     labels.sheets.insert(labels.sheets.end(), question.repeat.begin(), question.repeat.end());
     return labels;

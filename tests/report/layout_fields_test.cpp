@@ -8,11 +8,12 @@ using namespace tests;
 
 // A member that is added needs a row in its table; then this number grows with it.
 static_assert(countMembers<PageSetup>() == 2);
-static_assert(countMembers<BookSettings>() == 4);
+static_assert(countMembers<BookSettings>() == 6);
 
 TEST(SettingsFields, NoneOfTheLayoutOfSheetsIsForgotten) {
     expectNoticed(pageFields(), PageSetup{});
     expectNoticed(scaleFields(), BookSettings{});
+    expectNoticed(extentFields(), BookSettings{});
 }
 
 }  // namespace

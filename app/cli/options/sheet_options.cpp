@@ -20,6 +20,10 @@ void addDiagramScale(CLI::App& command, SheetOptions& options) {
     addFieldOptions(command, scaleFields().of(options.layout));
 }
 
+void addBookExtent(CLI::App& command, SheetOptions& options) {
+    addFieldOptions(command, extentFields().of(options.layout));
+}
+
 void addElevationSheetOptions(CLI::App& command, SheetOptions& options) {
     addSheetOptions(command, options);
     addDiagramScale(command, options);
@@ -31,7 +35,9 @@ void addSheetSwitch(CLI::App& command, SheetOptions& options) {
 }
 
 Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSettings& ofProject) {
-    BookSettings settings{options.layout.setup, options.layout.scale, ofProject.titleBlock, ofProject.units};
+    BookSettings settings = options.layout;
+    settings.titleBlock = ofProject.titleBlock;
+    settings.units = ofProject.units;
     TitleBlock& block = settings.titleBlock;
     copyFields(titleFields().of(options.layout.titleBlock), titleFields().of(block), options.given);
     if (block.date.empty()) block.date = describeToday().toStdString();

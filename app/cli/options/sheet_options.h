@@ -24,6 +24,8 @@ struct SheetOptions {
 void addSheetOptions(CLI::App& command, SheetOptions& options, const FlagNames& names = {});
 /// Adds --scale.
 void addDiagramScale(CLI::App& command, SheetOptions& options);
+/// Adds the options of extentFields().
+void addBookExtent(CLI::App& command, SheetOptions& options);
 /// Adds --sheets, for commands that write sheets.pdf on request only.
 void addSheetSwitch(CLI::App& command, SheetOptions& options);
 

@@ -148,7 +148,7 @@ void printReview(const ReviewStudy& study, const ReviewLabels& labels, std::ostr
     printTable(study, out);
     out << '\n';
     for (const PlaceReview& review : study.places)
-        out << fmt::format("{}: {}. {}\n", review.name, nameOf(review.verdict), describeReason(review));
+        out << fmt::format("{}: {}. {}\n", review.name, nameVerdict(review), describeReason(review));
     out << "\nNot checked:\n";
     for (const std::string& text : study.notChecked) out << fmt::format("  - {}\n", text);
     printWarnings(out, study.warnings);
@@ -264,6 +264,7 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         ->type_name("DIR");
     addSheetOptions(command, options.sheets);
     addDiagramScale(command, options.sheets);
+    addBookExtent(command, options.sheets);
     command.add_flag(
         "--bom", options.byteOrderMark,
         "review.csv or windows.csv begins with a byte order mark, by which Excel recognises UTF-8");

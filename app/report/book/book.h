@@ -72,11 +72,16 @@ struct BookSettings {
     std::optional<double> scale;  ///< of diagrams, 1:scale; none: a round one that shows all shadows
     TitleBlock titleBlock;
     UnitSystem units = UnitSystem::metric;
+    /// Of the book of a review: every place in all tables and timelines, on as many pages as that takes.
+    bool allPages = false;
+    double leastPlaceM2 = 100;  ///< of such a book: smaller places without a name are listed together
     bool operator==(const BookSettings&) const = default;
 };
 
 /// The scale alone; page and title block have fields of their own.
 const Fields<BookSettings>& scaleFields();
+/// How much the book of a review of places holds.
+const Fields<BookSettings>& extentFields();
 
 struct Book {
     PageSetup setup;

@@ -207,8 +207,37 @@ private:
         return std::ranges::none_of(labels_, [&](const QRectF& label) { return label.intersects(box); });
     }
 
+    /// Inside each place, the smallest numbers first; many pieces with one number have it where there is
+    /// room.
+    void paintPlaceNumbers() {
+        std::vector<std::pair<int, QPointF>> marks;
+        for (std::size_t i = 0; i < scene_.places.size(); ++i) {
+            if (scene_.numbers[i] == 0) continue;
+            const QPainterPath path = pathOf(scene_.places[i].polygons, view_);
+            const QRectF seen = path.boundingRect().intersected(view_.target());
+            if (!seen.isEmpty()) marks.emplace_back(scene_.numbers[i], middleOf(path, seen));
+        }
+        std::ranges::stable_sort(marks, {}, &std::pair<int, QPointF>::first);
+        for (const auto& [number, at] : marks) paintMark(at, QString::number(number), shade::placeLine);
+    }
+
+    /// A point of the path: the middle of its widest piece on the middle line of what is seen.
+    static QPointF middleOf(const QPainterPath& path, const QRectF& seen) {
+        constexpr int steps = 24;
+        int best = 0, run = 0, end = -1;
+        for (int i = 0; i < steps; ++i) {
+            run = path.contains(QPointF(seen.left() + seen.width() * (i + 0.5) / steps, seen.center().y()))
+                      ? run + 1
+                      : 0;
+            if (run > best) best = run, end = i;
+        }
+        if (end < 0) return seen.center();
+        return {seen.left() + seen.width() * (end + 1 - best / 2.0) / steps, seen.center().y()};
+    }
+
     /// In the middle of what is seen of each place, moved up or down where another label is.
     void paintPlaceNames() {
+        if (!scene_.numbers.empty()) return paintPlaceNumbers();
         for (const Place& place : scene_.places) {
             const QRectF seen = pathOf(place.polygons, view_).boundingRect().intersected(view_.target());
             if (seen.isEmpty()) continue;

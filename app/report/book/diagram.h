@@ -19,7 +19,8 @@ struct DiagramScene {
     City proposal;  ///< the buildings that only the scenario has
     City removed;   ///< the buildings that only the baseline has
     std::vector<Place> places;
-    std::vector<Place> streets{};           ///< for orientation: lines and names
+    std::vector<int> numbers{};    ///< by place: painted instead of its name, 0: neither; empty: names
+    std::vector<Place> streets{};  ///< for orientation: lines and names
     UnitSystem units = UnitSystem::metric;  ///< of the heights
 };
 
@@ -59,6 +60,8 @@ struct DiagramFoot {
     enum class Subject { shadows, fan, valueLines };
     Subject subject = Subject::shadows;
     UnitSystem units = UnitSystem::metric;
+    /// What the legend explains besides.
+    bool hasRemoved = false, hasStreets = false, hasContext = false, hasNumbers = false;
 };
 constexpr double diagramFootPt(double scale) { return 40 * scale; }
 

@@ -10,18 +10,23 @@ namespace noonmark {
 
 namespace {
 
-void paintSwatch(const Canvas& canvas, const QRectF& box, const QColor& fill, const QColor& line,
-                 double linePt) {
-    canvas.painter.setBrush(fill);
-    canvas.painter.setPen(linePen(canvas, line, linePt));
-    canvas.painter.drawRect(box);
-}
-
 struct LegendEntry {
     QString text;
     QColor fill, line;
     double linePt;
+    bool isDashed = false;
+    bool isLine = false;  ///< else an area
 };
+
+void paintSwatch(const Canvas& canvas, const QRectF& box, const LegendEntry& entry) {
+    QPen pen = linePen(canvas, entry.line, entry.linePt);
+    if (entry.isDashed) pen.setDashPattern({3, 2});
+    canvas.painter.setBrush(entry.fill);
+    canvas.painter.setPen(pen);
+    if (entry.isLine)
+        return canvas.painter.drawLine(QLineF(box.left(), box.center().y(), box.right(), box.center().y()));
+    canvas.painter.drawRect(box);
+}
 
 std::vector<LegendEntry> entriesOf(const DiagramFoot& foot) {
     std::vector<LegendEntry> entries;
@@ -29,12 +34,15 @@ std::vector<LegendEntry> entriesOf(const DiagramFoot& foot) {
         entries = {{QStringLiteral("shadow of the proposal alone"), shade::incremental.lighter(190),
                     shade::incremental, 0.5}};
     else if (foot.subject == DiagramFoot::Subject::valueLines)
-        entries = {{QStringLiteral("hours of shadow"), ink::paper, shade::incremental, 1}};
+        entries = {{QStringLiteral("hours of shadow"), ink::paper, shade::incremental, 0.9, false, true},
+                   {QStringLiteral("limit of the rule"), ink::paper, shade::incremental, 1.8, false, true},
+                   {QStringLiteral("distance from the parcel"), ink::paper, ink::text, 0.9, true, true}};
     else
         entries = {{QStringLiteral("existing shadow"), shade::baseline, shade::baseline, 0.2},
                    {QStringLiteral("incremental shadow"), shade::incremental, shade::incremental, 0.2},
                    {QStringLiteral("sun gained"), shade::gained, ink::quiet, 0.3}};
     entries.push_back({QStringLiteral("proposal"), shade::proposal, ink::text, 0.9});
+    if (foot.hasRemoved) entries.push_back({QStringLiteral("removed"), ink::paper, ink::text, 0.6, true});
     entries.push_back({QStringLiteral("building"), shade::building, shade::buildingLine, 0.4});
     entries.push_back({QStringLiteral("place"), shade::place, shade::placeLine, 1.1});
     return entries;
@@ -49,7 +57,7 @@ void paintEntries(const Canvas& canvas, const QRectF& area, const DiagramFoot& f
     for (const LegendEntry& entry : entriesOf(foot)) {
         const double width = 18 * unit + metrics.horizontalAdvance(entry.text);
         if (x > area.left() && x + width > area.right()) x = area.left(), y += 12 * unit;
-        paintSwatch(canvas, {x, y, 12 * unit, 7 * unit}, entry.fill, entry.line, entry.linePt);
+        paintSwatch(canvas, {x, y, 12 * unit, 7 * unit}, entry);
         canvas.painter.setFont(font);
         canvas.painter.setPen(ink::text);
         canvas.painter.drawText(QPointF(x + 15 * unit, y + 6.4 * unit), entry.text);
@@ -59,6 +67,9 @@ void paintEntries(const Canvas& canvas, const QRectF& area, const DiagramFoot& f
     QString words = QStringLiteral("Heights in %1 above the ground.")
                         .arg(isImperial ? QStringLiteral("ft") : QStringLiteral("m"));
     if (!foot.note.isEmpty()) words = foot.note + QStringLiteral(" ") + words;
+    if (foot.hasNumbers) words += QStringLiteral(" Numbers in a white field name the places above.");
+    if (foot.hasStreets) words += QStringLiteral(" White lines: streets of the project.");
+    if (foot.hasContext) words += QStringLiteral(" Pale colours: streets, water and parks of the map.");
     paintFitted(canvas, {area.left(), y + 10 * unit, area.width(), area.bottom() - y - 10 * unit}, words,
                 6.6 * foot.textScale, 4.5, QFont::Normal, ink::quiet);
 }

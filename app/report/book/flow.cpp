@@ -179,6 +179,29 @@ const Fields<BookSettings>& scaleFields() {
     return fields;
 }
 
+const Fields<BookSettings>& extentFields() {
+    static const Fields<BookSettings> fields{
+        field(&BookSettings::allPages,
+              {.key = "all_pages",
+               .flag = "--all-pages",
+               .label = NM_TEXT("All places in full"),
+               .help = NM_TEXT("Sheets of places: every place in all tables and timelines, on as many pages "
+                               "as that takes (default: at most 30 pages, with what the proposal changes and "
+                               "timelines of what fails or is borderline)"),
+               .role = SettingRole::none}),
+        field(&BookSettings::leastPlaceM2,
+              {.key = "least_place_m2",
+               .flag = "--least-place",
+               .label = NM_TEXT("Smallest place"),
+               .help = NM_TEXT("Sheets of places: smaller places without a name are listed together, "
+                               "under the place that they lie in or by kind"),
+               .hint = "M2",
+               .unit = "m2",
+               .range = ValueRange{0, 1e6},
+               .role = SettingRole::none})};
+    return fields;
+}
+
 Book beginBook(const BookSettings& settings, const QString& title, const std::string& attribution) {
     const std::string& date = settings.titleBlock.date;
     return {settings.setup,

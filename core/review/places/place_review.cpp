@@ -94,7 +94,7 @@ void PlaceEvaluation::judge(PlaceReview& review) const {
     }
     if (review.deciding) return;
     review.verdict = Verdict::notApplicable;
-    review.unjudged = "The rule states no limit for this place";
+    review.unjudged = noLimitForPlace;
 }
 
 }  // namespace noonmark

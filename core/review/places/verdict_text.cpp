@@ -63,6 +63,11 @@ std::string describeResult(const Criterion& criterion, const CriterionResult& re
     return text + ", wanted " + describeLimits(criterion, units);
 }
 
+std::string_view nameVerdict(const PlaceReview& review) {
+    if (review.unjudged == noLimitForPlace) return "figures only";
+    return nameOf(review.verdict);
+}
+
 std::string describeReason(const PlaceReview& review, UnitSystem units) {
     if (!review.deciding) return review.unjudged;
     return describeResult(review.criteria[*review.deciding], review.results[*review.deciding], units);

@@ -10,6 +10,8 @@ namespace noonmark {
 
 /// Why nothing is judged where the sun is never up in a rule's hours: of places and windows alike.
 inline constexpr std::string_view noSunInHours = "No sun in these hours";
+/// Why nothing is judged where a rule only asks for figures.
+inline constexpr std::string_view noLimitForPlace = "The rule states no limit for this place";
 
 /// "2 h 15 min", "62.0 %", "1,204 m²": a value of a criterion for people. Areas are not rounded to hectares
 /// or acres: a verdict may hang on them.
@@ -25,6 +27,10 @@ std::string describeLimits(const Criterion& criterion, UnitSystem units = UnitSy
 /// >= 2 h". The result must have a value.
 std::string describeResult(const Criterion& criterion, const CriterionResult& result,
                            UnitSystem units = UnitSystem::metric);
+
+/// The verdict of a place in a word or two: its name, or "figures only" where the rule covers the place and
+/// states no limit for it.
+std::string_view nameVerdict(const PlaceReview& review);
 
 /// The verdict on a place in a sentence without a full stop: "At least 2 h of sun: 45.0 % (former 60.0 %) on
 /// 2026-03-21, wanted >= 50.0 % or >= 0.8 x former".

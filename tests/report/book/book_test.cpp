@@ -6,7 +6,7 @@
 #include "app/report/book/page_painter.h"
 #include "app/report/book/print_book.h"
 #include "core/engines/auto_engine.h"
-#include "tests/report/book/recorded_page.h"
+#include "tests/report/book/book_texts.h"
 #include "tests/report/book/review_scene.h"
 
 namespace noonmark {
@@ -16,22 +16,16 @@ using namespace tests;
 
 constexpr double unit = MeasuringCanvas::unitsPerPoint;
 
-void record(const Book& book, std::size_t index, RecordedPage& page) {
-    QPainter painter(&page);
-    paintPage(book, index, {painter, unit});
-}
-
 QRectF inUnits(const QRectF& area) { return {area.topLeft() * unit, area.size() * unit}; }
 
-/// Every text lies within the frame and is not cut by a clip.
+/// Every text lies within the frame, is not cut by a clip, and lies over no other text.
 void expectNothingCutOff(const Book& book) {
-    const QSize size = (sizePt(book.setup) * unit).toSize();
     const QRectF frame = inUnits(frameArea(book.setup)).adjusted(-1, -1, 1, 1);
     for (std::size_t i = 0; i < book.pages.size(); ++i) {
-        RecordedPage page(size);
-        record(book, i, page);
-        ASSERT_FALSE(page.texts().empty());
-        for (const PaintedText& text : page.texts()) {
+        const std::vector<PaintedText> texts = textsOfPage(book, i);
+        ASSERT_FALSE(texts.empty());
+        EXPECT_THAT(listMeetings(texts), testing::IsEmpty()) << "page " << i;
+        for (const PaintedText& text : texts) {
             if (text.box.width() <= 0) continue;  // marks without ink
             EXPECT_TRUE(frame.contains(text.box))
                 << "page " << i << ": " << text.text.toStdString() << " at " << text.box.left() / unit << ","
@@ -47,11 +41,7 @@ void expectNothingCutOff(const Book& book) {
 
 QString textOf(const Book& book) {
     QString all;
-    for (std::size_t i = 0; i < book.pages.size(); ++i) {
-        RecordedPage page((sizePt(book.setup) * unit).toSize());
-        record(book, i, page);
-        all += page.allText();
-    }
+    for (std::size_t i = 0; i < book.pages.size(); ++i) all += textOfPage(book, i) + u' ';
     return all.simplified();
 }
 
@@ -117,7 +107,9 @@ TEST(Book, KeepsNamesWholeAndStatesWhatWasReviewed) {
 }
 
 TEST(Book, HasAPageOfEachKindInOrderWithBookmarks) {
-    const Book book = ReviewedPark().book({{Paper::a4, false}, {}, {}});
+    BookSettings settings;
+    settings.allPages = true;
+    const Book book = ReviewedPark().book(settings);
     std::vector<std::string> chapters;
     for (const BookPage& page : book.pages)
         if (!page.bookmark.isEmpty() && page.level == 0)

@@ -1,6 +1,7 @@
 #include "tests/report/book/recorded_page.h"
 
 #include <QPainter>
+#include <algorithm>
 
 namespace noonmark::tests {
 
@@ -16,12 +17,19 @@ public:
     void drawPolygon(const QPointF*, int, PolygonDrawMode) override {}
     [[nodiscard]] Type type() const override { return User; }
 
+    /// Letters fill less of a line than it is high; texts that follow each other touch.
+    static QRectF inkOf(const QRectF& line) {
+        const double side = std::min(line.width() / 4, line.height() / 10);
+        return line.adjusted(side, line.height() * 0.25, -side, -line.height() * 0.2);
+    }
+
     void drawTextItem(const QPointF& at, const QTextItem& item) override {
         const QTransform transform = painter()->transform();
         const QRectF box(at.x(), at.y() - item.ascent(), item.width(), item.ascent() + item.descent());
         const bool isClipped =
             painter()->hasClipping() && !painter()->clipBoundingRect().contains(box.adjusted(1, 1, -1, -1));
-        texts_.push_back({item.text(), transform.mapRect(box), isClipped});
+        texts_.push_back(
+            {item.text(), transform.mapRect(box), transform.map(QPolygonF(inkOf(box))), isClipped});
     }
 
     std::vector<PaintedText> texts_;

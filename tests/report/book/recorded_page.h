@@ -2,6 +2,7 @@
 
 #include <QPaintDevice>
 #include <QPaintEngine>
+#include <QPolygonF>
 #include <QRectF>
 #include <QString>
 #include <memory>
@@ -13,6 +14,7 @@ namespace noonmark::tests {
 struct PaintedText {
     QString text;
     QRectF box;
+    QPolygonF outline;       ///< the box of a turned text is larger than the text
     bool isClipped = false;  ///< a clip that does not hold all of the box was set
 };
 

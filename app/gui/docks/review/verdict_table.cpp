@@ -122,7 +122,7 @@ void VerdictTable::addPlace(std::size_t review) {
     const PlaceReview& place = answer_->study.places[review];
     auto* item = new QTreeWidgetItem(this);
     item->setText(0, textOf(place.name));
-    item->setText(verdictColumn, describeVerdict(place.verdict));
+    item->setText(verdictColumn, describeVerdict(place));
     item->setForeground(verdictColumn, verdictColour(place.verdict));
     QFont bold = font();
     bold.setBold(true);

@@ -3,14 +3,20 @@
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "app/gui/base/widgets/number_words.h"
 #include "core/review/library/rule_text.h"
+#include "core/review/places/verdict_text.h"
 #include "core/review/rule/rule_names.h"
 
 namespace noonmark {
 
 namespace {
+
+constexpr std::array shownOrder{Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable,
+                                Verdict::notChecked};
 
 void addCount(QStringList& parts, std::size_t count, Verdict verdict) {
     if (count > 0) parts << QStringLiteral("%1 %2").arg(formatCount(count), describeVerdict(verdict));
@@ -32,6 +38,11 @@ QString describeVerdict(Verdict verdict) {
             return QObject::tr("? not checked");
     }
     return {};
+}
+
+QString describeVerdict(const PlaceReview& review) {
+    if (review.unjudged == noLimitForPlace) return QObject::tr("– figures only");
+    return describeVerdict(review.verdict);
 }
 
 QString describeCounts(const VerdictCounts& counts) {
@@ -60,11 +71,15 @@ QColor verdictColour(Verdict verdict) {
 }
 
 QString describeVerdicts(const ReviewStudy& study) {
+    // By verdict from fail to not checked; figures only stand beside what is not applicable.
+    std::map<std::pair<int, QString>, std::size_t> counts;
+    for (const PlaceReview& place : study.places) {
+        const auto order = std::ranges::find(shownOrder, place.verdict) - shownOrder.begin();
+        ++counts[{int(order), describeVerdict(place)}];
+    }
     QStringList parts;
-    for (const Verdict verdict :
-         {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable, Verdict::notChecked})
-        addCount(parts, std::size_t(std::ranges::count(study.places, verdict, &PlaceReview::verdict)),
-                 verdict);
+    for (const auto& [verdict, count] : counts)
+        parts << QStringLiteral("%1 %2").arg(formatCount(count), verdict.second);
     return parts.join(QStringLiteral(", "));
 }
 

@@ -12,6 +12,8 @@ namespace noonmark {
 
 /// "✓ pass", "✗ fail", "≈ borderline": a verdict is told by its symbol and word as well as by its colour.
 QString describeVerdict(Verdict verdict);
+/// The same; "figures only" where the rule states no limit for the place.
+QString describeVerdict(const PlaceReview& review);
 /// "1 ✗ fail, 12 ✓ pass": the worst first, those without a place left out.
 QString describeCounts(const VerdictCounts& counts);
 /// Dark enough to be read on white, and told apart by people who do not see red and green apart.

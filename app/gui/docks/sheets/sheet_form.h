@@ -40,6 +40,7 @@ private:
 
     QComboBox *paper_, *orientation_, *scale_, *units_;
     FieldRows* title_;
+    FieldRows* extent_;
     QLabel* logoPicture_;
     QPushButton* removeLogo_;
     std::string logo_;  // the bytes of the picture

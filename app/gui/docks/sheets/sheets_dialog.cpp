@@ -21,10 +21,6 @@ namespace {
 constexpr int waitMs = 400;  // after an edit, before the sheets are laid out again
 constexpr int formWidth = 330;
 
-bool isSame(const BookSettings& a, const BookSettings& b) {
-    return a.setup == b.setup && a.scale == b.scale && a.titleBlock == b.titleBlock && a.units == b.units;
-}
-
 }  // namespace
 
 SheetsDialog::SheetsDialog(std::shared_ptr<const ReviewAnswer> answer, ReviewSource source,
@@ -91,7 +87,7 @@ BookSettings SheetsDialog::settings() const {
 
 void SheetsDialog::takeForm() {
     const BookSettings chosen = form_->settings();
-    if (isSame(chosen, shown_)) return;
+    if (chosen == shown_) return;
     if (!(chosen.setup == shown_.setup)) Q_EMIT setupChosen(chosen.setup);
     shown_ = chosen;
     Project next = session_.project();
@@ -106,7 +102,7 @@ void SheetsDialog::showProject() {
     shown_.titleBlock = sheets.titleBlock;
     shown_.units = sheets.units;
     form_->show(shown_);
-    if (!sheets_ || !isSame(settings(), sheets_->settings)) soon_.start();
+    if (!sheets_ || settings() != sheets_->settings) soon_.start();
 }
 
 void SheetsDialog::layOut() { layOutFor({}); }
@@ -134,7 +130,7 @@ void SheetsDialog::take(std::shared_ptr<const ReviewSheets> sheets, const QStrin
 
 void SheetsDialog::write(const QString& folder) {
     soon_.stop();
-    if (sheets_ && isSame(settings(), sheets_->settings)) return writeFiles(folder);
+    if (sheets_ && settings() == sheets_->settings) return writeFiles(folder);
     layOutFor(folder);
 }
 

@@ -20,6 +20,9 @@ public:
           review_(scene.source.study.places[place]),
           days_(scene.source.study.timelines[place]) {}
 
+    [[nodiscard]] bool isDoubtful() const {
+        return review_.verdict == Verdict::fail || review_.verdict == Verdict::borderline;
+    }
     [[nodiscard]] bool isTouched() const {
         return std::ranges::any_of(days_, [](const DayTimeline& day) {
             return day.incremental.areaHoursM2 > 0 || day.gained.areaHoursM2 > 0;
@@ -171,8 +174,12 @@ private:
 
 std::vector<BookPage> makeChartPages(const ReviewScene& scene) {
     ChartPages book(scene);
-    for (std::size_t i = 0; i < scene.source.study.timelines.size(); ++i)
-        if (const PlaceCharts charts(scene, i); charts.isTouched()) book.add(charts);
+    for (const PlaceRow& row : scene.list.rows) {
+        const std::size_t place = row.reviews.front();
+        if (scene.source.study.timelines.empty() || row.reviews.size() > 1) continue;
+        const PlaceCharts charts(scene, place);
+        if (charts.isDoubtful() || (scene.settings.allPages && charts.isTouched())) book.add(charts);
+    }
     std::vector<BookPage> pages = book.finish();
     if (!pages.empty()) {
         pages.front().bookmark = QStringLiteral("Timelines of places");

@@ -47,9 +47,10 @@ PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoo
     if (cellM > 0)
         note += QStringLiteral(" Edges of shadows follow cells of %1 m, because the ground is not level.")
                     .arg(describeAmount(cellM, 2));
-    return {{all.left(), all.bottom() - height, all.width(), height},
-            DiagramFoot{scale, plainText(nameOf(setup.paper)), note, textScale(setup), subject,
-                        scene.settings.units}};
+    DiagramFoot foot = makeFoot(scene, scale, subject);
+    foot.note = note;
+    foot.hasNumbers = scene.keyPt > 0;
+    return {{all.left(), all.bottom() - height, all.width(), height}, foot};
 }
 
 QString fromTo(const ReviewScene& scene) {
@@ -124,14 +125,53 @@ DiagramFoot::Subject subjectOf(const Diagram& diagram) {
     return diagram.valueLines.empty() ? DiagramFoot::Subject::shadows : DiagramFoot::Subject::valueLines;
 }
 
-void addDiagram(const ReviewScene& scene, MomentPages& pages, CivilDate day, Diagram diagram) {
-    const auto [area, isFirst] = pages.next(day);
-    if (isFirst)
-        pages.page().items.push_back(footOf(scene, diagram.scale, diagram.shadows.cellM, subjectOf(diagram)));
-    pages.page().items.push_back({area, std::move(diagram)});
+struct DayDiagram {
+    CivilDate day;
+    Diagram diagram;
+};
+
+/// The key of the numbers that any of the diagrams shows, above the foot of a page.
+PageItem keyOf(const ReviewScene& scene, const std::vector<DayDiagram>& diagrams, const QRectF& area) {
+    const PageSetup& setup = scene.settings.setup;
+    const double scale = textScale(setup);
+    std::vector<Box2> seen;
+    for (const auto& [day, diagram] : diagrams)
+        seen.push_back(groundOf(diagram.centre, diagram.scale, mapAreaOf(area, scale)));
+    const QRectF all = contentArea(setup);
+    const double top = all.bottom() - diagramFootPt(scale) - scene.keyPt;
+    return {{all.left(), top, all.width(), scene.keyPt},
+            PageText{{body(describeKey(scene, seen))}, keyTextPt * scale}};
+}
+
+/// Puts diagrams on pages, each with foot and key.
+std::vector<BookPage> placeDiagrams(const ReviewScene& scene, MomentPages pages, const QRectF& area,
+                                    std::vector<DayDiagram> diagrams) {
+    const bool hasKey = scene.keyPt > 0 && !diagrams.empty();
+    const std::optional<PageItem> key = hasKey ? std::optional(keyOf(scene, diagrams, area)) : std::nullopt;
+    for (auto& [day, diagram] : diagrams) {
+        const auto [where, isFirst] = pages.next(day);
+        auto& items = pages.page().items;
+        if (isFirst && key) items.push_back(*key);
+        if (isFirst) items.push_back(footOf(scene, diagram.scale, diagram.shadows.cellM, subjectOf(diagram)));
+        items.push_back({where, std::move(diagram)});
+    }
+    return pages.finish();
 }
 
 }  // namespace
+
+DiagramFoot makeFoot(const ReviewScene& scene, double scale, DiagramFoot::Subject subject) {
+    const PageSetup& setup = scene.settings.setup;
+    return {.scale = scale,
+            .paper = plainText(nameOf(setup.paper)),
+            .note = {},
+            .textScale = textScale(setup),
+            .subject = subject,
+            .units = scene.settings.units,
+            .hasRemoved = !scene.diagrams->removed.buildings.empty(),
+            .hasStreets = !scene.diagrams->streets.empty(),
+            .hasContext = scene.diagrams->city.context != nullptr};
+}
 
 Result<Diagram> makeDiagram(const ReviewScene& scene, const DiagramMoment& moment,
                             const DiagramLayout& layout, const QRectF& area, Progress& progress,
@@ -148,17 +188,18 @@ Result<Diagram> makeDiagram(const ReviewScene& scene, const DiagramMoment& momen
 Result<std::vector<BookPage>> makeDiagramPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop) {
     const DiagramLayout layout = layoutOf(scene);
-    const auto areas = diagramAreas(scene.settings.setup, layout.columns, layout.rows);
-    MomentPages pages(QStringLiteral("Shadow diagrams"), fromTo(scene), areas);
+    const auto areas = diagramAreas(scene, layout.columns, layout.rows);
+    std::vector<DayDiagram> diagrams;
     for (const DiagramMoment& moment : scene.moments) {
         progress.report(double(&moment - scene.moments.data()) / double(scene.moments.size()),
                         "drawing diagrams");
         NoProgress quiet;
         auto diagram = makeDiagram(scene, moment, layout, areas.front(), quiet, stop);
         if (!diagram) return tl::make_unexpected(diagram.error());
-        addDiagram(scene, pages, moment.day, *std::move(diagram));
+        diagrams.push_back({moment.day, *std::move(diagram)});
     }
-    return pages.finish();
+    return placeDiagrams(scene, {QStringLiteral("Shadow diagrams"), fromTo(scene), areas}, areas.front(),
+                         std::move(diagrams));
 }
 
 Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& progress,
@@ -167,8 +208,9 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
     const PageSetup& setup = scene.settings.setup;
     const double scale = textScale(setup);
     const auto grid = setup.landscape ? std::pair{2, 1} : std::pair{1, 2};
-    const auto areas = diagramAreas(setup, grid.first, grid.second);
-    MomentPages pages(
+    const auto areas = diagramAreas(scene, grid.first, grid.second);
+    std::vector<DayDiagram> diagrams;
+    const MomentPages pages(
         QStringLiteral("Shadow fans"),
         QStringLiteral("All shadows of a day that the proposal would cast if it stood alone, %1. "
                        "%2North is up.")
@@ -197,29 +239,30 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
             dayText(day) + QStringLiteral(", %1 to %2").arg(moments.front().time, moments.back().time),
             QStringLiteral("1:%1. Existing buildings do not hide these shadows")
                 .arg(std::llround(layout.scale))};
-        addDiagram(scene, pages, day, std::move(diagram));
+        diagrams.push_back({day, std::move(diagram)});
     }
-    return pages.finish();
+    return placeDiagrams(scene, pages, areas.front(), std::move(diagrams));
 }
 
 Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progress& progress,
                                                  const std::stop_token& stop) {
     if (!hasIsochrones(scene.source.study.rule)) return std::vector<BookPage>{};
-    const PageSetup& setup = scene.settings.setup;
-    const auto areas = diagramAreas(setup, 1, 1);
+    const auto areas = diagramAreas(scene, 1, 1);
+    std::vector<DayDiagram> diagrams;
     const QString title = QStringLiteral("Lines of equal hours of shadow");
-    MomentPages pages(title,
-                      QStringLiteral("%1. Thick: limits of the rule. Dashed: distances from the parcel. "
-                                     "North is up.")
-                          .arg(plainText(scene.source.labels.to)),
-                      areas);
+    const MomentPages pages(
+        title,
+        QStringLiteral("%1. Thick: limits of the rule. Dashed: distances from the parcel. "
+                       "North is up.")
+            .arg(plainText(scene.source.labels.to)),
+        areas);
     for (std::size_t i = 0; i < std::min(maxIsochroneDays, scene.sun.sun.days.size()); ++i) {
         progress.report(0, "drawing lines of equal hours");
         auto diagram = makeIsochrones(scene, i, areas.front(), stop);
         if (!diagram) return tl::make_unexpected(diagram.error());
-        addDiagram(scene, pages, scene.sun.sun.days[i].date, *std::move(diagram));
+        diagrams.push_back({scene.sun.sun.days[i].date, *std::move(diagram)});
     }
-    return pages.finish();
+    return placeDiagrams(scene, pages, areas.front(), std::move(diagrams));
 }
 
 Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progress& progress,
@@ -230,7 +273,7 @@ Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progres
     const QSizeF picture = mapAreaOf(areas.front(), scale).size() * pictureDpi / 72;
     const QSize size = (picture * std::min(1.0, maxPicturePixels / picture.width())).toSize();
     const DiagramLayout layout = layoutOf(scene);
-    const QRectF shown = mapAreaOf(diagramAreas(setup, layout.columns, layout.rows).front(), scale);
+    const QRectF shown = mapAreaOf(diagramAreas(scene, layout.columns, layout.rows).front(), scale);
     const auto views =
         SunViewScene::make(*scene.diagrams, groundOf(layout.centre, layout.scale, shown), stop);
     if (!views) return tl::make_unexpected(views.error());

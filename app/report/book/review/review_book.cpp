@@ -8,6 +8,27 @@ namespace noonmark {
 
 namespace {
 
+constexpr std::size_t maxPages = 30, leastTablePages = 4;
+
+/// Keeps the first pages; the last of them says that there are more.
+void trim(std::vector<BookPage>& pages, std::size_t most) {
+    if (pages.size() <= most) return;
+    const std::size_t left = pages.size() - most;
+    pages.resize(most);
+    if (pages.empty()) return;
+    pages.back().subtitle =
+        QStringLiteral("%1 further pages are printed by the option --all-pages. ").arg(left) +
+        pages.back().subtitle;
+}
+
+/// Timelines and tables on the pages that the rest of the book leaves.
+void fit(std::vector<BookPage>& charts, std::vector<BookPage>& tables, std::size_t used) {
+    const std::size_t left = maxPages - std::min(used, maxPages);
+    const std::size_t forTables = std::min({tables.size(), std::max(left / 2, leastTablePages), left});
+    trim(charts, left - forTables);
+    trim(tables, left - charts.size());
+}
+
 using MakePages = Result<std::vector<BookPage>> (*)(const ReviewScene&, Progress&, const std::stop_token&);
 
 /// The chapters with pictures, in their order: fans come before the diagrams where the rule lists them first.
@@ -23,8 +44,8 @@ std::vector<MakePages> pictureChapters(const Rule& rule) {
 
 std::vector<CommandOption> makeRepeatOptions(const BookSettings& settings) {
     std::vector<CommandOption> options = listOptions(pageFields().of(settings.setup));
-    for (CommandOption& option : listOptions(scaleFields().of(settings)))
-        options.push_back(std::move(option));
+    for (const auto* fields : {&scaleFields(), &extentFields()})
+        for (CommandOption& option : listOptions(fields->of(settings))) options.push_back(std::move(option));
     if (!settings.titleBlock.date.empty()) options.push_back({"--date", {settings.titleBlock.date}});
     return options;
 }
@@ -43,9 +64,10 @@ Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& 
         if (!pages) return tl::make_unexpected(pages.error());
         appendPages(book.pages, *std::move(pages));
     }
-    appendPages(book.pages, makeChartPages(*scene));
-    appendPages(book.pages, makeReviewTablePages(*scene));
-    appendPages(book.pages, makeMethodPages(*scene));
+    std::vector<BookPage> charts = makeChartPages(*scene), tables = makeReviewTablePages(*scene),
+                          method = makeMethodPages(*scene);
+    if (!settings.allPages) fit(charts, tables, book.pages.size() + method.size());
+    for (auto* pages : {&charts, &tables, &method}) appendPages(book.pages, std::move(*pages));
     return book;
 }
 

@@ -2,6 +2,7 @@
 
 // The pages of a review's book. review_book.cpp puts them together.
 
+#include "app/report/book/review/place_rows.h"
 #include "app/report/book/review/review_book.h"
 #include "core/review/rule/rule_days.h"
 
@@ -24,6 +25,8 @@ struct ReviewScene {
     Observer observer;
     RuleSun sun;                           ///< all days of the rule
     std::vector<DiagramMoment> moments{};  ///< in time order
+    PlaceList list{};
+    double keyPt = 0;  ///< height of the key below the diagrams of a page; 0: no place has a number
 };
 
 /// Errors of computeRuleSun().
@@ -37,22 +40,25 @@ struct DiagramLayout {
     glm::dvec2 centre{};
 };
 
-/// The areas of the diagrams of a page, row by row, in points; their foot is below them.
-std::vector<QRectF> diagramAreas(const PageSetup& setup, int columns, int rows);
+/// The areas of the diagrams of a page, row by row, in points; key and foot are below them.
+std::vector<QRectF> diagramAreas(const ReviewScene& scene, int columns, int rows);
 /// The same without room for a foot.
 std::vector<QRectF> gridAreas(const PageSetup& setup, int columns, int rows);
 
-/// The round scale and the most views a page that show all of `reach` (or, where that takes more than 1:5000,
-/// all of `focus`). With a given scale: the most views that show `focus`; if none does, one view of what is
-/// nearest to `proposal`.
-DiagramLayout chooseLayout(const BookSettings& settings, const Box2& proposal, const Box2& focus,
-                           const Box2& reach);
+inline constexpr double keyTextPt = 6.8;  ///< on A4
+/// The numbers of the places seen in any of these views, with their names, as far as they fit into keyPt.
+QString describeKey(const ReviewScene& scene, const std::vector<Box2>& seen);
 
 /// Where the shadows of what changes reach at the moments, cut at 1.5 km.
 Box2 reachOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments);
-/// What changes, and the places as far as its shadows reach.
+/// What changes, and the places in the rows of the sheets as far as its shadows reach.
 Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments);
+/// The round scale and the most views a page that show all that shadows reach (or, where that takes more than
+/// 1:5000, all of focusOf()). With a given scale: the most views that show focusOf(); if none does, one view
+/// of what is nearest to what changes. Unless all pages are asked for, a page has so many views that there
+/// are at most `maxDiagramPages`, if need be at 1:10000.
 DiagramLayout layoutOf(const ReviewScene& scene);
+inline constexpr std::size_t maxDiagramPages = 8;
 /// One view in an area, at the largest round scale at which it shows a box; else at 1:maxScale.
 DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, double maxScale = 5000);
 
@@ -60,6 +66,8 @@ DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, d
 /// without any sun.
 std::optional<DiagramMoment> worstMoment(const ReviewScene& scene);
 
+/// Legend and scale of diagrams, without a note.
+DiagramFoot makeFoot(const ReviewScene& scene, double scale, DiagramFoot::Subject subject);
 /// The diagram of a moment in an area of the page. Errors of outlineShadows().
 Result<Diagram> makeDiagram(const ReviewScene& scene, const DiagramMoment& moment,
                             const DiagramLayout& layout, const QRectF& area, Progress& progress,
@@ -79,6 +87,7 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
                                            const std::stop_token& stop);
 Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop);
+/// Of each place, or of those that fail or are borderline.
 std::vector<BookPage> makeChartPages(const ReviewScene& scene);
 std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene);
 std::vector<BookPage> makeMethodPages(const ReviewScene& scene);

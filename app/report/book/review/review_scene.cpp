@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/period_words.h"
 #include "core/measures/place_run.h"
+#include "core/receivers/place_names.h"
 #include "core/study/prepare_review.h"
 #include "core/study/shadow_drawings.h"
 
@@ -17,6 +19,8 @@ constexpr float minSunDeg = 0.5F;  // shadows of a lower sun leave every page
 constexpr double farthestM = 1500;
 constexpr double marginM = 12;
 constexpr std::array roundScales{500.0, 1000.0, 1250.0, 2000.0, 2500.0, 4000.0, 5000.0};
+constexpr double smallestScale = 10000;  // where a page must hold several views
+constexpr double maxKeyShare = 0.16;     // of the page
 
 SunStep sunAt(const Observer& observer, Instant at) {
     const SolarPosition sun = computeSolarPosition(observer, at);
@@ -71,9 +75,9 @@ std::vector<QRectF> divide(const QRectF& all, int columns, int rows, double gap)
 }
 
 /// Metres of ground that one view of a grid shows.
-glm::dvec2 groundOf(const PageSetup& setup, int columns, int rows, double scale) {
-    const QRectF area = diagramAreas(setup, columns, rows).front();
-    const QRectF map = mapAreaOf(area, textScale(setup));
+glm::dvec2 groundOf(const ReviewScene& scene, int columns, int rows, double scale) {
+    const QRectF area = diagramAreas(scene, columns, rows).front();
+    const QRectF map = mapAreaOf(area, textScale(scene.settings.setup));
     return glm::dvec2(map.width(), map.height()) / pointsPerMetre(scale);
 }
 
@@ -97,16 +101,119 @@ glm::dvec2 centreOf(const Box2& wide, const Box2& narrow, glm::dvec2 shown) {
             middleOf(wide.low.y, wide.high.y, narrow.low.y, narrow.high.y, shown.y)};
 }
 
-std::vector<std::pair<int, int>> gridsOf(const PageSetup& setup) {
-    if (setup.landscape) return {{3, 2}, {2, 2}, {2, 1}, {1, 1}};
-    return {{2, 3}, {2, 2}, {1, 2}, {1, 1}};
+using Grid = std::pair<int, int>;
+
+/// The grids of views that a page may have, the densest first.
+std::vector<Grid> gridsOf(const ReviewScene& scene) {
+    std::vector<Grid> grids = scene.settings.setup.landscape
+                                  ? std::vector<Grid>{{3, 2}, {2, 2}, {2, 1}, {1, 1}}
+                                  : std::vector<Grid>{{2, 3}, {2, 2}, {1, 2}, {1, 1}};
+    if (scene.settings.allPages || scene.settings.scale) return grids;
+    std::erase_if(grids, [&](const Grid& grid) {
+        const auto views = std::size_t(grid.first * grid.second);
+        return (scene.moments.size() + views - 1) / views > maxDiagramPages;
+    });
+    if (grids.empty()) return {scene.settings.setup.landscape ? Grid{4, 3} : Grid{3, 4}};
+    return grids;
+}
+
+/// Tries grids and scales.
+class LayoutChoice {
+public:
+    explicit LayoutChoice(const ReviewScene& scene)
+        : scene_(scene),
+          grids_(gridsOf(scene)),
+          changed_(grown(changedBounds(*scene.diagrams), marginM)),
+          focus_(focusOf(scene, scene.moments)),
+          reach_(unionOf(reachOf(scene, scene.moments), focus_)) {}
+
+    [[nodiscard]] DiagramLayout choose() const {
+        if (scene_.settings.scale) return atScale(*scene_.settings.scale);
+        const Grid usual = grids_[std::min<std::size_t>(1, grids_.size() - 1)];
+        for (const double scale : roundScales)
+            if (holds(usual, scale, reach_)) return make(usual, scale, reach_);
+        for (std::size_t i = std::min<std::size_t>(1, grids_.size() - 1); i < grids_.size(); ++i)
+            if (holds(grids_[i], roundScales.back(), focus_))
+                return {grids_[i].first, grids_[i].second, roundScales.back(), middleOf(focus_)};
+        const bool isCompact = !scene_.settings.allPages;
+        if (isCompact && (changed_.empty() || holds(usual, smallestScale, focus_)))
+            return make(usual, smallestScale, focus_);
+        return make(usual, roundScales.back(), changed_.empty() ? focus_ : changed_);
+    }
+
+private:
+    [[nodiscard]] DiagramLayout atScale(double scale) const {
+        for (const Grid& grid : grids_)
+            if (holds(grid, scale, focus_))
+                return make(grid, scale, holds(grid, scale, reach_) ? reach_ : focus_);
+        return make(grids_.back(), scale, changed_.empty() ? focus_ : changed_);
+    }
+
+    [[nodiscard]] DiagramLayout make(const Grid& grid, double scale, const Box2& must) const {
+        const glm::dvec2 ground = groundOf(scene_, grid.first, grid.second, scale);
+        return {grid.first, grid.second, scale, centreOf(reach_, must, ground)};
+    }
+
+    [[nodiscard]] bool holds(const Grid& grid, double scale, const Box2& box) const {
+        return fits(box, groundOf(scene_, grid.first, grid.second, scale));
+    }
+
+    const ReviewScene& scene_;
+    std::vector<Grid> grids_;
+    Box2 changed_, focus_, reach_;
+};
+
+/// Heights of texts in points.
+double keyHeightPt(const ReviewScene& scene, const QString& text) {
+    const double scale = textScale(scene.settings.setup);
+    MeasuringCanvas measure;
+    return heightOf(measure.canvas(), {body(text)},
+                    contentArea(scene.settings.setup).width() * MeasuringCanvas::unitsPerPoint,
+                    keyTextPt * scale) /
+               MeasuringCanvas::unitsPerPoint +
+           1;
+}
+
+bool meet(const Box2& a, const Box2& b) { return !intersectionOf(a, b).empty(); }
+
+/// The entries of a key, by number.
+std::vector<QString> keyEntries(const ReviewScene& scene, const std::vector<Box2>& seen) {
+    std::map<int, QString> entries;
+    const auto& places = scene.diagrams->places;
+    for (const auto* rows : {&scene.list.rows, &scene.list.others})
+        for (const PlaceRow& row : *rows)
+            for (const std::size_t i : row.reviews) {
+                const Box2 box = bounds(places[placeOf(scene.source.study, i)]);
+                if (std::ranges::none_of(seen, [&](const Box2& view) { return meet(box, view); })) continue;
+                const QString name =
+                    row.reviews.size() > 1 ? row.name : shortName(places[placeOf(scene.source.study, i)]);
+                entries.emplace(row.number, QString::number(row.number) + QChar(0xa0) + name);
+            }
+    std::vector<QString> texts;
+    for (auto& [number, text] : entries) texts.push_back(std::move(text));
+    return texts;
+}
+
+QString joinKey(const std::vector<QString>& entries, std::size_t count) {
+    QString text;
+    for (std::size_t i = 0; i < count; ++i) text += (i > 0 ? QStringLiteral("   ") : QString()) + entries[i];
+    if (count < entries.size()) text += QStringLiteral("   ... further numbers: see the summary");
+    return text;
 }
 
 }  // namespace
 
-std::vector<QRectF> diagramAreas(const PageSetup& setup, int columns, int rows) {
-    const double foot = diagramFootPt(textScale(setup));
-    return divide(contentArea(setup).adjusted(0, 0, 0, -foot), columns, rows, 8 * textScale(setup));
+std::vector<QRectF> diagramAreas(const ReviewScene& scene, int columns, int rows) {
+    const PageSetup& setup = scene.settings.setup;
+    const double below = diagramFootPt(textScale(setup)) + scene.keyPt;
+    return divide(contentArea(setup).adjusted(0, 0, 0, -below), columns, rows, 8 * textScale(setup));
+}
+
+QString describeKey(const ReviewScene& scene, const std::vector<Box2>& seen) {
+    const std::vector<QString> entries = keyEntries(scene, seen);
+    std::size_t count = entries.size();
+    while (count > 0 && keyHeightPt(scene, joinKey(entries, count)) > scene.keyPt) --count;
+    return joinKey(entries, count);
 }
 
 std::vector<QRectF> gridAreas(const PageSetup& setup, int columns, int rows) {
@@ -142,6 +249,13 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
         if (moment.sun.altitudeDeg > minSunDeg)
             scene.moments.push_back(
                 {moment.day, moment.minutes, QString::fromStdString(moment.clock), moment.sun});
+    const bool hasProposal = !diagrams->proposal.buildings.empty() || !diagrams->removed.buildings.empty();
+    scene.list = listPlaces(source, settings, hasProposal);
+    diagrams->numbers = scene.list.numbers;
+    const std::vector<QString> entries = keyEntries(scene, {reachOf(scene, scene.moments)});
+    if (!entries.empty())
+        scene.keyPt = std::min(keyHeightPt(scene, joinKey(entries, entries.size())),
+                               maxKeyShare * contentArea(settings.setup).height());
     return scene;
 }
 
@@ -161,35 +275,14 @@ Box2 reachOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments
     return grown(reach, marginM);
 }
 
-DiagramLayout chooseLayout(const BookSettings& settings, const Box2& proposal, const Box2& focus,
-                           const Box2& reach) {
-    const auto make = [&](std::pair<int, int> grid, double scale, const Box2& must) {
-        const glm::dvec2 ground = groundOf(settings.setup, grid.first, grid.second, scale);
-        return DiagramLayout{grid.first, grid.second, scale, centreOf(reach, must, ground)};
-    };
-    const auto holds = [&](std::pair<int, int> grid, double scale, const Box2& box) {
-        return fits(box, groundOf(settings.setup, grid.first, grid.second, scale));
-    };
-    const auto grids = gridsOf(settings.setup);
-    if (settings.scale) {
-        for (const auto& grid : grids)
-            if (holds(grid, *settings.scale, focus))
-                return make(grid, *settings.scale, holds(grid, *settings.scale, reach) ? reach : focus);
-        return make(grids.back(), *settings.scale, proposal.empty() ? focus : proposal);
-    }
-    for (const double scale : roundScales)
-        if (holds(grids[1], scale, reach)) return make(grids[1], scale, reach);
-    for (std::size_t i = 1; i < grids.size(); ++i)
-        if (holds(grids[i], roundScales.back(), focus))
-            return {grids[i].first, grids[i].second, roundScales.back(), middleOf(focus)};
-    return make(grids[1], roundScales.back(), proposal.empty() ? focus : proposal);
-}
-
 Box2 focusOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments) {
     const Box2 reach = reachOf(scene, moments), changed = changedBounds(*scene.diagrams);
     Box2 focus = changed.empty() ? reach : grown(changed, marginM);
-    for (const Place& place : scene.diagrams->places)
-        focus = unionOf(focus, intersectionOf(boundsOfPlaces({place}), reach));
+    for (const PlaceRow& row : scene.list.rows)
+        for (const std::size_t i : row.reviews) {
+            const Place& place = scene.diagrams->places[placeOf(scene.source.study, i)];
+            focus = unionOf(focus, intersectionOf(bounds(place), reach));
+        }
     return focus;
 }
 
@@ -204,11 +297,7 @@ DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, d
     return {1, 1, scale == roundScales.end() ? maxScale : *scale, glm::dvec2(shown.low + shown.high) / 2.0};
 }
 
-DiagramLayout layoutOf(const ReviewScene& scene) {
-    const Box2 changed = grown(changedBounds(*scene.diagrams), marginM);
-    const Box2 reach = reachOf(scene, scene.moments), focus = focusOf(scene, scene.moments);
-    return chooseLayout(scene.settings, changed, focus, unionOf(reach, focus));
-}
+DiagramLayout layoutOf(const ReviewScene& scene) { return LayoutChoice(scene).choose(); }
 
 std::optional<DiagramMoment> worstMoment(const ReviewScene& scene) {
     double most = 0;

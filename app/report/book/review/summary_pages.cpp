@@ -1,4 +1,6 @@
+#include <QStringList>
 #include <algorithm>
+#include <map>
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
@@ -13,18 +15,7 @@ namespace noonmark {
 
 namespace {
 
-/// Places that fail, then borderline ones, then the others; among equals those with most incremental shadow.
-std::vector<const PlaceReview*> worstFirst(const ReviewStudy& study) {
-    std::vector<const PlaceReview*> places;
-    for (const PlaceReview& place : study.places) places.push_back(&place);
-    const auto rank = [](const PlaceReview* place) {
-        const bool isBad = place->verdict == Verdict::fail || place->verdict == Verdict::borderline;
-        const int order = !isBad ? 2 : place->verdict == Verdict::borderline ? 1 : 0;
-        return std::pair(order, -place->totals.incrementalM2h);
-    };
-    std::ranges::stable_sort(places, {}, rank);
-    return places;
-}
+constexpr std::size_t maxOthersNamed = 150;
 
 PageTable verdictTable(const ReviewScene& scene, double points) {
     const ReviewStudy& study = scene.source.study;
@@ -34,15 +25,32 @@ PageTable verdictTable(const ReviewScene& scene, double points) {
                     {},
                     {},
                     points};
-    for (const PlaceReview* of : worstFirst(study)) {
-        const PlaceReview& place = *of;
-        table.rows.push_back({plainText(place.name), plainText(nameOf(place.kind)),
-                              QString::fromStdString(formatArea(place.areaM2, scene.settings.units)),
-                              plainText(nameOf(place.verdict)),
-                              plainText(describeReason(place, scene.settings.units))});
-        table.marks.push_back(verdictMark(place.verdict));
+    for (const PlaceRow& row : scene.list.rows) {
+        const PlaceReview& first = study.places[row.reviews.front()];
+        double areaM2 = 0;
+        for (const std::size_t i : row.reviews) areaM2 += study.places[i].areaM2;
+        QString reason = plainText(describeReason(first, scene.settings.units));
+        if (row.reviews.size() > 1) reason = plainText(first.name) + QStringLiteral(": ") + reason;
+        table.rows.push_back({numberedName(row), plainText(nameOf(first.kind)),
+                              QString::fromStdString(formatArea(areaM2, scene.settings.units)),
+                              plainText(nameVerdict(first)), reason});
+        table.marks.push_back(verdictMark(first.verdict));
     }
     return table;
+}
+
+/// What the book leaves out of its tables and timelines.
+QString extentText(const ReviewScene& scene) {
+    std::size_t single = 0;
+    for (const PlaceRow& row : scene.list.rows) single += row.reviews.size() == 1 ? 1 : 0;
+    const std::size_t all = scene.source.study.places.size();
+    if (scene.settings.allPages || single == all) return {};
+    return QStringLiteral(
+               "Of %1 places %2 are listed one by one; the numbers are those of the diagrams. Places "
+               "of less than %3 without a name are listed together. Timelines are of places that "
+               "fail or are borderline. review.csv has all places; the option --all-pages prints them.")
+        .arg(describeCount(all), describeCount(single),
+             QString::fromStdString(formatArea(scene.settings.leastPlaceM2, scene.settings.units)));
 }
 
 TextBlocks introduction(const ReviewScene& scene) {
@@ -62,6 +70,33 @@ TextBlocks introduction(const ReviewScene& scene) {
     blocks.push_back(
         body(QStringLiteral("The least sure figure that a verdict rests on was %1 (%2).")
                  .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)))));
+    if (scene.moments.empty())
+        blocks.push_back(body(
+            QStringLiteral("Figures only: the sun is not up at the rule's times, so no diagram is drawn.")));
+    if (const QString extent = extentText(scene); !extent.isEmpty()) blocks.push_back(body(extent));
+    return blocks;
+}
+
+/// The places that the proposal does not change, by verdict: those with names, and how many have none.
+TextBlocks otherBlocks(const ReviewScene& scene) {
+    const ReviewStudy& study = scene.source.study;
+    std::map<QString, std::pair<std::vector<QString>, std::size_t>> byVerdict;
+    for (const PlaceRow& row : scene.list.others)
+        byVerdict[plainText(nameVerdict(study.places[row.reviews.front()]))].first.push_back(
+            QString::number(row.number) + QChar(0xa0) + row.name);
+    for (const std::size_t i : scene.list.unnamed)
+        ++byVerdict[plainText(nameVerdict(study.places[i]))].second;
+    if (byVerdict.empty()) return {};
+    TextBlocks blocks{heading(QStringLiteral("Places without new shadow"))};
+    for (const auto& [verdict, places] : byVerdict) {
+        const auto& [names, unnamed] = places;
+        const std::size_t shown = std::min(names.size(), maxOthersNamed);
+        QStringList texts(names.begin(), names.begin() + std::ptrdiff_t(shown));
+        if (shown < names.size())
+            texts << QStringLiteral("%1 further places with names").arg(describeCount(names.size() - shown));
+        if (unnamed > 0) texts << QStringLiteral("%1 without a name").arg(describeCount(unnamed));
+        blocks.push_back(body(verdict + QStringLiteral(": ") + texts.join(QStringLiteral(", "))));
+    }
     return blocks;
 }
 
@@ -77,9 +112,10 @@ TextBlocks sumBlocks(const ReviewScene& scene) {
     constexpr std::size_t fewDays = 31;
     if (scene.sun.sun.days.size() <= fewDays) return {};
     TextBlocks blocks{heading(QStringLiteral("Sums over the days of the rule"))};
-    for (const PlaceReview& place : scene.source.study.places) {
+    for (const PlaceRow& row : scene.list.rows) {
+        const PlaceReview& place = scene.source.study.places[row.reviews.front()];
         const ReviewTotals& sum = place.totals;
-        if (sum.theoreticalM2h <= 0) continue;
+        if (sum.theoreticalM2h <= 0 || row.reviews.size() > 1) continue;
         const auto text = [&](double m2h) {
             return QStringLiteral("%1, %2 %")
                 .arg(QString::fromStdString(formatAreaHours(m2h, scene.settings.units)),
@@ -129,12 +165,7 @@ Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& 
         diagram->caption.first += QStringLiteral(": the most incremental shadow on a place at one moment");
     page.items.push_back({picture, *std::move(diagram)});
     page.items.push_back({{area.left(), area.bottom() - foot, area.width(), foot},
-                          DiagramFoot{layout.scale,
-                                      plainText(nameOf(setup.paper)),
-                                      {},
-                                      textScale(setup),
-                                      DiagramFoot::Subject::shadows,
-                                      scene.settings.units}});
+                          makeFoot(scene, layout.scale, DiagramFoot::Subject::shadows)});
     return {};
 }
 
@@ -151,6 +182,7 @@ std::vector<BookPage> fillText(const ReviewScene& scene, BookPage& page, const Q
     const TextBlocks intro = introduction(scene);
     TextBlocks rest = sumBlocks(scene);
     for (TextBlock& block : notCheckedBlocks(scene.source.study)) rest.push_back(std::move(block));
+    for (TextBlock& block : otherBlocks(scene)) rest.push_back(std::move(block));
     const double introPt = std::min(heightPt(intro) + 1, area.height() * 0.6);
     page.items.push_back({{area.left(), area.top(), area.width(), introPt}, PageText{intro, points}});
     QRectF left = area.adjusted(0, introPt + gap, 0, 0);

@@ -14,6 +14,27 @@ namespace {
 constexpr double tablePt = 7.4;
 constexpr std::size_t maxDaysAll = 31;  // of longer ranges only days with incremental shadow are listed
 
+/// The places that tables list one by one.
+std::vector<const PlaceRow*> singleRows(const ReviewScene& scene) {
+    std::vector<const PlaceRow*> rows;
+    for (const PlaceRow& row : scene.list.rows)
+        if (row.reviews.size() == 1) rows.push_back(&row);
+    return rows;
+}
+
+/// Rows without incremental shadow are left out of long tables, and where the place has others.
+bool isLeftOut(const ReviewScene& scene, const PlaceReview& review, const ReviewRow& row) {
+    if (row.durationMin > 0) return false;
+    return review.rows.size() > maxDaysAll || (!scene.settings.allPages && review.totals.incrementalM2h > 0);
+}
+
+QString leftOutText(const ReviewScene& scene) {
+    const std::size_t listed = singleRows(scene).size(), all = scene.source.study.places.size();
+    if (listed == all) return {};
+    return QStringLiteral("%1 of %2 places; review.csv has all")
+        .arg(describeCount(listed), describeCount(all));
+}
+
 /// The rule's own table.
 std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
@@ -22,20 +43,25 @@ std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
     for (const RuleColumn& column : columns) table.titles.push_back(plainText(column.title));
     if (table.titles.empty()) return std::nullopt;
     std::size_t leftOut = 0;
-    for (const PlaceReview& review : study.places)
+    for (const PlaceRow* listed : singleRows(scene)) {
+        const PlaceReview& review = study.places[listed->reviews.front()];
         for (const ReviewRow& row : review.rows) {
-            if (review.rows.size() > maxDaysAll && row.durationMin <= 0) {
+            if (isLeftOut(scene, review, row)) {
                 ++leftOut;
                 continue;
             }
             auto& texts = table.rows.emplace_back();
             for (const RuleColumn& column : columns)
-                texts.push_back(plainText(columnText(review, row, column.key)));
+                texts.push_back(column.key == "place" ? numberedName(*listed)
+                                                      : plainText(columnText(review, row, column.key)));
         }
-    const QString note = leftOut == 0
-                             ? QString()
-                             : QStringLiteral(". %1 days without incremental shadow are in review.csv only")
-                                   .arg(describeCount(leftOut));
+    }
+    if (table.rows.empty()) return std::nullopt;
+    QString note = leftOut == 0
+                       ? QString()
+                       : QStringLiteral(". %1 days without incremental shadow are in review.csv only")
+                             .arg(describeCount(leftOut));
+    if (const QString places = leftOutText(scene); !places.isEmpty()) note += QStringLiteral(". ") + places;
     return NamedTable{
         QStringLiteral("Table of the rule"),
         QStringLiteral("%1, clock: %2%3").arg(plainText(study.rule.name), plainText(study.clock), note),
@@ -53,14 +79,15 @@ std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
                     tablePt * textScale(scene.settings.setup)};
     const QString none = QStringLiteral("-");
     const UnitSystem units = scene.settings.units;
-    for (const PlaceReview& review : scene.source.study.places)
+    for (const PlaceRow* listed : singleRows(scene)) {
+        const PlaceReview& review = scene.source.study.places[listed->reviews.front()];
         for (std::size_t i = 0; i < review.criteria.size() && i < review.results.size(); ++i) {
             const Criterion& criterion = review.criteria[i];
             const CriterionResult& result = review.results[i];
             const auto measured = [&](const std::optional<Measured>& value) {
                 return value ? plainText(formatMeasured(criterion.measure, value->value, units)) : none;
             };
-            table.rows.push_back({plainText(review.name),
+            table.rows.push_back({numberedName(*listed),
                                   plainText(criterion.name) +
                                       (criterion.advisory ? QStringLiteral(" (does not decide)") : QString()),
                                   measured(result.value), measured(result.former),
@@ -69,8 +96,10 @@ std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
                                   result.day ? dayText(*result.day) : none,
                                   plainText(nameOf(result.verdict))});
         }
+    }
     if (table.rows.empty()) return std::nullopt;
-    return NamedTable{QStringLiteral("Criteria: the figures behind the verdicts"), {}, std::move(table)};
+    return NamedTable{QStringLiteral("Criteria: the figures behind the verdicts"), leftOutText(scene),
+                      std::move(table)};
 }
 
 QString areaHours(const ReviewScene& scene, double m2h) {
@@ -95,9 +124,9 @@ std::optional<NamedTable> sumTable(const ReviewScene& scene) {
                     {},
                     {},
                     tablePt * textScale(scene.settings.setup)};
-    for (const PlaceReview& review : study.places) {
-        const ReviewTotals& sum = review.totals;
-        table.rows.push_back({plainText(review.name), areaHours(scene, sum.theoreticalM2h),
+    for (const PlaceRow* listed : singleRows(scene)) {
+        const ReviewTotals& sum = study.places[listed->reviews.front()].totals;
+        table.rows.push_back({numberedName(*listed), areaHours(scene, sum.theoreticalM2h),
                               areaHours(scene, sum.baselineM2h), shareText(sum, sum.baselineM2h),
                               areaHours(scene, sum.scenarioM2h), shareText(sum, sum.scenarioM2h),
                               areaHours(scene, sum.incrementalM2h), shareText(sum, sum.incrementalM2h),
@@ -122,12 +151,12 @@ std::optional<NamedTable> seasonTable(const ReviewScene& scene) {
         {},
         {},
         tablePt * textScale(scene.settings.setup)};
-    for (const PlaceReview& review : study.places)
-        for (const SeasonSum& season : sumSeasons(review)) {
+    for (const PlaceRow* listed : singleRows(scene))
+        for (const SeasonSum& season : sumSeasons(study.places[listed->reviews.front()])) {
             if (season.daysWithShadow <= 0) continue;
             const UnitSystem units = scene.settings.units;
             table.rows.push_back(
-                {plainText(review.name), plainText(season.months),
+                {numberedName(*listed), plainText(season.months),
                  QStringLiteral("%1 of %2")
                      .arg(describeAmount(season.daysWithShadow, 0), describeAmount(season.days, 0)),
                  plainText(season.earliest), plainText(season.latest),
@@ -153,12 +182,13 @@ std::optional<NamedTable> contributionTable(const ReviewScene& scene) {
         {},
         tablePt * textScale(scene.settings.setup)};
     for (const ReviewContribution& building : study.contributions)
-        for (std::size_t i = 0; i < study.places.size(); ++i) {
+        for (const PlaceRow* listed : singleRows(scene)) {
+            const std::size_t i = listed->reviews.front();
             const double m2h = building.incrementalM2h[i];
             const ReviewTotals& sum = study.places[i].totals;
             if (m2h <= 0) continue;
             table.rows.push_back({plainText(building.name.empty() ? building.id : building.name),
-                                  plainText(study.places[i].name), areaHours(scene, m2h), shareText(sum, m2h),
+                                  numberedName(*listed), areaHours(scene, m2h), shareText(sum, m2h),
                                   sum.incrementalM2h > 0 ? describeAmount(100 * m2h / sum.incrementalM2h, 1) +
                                                                QStringLiteral(" %")
                                                          : QStringLiteral("-")});

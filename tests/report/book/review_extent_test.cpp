@@ -1,0 +1,148 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "app/report/book/review/place_rows.h"
+#include "core/engines/auto_engine.h"
+#include "core/review/library/rule_library.h"
+#include "core/review/places/verdict_text.h"
+#include "tests/report/book/book_texts.h"
+#include "tests/report/book/review_scene.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+
+Place piece(int number, PlaceKind kind, float west, float south, float size) {
+    const std::string source = "OSM way " + std::to_string(number);
+    return {std::string(nameOf(kind)) + " (" + source + ")",
+            kind,
+            {boxFootprint(west, south, west + size, south + size)},
+            source};
+}
+
+/// The park of ReviewedPark, `pieces` plantings of 36 m2 in the tower's shadow on it, as many plazas of
+/// 144 m2 without a name beside it, and places with names that no shadow reaches; reviewed by a rule.
+ReviewedPark reviewOfMany(const std::string& rule, int pieces) {
+    ReviewedPark park("Elm Park");
+    for (int i = 0; i < pieces; ++i) {
+        const float column = float(i % 14), row = float(i / 14 % 8);
+        park.places.push_back(piece(i, PlaceKind::greenstreet, -49 + column * 7, 1 + row * 7, 6));
+        park.places.push_back(piece(1000 + i, PlaceKind::plaza, -100 + column * 13, 61 + row * 13, 12));
+    }
+    for (int i = 0; i < 40; ++i)
+        park.places.push_back({"Far Garden " + std::to_string(i),
+                               PlaceKind::park,
+                               {boxFootprint(float(i) * 30, -900, float(i) * 30 + 20, -880)},
+                               "test"});
+    park.study.rule = RuleLibrary::load({}).value().find(rule, {}).value();
+    NoProgress progress;
+    park.study = runReview(park.study.rule, park.before, park.after, park.places, park.study.settings,
+                           AutoEngine(), progress, {})
+                     .value();
+    return park;
+}
+
+std::vector<std::string> namesOf(const std::vector<PlaceRow>& rows) {
+    std::vector<std::string> names;
+    for (const PlaceRow& row : rows) names.push_back(row.name.toStdString());
+    return names;
+}
+
+TEST(ReviewBook, OfManyPlacesHasAtMostThirtyPages) {
+    const ReviewedPark park = reviewOfMany("ceqr", 112);
+    ASSERT_TRUE(std::ranges::any_of(park.study.places, [](const PlaceReview& place) {
+        return place.verdict == Verdict::fail;
+    })) << "timelines and tables have something to list";
+    for (const bool landscape : {false, true})
+        EXPECT_LE(park.book({{Paper::a4, landscape}, {}, {}}).pages.size(), 30U);
+    BookSettings all;
+    all.allPages = true;
+    EXPECT_GT(park.book(all).pages.size(), 30U);
+}
+
+TEST(ReviewBook, ListsSmallPiecesUnderThePlaceThatTheyLieIn) {
+    const ReviewedPark park = reviewOfMany("four-days", 28);
+    const PlaceList list = listPlaces(park.source(), {}, true);
+    EXPECT_THAT(namesOf(list.rows), testing::Contains("Elm Park: pieces of less than 100 m²"));
+    EXPECT_THAT(namesOf(list.rows), testing::Not(testing::Contains(testing::HasSubstr("greenstreet"))));
+    BookSettings settings;
+    settings.leastPlaceM2 = 10;
+    EXPECT_THAT(namesOf(listPlaces(park.source(), settings, true).rows),
+                testing::Contains("greenstreet (OSM way 0)"));
+}
+
+TEST(ReviewBook, ListsEveryPlaceOnceAndNumbersItAlikeEverywhere) {
+    const ReviewedPark park = reviewOfMany("ceqr", 112);
+    const PlaceList list = listPlaces(park.source(), {}, true);
+    std::vector<int> listed(park.places.size(), 0);
+    for (const auto* rows : {&list.rows, &list.others})
+        for (const PlaceRow& row : *rows)
+            for (const std::size_t i : row.reviews) {
+                ++listed[i];
+                EXPECT_EQ(list.numbers[i], row.number);
+            }
+    for (const std::size_t i : list.unnamed) {
+        ++listed[i];
+        EXPECT_EQ(list.numbers[i], 0) << "what nobody can name has no number";
+    }
+    EXPECT_THAT(listed, testing::Each(1));
+    EXPECT_EQ(list.others.size(), 40U) << "the far gardens";
+    EXPECT_EQ(list.rows.front().number, 1);
+}
+
+TEST(ReviewBook, NumbersPlacesOfDiagramsAndNamesThemInAKey) {
+    const ReviewedPark park = reviewOfMany("four-days", 28);
+    const Book book = park.book({});
+    const auto page = std::ranges::find(book.pages, QStringLiteral("Shadow diagrams"), &BookPage::title);
+    ASSERT_NE(page, book.pages.end());
+    const QString text = textOfPage(book, std::size_t(page - book.pages.begin()));
+    EXPECT_FALSE(text.contains(QStringLiteral("OSM way"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("1 Elm Park"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("plaza without a name"))) << text.toStdString();
+}
+
+TEST(ReviewBook, DrawsTimelinesOfWhatFailsOrIsBorderlineUnlessAllAreAskedFor) {
+    const ReviewedPark park("Elm Park");
+    const auto hasTimelines = [&](const BookSettings& settings) {
+        return std::ranges::any_of(park.book(settings).pages, [](const BookPage& page) {
+            return page.title.startsWith(QStringLiteral("Timelines"));
+        });
+    };
+    EXPECT_FALSE(hasTimelines({})) << "the rule has no limit";
+    BookSettings all;
+    all.allPages = true;
+    EXPECT_TRUE(hasTimelines(all));
+}
+
+TEST(ReviewBook, OfManyPlacesLaysNoTextOverAnother) {
+    const ReviewedPark park = reviewOfMany("ceqr", 56);
+    for (const bool landscape : {false, true}) {
+        const Book book = park.book({{Paper::a4, landscape}, {}, {}});
+        for (std::size_t i = 0; i < book.pages.size(); ++i)
+            EXPECT_THAT(listMeetings(textsOfPage(book, i)), testing::IsEmpty()) << "page " << i;
+    }
+}
+
+TEST(ReviewBook, SaysFiguresOnlyOfARuleWithoutALimit) {
+    const ReviewedPark park("Elm Park");
+    EXPECT_EQ(nameVerdict(park.study.places.front()), "figures only");
+    EXPECT_TRUE(textOfPage(park.book({}), 0).contains(QStringLiteral("figures only")));
+}
+
+TEST(ReviewBook, RepeatsHowMuchItHolds) {
+    BookSettings settings;
+    settings.allPages = true;
+    settings.leastPlaceM2 = 250;
+    const auto options = makeRepeatOptions(settings);
+    const auto find = [&](std::string_view flag) {
+        return std::ranges::find(options, flag, &CommandOption::name);
+    };
+    ASSERT_NE(find("--all-pages"), options.end());
+    ASSERT_NE(find("--least-place"), options.end());
+    EXPECT_THAT(find("--least-place")->values, testing::ElementsAre("250"));
+}
+
+}  // namespace
+}  // namespace noonmark
