@@ -179,14 +179,35 @@ TEST_F(SunByPlaceWindow, PiecesWithoutANameStandBelowTheirParkOrTheirKind) {
     EXPECT_EQ(rows(), (QStringList{"North Park", "Green", "Main Street", "Parks without a name (1)"}));
     EXPECT_EQ(rows(table().model()->index(0, 0)), QStringList{"park (OSM way 7)"});
     field<QCheckBox>("placesGrouped").click();
-    EXPECT_EQ(rows(), (QStringList{"Parks (3)", "Greenstreets (1)", "Streets (1)"}));
+    EXPECT_EQ(rows(), (QStringList{"Parks (2)", "Lawns and beds (1)", "Streets (1)"}))
+        << "a lawn of North Park is in it already";
+    const auto valueOf = [&](std::size_t place, int column) {
+        const QModelIndex source = dock().model().indexOf(place);
+        return dock().model().valueAt(source.siblingAtColumn(PlaceSunModel::firstFigure + column));
+    };
+    // Of mean, least and most sun, the first three figures, a row above has the mean by area, the least and
+    // the most of the two parks.
+    const auto above = [&](int column) {
+        return table()
+            .model()
+            ->index(0, PlaceSunModel::firstFigure + column)
+            .data(PlaceSunModel::valueRole)
+            .toDouble();
+    };
+    const auto& sunOf = shownCity(*sun()).sun;
+    const double areas = sunOf[0].areaM2 + sunOf[2].areaM2;
+    EXPECT_NEAR(above(0), (valueOf(0, 0) * sunOf[0].areaM2 + valueOf(2, 0) * sunOf[2].areaM2) / areas, 1e-9);
+    EXPECT_EQ(above(1), std::min(valueOf(0, 1), valueOf(2, 1)));
+    EXPECT_EQ(above(2), std::max(valueOf(0, 2), valueOf(2, 2)));
     auto& text = field<QLineEdit>("placesFilter");
     QTest::keyClicks(&text, QStringLiteral("main"));
     EXPECT_EQ(rows(), QStringList{"Streets (1)"});
     text.clear();
     field<QComboBox>("placesKind").setCurrentIndex(2);
-    EXPECT_EQ(rows(), QStringList{"Greenstreets (1)"});
+    EXPECT_EQ(rows(), QStringList{"Lawns and beds (1)"});
     EXPECT_EQ(textOf("placesListed"), QStringLiteral("1 of 5 places listed"));
+    EXPECT_TRUE(count().startsWith(QStringLiteral("Lawns and beds: "))) << count().toStdString();
+    EXPECT_TRUE(count().contains(QStringLiteral(" of 1 "))) << count().toStdString();
 }
 
 TEST_F(SunByPlaceWindow, ColumnsSortByTheirNumbers) {

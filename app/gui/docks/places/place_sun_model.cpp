@@ -15,11 +15,17 @@ namespace noonmark {
 namespace {
 
 constexpr double percentOfShare = 100;
-constexpr std::string_view enoughKey = "share_enough";
+constexpr std::string_view enoughKey = "share_enough", minKey = "hours_min", maxKey = "hours_max";
 
 QString nameOf(const CivilDate& date) {
     return QLocale().toString(QDate(int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))),
                               QStringLiteral("d MMM"));
+}
+
+PlaceSunModel::FigureColumn::Above aboveOf(const Figure& figure) {
+    using Above = PlaceSunModel::FigureColumn::Above;
+    if (figure.use == FigureUse::basis) return Above::sum;
+    return figure.key == minKey ? Above::least : figure.key == maxKey ? Above::most : Above::mean;
 }
 
 bool isShare(const Figure& figure) { return figure.unit == FigureUnit::share; }
@@ -76,7 +82,7 @@ void PlaceSunModel::makeColumns() {
         addColumn({columnHeading(figure),
                    translatedSentence(figure.definition),
                    isShare(figure) ? 0 : figure.shownDecimals,
-                   figure.use == FigureUse::basis,
+                   aboveOf(figure),
                    {}},
                   [&](std::size_t i) { return figure.get(&sun[i]) * factor; });
     };
@@ -117,12 +123,12 @@ void PlaceSunModel::addDates() {
     const SunByPlaceSettings& settings = sun_->baseline.settings;
     for (std::size_t date = 0; date < settings.dates.size(); ++date) {
         const QString name = nameOf(settings.dates[date]), enough = formatAmount(settings.enoughHours);
-        addColumn({tr("%1, h").arg(name), tr("Hours of sun on this day, mean over the place"), 2, false, {}},
+        addColumn({tr("%1, h").arg(name), tr("Hours of sun on this day, mean over the place"), 2, {}, {}},
                   [&](std::size_t i) { return sun[i].dateHours[date]; });
         addColumn({tr("%1 < %2 h, %").arg(name, enough),
                    tr("Share of the area with less than %1 h of sun on this day").arg(enough),
                    0,
-                   false,
+                   {},
                    {}},
                   [&](std::size_t i) { return sun[i].belowShare[date] * percentOfShare; });
     }
@@ -136,7 +142,7 @@ void PlaceSunModel::addChanges() {
         const QString tip =
             tr("%1 (baseline: %2)")
                 .arg(translatedSentence(figure.definition), QString::fromStdString(sun_->baseline.name));
-        addColumn({columnHeading(figure), tip, isShare(figure) ? 0 : figure.shownDecimals, false, {}},
+        addColumn({columnHeading(figure), tip, isShare(figure) ? 0 : figure.shownDecimals, {}, {}},
                   [&](std::size_t i) { return figure.get(&compared.changes[i]) * factor; });
     }
 }
@@ -191,7 +197,10 @@ void PlaceSunModel::addUnnamedPlaces() {
 std::vector<std::size_t> PlaceSunModel::placesBelow(int node) const {
     std::vector<std::size_t> all;
     for (const int child : nodes_[std::size_t(node)].children) {
-        if (const auto place = nodes_[std::size_t(child)].place) all.push_back(*place);
+        if (const auto place = nodes_[std::size_t(child)].place) {
+            all.push_back(*place);
+            continue;  // its parts are in it
+        }
         const auto below = placesBelow(child);
         all.insert(all.end(), below.begin(), below.end());
     }
@@ -205,15 +214,29 @@ void PlaceSunModel::summarize(int node) {
 }
 
 double PlaceSunModel::valueAbove(int node, const FigureColumn& column) const {
+    using Above = FigureColumn::Above;
     const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
-    double sum = 0, areas = 0;
+    double sum = 0, weighted = 0, areas = 0, least = std::nan(""), most = std::nan("");
     for (const std::size_t place : placesBelow(node)) {
         const double value = column.values[place], area = sun[place].areaM2;
         if (std::isnan(value)) continue;
-        sum += column.isSum ? value : value * area;
+        sum += value;
+        weighted += value * area;
         areas += area;
+        least = std::fmin(least, value);
+        most = std::fmax(most, value);
     }
-    return column.isSum ? sum : sum / areas;
+    switch (column.above) {
+        case Above::sum:
+            return sum;
+        case Above::least:
+            return least;
+        case Above::most:
+            return most;
+        case Above::mean:
+            break;
+    }
+    return weighted / areas;
 }
 
 std::optional<std::size_t> PlaceSunModel::placeOf(const QModelIndex& index) const {
@@ -303,12 +326,10 @@ void PlaceSunFilter::setKind(std::optional<PlaceKind> kind) {
     invalidateFilter();
 }
 
-int PlaceSunFilter::countPlaces() const {
-    int count = 0;
-    if (!model().sun()) return count;
-    for (std::size_t i = 0; i < model().sun()->baseline.places.size(); ++i)
-        if (mapFromSource(model().indexOf(i)).isValid()) ++count;
-    return count;
+bool PlaceSunFilter::accepts(std::size_t place) const {
+    const Place& of = model().sun()->baseline.places[place];
+    if (kind_ && of.kind != *kind_) return false;
+    return text_.isEmpty() || QString::fromStdString(of.name).contains(text_, Qt::CaseInsensitive);
 }
 
 // Without a QVariant for each value: thousands of rows are sorted at a click. Rows without a number come
@@ -321,10 +342,8 @@ bool PlaceSunFilter::lessThan(const QModelIndex& left, const QModelIndex& right)
 }
 
 bool PlaceSunFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
-    const QModelIndex index = model().index(row, 0, parent);
-    if (!model().placeOf(index)) return false;  // a row above places stays for those below it
-    if (kind_ && model().kindOf(index) != kind_) return false;
-    return text_.isEmpty() || index.data().toString().contains(text_, Qt::CaseInsensitive);
+    const auto place = model().placeOf(model().index(row, 0, parent));
+    return place && accepts(*place);  // a row above places stays for those below it
 }
 
 }  // namespace noonmark

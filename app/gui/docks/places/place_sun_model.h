@@ -23,12 +23,21 @@ struct ShownSun {
 /// The places that were measured as a table whose columns are the figures of their tables
 /// (sunOfPlaceFigures(), sunChangeFigures()), those of the dates between. Pieces without a name of their own
 /// stand below the place that they lie in, or together below one row of their kind; grouped, all stand below
-/// their kind. Rows above places have the means of their places, by area.
+/// their kind. Rows above places have the means of their places, by area, the least and the most of them, or
+/// the sum; what is part of a listed place does not count again.
 class PlaceSunModel final : public QAbstractItemModel {
     Q_OBJECT
 public:
     enum Column { name, kind, firstFigure };
     static constexpr int valueRole = Qt::UserRole;  ///< a number where the text is one
+
+    struct FigureColumn {
+        QString heading, tip;
+        int decimals = 2;
+        enum class Above { mean, sum, least, most };
+        Above above = Above::mean;  ///< of rows above places
+        std::vector<double> values;
+    };
 
     explicit PlaceSunModel(QObject* parent = nullptr);
 
@@ -56,12 +65,6 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    struct FigureColumn {
-        QString heading, tip;
-        int decimals = 2;
-        bool isSum = false;  ///< of rows above places the sum, else the mean by area
-        std::vector<double> values;
-    };
     struct Node {
         std::optional<std::size_t> place;
         QString text;  ///< of a row above places
@@ -101,7 +104,9 @@ public:
 
     void setText(const QString& text);
     void setKind(std::optional<PlaceKind> kind);  ///< none: all
-    [[nodiscard]] int countPlaces() const;        ///< that are listed
+    /// The place itself, not only one that is part of it.
+    [[nodiscard]] bool accepts(std::size_t place) const;
+    [[nodiscard]] std::optional<PlaceKind> kind() const { return kind_; }
 
 protected:
     [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;

@@ -166,6 +166,7 @@ void PlacesDock::connectFields() {
         const QVariant kind = kinds_->currentData();
         filter_->setKind(kind.isValid() ? std::optional(PlaceKind(kind.toInt())) : std::nullopt);
         listed();
+        describeCount();
     });
     connect(grouped_, &QCheckBox::toggled, this, [this](bool on) {
         model_->setGrouped(on);
@@ -307,12 +308,14 @@ void PlacesDock::describeCount() {
     std::size_t below = 0, measured = 0;
     for (std::size_t i = 0; i < sun->baseline.places.size(); ++i) {
         const double hours = model_->hoursOf(i, what);
-        if (std::isnan(hours)) continue;
+        if (std::isnan(hours) || !isCounted(i)) continue;
         ++measured;
         if (hours < limit) ++below;
     }
-    const QString counts =
+    QString counts =
         tr("%1 of %2 place(s)", "", pluralNumber(measured)).arg(formatCount(below), formatCount(measured));
+    if (const auto kind = filter_->kind())
+        counts = tr("%1: %2 of %3").arg(describeKinds(*kind), formatCount(below), formatCount(measured));
     const QString hours = groupDigits(threshold_->value(), 1);
     count_->setText(ofChange ? tr("%1 lose more than a minute of sun a day").arg(counts)
                     : what.what == ShownSun::What::period
@@ -321,9 +324,15 @@ void PlacesDock::describeCount() {
                               .arg(counts, hours, longNameOf(sun->baseline.settings.dates[what.date])));
 }
 
+bool PlacesDock::isCounted(std::size_t place) const {
+    const auto kind = filter_->kind();
+    return !kind || model_->sun()->baseline.places[place].kind == *kind;
+}
+
 void PlacesDock::listed() {
     const std::size_t all = model_->sun() ? model_->sun()->baseline.places.size() : 0;
-    const auto shown = std::size_t(filter_->countPlaces());
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < all; ++i) shown += filter_->accepts(i) ? 1 : 0;
     listed_->setVisible(all > 0);
     listed_->setText(shown == all ? tr("%1 place(s)", "", pluralNumber(all)).arg(formatCount(all))
                                   : tr("%1 of %2 place(s) listed", "", pluralNumber(all))

@@ -51,6 +51,7 @@ private:
     void follow(double hours);
     void colour();
     void describeCount();
+    [[nodiscard]] bool isCounted(std::size_t place) const;  ///< of the kind that is listed
     void listed();
     [[nodiscard]] ShownSun shown() const;
     [[nodiscard]] ColourScale scaleOf(const ShownSun& shown) const;
