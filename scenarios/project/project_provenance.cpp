@@ -70,12 +70,15 @@ ProjectRecord recordOf(const Project& project, const ProjectFile* onDisk, const 
     return record;
 }
 
-// A region of the saved project is given by its name, which identifies it exactly.
+// A region or place of the saved project is given by its name, which identifies it exactly.
 std::string regionTextOf(const Project& project, const ProjectFile* onDisk, const ProjectRecord& record,
                          const Region& region) {
     if (!record.saved()) return formatRegion(region, *project.city);
-    for (const Region& named : onDisk->project().regions)
+    const Project& saved = onDisk->project();
+    for (const Region& named : saved.regions)
         if (named.polygons == region.polygons) return named.name;
+    for (const Place& place : saved.places)
+        if (place.polygons == region.polygons && !findRegion(saved, place.name)) return place.name;
     return formatBox(region, project.city->frame).value_or(regionFileName);
 }
 

@@ -89,13 +89,13 @@ TEST_F(SunByPlaceWindow, TheFormCountsKindsAndTicksThemExactly) {
     auto& kinds = field<QListWidget>("placeKinds");
     ASSERT_EQ(kinds.count(), 4);
     EXPECT_EQ(kinds.item(0)->text(), QStringLiteral("Parks 3"));
-    EXPECT_EQ(kinds.item(1)->text(), QStringLiteral("Greenstreets 1"));
+    EXPECT_EQ(kinds.item(1)->text(), QStringLiteral("Lawns and beds 1"));
     EXPECT_EQ(kinds.item(2)->text(), QStringLiteral("Streets 1"));
     EXPECT_TRUE(kinds.item(3)->text().startsWith(QStringLiteral("Own regions")));
     kinds.setCurrentRow(2);
     QTest::keyClick(&kinds, Qt::Key_Space);
     EXPECT_EQ(kinds.item(2)->checkState(), Qt::Unchecked);
-    EXPECT_EQ(kinds.item(1)->checkState(), Qt::Checked) << "a greenstreet is no street";
+    EXPECT_EQ(kinds.item(1)->checkState(), Qt::Checked) << "a lawn is no street";
     measure();
     EXPECT_EQ(sun()->baseline.places.size(), 4U);
 }

@@ -22,7 +22,7 @@ QString nameOf(const CivilDate& date) {
                               QStringLiteral("d MMM"));
 }
 
-PlaceSunModel::FigureColumn::Above aboveOf(const Figure& figure) {
+PlaceSunModel::FigureColumn::Above summaryOf(const Figure& figure) {
     using Above = PlaceSunModel::FigureColumn::Above;
     if (figure.use == FigureUse::basis) return Above::sum;
     return figure.key == minKey ? Above::least : figure.key == maxKey ? Above::most : Above::mean;
@@ -82,7 +82,7 @@ void PlaceSunModel::makeColumns() {
         addColumn({columnHeading(figure),
                    translatedSentence(figure.definition),
                    isShare(figure) ? 0 : figure.shownDecimals,
-                   aboveOf(figure),
+                   summaryOf(figure),
                    {}},
                   [&](std::size_t i) { return figure.get(&sun[i]) * factor; });
     };
