@@ -29,11 +29,10 @@ Result<FilePiece> readWhole(const std::filesystem::path& file, const ReadSetting
 constexpr FormatReader maps{FileKind::footprints, readFootprints, scanFootprints};
 constexpr FormatReader osmMaps{FileKind::footprints, readWhole<readOsmFootprints>, scanOsmFootprints};
 constexpr FormatReader cities{FileKind::cityJson, readWhole<readCityJson>};
+constexpr FormatReader gmlCities{FileKind::cityJson, readWhole<readCityGml>};
 constexpr FormatReader meshes{FileKind::mesh, readWhole<readMesh>};
 constexpr FormatReader terrains{FileKind::terrain, readWhole<readTerrain>};
 
-constexpr std::string_view toCityJson =
-    "Convert it to CityJSON, for instance with citygml-tools (citygml-tools to-cityjson FILE), and read that";
 constexpr std::string_view toMesh = "Export the buildings as glTF, OBJ, IFC or DXF (ASCII, polyface meshes)";
 constexpr std::string_view toTerrain =
     "Make a terrain raster of its ground points (PDAL: writers.gdal) and read that GeoTIFF";
@@ -97,9 +96,6 @@ bool beginsObj(const FileHead& head) {
 Formats coreFormats() {
     static const std::vector<Format> formats{
         // Not read: 3D city models
-        {.name = "CityGML",
-         .marks = {{"<", "www.opengis.net/citygml"}, {"<", "CityModel"}},
-         .instead = toCityJson},
         {.name = "3D Tiles",
          .marks = {{"{", "\"geometricError\""}, {"b3dm"}, {"i3dm"}, {"cmpt"}},
          .instead = toSource},
@@ -227,6 +223,10 @@ Formats coreFormats() {
         {.name = "file geodatabase", .reader = maps, .driver = "OpenFileGDB", .readsExtent = true},
         // 3D city models
         {.name = "CityJSON", .reader = cities, .endings = {".json", ".jsonl"}, .json = JsonKind::cityJson},
+        {.name = "CityGML",
+         .reader = gmlCities,
+         .endings = {".gml", ".citygml", ".xml"},
+         .marks = {{"<", "www.opengis.net/citygml"}, {"<", "CityModel"}}},
         // meshes
         {.name = "OBJ",
          .reader = meshes,

@@ -154,7 +154,8 @@ void addShapeOptions(CLI::App& command, ShapeOptions& options) {
     command
         .add_option("--crs", options.read.crs, "CityJSON that does not state its reference system: EPSG:2263")
         ->type_name("CRS");
-    command.add_option("--lod", options.read.lod, "CityJSON: level of detail (default: the highest)")
+    command
+        .add_option("--lod", options.read.lod, "CityGML, CityJSON: level of detail (default: the highest)")
         ->type_name("LOD");
 }
 

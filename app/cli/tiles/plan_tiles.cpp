@@ -38,13 +38,21 @@ struct PlanOptions {
 
 std::string absolutePath(const fs::path& file) { return fs::absolute(file).lexically_normal().string(); }
 
-// The CityJSON files of a folder, in the order of their names, so that a plan made twice is the same. A
+// A city model by its ending; whether XML or an archive is one, its beginning tells: metadata are XML too.
+bool isTile(const fs::path& file) {
+    const Format* format = findByEnding(file, FileKind::cityJson);
+    if (format == nullptr || format->json != JsonKind::other) return format != nullptr;
+    const Format* found = findReadFormat(readFileHead(file));
+    return found != nullptr && found->reader.kind == FileKind::cityJson;
+}
+
+// The 3D city models of a folder, in the order of their names, so that a plan made twice is the same. A
 // folder without them may be a dataset of its own: of shapefiles, or a geodatabase.
 Result<std::vector<std::string>> findFilesIn(const fs::path& folder) {
     std::vector<std::string> files;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        if (findByEnding(entry.path(), FileKind::cityJson) && entry.is_regular_file(error))
+        if (entry.is_regular_file(error) && isTile(entry.path()))
             files.push_back(absolutePath(entry));
     if (error)
         return failure("The folder cannot be read: " + error.message(), folder.string(),

@@ -139,7 +139,8 @@ private:
         const MeshOutline outline = computeOutline(mesh, false);
         if (outline.pieces.empty() || outline.wallsOnly) return;
         const HeightReading heights = heightOf(object);
-        const float bottom = computeBox(mesh).low.z;
+        const float bottom =
+            computeBox(mesh).low.z - (object.footprint->isAtRoof ? float(heights.topM) : 0.0F);
         for (const Footprint& piece : outline.pieces)
             parts.push_back({.sourceId = object.id,
                              .footprint = piece,

@@ -106,18 +106,8 @@ CityJsonGeometry parseGeometry(const Json& geometry, double lod, BoundaryReader&
 // A geometry of an object that could be chosen.
 struct Candidate {
     const Json* geometry;
-    double lod;
-    bool solid;
+    LodRank rank;
 };
-
-bool isBetter(const Candidate& a, const Candidate& b, const LodChoice& choice) {
-    const double wished = choice.wished.value_or(1e9);
-    const bool aReachable = a.lod <= wished;
-    const bool bReachable = b.lod <= wished;
-    if (aReachable != bReachable) return aReachable;
-    if (a.lod != b.lod) return aReachable ? a.lod > b.lod : a.lod < b.lod;
-    return a.solid && !b.solid;
-}
 
 // The best body and the best footprint; null if there is none.
 struct Chosen {
@@ -127,7 +117,7 @@ struct Chosen {
 };
 
 void keepBetter(std::optional<Candidate>& best, const Candidate& candidate, const LodChoice& choice) {
-    if (!best || isBetter(candidate, *best, choice)) best = candidate;
+    if (!best || isBetter(candidate.rank, best->rank, choice)) best = candidate;
 }
 
 Chosen choose(const Json& geometries, const LodChoice& choice) {
@@ -137,9 +127,9 @@ Chosen choose(const Json& geometries, const LodChoice& choice) {
         const std::string type = formatText(member(geometry, "type"));
         result.templates = result.templates || type == "GeometryInstance";
         if (!isSolidType(type) && !isSurfaceType(type)) continue;
-        const Candidate candidate{&geometry, lodOf(member(geometry, "lod")).value_or(1), isSolidType(type)};
-        keepBetter(candidate.lod < 1 ? result.footprint : result.body, candidate,
-                   candidate.lod < 1 ? LodChoice{} : choice);
+        const Candidate candidate{&geometry, {lodOf(member(geometry, "lod")).value_or(1), isSolidType(type)}};
+        keepBetter(candidate.rank.lod < 1 ? result.footprint : result.body, candidate,
+                   candidate.rank.lod < 1 ? LodChoice{} : choice);
     }
     if (choice.wished && *choice.wished < 1) result.body.reset();
     return result;
@@ -151,14 +141,14 @@ void chooseGeometry(const Json& geometries, const LodChoice& choice, std::size_t
                     const std::string& where, CityJsonObject& object, Warnings& warnings) {
     const Chosen best = choose(geometries, choice);
     BoundaryReader reader(vertexCount);
-    if (best.body) object.body = parseGeometry(*best.body->geometry, best.body->lod, reader);
+    if (best.body) object.body = parseGeometry(*best.body->geometry, best.body->rank.lod, reader);
     if (best.footprint)
-        object.footprint = parseGeometry(*best.footprint->geometry, best.footprint->lod, reader);
+        object.footprint = parseGeometry(*best.footprint->geometry, best.footprint->rank.lod, reader);
     if (best.templates) warnings.push_back({WarningKind::dropped, "geometry templates are not read", where});
-    if (best.body && choice.wished && best.body->lod != *choice.wished)
+    if (best.body && choice.wished && best.body->rank.lod != *choice.wished)
         warnings.push_back({WarningKind::assumed,
                             "the wanted level of detail is missing; the next one is used",
-                            fmt::format("{} ({:g})", where, best.body->lod)});
+                            fmt::format("{} ({:g})", where, best.body->rank.lod)});
     if (reader.broken > 0)
         warnings.push_back({WarningKind::dropped, "surfaces with missing vertices",
                             fmt::format("{} ({})", where, reader.broken)});

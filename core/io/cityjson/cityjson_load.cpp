@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/io/cityjson/cityjson_geometry.h"
+#include "core/io/cityjson/object_values.h"
 #include "core/io/files/stoppable_stream.h"
 
 namespace noonmark {
@@ -80,7 +79,7 @@ std::string firstOf(const Json& list) {
 class Loader {
 public:
     Loader(std::string file, const ReadSettings& settings, LodChoice choice, std::stop_token stop)
-        : file_(std::move(file)), settings_(settings), choice_(choice), stop_(std::move(stop)) {}
+        : file_(std::move(file)), values_(file_, settings), choice_(choice), stop_(std::move(stop)) {}
     CityJsonData data;
 
     Result<void> addHeader(const Json& root) {
@@ -145,57 +144,23 @@ private:
         block.objects.push_back(std::move(object));
     }
 
-    // Objects may have different attributes: the meaning of a field is decided among the attributes of the
-    // same object.
     void addValues(const Json& attributes, CityJsonObject& object) {
         if (!attributes.is_object()) return;
-        std::vector<std::string> names;
-        for (const auto& [name, value] : attributes.items()) names.push_back(name);
-        for (const KnownField& field : fieldsOf(names)) {
-            const Json& value = attributes.at(field.name);
-            FeatureValue known{field.meaning.role, field.name, formatText(value), {}, field.unit};
-            if (value.is_number()) known.number = value.get<double>();
-            if (!known.text.empty()) object.values.push_back(std::move(known));
+        std::vector<ObjectAttribute> all;
+        for (const auto& [name, value] : attributes.items()) {
+            ObjectAttribute attribute{name, formatText(value), {}};
+            if (value.is_number()) attribute.number = value.get<double>();
+            all.push_back(std::move(attribute));
         }
-        for (const std::string& name : unknown_) addUnknown(name, attributes.at(name));
+        values_.add(all, object, data);
     }
 
-    // Cached, since most objects have the attributes of the previous one.
-    const std::vector<KnownField>& fieldsOf(const std::vector<std::string>& names) {
-        if (names == names_) return fields_;
-        names_ = names;
-        unknown_ = names;
-        std::erase_if(unknown_, [](const std::string& name) { return findMeaning(name).has_value(); });
-        fields_ = knownFields(names, {settings_.heightField, settings_.levelsField}, false);
-        settleUnits(fields_, {settings_.heightUnit, false}, file_, data.warnings);
-        for (const KnownField& field : fields_)
-            if (std::ranges::find(data.fields, field.name, &KnownField::name) == data.fields.end())
-                data.fields.push_back(field);
-        return fields_;
-    }
-
-    void addUnknown(const std::string& name, const Json& value) {
-        if (value.is_number()) data.unknown.add(name, {}, value.get<double>());
-        if (value.is_string() && !formatText(value).empty()) data.unknown.add(name, formatText(value), {});
-    }
-
-    std::vector<std::string> names_, unknown_;  // of the previous object
-    std::vector<KnownField> fields_;
     std::string file_;
-    const ReadSettings& settings_;
+    ObjectValues values_;
     LodChoice choice_;
     std::stop_token stop_;
     Transform transform_;
 };
-
-Result<LodChoice> lodChoice(const std::string& lod) {
-    if (lod.empty()) return LodChoice{};
-    double number = 0;
-    const auto [end, error] = std::from_chars(lod.data(), lod.data() + lod.size(), number);
-    if (error != std::errc() || end != lod.data() + lod.size())
-        return failure("\"" + lod + "\" is not a level of detail", {}, "Give a number such as 1.2 or 2.2");
-    return LodChoice{number};
-}
 
 bool isBlank(const std::string& line) { return line.find_first_not_of(" \t\r\n") == line.npos; }
 
@@ -225,7 +190,7 @@ Json firstValue(std::istream& stream) try {
 
 Result<CityJsonData> loadCityJson(const std::filesystem::path& file, const ReadSettings& settings,
                                   Progress& progress, const std::stop_token& stop) {
-    const Result<LodChoice> choice = lodChoice(settings.lod);
+    const Result<LodChoice> choice = parseLodChoice(settings.lod);
     if (!choice) return tl::make_unexpected(choice.error());
     StoppableStream stream(file, stop);
     if (!stream.opened())

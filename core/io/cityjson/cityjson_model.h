@@ -3,7 +3,7 @@
 // The folder core/io/cityjson reads CityJSON and CityJSONSeq. read_cityjson.cpp runs the steps:
 // cityjson_load.h parses the file into the plain values of this file, with cityjson_geometry.h choosing the
 // level of detail; cityjson_place.h transforms them to local metres; cityjson_buildings.h makes buildings and
-// terrain.
+// terrain. CityGML (core/io/citygml) is another notation of the same model, and uses the same values.
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -29,6 +29,7 @@ struct CityJsonGeometry {
     double lod = 0;
     bool solid = false;
     std::vector<CityJsonBody> bodies;  ///< one, or several for a multi- or composite solid
+    bool isAtRoof = false;             ///< a footprint whose z is that of the roof's edge
 };
 
 struct CityJsonObject {

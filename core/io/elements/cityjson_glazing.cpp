@@ -10,12 +10,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/geo/crs_to_lon_lat.h"
-#include "core/geo/distance.h"
-#include "core/geo/earth_drop.h"
+#include "core/io/elements/place_openings.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/stoppable_stream.h"
-#include "core/io/settings/place_advice.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -24,9 +21,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* surfaceAdvice =
-    "Give CityJSON of level of detail 3, whose surfaces are marked as Window, or windows as points or "
-    "polygons with heights";
+constexpr const char* surfaceAdvice = "Give CityJSON whose first value is of type CityJSON";
 
 const Json& memberOf(const Json& object, const char* key) {
     static const Json none;
@@ -63,12 +58,6 @@ int depthOf(const std::string& type) {
     return type == "MultiSolid" || type == "CompositeSolid" ? 2 : -1;
 }
 
-/// An opening in the coordinates of the file.
-struct Opening {
-    std::string id;
-    std::vector<glm::dvec3> corners;
-};
-
 /// Collects the openings of a file.
 class OpeningFinder {
 public:
@@ -89,7 +78,7 @@ public:
     }
 
     [[nodiscard]] const std::string& crs() const { return crs_; }
-    [[nodiscard]] const std::vector<Opening>& openings() const { return openings_; }
+    [[nodiscard]] const std::vector<FileOpening>& openings() const { return openings_; }
 
 private:
     void addObject(const std::string& id, const Json& object) {
@@ -132,7 +121,7 @@ private:
         const Json& semantic = (*surfaces_)[value.get<std::size_t>()];
         const std::string type = textIn(memberOf(semantic, "type"));
         if (type != "Window" && type != "Door") return;
-        Opening opening{idOf(id, semantic, type == "Window"), {}};
+        FileOpening opening{idOf(id, semantic, type == "Window"), {}};
         if (!surface.is_array() || surface.empty() || !addCorners(surface[0], opening.corners)) {
             read_.warnings.push_back(
                 {WarningKind::dropped, "the window's surface has no usable corners", opening.id});
@@ -169,7 +158,7 @@ private:
     const Json* vertices_ = nullptr;
     const Json* surfaces_ = nullptr;
     std::array<std::size_t, 2> counts_{};  // of an object: windows, doors
-    std::vector<Opening> openings_;
+    std::vector<FileOpening> openings_;
 };
 
 /// The file's objects: one, or one a line of a sequence.
@@ -200,32 +189,6 @@ Result<void> parseInto(OpeningFinder& finder, const std::filesystem::path& file,
     return {};
 }
 
-/// Puts the openings into the city's frame. Whether one is too far away is told by its first corner.
-void placeOpenings(const std::vector<Opening>& openings, const CrsToLonLat& crs, const City& city,
-                   const GlazingFileSettings& settings, GlazingRead& read) {
-    std::vector<glm::dvec2> flat;
-    for (const Opening& opening : openings)
-        for (const glm::dvec3 corner : opening.corners) flat.emplace_back(corner);
-    const std::vector<LonLat> places = crs.lonLat(flat);
-    std::size_t next = 0;
-    for (const Opening& opening : openings) {
-        const LonLat first = places[next];
-        GlazingShape window{.id = opening.id};
-        for (const glm::dvec3 corner : opening.corners) {
-            const glm::dvec2 local = city.frame.localFromLonLat(places[next++]);
-            window.corners.emplace_back(local, corner.z * crs.metresPerElevationUnit() -
-                                                   city.frame.originElevationM() -
-                                                   (city.terrain ? earthDropM(local) : 0));
-        }
-        if (std::isfinite(first.lonDeg) && std::isfinite(first.latDeg) &&
-            computeGreatCircleM(first, city.frame.origin()) <= settings.farAwayM)
-            read.windows.push_back(std::move(window));
-        else
-            read.warnings.push_back(
-                {WarningKind::leftOut, "the window is too far from the city", opening.id});
-    }
-}
-
 }  // namespace
 
 Result<GlazingRead> readCityJsonGlazing(const std::filesystem::path& file,
@@ -235,19 +198,8 @@ Result<GlazingRead> readCityJsonGlazing(const std::filesystem::path& file,
     GlazingRead read;
     OpeningFinder finder(name, read);
     if (auto parsed = parseInto(finder, file, stop); !parsed) return tl::make_unexpected(parsed.error());
-    if (finder.openings().empty())
-        return failure("No surface of the city is marked as a window or a door", name, surfaceAdvice);
-    if (finder.openings().size() > GlazingFileSettings::maxWindows)
-        return limitReached(fmt::format("It holds more than {} windows", GlazingFileSettings::maxWindows),
-                            name, "Divide the file");
-    const std::string stated = finder.crs().empty() ? settings.crs.value_or("") : finder.crs();
-    if (stated.empty()) return failure("The city has no coordinate reference system", name, crsAdvice());
-    const auto crs = CrsToLonLat::of(stated);
-    if (!crs) return failure(crs.error().what, name, crs.error().advice);
-    placeOpenings(finder.openings(), *crs, city, settings, read);
-    if (read.windows.empty())
-        return failure("All windows are too far from the city", name,
-                       "Check the coordinate reference system of both files");
+    if (auto placed = placeOpenings(finder.openings(), finder.crs(), name, settings, city, read); !placed)
+        return tl::make_unexpected(placed.error());
     return read;
 }
 

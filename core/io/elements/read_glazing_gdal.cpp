@@ -10,6 +10,7 @@
 #include "core/base/gdal_calls.h"
 #include "core/geo/distance.h"
 #include "core/geo/earth_drop.h"
+#include "core/io/elements/citygml_glazing.h"
 #include "core/io/elements/cityjson_glazing.h"
 #include "core/io/elements/read_glazing.h"
 #include "core/io/files/file_kind.h"
@@ -257,8 +258,9 @@ Result<GlazingRead> readLayers(GDALDataset& dataset, const GdalCalls& calls, con
 Result<GlazingRead> readGlazing(const Path& file, const GlazingFileSettings& settings, const City& city,
                                 Progress& progress, const std::stop_token& stop) try {
     const GdalCalls calls(stop);
-    if (const auto kind = detectFileKind(file); kind && *kind == FileKind::cityJson)
-        return readCityJsonGlazing(file, settings, city, stop);
+    if (const auto format = detectFormat(file); format && (*format)->reader.kind == FileKind::cityJson)
+        return (*format)->name == "CityGML" ? readCityGmlGlazing(file, settings, city, progress, stop)
+                                            : readCityJsonGlazing(file, settings, city, stop);
     const auto dataset = openDataset(file, DatasetContent::vectors);
     if (!dataset) return tl::make_unexpected(dataset.error());
     return readLayers(**dataset, calls, file.filename().string(), settings, city, progress, stop);

@@ -52,6 +52,9 @@ Result<FilePiece> readFootprints(const std::filesystem::path& file, const ReadSe
 Result<FilePiece> readCityJson(const std::filesystem::path& file, const ReadSettings& settings,
                                Progress& progress,
                                std::stop_token stop);  ///< defined in read_cityjson.cpp
+Result<FilePiece> readCityGml(const std::filesystem::path& file, const ReadSettings& settings,
+                              Progress& progress,
+                              std::stop_token stop);  ///< defined in read_citygml.cpp
 Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
                            Progress& progress,
                            std::stop_token stop);  ///< defined in read_mesh.cpp

@@ -1,0 +1,42 @@
+#pragma once
+
+// The folder core/io/citygml reads CityGML 1.0, 2.0 and 3.0. read_citygml.cpp runs the steps: citygml_load.h
+// reads the file as a stream, one top-level object at a time, into the plain values of CityJSON
+// (core/io/cityjson/cityjson_model.h); citygml_reference.h settles reference system and order of the axes;
+// the rest is that of CityJSON. gml_geometry.h collects geometries, gml_object.h chooses among them,
+// gml_names.h knows the names.
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/io/cityjson/cityjson_model.h"
+#include "core/io/cityjson/file_opening.h"
+#include "core/io/settings/read_settings.h"
+
+namespace noonmark {
+
+struct CityGmlData {
+    CityJsonData city;  ///< `crs` as the file states it, vertices in its order of axes
+    struct Envelope {
+        glm::dvec3 low, high;
+    };
+    std::optional<Envelope> envelope;   ///< of the whole model
+    std::vector<FileOpening> openings;  ///< if they are wanted; in the file's order of axes
+};
+
+/// What is wanted besides buildings and terrain.
+enum class GmlContent { buildings, openings };
+
+/// Reads the buildings and the terrain of CityGML; what else it holds is listed. No file that it refers to is
+/// opened. Memory: that of one object, and some 3 KB for each building. Error: streamXml()'s, not CityGML,
+/// too large (40 million corners), no level of detail.
+Result<CityGmlData> loadCityGml(const std::filesystem::path& file, const ReadSettings& settings,
+                                Progress& progress, const std::stop_token& stop,
+                                GmlContent wanted = GmlContent::buildings);
+
+}  // namespace noonmark
