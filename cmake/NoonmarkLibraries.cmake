@@ -22,6 +22,8 @@ pkg_check_modules(GEOS REQUIRED IMPORTED_TARGET geos)
 # libosmium, which reads OpenStreetMap, consists of headers; these are the libraries that they need.
 find_path(OSMIUM_INCLUDE_DIR osmium/version.hpp REQUIRED)
 find_package(ZLIB REQUIRED)
+# Reads cities in .zip and .kmz.
+pkg_check_modules(MINIZIP REQUIRED IMPORTED_TARGET minizip)
 find_package(PNG REQUIRED)
 find_package(EXPAT REQUIRED)
 # Reads filed reports again.

@@ -30,6 +30,8 @@ constexpr FormatReader maps{FileKind::footprints, readFootprints, scanFootprints
 constexpr FormatReader osmMaps{FileKind::footprints, readWhole<readOsmFootprints>, scanOsmFootprints};
 constexpr FormatReader cities{FileKind::cityJson, readWhole<readCityJson>};
 constexpr FormatReader gmlCities{FileKind::cityJson, readWhole<readCityGml>};
+// What is in an archive is known only when it is unpacked: it is found where any city may be named.
+constexpr FormatReader archives{FileKind::cityJson, readArchive};
 constexpr FormatReader meshes{FileKind::mesh, readWhole<readMesh>};
 constexpr FormatReader terrains{FileKind::terrain, readWhole<readTerrain>};
 
@@ -147,15 +149,10 @@ Formats coreFormats() {
         {.name = "Excel",
          .marks = {{zip, "", ".xlsx"}},
          .instead = "Save the table as CSV with the outlines as WKT"},
-        {.name = "KMZ",
-         .marks = {{zip, "", ".kmz"}},
-         .instead = "Unpack it (it is a ZIP) and read the .kml in it"},
         {.name = "I3S scene layer", .marks = {{zip, "", ".slpk"}}, .instead = toSource},
         {.name = "IFC in a ZIP",
          .marks = {{zip, "", ".ifczip"}},
          .instead = "Unpack it and read the .ifc in it"},
-        {.name = "ZIP", .marks = {{zip}}, .instead = unpack},
-        {.name = "gzip", .marks = {{"\x1F\x8B"sv}}, .instead = unpack},
         {.name = "7z", .marks = {{"7z\xBC\xAF"sv}}, .instead = unpack},
         {.name = "RAR", .marks = {{"Rar!"}}, .instead = unpack},
         {.name = "bzip2", .marks = {{"BZh"}}, .instead = unpack},
@@ -227,6 +224,10 @@ Formats coreFormats() {
          .reader = gmlCities,
          .endings = {".gml", ".citygml", ".xml"},
          .marks = {{"<", "www.opengis.net/citygml"}, {"<", "CityModel"}}},
+        // archives
+        {.name = "KMZ", .reader = archives, .endings = {".kmz"}, .marks = {{zip, "", ".kmz"}}},
+        {.name = "ZIP", .reader = archives, .endings = {".zip"}, .marks = {{zip}}},
+        {.name = "gzip", .reader = archives, .endings = {".gz"}, .marks = {{"\x1F\x8B"sv}}},
         // meshes
         {.name = "OBJ",
          .reader = meshes,

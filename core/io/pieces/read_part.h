@@ -55,6 +55,9 @@ Result<FilePiece> readCityJson(const std::filesystem::path& file, const ReadSett
 Result<FilePiece> readCityGml(const std::filesystem::path& file, const ReadSettings& settings,
                               Progress& progress,
                               std::stop_token stop);  ///< defined in read_citygml.cpp
+Result<FilePiece> readArchive(const std::filesystem::path& file, const ReadSettings& settings,
+                              Progress& progress, std::stop_token stop,
+                              const LonLatBox* window = nullptr);  ///< defined in read_archive.cpp
 Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
                            Progress& progress,
                            std::stop_token stop);  ///< defined in read_mesh.cpp

@@ -1,0 +1,176 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "core/io/archives/unpack_archive.h"
+#include "core/io/read_city.h"
+#include "tests/core/io/citygml_fixtures.h"
+#include "tests/core/io/zip_files.h"
+#include "tests/shared/shared_data.h"
+
+namespace noonmark {
+namespace {
+
+using testing::HasSubstr;
+using tests::cityGml;
+using tests::gmlBoxSolid;
+using tests::gmlBuilding;
+using tests::sharedData;
+using tests::TemporaryFolder;
+using tests::ZipMaker;
+
+constexpr const char* packedSquare =
+    R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"height":9},"geometry":)"
+    R"({"type":"Polygon","coordinates":[[[-73.98,40.75],[-73.979,40.75],[-73.979,40.751],[-73.98,40.75]]]}}]})";
+
+std::string allBytesOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string gzipped(const std::string& content, const TemporaryFolder& folder) {
+    const auto file = folder.path("made.gz");
+    gzFile packed = gzopen(file.c_str(), "wb");
+    gzwrite(packed, content.data(), unsigned(content.size()));
+    gzclose(packed);
+    return allBytesOf(file);
+}
+
+class ReadArchive : public testing::Test {
+protected:
+    Result<CityRead> readBytes(const std::string& name, const std::string& bytes) {
+        NoProgress quiet;
+        return readCity({folder.file(name, bytes)}, {}, quiet, {});
+    }
+    void expectRefused(const std::string& bytes, const char* why) {
+        const auto city = readBytes("city.zip", bytes);
+        ASSERT_FALSE(city) << why;
+        EXPECT_THAT(city.error().text(), HasSubstr(why));
+        EXPECT_THAT(city.error().text(), HasSubstr("city.zip"));
+    }
+    TemporaryFolder folder;
+};
+
+TEST_F(ReadArchive, ACityIsReadInPlace) {
+    ZipMaker zip;
+    zip.add("readme.txt", "hello");
+    zip.add("data/square.geojson", packedSquare);
+    for (const auto& [name, bytes] : {std::pair<std::string, std::string>("city.zip", zip.text()),
+                                      {"square.geojson.gz", gzipped(packedSquare, folder)},
+                                      {"unnamed", gzipped(packedSquare, folder)}}) {
+        const auto city = readBytes(name, bytes);
+        ASSERT_TRUE(city) << name << ": " << city.error().text();
+        EXPECT_EQ(city->city.buildings.size(), 1U) << name;
+    }
+}
+
+TEST_F(ReadArchive, ArchivesInArchivesAreReadTwoDeep) {
+    ZipMaker kmz, zip, outermost;
+    kmz.add("doc.kml",
+            "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document><Placemark><Polygon><extrude>1</extrude>"
+            "<altitudeMode>relativeToGround</altitudeMode><outerBoundaryIs><LinearRing><coordinates>"
+            "8,50,17 8.001,50,17 8.001,50.001,17 8,50,17</coordinates></LinearRing></outerBoundaryIs>"
+            "</Polygon></Placemark></Document></kml>");
+    EXPECT_EQ(readBytes("city.kmz", kmz.text())->city.buildings.size(), 1U);
+    zip.add("city.kmz", kmz.text());
+    EXPECT_EQ(readBytes("city.zip", zip.text())->city.buildings.size(), 1U);
+    outermost.add("city.zip", zip.text());
+    expectRefused(outermost.text(), "no file of a format that is read");
+}
+
+TEST_F(ReadArchive, AShapefileIsReadWithItsTable) {
+    const auto shape = sharedData("world/aveyron/BATIMENT.shp");
+    if (!shape) GTEST_SKIP() << "shared data is missing";
+    ZipMaker zip;
+    for (const char* ending : {".shp", ".dbf", ".shx", ".prj"})
+        zip.add("aveyron/BATIMENT" + std::string(ending),
+                allBytesOf(std::filesystem::path(*shape).replace_extension(ending)));
+    const auto city = readBytes("aveyron.zip", zip.text());
+    ASSERT_TRUE(city) << city.error().text();
+    EXPECT_EQ(city->city.buildings.size(), 2273U);
+}
+
+TEST_F(ReadArchive, SeveralCityModelsAreTilesOfOneCity) {
+    ZipMaker zip;
+    for (int i = 0; i < 3; ++i)
+        zip.add(fmt::format("tile{}.gml", i),
+                cityGml(gmlBuilding(fmt::format("b{}", i),
+                                    gmlBoxSolid({30 * i, 0, 0}, {30 * i + 10, 10, 5 + i}))));
+    const auto city = readBytes("tiles.zip", zip.text());
+    ASSERT_TRUE(city) << city.error().text();
+    ASSERT_EQ(city->city.buildings.size(), 3U);
+    EXPECT_NEAR(bounds(*city->city.buildings[2]).low.x - bounds(*city->city.buildings[0]).low.x, 60, 0.5);
+}
+
+TEST_F(ReadArchive, SeveralFilesThatAreNoTilesAreNamed) {
+    ZipMaker zip;
+    zip.add("houses.geojson", packedSquare);
+    zip.add("roads.geojson", packedSquare);
+    expectRefused(zip.text(), "2 files that could be the city: houses.geojson, roads.geojson");
+}
+
+TEST_F(ReadArchive, NothingIsWrittenOutsideOfItsFolder) {
+    for (const char* name : {"../evil.geojson", "/tmp/noonmark-evil.geojson", "a/../../evil.geojson",
+                             "..\\evil.geojson", "C:evil.geojson"}) {
+        ZipMaker zip;
+        zip.add(name, packedSquare);
+        expectRefused(zip.text(), "outside of its own folder");
+    }
+    EXPECT_FALSE(std::filesystem::exists("/tmp/noonmark-evil.geojson"));
+}
+
+TEST_F(ReadArchive, ABombIsRefusedBeforeItHasGrown) {
+    const std::string zeros(100'000'000, ' ');
+    const std::string gzip = gzipped(zeros, folder);
+    expectRefused(gzip, "grows to more than 200 times its size");
+    ZipMaker zip;
+    for (int i = 0; i < 12; ++i) zip.add(fmt::format("{}.txt", i), "hello");
+    const auto unpacked = unpackArchive(folder.file("many.zip", zip.text()), {}, {.files = 10});
+    ASSERT_FALSE(unpacked);
+    EXPECT_THAT(unpacked.error().text(), HasSubstr("more than 10 files"));
+    const auto large = unpackArchive(folder.file("many.zip", zip.text()), {}, {.bytes = 12});
+    ASSERT_FALSE(large);
+    EXPECT_EQ(large.error().kind, ErrorKind::limit);
+}
+
+TEST_F(ReadArchive, DamagedAndEncryptedArchivesAreRefused) {
+    ZipMaker good;
+    good.add("square.geojson", packedSquare);
+    std::string wrong = good.text();
+    wrong[wrong.find("height")] = 'H';
+    expectRefused(wrong, "damaged");
+    for (std::size_t length = 4; length < good.text().size(); length += 29)
+        expectRefused(good.text().substr(0, length), "damaged or cut off");
+    const std::string gzip = gzipped(packedSquare, folder);
+    expectRefused(gzip.substr(0, gzip.size() / 2), "damaged or cut off");
+    ZipMaker secret;
+    secret.add("square.geojson", packedSquare, 1);
+    expectRefused(secret.text(), "encrypted");
+    expectRefused(ZipMaker().text(), "");
+}
+
+TEST_F(ReadArchive, NothingIsLeftBehind) {
+    const TemporaryFolder temporary;
+    setenv("TMPDIR", temporary.path("").c_str(), 1);
+    ZipMaker zip;
+    zip.add("square.geojson", packedSquare);
+    EXPECT_TRUE(readBytes("city.zip", zip.text()));
+    unsetenv("TMPDIR");
+    EXPECT_THAT(temporary.names(), testing::IsEmpty());
+}
+
+TEST_F(ReadArchive, AStopEndsTheUnpacking) {
+    std::stop_source source;
+    source.request_stop();
+    ZipMaker zip;
+    zip.add("square.geojson", packedSquare);
+    const auto unpacked = unpackArchive(folder.file("city.zip", zip.text()), source.get_token());
+    ASSERT_FALSE(unpacked);
+    EXPECT_TRUE(isCancelled(unpacked.error()));
+}
+
+}  // namespace
+}  // namespace noonmark

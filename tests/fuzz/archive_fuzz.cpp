@@ -1,0 +1,10 @@
+// ZIP, KMZ and gzip with a city in them.
+#include "tests/fuzz/fuzz_file.h"
+#include "tests/fuzz/sound.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace noonmark::tests;
+    noonmark::NoProgress progress;
+    use(noonmark::readArchive(fuzzFile("city.zip", formatText(data, size)), {}, progress, {}));
+    return 0;
+}
