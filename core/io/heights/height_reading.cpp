@@ -49,13 +49,26 @@ private:
     std::string formatText(const FeatureValue& value) const {
         return rules_.decimalComma ? withDecimalPoint(value.text) : value.text;
     }
+    // The highest of a list of values, of which some may be missing.
+    template <class Parse>
+    static std::optional<double> highest(const std::vector<std::string>& list, const Parse& parse) {
+        std::optional<double> highest;
+        for (const std::string& item : list)
+            if (const std::optional<double> number = parse(item))
+                highest = std::max(highest.value_or(*number), *number);
+        return highest;
+    }
     std::optional<double> lengthOf(const FeatureValue& value) const {
-        if (!value.number) return parseMetres(formatText(value), value.unit);
+        const auto parse = [&](const std::string& text) { return parseMetres(text, value.unit); };
+        if (const auto list = splitCountedList(value.text); !list.empty()) return highest(list, parse);
+        if (!value.number) return parse(formatText(value));
         if (!std::isfinite(*value.number)) return std::nullopt;
         return *value.number * metresPer(value.unit);
     }
     std::optional<double> levelsOf(const FeatureValue& value) const {
-        if (!value.number) return parseLevels(formatText(value));
+        const auto parse = [](const std::string& text) { return parseLevels(text); };
+        if (const auto list = splitCountedList(value.text); !list.empty()) return highest(list, parse);
+        if (!value.number) return parse(formatText(value));
         return std::isfinite(*value.number) ? value.number : std::nullopt;
     }
 
@@ -66,7 +79,12 @@ private:
         for (const FeatureValue& value : values_) {
             if (value.role != role) continue;
             const auto number = storeys ? levelsOf(value) : lengthOf(value);
-            if (number && usable(*number)) return Found{*number, value.field};
+            if (number && usable(*number)) {
+                if (!splitCountedList(value.text).empty())
+                    warn("a list of values, as of the parts of a building; the highest is used",
+                         placeOf(value));
+                return Found{*number, value.field};
+            }
             warn(number ? unusable : unreadable, placeOf(value));
         }
         return std::nullopt;

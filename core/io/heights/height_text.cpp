@@ -142,6 +142,23 @@ std::optional<double> parseMetres(std::string_view text, LengthUnit bareUnit) {
     return reader.atEnd() ? metres : std::nullopt;
 }
 
+std::vector<std::string> splitCountedList(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    const bool isList = text.starts_with('(') && colon != text.npos && colon > 1 &&
+                        std::all_of(text.begin() + 1, text.begin() + std::ptrdiff_t(colon), isDigit);
+    if (!isList) return {};
+    const bool isWhole = text.ends_with(')');
+    text.remove_prefix(colon + 1);
+    if (isWhole) text.remove_suffix(1);
+    std::vector<std::string> values;
+    for (std::size_t comma = text.find(','); comma != text.npos; comma = text.find(',')) {
+        values.emplace_back(text.substr(0, comma));
+        text.remove_prefix(comma + 1);
+    }
+    if (isWhole && !text.empty()) values.emplace_back(text);
+    return values;
+}
+
 std::string withDecimalPoint(std::string_view text) {
     std::string pointed(text);
     const auto comma = pointed.find(',');

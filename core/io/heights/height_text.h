@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/io/settings/read_settings.h"
 
@@ -16,6 +17,10 @@ std::optional<double> parseMetres(std::string_view text, LengthUnit bareUnit = L
 /// Parses a number of storeys: "12", "3.5", full-width digits. Nothing for words, ranges, lists and negative
 /// numbers.
 std::optional<double> parseLevels(std::string_view text);
+
+/// The values of a list as GDAL writes it, with its count first, of which a table may have cut the end off:
+/// "20.9" and "11" of "(3:20.9,11,8.". Empty for other texts.
+std::vector<std::string> splitCountedList(std::string_view text);
 
 /// Turns "12,5 m" into "12.5 m", for files whose numbers are text with a decimal comma. Other texts are
 /// returned unchanged, also "1,250": that could be a thousand.

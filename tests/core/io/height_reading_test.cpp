@@ -49,6 +49,16 @@ TEST_F(HeightReadingTest, NumbersTakeTheirFieldsUnit) {
     EXPECT_DOUBLE_EQ(read({feet}).topM, 30.48);
 }
 
+TEST_F(HeightReadingTest, OfAListOfThePartsOfABuildingTheHighestCounts) {
+    EXPECT_DOUBLE_EQ(read({value(height, "(3:9.5,20.9,11)", "measuredHeight")}).topM, 20.9);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_THAT(warnings[0].what, HasSubstr("the highest is used"));
+    EXPECT_DOUBLE_EQ(read({value(height, "(9:9.5,20.9,11,3", "measuredHeight")}).topM, 20.9) << "cut off";
+    EXPECT_DOUBLE_EQ(read({value(levels, "(2:2,4)")}).topM, 12.8);
+    EXPECT_EQ(read({value(height, "(2:a,b)")}).source, HeightSource::assumed);
+    EXPECT_EQ(read({value(height, "(a:1,2)")}).source, HeightSource::assumed);
+}
+
 TEST_F(HeightReadingTest, UnreadableTextIsSaidWithFeatureFieldAndText) {
     const auto reading =
         read({value(height, "237;16", "height"), value(levels, "concrete", "building:levels")});
