@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "core/city/meshes/triangle_count.h"
 #include "core/city/terrain/building_ground.h"
@@ -41,6 +44,41 @@ Counts countsOf(const City& city) {
     return counts;
 }
 
+// The lowest and the highest of some values; null without any.
+class Range {
+public:
+    void add(double value) {
+        low_ = std::min(low_, value);
+        high_ = std::max(high_, value);
+    }
+    [[nodiscard]] Json json() const { return low_ > high_ ? Json() : Json{low_, high_}; }
+
+private:
+    double low_ = std::numeric_limits<double>::max();
+    double high_ = std::numeric_limits<double>::lowest();
+};
+
+// Heights of parts, metres, by their source; sources that no part has are left out.
+Json heightRanges(const City& city) {
+    std::array<Range, heightSources.size()> ranges;
+    for (const auto& building : city.buildings)
+        for (const Part& part : building->parts)
+            ranges[std::size_t(part.heightSource)].add(double(part.topM) - double(part.bottomM));
+    Json json = Json::object();
+    for (const HeightSource source : heightSources)
+        if (Json range = ranges[std::size_t(source)].json(); !range.is_null())
+            json[std::string(nameOf(source))] = std::move(range);
+    return json;
+}
+
+// Elevations of the ground that buildings stand on, metres above the datum of the city.
+Json groundRange(const City& city) {
+    Range range;
+    for (const auto& building : city.buildings)
+        range.add(city.frame.originElevationM() + double(findGroundUnder(*building, city)));
+    return range.json();
+}
+
 Json extentLonLat(const City& city) {
     const Box2 box = bounds(city);
     if (box.empty()) return nullptr;
@@ -62,6 +100,8 @@ std::string infoJson(const CityRead& read) {
     info["triangles"] = counts.triangles;
     info["heights"] = heightsJson(countHeights(read.city), read.heights);
     info["height_sources"] = info["heights"]["by_source"];
+    info["height_ranges_m"] = heightRanges(read.city);
+    info["ground_m"] = groundRange(read.city);
     info["tallest_m"] = double(counts.tallestM);
     info["tallest"] = counts.tallest;
     info["extent_lonlat"] = extentLonLat(read.city);

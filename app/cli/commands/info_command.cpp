@@ -10,7 +10,9 @@
 #include "app/cli/study/load_city.h"
 #include "app/input/load_project.h"
 #include "core/study/text/height_words.h"
+#include "core/study/text/next_steps.h"
 #include "core/study/text/terrain_text.h"
+#include "core/study/text/warnings_json.h"
 
 namespace noonmark::cli {
 
@@ -21,13 +23,30 @@ struct InfoOptions {
     bool json = false;
 };
 
-std::string describeSource(const nlohmann::ordered_json& sources) {
+std::string describeRange(const nlohmann::ordered_json& range) {
+    return fmt::format("{:.1f} to {:.1f} m", range[0].get<double>(), range[1].get<double>());
+}
+
+// "88 mesh (2.8 to 16.1 m)"
+std::string describeSources(const nlohmann::ordered_json& info) {
     std::string text;
-    for (const auto& [name, count] : sources.items()) {
+    for (const auto& [name, count] : info["height_sources"].items()) {
         if (count == 0) continue;
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", withCommas(count.get<std::size_t>()), name);
+        text += fmt::format("{}{} {} ({})", text.empty() ? "" : ", ", withCommas(count.get<std::size_t>()),
+                            name, describeRange(info["height_ranges_m"][name]));
     }
     return text.empty() ? "none" : text;
+}
+
+nlohmann::ordered_json nextStepsJson(const std::vector<NextStep>& steps) {
+    auto json = nlohmann::ordered_json::array();
+    for (const NextStep& step : steps) json.push_back({{"why", step.why}, {"command", step.command}});
+    return json;
+}
+
+void printNextSteps(const std::vector<NextStep>& steps, std::ostream& out) {
+    if (!steps.empty()) out << "\nNext\n";
+    for (const NextStep& step : steps) out << "  " << step.command << "\n      " << step.why << '\n';
 }
 
 // Warns of assumed heights and names the fields that may hold heights.
@@ -51,7 +70,7 @@ void print(const CityRead& read, std::ostream& out) {
     table.add("buildings", number("buildings"));
     table.add("parts", fmt::format("{} ({} overhanging)", number("parts"), number("parts_hanging")));
     table.add("triangles", number("triangles"));
-    table.add("heights of parts", describeSource(info["height_sources"]));
+    table.add("heights of parts", describeSources(info));
     const bool several = std::ranges::any_of(read.heights.fields, [&](const HeightField& field) {
         return field.file != read.heights.fields.front().file;
     });
@@ -60,6 +79,8 @@ void print(const CityRead& read, std::ostream& out) {
     for (const BaseFit& fit : read.heights.bases) table.add("bases", describe(fit));
     table.add("tallest", fmt::format("{:.1f} m  {}", info["tallest_m"].get<double>(),
                                      info["tallest"].get<std::string>()));
+    if (const auto& ground = info["ground_m"]; !ground.is_null())
+        table.add("ground", describeRange(ground) + " above the datum, under the buildings");
     table.add("terrain", read.city.terrain ? formatText(*read.city.terrain) : "none: flat ground");
     if (const auto& box = info["extent_lonlat"]; !box.is_null())
         table.add("extent",
@@ -81,10 +102,16 @@ void printProjectAdvice(const std::string& file, std::ostream& out) {
 int runInfo(const InfoOptions& options, const Console& console) {
     const auto loaded = loadCity(options.read, console);
     if (!loaded) return fail(console, loaded.error(), exitUsage);
-    if (options.json)
-        console.out << infoJson(loaded->read) << '\n';
-    else {
+    const bool isProject = namesProject(options.read);
+    const auto steps = isProject ? std::vector<NextStep>()
+                                 : listNextSteps(loaded->read, options.read.files, options.read.settings);
+    if (options.json) {
+        auto info = nlohmann::ordered_json::parse(infoJson(loaded->read));
+        info["next"] = nextStepsJson(steps);
+        console.out << toJsonText(info) << '\n';
+    } else {
         print(loaded->read, console.out);
+        printNextSteps(steps, console.out);
         printProjectAdvice(options.read.files.front(), console.out);
     }
     return exitOk;

@@ -52,8 +52,7 @@ Result<std::vector<std::string>> findFilesIn(const fs::path& folder) {
     std::vector<std::string> files;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        if (entry.is_regular_file(error) && isTile(entry.path()))
-            files.push_back(absolutePath(entry));
+        if (entry.is_regular_file(error) && isTile(entry.path())) files.push_back(absolutePath(entry));
     if (error)
         return failure("The folder cannot be read: " + error.message(), folder.string(),
                        "Check its permissions");

@@ -5,6 +5,7 @@
 #include "core/study/study.h"
 #include "core/study/text/height_facts_json.h"
 #include "core/study/text/height_words.h"
+#include "core/study/text/next_steps.h"
 
 namespace noonmark {
 namespace {
@@ -54,6 +55,13 @@ TEST(InfoJson, CountsWhatIsThere) {
     ASSERT_EQ(info["warnings"].size(), 1U);
     EXPECT_EQ(info["warnings"][0]["count"], 2);
     EXPECT_EQ(info["warnings"][0]["where"], (nlohmann::json{"way 2", "way 9"}));
+}
+
+TEST(InfoJson, StatesTheRangesOfHeightsAndGround) {
+    const auto info = nlohmann::json::parse(infoJson(twoBuildings()));
+    EXPECT_EQ(info["height_ranges_m"], (nlohmann::json{{"measured", {5.0, 40.0}}, {"levels", {9.0, 9.0}}}));
+    EXPECT_EQ(info["ground_m"], (nlohmann::json{5.0, 20.0}));
+    EXPECT_TRUE(nlohmann::json::parse(infoJson({}))["ground_m"].is_null());
 }
 
 TEST(InfoJson, BytesThatAreNoTextDoNotBreakIt) {
@@ -112,6 +120,26 @@ TEST(BaseFits, ComeBackFromTheirJsonAndMakeAHeadline) {
         "far from that gap were set down by themselves; 1 stay above the ground");
     facts.bases.erase(facts.bases.begin());
     EXPECT_EQ(makeStandHeadline(facts), std::nullopt);
+}
+
+TEST(NextSteps, NameTheFieldTheTerrainAndAFirstStudy) {
+    CityRead read = twoBuildings();
+    const auto steps = listNextSteps(read, {"my town.shp"}, {.crs = "EPSG:2263"});
+    ASSERT_EQ(steps.size(), 3U);
+    EXPECT_EQ(steps[0].command, "noonmark-cli info 'my town.shp' TERRAIN.tif --crs EPSG:2263");
+    EXPECT_EQ(steps[1].command.find("noonmark-cli study 'my town.shp' --crs EPSG:2263 --start"), 0U);
+    EXPECT_EQ(steps[2].command, "noonmark-cli project new city.noonmark.gpkg 'my town.shp' --crs EPSG:2263");
+    EXPECT_EQ(listNextSteps(read, {"town.gml"}, {})[2].command, "noonmark town.gml");
+    EXPECT_TRUE(listNextSteps({}, {"a"}, {}).empty());
+}
+
+TEST(NextSteps, BeginWithTheFieldThatMayHoldTheHeights) {
+    CityRead read;
+    read.city = ofHeights(2, 1);
+    read.heights.unknown = {{"a.shp", "H_BAT", 2.5, 41, false, 4, FieldKind::heights}};
+    const auto steps = listNextSteps(read, {"a.shp"}, {});
+    ASSERT_FALSE(steps.empty());
+    EXPECT_EQ(steps[0].command, "noonmark-cli info a.shp --height-field H_BAT");
 }
 
 TEST(InfoJson, AnEmptyCity) {
