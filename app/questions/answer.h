@@ -37,6 +37,13 @@ struct AnswerFiles {
     OutputRules rules{};                        ///< which files may be replaced
 };
 
+/// How its book looks, with the legend of its maps.
+inline BookSettings bookOf(const AnswerFiles& how) {
+    BookSettings book = how.book;
+    book.legend = how.legend;
+    return book;
+}
+
 /// What a question gave for one scenario of a project. It never changes, so it is shared.
 class Answer {
 public:

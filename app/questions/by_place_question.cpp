@@ -70,11 +70,11 @@ public:
         OutputFolder files(folder, how.rules);
         files.add("places.csv", textContent(toCsv(table)));
         files.add("places.gpkg", [&](const std::filesystem::path& file) {
-            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeStyle(sun));
+            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeStyle(sun, how.legend));
         });
         files.add("places.json", textContent(json()));
         if (how.sheets) {
-            const auto pdf = printBook(makeSunByPlaceBook(content(), how.book));
+            const auto pdf = printBook(makeSunByPlaceBook(content(), bookOf(how)));
             if (!pdf) return tl::make_unexpected(pdf.error());
             files.add("sheets.pdf", textContent(pdf->toStdString()));
         }
@@ -119,7 +119,7 @@ SavedForm savedPlaces() {
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
                const AnswerFiles& how) {
                 return writeSavedPlaces(*saved.result, saved.as<SavedSunByPlace>()->sun, source.city, folder,
-                                        how.rules);
+                                        how.legend, how.rules);
             }};
 }
 

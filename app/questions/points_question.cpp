@@ -11,6 +11,10 @@ namespace noonmark {
 
 namespace {
 
+std::vector<CommandOption> drawnOfPoints(const AnswerFiles& how) {
+    return listLegendOptions(how.legend, false);
+}
+
 /// The sunlight of points of one scenario: on facades, at windows, on a plane.
 class PointsAnswer final : public AnswerOf<ElementAnswer> {
 public:
@@ -38,6 +42,9 @@ public:
         return makePage(content().map, computeFigures(content().study));
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content().study); }
+    [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
+        return drawnOfPoints(how);
+    }
     [[nodiscard]] std::string json() const override { return elementStudyJson(content().study, {}); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
         return makeSavedResult(project, scenario_, content().study);
@@ -50,7 +57,7 @@ public:
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
-        return writeElementFiles(content().study, how.book, folder, how.rules);
+        return writeElementFiles(content().study, bookOf(how), folder, how.rules);
     }
 
 private:
@@ -96,8 +103,9 @@ SavedForm savedPoints() {
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
                const AnswerFiles& how) {
                 return writeSavedPoints(*saved.result, *saved.as<SavedElements>(), source.city, folder,
-                                        how.rules);
-            }};
+                                        how.legend, how.rules);
+            },
+            drawnOfPoints};
 }
 
 }  // namespace

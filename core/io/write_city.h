@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/base/warnings.h"
 #include "core/city/city.h"
+#include "core/io/styles/layer_style.h"
 
 namespace noonmark {
 
@@ -28,7 +29,7 @@ struct BuildingColumn {
 /// - height_source: "measured", "levels", "assumed" or "mesh"
 /// - hangs: 1 for an overhang, else 0
 ///
-/// and the columns of `figures`.
+/// and the columns of `figures`. `style`: the layer's style in QGIS, stored in the file.
 ///
 /// readCity() in the same frame gives the same prisms back, coordinates to 1 mm. Buildings on terrain stand
 /// on it again if the terrain file is read too, otherwise on flat ground.
@@ -38,6 +39,7 @@ struct BuildingColumn {
 /// Terrain is not written and gives a warning too. Written beside the target and renamed, so that a killed
 /// process leaves no incomplete file. Error: the file cannot be written. Backend: write_city_gdal.cpp.
 Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const City& city,
-                                     const std::vector<BuildingColumn>& figures = {});
+                                     const std::vector<BuildingColumn>& figures = {},
+                                     const LayerStyle& style = {});
 
 }  // namespace noonmark

@@ -11,6 +11,7 @@
 #include "core/geo/earth_drop.h"
 #include "core/geo/longitude.h"
 #include "core/io/files/pending_file.h"
+#include "core/io/styles/layer_style_gdal.h"
 #include "core/io/write_city.h"
 
 namespace noonmark {
@@ -127,7 +128,8 @@ private:
     std::unordered_set<std::string> ids_;
 };
 
-std::optional<Warnings> writeAll(GDALDataset& dataset, const City& city, const Figures& figures) {
+std::optional<Warnings> writeAll(GDALDataset& dataset, const City& city, const Figures& figures,
+                                 const LayerStyle& style) {
     if (dataset.StartTransaction() != OGRERR_NONE)
         return std::nullopt;  // a single transaction: 40,000 parts in under a second
     OGRLayer* layer = createLayer(dataset, figures);
@@ -135,6 +137,7 @@ std::optional<Warnings> writeAll(GDALDataset& dataset, const City& city, const F
     PartWriter writer(*layer, city, figures);
     for (std::size_t i = 0; i < city.buildings.size(); ++i)
         if (!writer.write(*city.buildings[i], i)) return std::nullopt;
+    writeLayerStyle(dataset, *layer, style);
     if (dataset.CommitTransaction() != OGRERR_NONE) return std::nullopt;
     return std::move(writer.warnings);
 }
@@ -142,14 +145,14 @@ std::optional<Warnings> writeAll(GDALDataset& dataset, const City& city, const F
 }  // namespace
 
 Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const City& city,
-                                     const std::vector<BuildingColumn>& figures) {
+                                     const std::vector<BuildingColumn>& figures, const LayerStyle& style) {
     const GdalCalls calls;
     PendingFile pending(file);
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
     GDALDatasetUniquePtr dataset(
         driver != nullptr ? driver->Create(pending.path().c_str(), 0, 0, 0, GDT_Unknown, nullptr) : nullptr);
     std::optional<Warnings> warnings;
-    if (dataset) warnings = writeAll(*dataset, city, figures);
+    if (dataset) warnings = writeAll(*dataset, city, figures, style);
     dataset.reset();
     if (!warnings || calls.failed())
         return failure("The GeoPackage could not be written: " + calls.why(), file.string(),

@@ -177,13 +177,16 @@ ColourScale makePlaceChangeScale(const LegendChoice& choice) {
     return scale;
 }
 
-ColourScale makeWantedScale(LegendScale ends, bool aroundZero) {
-    ColourScale scale{.ramp = aroundZero ? Ramp::greenBrown : Ramp::noonmark,
+ColourScale makeWantedScale(const LegendChoice& choice, LegendScale ends, bool aroundZero) {
+    ColourScale scale{.ramp = aroundZero ? choice.changeRamp : choice.ramp,
+                      .reversed = aroundZero ? choice.changeReversed : choice.reversed,
                       .paintsZero = true,
                       .low = aroundZero ? -ends.top : 0,
                       .high = ends.top,
                       .tick = ends.tick};
     scale.of = ColourScale::Of::wanted;
+    const LegendClasses& classes = aroundZero ? choice.changeClasses : choice.classes;
+    if (classes.kind == Kind::equal) scale.breaks = equalBreaks(scale, classes.count);
     return scale;
 }
 

@@ -15,6 +15,9 @@ struct ColourClass {
     std::string label;  ///< "2 to 4 h"
 };
 
+/// Minutes of change a day at the ends of scales that are not fitted to one difference.
+inline constexpr double lockedChangeMin = 60;
+
 /// How one map colours its values: a legend's choice fitted to the map. Pictures, legends and styles of QGIS
 /// all take their colours from here. A value.
 struct ColourScale {
@@ -71,9 +74,9 @@ ColourScale makeThresholdScale(const LegendChoice& choice, double thresholdHours
 /// The scale of the change of sun of places, minutes of sun a day.
 ColourScale makePlaceChangeScale(const LegendChoice& choice);
 
-/// The scale in the usual colours of values of which more is better, from 0, or around zero from -ends.top,
-/// to ends.top.
-ColourScale makeWantedScale(LegendScale ends, bool aroundZero);
+/// The scale of values in a unit of their own of which more is better, from 0, or around zero from -ends.top,
+/// to ends.top: with the choice's colours and equal classes; its other classes and its range are of minutes.
+ColourScale makeWantedScale(const LegendChoice& choice, LegendScale ends, bool aroundZero);
 
 /// A scale of minutes of shadow from 0 to `topMin` in the usual colours.
 ColourScale plainScale(double topMin);

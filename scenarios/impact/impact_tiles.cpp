@@ -120,6 +120,8 @@ std::vector<TileMap> listImpactMaps() {
     TileMap impact{"impact", "Impact", {}, 4, 1};
     impact.bands = {{"change of gross shadow", "min/day", nullptr},
                     {"change of continuous shadow", "min", nullptr}};
+    impact.colours =
+        makeSignedScale({}, ColourScale::Of::change, {}, legendScale(lockedChangeMin), noChangeMin, {});
     return {mapOfShadow("after", "Shadow after", 0), mapOfShadow("before", "Shadow before", 2),
             std::move(impact)};
 }

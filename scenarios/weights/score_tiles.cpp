@@ -79,6 +79,7 @@ TileSubject makeScoreSubject(const ScoredCity& scored) {
 std::vector<TileMap> listScoreMaps() {
     TileMap map{.name = "score", .title = "Shadow score", .bands = {}};
     map.bands.push_back({"shadow score", "", nullptr});
+    map.colours = makeSignedScale({}, ColourScale::Of::wanted, {}, legendScale(1), 0, {});
     return {std::move(map)};
 }
 

@@ -151,7 +151,7 @@ TEST_F(OutputGuard, ARegionInTheFolderIsAnInput) {
 TEST_F(OutputGuard, AFinishedCityStudyIsNotReplacedUnasked) {
     const Words words = atNine({"city-study", city_.string(), "--region", box_}, out_);
     ASSERT_EQ(noonmarkCli(words).code, exitOk);
-    EXPECT_THAT(saved(out_ / "shadow.tif", words), HasSubstr("shadow.tif and 1 more"));
+    EXPECT_THAT(saved(out_ / "shadow.tif", words), HasSubstr("shadow.tif and 2 more"));
     EXPECT_EQ(noonmarkCli(plus(words, {"--overwrite"})).code, exitOk);
 }
 

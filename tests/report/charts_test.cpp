@@ -144,6 +144,13 @@ TEST(Charts, ACarpetHasTheMeanOfEachRowAndLeavesOutTheNight) {
     EXPECT_EQ(describeCell(chart, {1, 6}).toStdString(), "2026-06-22, 07:00   not counted");
 }
 
+TEST(Charts, CarpetsHaveTheColoursThatWereChosen) {
+    const LegendChoice usual, grey{.ramp = Ramp::grey};
+    EXPECT_EQ(carpetColour(0.5, CarpetQuantity::scenario, usual), shadowColour(0.5));
+    EXPECT_EQ(carpetColour(0.5, CarpetQuantity::scenario, grey), toColour(rampRgb(Ramp::grey, 0.5)));
+    EXPECT_EQ(carpetColour(1, CarpetQuantity::incremental, usual), impactColour(1));
+}
+
 TEST(Charts, NothingToShowIsPainted) {
     QImage image(300, 150, QImage::Format_RGB32);
     QPainter painter(&image);

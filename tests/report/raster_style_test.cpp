@@ -1,4 +1,4 @@
-#include "app/report/maps/raster_style.h"
+#include "core/io/styles/raster_style.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ struct ReadStyle {
 
 ReadStyle readStyle(const Legend& legend) {
     ReadStyle read;
-    QXmlStreamReader xml(QString::fromStdString(rasterStyle(legend)));
+    QXmlStreamReader xml(QString::fromStdString(rasterStyle(coloursOf(legend))));
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement) continue;
         if (xml.name() == QLatin1String("colorrampshader"))

@@ -194,6 +194,20 @@ TEST(ScenarioFiles, AreOneSetWithABandForEachScenario) {
     for (const char* word : {"Existing", "Tower", "Change"}) EXPECT_THAT(*words, HasSubstr(word));
 }
 
+TEST(ScenarioFiles, HaveTheLegendThatWasChosenOnSheetsAndInTheStyleForQgis) {
+    const QTemporaryDir folder;
+    const std::filesystem::path out = folder.filePath(QStringLiteral("out")).toStdString();
+    const LegendClasses classes{LegendClasses::Kind::breaks, 5, {2, 4}};
+    ASSERT_TRUE(
+        writeScenarioFiles(makeTwoScenarios(), {.legend = {.show = ShownAs::sun, .classes = classes}}, out));
+    QFile style(QString::fromStdString((out / "scenarios.qml").string()));
+    ASSERT_TRUE(style.open(QIODevice::ReadOnly));
+    EXPECT_THAT(style.readAll().toStdString(), HasSubstr("2 to 4 h"));
+    const auto words = readPrintedWords(out / "scenarios.pdf");
+    ASSERT_TRUE(words) << words.error().text();
+    EXPECT_THAT(*words, HasSubstr("Hours of sun"));
+}
+
 TEST(ScenarioFiles, AreRefusedWithoutScenariosOrOnDifferentCells) {
     const QTemporaryDir folder;
     const std::filesystem::path out = folder.filePath(QStringLiteral("out")).toStdString();

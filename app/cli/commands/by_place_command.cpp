@@ -12,6 +12,7 @@
 #include "app/cli/base/table.h"
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/overwrite_option.h"
+#include "app/cli/options/picture_option.h"
 #include "app/cli/options/place_options.h"
 #include "app/cli/options/project_question.h"
 #include "app/cli/options/sheet_options.h"
@@ -133,6 +134,7 @@ Result<std::vector<std::filesystem::path>> writeFiles(const Answer& answer, cons
     AnswerFiles how;
     how.sheets = options.sheets.wanted;
     how.book = *book;
+    how.legend = options.study.legend;
     how.rules = outputRulesOf(options.study, sun.provenance.inputs);
     return answer.write(sun.city, options.study.out, how);
 }
@@ -264,6 +266,7 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
     addCellOptions(*command, study.settings);
     addEngineOptions(*command, study.settings);
     addErrorOptions(*command, study.settings.errorSample);
+    addLegendOptions(*command, study.legend);
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets, {{"--date", "--sheet-date"}});
     command->add_option(flags::out, study.out, "Folder for places.csv, places.gpkg and places.json")

@@ -12,10 +12,12 @@
 #include "app/input/all_engines.h"
 #include "app/report/files/output_folder.h"
 #include "core/describe/command_flags.h"
+#include "core/io/styles/raster_style.h"
 #include "core/study/provenance/provenance_tags.h"
 #include "core/study/provenance/repeat_command.h"
 #include "core/study/text/breakdown_text.h"
 #include "core/study/text/region_text.h"
+#include "core/study/tiles/tile_maps.h"
 #include "core/study/tiles/tiled_study.h"
 
 namespace noonmark::cli {
@@ -26,6 +28,8 @@ constexpr const char* mapName = "shadow.tif";
 constexpr const char* jsonName = "study.json";
 constexpr const char* monthMapName = "by_month.tif";
 constexpr const char* monthTableName = "by_month.csv";
+constexpr const char* styleName = "shadow.qml";
+constexpr const char* monthStyleName = "by_month.qml";
 
 struct CityStudyOptions {
     StudyOptions study;
@@ -33,8 +37,8 @@ struct CityStudyOptions {
 };
 
 std::vector<std::string> namesOf(const StudySettings& settings) {
-    std::vector<std::string> names{mapName, jsonName};
-    if (settings.byMonth) names.insert(names.end(), {monthMapName, monthTableName});
+    std::vector<std::string> names{mapName, styleName, jsonName};
+    if (settings.byMonth) names.insert(names.end(), {monthMapName, monthStyleName, monthTableName});
     return names;
 }
 
@@ -58,9 +62,13 @@ Result<std::vector<std::filesystem::path>> writeTexts(const TiledStudy& tiled, c
                                                       const StudyOptions& options) {
     const Study& study = tiled.study;
     OutputFolder files(options.out, outputRulesOf(options, study.provenance.inputs));
+    const std::string style = rasterStyle(makeShadowScale(study.statistics, study.field.sunlitMinutesPerDay));
+    files.add(styleName, textContent(style));
     files.add(jsonName, textContent(json));
-    if (study.settings.byMonth)
+    if (study.settings.byMonth) {
+        files.add(monthStyleName, textContent(style));
         files.add(monthTableName, textContent(monthsCsv(tiled.months, study.provenance)));
+    }
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     return std::move(files).result();

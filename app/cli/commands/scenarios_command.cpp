@@ -13,6 +13,7 @@
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
 #include "app/cli/options/measure_options.h"
+#include "app/cli/options/picture_option.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
 #include "app/input/all_engines.h"
@@ -120,8 +121,9 @@ Result<ScenariosQuestion> checkRequest(const ScenariosOptions& options, const st
 Result<void> writeFiles(const ScenarioStudies& studies, const ScenariosOptions& options,
                         const Project& project) {
     const OffscreenQt qt;
-    const auto sheets = bookSettingsOf(options.sheets, project.sheets);
+    auto sheets = bookSettingsOf(options.sheets, project.sheets);
     if (!sheets) return tl::make_unexpected(sheets.error());
+    sheets->legend = options.measure.legend;
     return writeScenarioFiles(studies, *sheets, options.measure.out, outputRulesOf(options.measure, project))
         .map([](const auto&) {});
 }
@@ -184,6 +186,7 @@ void addScenariosCommand(CLI::App& app, Run& run) {
         app.add_subcommand("scenarios", "Measure the same study of all scenarios of a project, side by side");
     addMeasureOptions(*command, options->measure);
     addSheetOptions(*command, options->sheets);
+    addLegendOptions(*command, options->measure.legend);
     addErrorOptions(*command, options->measure.settings.errorSample);
     addMonthOption(*command, options->measure.settings);
     command

@@ -11,6 +11,7 @@
 #include "app/cli/base/table.h"
 #include "app/cli/options/number_range.h"
 #include "app/cli/options/overwrite_option.h"
+#include "app/cli/options/picture_option.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/review/review_commands.h"
 #include "app/cli/review/review_run_options.h"
@@ -263,6 +264,7 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
         ->required()
         ->type_name("DIR");
     addSheetOptions(command, options.sheets);
+    addLegendOptions(command, options.sheets.layout.legend);
     addDiagramScale(command, options.sheets);
     addBookExtent(command, options.sheets);
     command.add_flag(

@@ -82,8 +82,9 @@ void printElements(const ElementStudy& study, const std::vector<std::filesystem:
 
 int runElements(const StudyOptions& options, const SheetOptions& layout, const Console& console) {
     const OffscreenQt qt;
-    const auto sheets = bookSettingsOf(layout, {});
+    auto sheets = bookSettingsOf(layout, {});
     if (!sheets) return fail(console, sheets.error(), exitUsage);
+    sheets->legend = options.legend;
     const auto study = measureElements(options, console);
     if (!study) return fail(console, study.error().error, study.error().code);
     const auto files =

@@ -59,7 +59,7 @@ Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
     return [measured, origin = AnswerOrigin(session_), how = withProject(choice)](const auto& folder) {
         ScenarioStudies stated = measured;
         for (ScenarioStudy& one : stated) one.study = origin.stated(*one.study, one.name);
-        return writeScenarioFiles(stated, how.book, folder, how.rules);
+        return writeScenarioFiles(stated, bookOf(how), folder, how.rules);
     };
 }
 

@@ -24,6 +24,7 @@
 #include "app/report/charts/timeline_chart.h"
 #include "app/report/sheets/sheet.h"
 #include "core/base/display_units.h"
+#include "core/measures/legend_choice.h"
 #include "scenarios/project/title_block.h"
 
 namespace noonmark {
@@ -75,6 +76,7 @@ struct BookSettings {
     /// Of the book of a review: every place in all tables and timelines, on as many pages as that takes.
     bool allPages = false;
     double leastPlaceM2 = 100;  ///< of such a book: smaller places without a name are listed together
+    LegendChoice legend{};      ///< of maps, places, points and windows
     bool operator==(const BookSettings&) const = default;
 };
 

@@ -81,16 +81,17 @@ QString describeWhenAndWhere(const Study& study) {
            describePlace(study.settings.region, study.city.frame);
 }
 
-BookPage makeNumberedMapPage(const Study& study, const Contributions& all, const PageSetup& setup) {
+BookPage makeNumberedMapPage(const Study& study, const Contributions& all, const BookSettings& settings) {
     const QString title = QStringLiteral("Contributions of buildings");
-    const Legend legend = makeLegend(study.field, ShadowMeasure::gross);
+    const Legend legend = makeLegend(study.field, ShadowMeasure::gross, settings.legend);
     SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)), legend};
+    const QString name = legend.title;
     map.scene.marks = all.marks;
     BookPage page{title, describeWhenAndWhere(study), QStringLiteral("Map"), 0, {}};
     page.items.push_back(
-        {contentArea(setup),
+        {contentArea(settings.setup),
          PageMap{std::make_shared<const SheetMap>(std::move(map)),
-                 {QStringLiteral("Gross shadow and the buildings that make most of it"),
+                 {QStringLiteral("%1 and the buildings that make most of the shadow").arg(name),
                   QStringLiteral("Numbers as in the table; buildings outside of the map are not shown")}}});
     return page;
 }
@@ -163,7 +164,7 @@ Book makeContributionBook(const Study& study, const BookSettings& settings) {
     Book book =
         beginBook(settings, QStringLiteral("Contributions of buildings"), study.provenance.attribution);
     const Contributions all = collectContributions(study);
-    book.pages.push_back(makeNumberedMapPage(study, all, settings.setup));
+    book.pages.push_back(makeNumberedMapPage(study, all, settings));
     book.pages.push_back(makeBarPage(all, settings));
     std::ranges::move(makeShareTablePages(study, all, settings), std::back_inserter(book.pages));
     return book;

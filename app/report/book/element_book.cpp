@@ -1,11 +1,11 @@
 #include "app/report/book/element_book.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "app/report/book/elevation_pages.h"
 #include "app/report/book/flow.h"
+#include "app/report/maps/element_legend.h"
 #include "app/report/sheets/period_words.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_words.h"
@@ -17,7 +17,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr double minutesOfHour = 60;
 constexpr std::size_t elementCommandLetters = 60;  // in a line of a column
 
 /// The points of one building that elevations show, as indices of the map.
@@ -52,7 +51,7 @@ std::vector<PointsOfBuilding> groupPoints(const ElementStudy& study, const Eleme
 }
 
 ElevationBuilding drawBuilding(const ElementStudy& study, const ElementMap& map,
-                               const PointsOfBuilding& group, double topHours) {
+                               const PointsOfBuilding& group, const ColourScale& scale) {
     const MeasuredElement& first = map.elements[group.points.front()];
     const std::string& name = first.buildingName.empty() ? first.building : first.buildingName;
     ElevationBuilding drawn{
@@ -63,30 +62,21 @@ ElevationBuilding drawBuilding(const ElementStudy& study, const ElementMap& map,
     }
     for (const std::size_t i : group.points) {
         drawn.panes.push_back(paneOf(map.elements[i]));
-        drawn.cells[0].push_back(
-            {shadowColour(1 - map.elements[i].sunlitMin / minutesOfHour / topHours), ElevationMark::none});
+        const Rgb colour = scale.colourOf(scale.shownOf(map.elements[i].grossMin));
+        drawn.cells[0].push_back({toColour(colour), ElevationMark::none});
     }
     return drawn;
 }
 
-Legend hoursLegend(const ElementMap& map) {
-    const double top = std::max(1.0, std::ceil(map.possibleMin / minutesOfHour));
-    Legend legend;
-    legend.title = QStringLiteral("Sun");
-    legend.unit = QStringLiteral("hours a day, mean over the days");
-    legend.scale = {top, 1};
-    legend.colours = makeWantedScale(legend.scale, false);
-    return legend;
-}
-
 std::vector<BookPage> makeElevations(const ElementStudy& study, const ElementMap& map,
                                      const BookSettings& settings) {
-    const Legend legend = hoursLegend(map);
+    const Legend legend = makeSunLegend(map, settings.legend);
+    const ColourScale scale = coloursOf(legend);
     ElevationSheets sheets{
-        QStringLiteral("Elevations: hours of sun"),
+        QStringLiteral("Elevations: ") + legend.title.toLower(),
         QStringLiteral("%1. %2.").arg(describePeriod(study.settings.period), describeFloors(study.elements)),
         QStringLiteral("Elevations"),
-        {QStringLiteral("Hours of sun a day")},
+        {legend.title + QStringLiteral(", mean over the days")},
         {{legend}},
         study.city.frame};
     sheets.foot.hasMarks = false;
@@ -97,7 +87,7 @@ std::vector<BookPage> makeElevations(const ElementStudy& study, const ElementMap
     std::vector<ElevationBuilding> buildings;
     for (const PointsOfBuilding& group : groupPoints(study, map))
         buildings.push_back(buildings.size() > maxDrawn ? ElevationBuilding{}
-                                                        : drawBuilding(study, map, group, legend.scale.top));
+                                                        : drawBuilding(study, map, group, scale));
     return makeElevationPages(settings.setup, std::move(sheets), buildings);
 }
 
@@ -120,13 +110,14 @@ TextBlocks summariseElements(const ElementStudy& study) {
     return blocks;
 }
 
-TextBlocks describeSources(const ElementStudy& study) {
+TextBlocks describeSources(const ElementStudy& study, const LegendChoice& legend) {
     Study sources;
     sources.city = study.city;
     sources.warnings = study.warnings;
     sources.provenance = study.provenance;
     sources.heights = study.heights;
-    return sourceBlocks(sources, repeatBlocks(makeRepeatCommand(study, elementCommandLetters), false));
+    return sourceBlocks(sources, repeatBlocks(makeRepeatCommand(study, elementCommandLetters), false,
+                                              listLegendOptions(legend, false), elementCommandLetters));
 }
 
 }  // namespace
@@ -141,7 +132,7 @@ Book makeElementBook(const ElementStudy& study, const ElementMap& map, const Boo
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, summariseElements(study)));
     append(makeElevations(study, map, settings));
     append(makeTextPages(settings.setup, {QStringLiteral("Sources"), {}, QStringLiteral("Sources")},
-                         describeSources(study)));
+                         describeSources(study, settings.legend)));
     return book;
 }
 

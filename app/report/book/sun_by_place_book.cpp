@@ -83,15 +83,12 @@ TextBlocks describeSources(const SunByPlace& sun) {
     return sourceBlocks(sources);
 }
 
-Legend legendOf(const SunByPlace& sun) {
-    double most = 1;
-    for (const SunOfPlace& of : sun.sun)
-        if (!std::isnan(of.meanHours)) most = std::max(most, of.meanHours);
+Legend legendOf(const SunByPlace& sun, const LegendChoice& choice) {
     Legend legend;
     legend.title = QStringLiteral("Sun");
     legend.unit = QStringLiteral("hours a day, mean over the days and the place");
-    legend.scale = {std::ceil(most), 1};
-    legend.colours = makeWantedScale(legend.scale, false);
+    legend.colours = makeColourScale(sun, choice);
+    legend.scale = {legend.colours->high, legend.colours->tick};
     return legend;
 }
 
@@ -110,13 +107,13 @@ void paintPlaces(const Canvas& canvas, const MapView& view, const SunByPlace& su
         path.setFillRule(Qt::WindingFill);
         for (const Footprint& polygon : sun.places[i].polygons) view.addTo(path, polygon);
         const double hours = sun.sun[i].meanHours;
-        const auto colour = pickColour(coloursOf(legend), hours);
-        canvas.painter.setBrush(colour ? QBrush(*colour) : QBrush(Qt::NoBrush));
+        canvas.painter.setBrush(std::isnan(hours) ? QBrush(Qt::NoBrush)
+                                                  : QBrush(toColour(legend.colours->colourOf(hours))));
         canvas.painter.drawPath(path);
     }
 }
 
-QImage paintMap(const SunByPlace& sun, const QSizeF& sizePt) {
+QImage paintMap(const SunByPlace& sun, const LegendChoice& choice, const QSizeF& sizePt) {
     constexpr double pixelsPerPt = 300.0 / 72, gapPt = 6;
     QImage image((sizePt * pixelsPerPt).toSize(), QImage::Format_RGB32);
     image.fill(ink::paper);
@@ -129,7 +126,7 @@ QImage paintMap(const SunByPlace& sun, const QSizeF& sizePt) {
     const MapView view(bounds(sun.settings.study.region), map);
     painter.setClipRect(map);
     paintBuildings(canvas, view, sun.city, {shade::building, shade::buildingLine, 0.1});
-    const Legend legend = legendOf(sun);
+    const Legend legend = legendOf(sun, choice);
     paintPlaces(canvas, view, sun, legend);
     painter.setClipping(false);
     const QRectF foot(0, all.bottom() - footPx, all.width(), footPx);
@@ -140,16 +137,16 @@ QImage paintMap(const SunByPlace& sun, const QSizeF& sizePt) {
     return image;
 }
 
-BookPage mapPage(const SunByPlace& sun, const PageSetup& setup) {
-    const QRectF content = contentArea(setup);
+BookPage mapPage(const SunByPlace& sun, const BookSettings& settings) {
+    const QRectF content = contentArea(settings.setup);
     BookPage page{QStringLiteral("Hours of sun by place"),
                   describePeriod(sun.settings.study.period),
                   QStringLiteral("Map"),
                   0,
                   {}};
-    const QSizeF size(content.width(), content.height() - captionPt(textScale(setup)));
+    const QSizeF size(content.width(), content.height() - captionPt(textScale(settings.setup)));
     page.items.push_back(
-        {content, PagePicture{paintMap(sun, size),
+        {content, PagePicture{paintMap(sun, settings.legend, size),
                               {QStringLiteral("Places by their mean hours of sun a day"),
                                QStringLiteral("Outlines without colour: places without figures.")}}});
     return page;
@@ -209,7 +206,7 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings) {
     for (const TextBlocks& more : {describeMethod(all), describeSources(sun)})
         blocks.insert(blocks.end(), more.begin(), more.end());
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, blocks));
-    book.pages.push_back(mapPage(sun, settings.setup));
+    book.pages.push_back(mapPage(sun, settings));
     append(makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
                           {tableOf(all, order)}));
     return book;

@@ -100,7 +100,8 @@ QImage imageOf(const CarpetChart& chart, const QColor& paper) {
         const auto [first, end] = columnsOf(chart, day);
         for (std::size_t row = 0; row < chart.rows; ++row) {
             const float share = chart.shares[day * chart.rows + row];
-            const QColor colour = std::isnan(share) ? paper : carpetColour(share, chart.quantity);
+            const QColor colour =
+                std::isnan(share) ? paper : carpetColour(share, chart.quantity, chart.legend);
             for (int x = first; x < end; ++x) image.setPixelColor(x, int(chart.rows - 1 - row), colour);
         }
     }
@@ -109,13 +110,13 @@ QImage imageOf(const CarpetChart& chart, const QColor& paper) {
 }
 
 /// Colours from no share to the whole place, and that of no sun.
-void paintShares(const Canvas& canvas, const QRectF& plot, CarpetQuantity quantity) {
+void paintShares(const Canvas& canvas, const QRectF& plot, const CarpetChart& chart) {
     constexpr int parts = 10;
     constexpr double partPt = 8, gapPt = 3;
     double at = paintKeyText(canvas, plot, 0, QStringLiteral("0 %")) + gapPt;
     for (int i = 0; i < parts; ++i, at += partPt)
         canvas.painter.fillRect(keyBox(canvas, plot, at, partPt),
-                                carpetColour(i / double(parts - 1), quantity));
+                                carpetColour(i / double(parts - 1), chart.quantity, chart.legend));
     at = paintKeyText(canvas, plot, at + gapPt, QStringLiteral("100 % of the place")) + 12;
     canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.5));
     canvas.painter.drawRect(keyBox(canvas, plot, at, 9));
@@ -124,10 +125,12 @@ void paintShares(const Canvas& canvas, const QRectF& plot, CarpetQuantity quanti
 
 }  // namespace
 
-QColor carpetColour(double share, CarpetQuantity quantity) {
-    if (quantity != CarpetQuantity::incremental) return shadowColour(share);
+QColor carpetColour(double share, CarpetQuantity quantity, const LegendChoice& legend) {
+    if (quantity != CarpetQuantity::incremental)
+        return toColour(rampRgb(legend.ramp, legend.reversed ? 1 - share : share));
     if (share <= 0) return {0xee, 0xef, 0xf1};
-    return impactColour(0.15 + 0.85 * share);
+    const double more = 0.5 + 0.5 * (0.15 + 0.85 * share);  // the half of more shadow
+    return toColour(rampRgb(legend.changeRamp, legend.changeReversed ? 1 - more : more));
 }
 
 CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity quantity, double minRowMin,
@@ -153,7 +156,7 @@ void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& ch
         canvas.painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
         canvas.painter.drawImage(axes.plot, imageOf(chart, canvas.inks.paper));
         paintAxes(canvas, axes.plot, axes.across, axes.up);
-        paintShares(canvas, axes.plot, chart.quantity);
+        paintShares(canvas, axes.plot, chart);
     }
     canvas.painter.restore();
 }

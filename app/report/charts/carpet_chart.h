@@ -5,6 +5,7 @@
 #include <span>
 
 #include "app/report/charts/chart_axes.h"
+#include "core/measures/legend_choice.h"
 #include "core/measures/place_timeline.h"
 #include "core/sun/day_clock.h"
 
@@ -23,6 +24,7 @@ struct CarpetChart {
     std::vector<float>
         shares;  ///< [day x rows + row], 0 to 1; NaN: the sun is down, or not in the rule's hours
     CarpetQuantity quantity = CarpetQuantity::incremental;
+    LegendChoice legend{};  ///< its colours
 };
 
 /// The carpet of a period, in the hours of `clock`, with rows of `minRowMin` minutes or of the days' steps
@@ -34,7 +36,7 @@ CarpetChart makeCarpetChart(std::span<const DayTimeline> days, CarpetQuantity qu
 void paintCarpet(const Canvas& canvas, const QRectF& area, const CarpetChart& chart);
 
 /// The colour of a share, 0 to 1.
-QColor carpetColour(double share, CarpetQuantity quantity);
+QColor carpetColour(double share, CarpetQuantity quantity, const LegendChoice& legend);
 
 /// A day and a row of the carpet.
 struct CarpetCell {

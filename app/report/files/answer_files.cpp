@@ -5,10 +5,10 @@
 #include "app/report/book/answer_book.h"
 #include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
-#include "app/report/maps/raster_style.h"
 #include "app/report/maps/write_png.h"
 #include "app/report/sheets/impact_report.h"
 #include "app/report/sheets/score_report.h"
+#include "core/io/styles/raster_style.h"
 #include "core/io/write_raster.h"
 #include "core/study/provenance/command_words.h"
 #include "core/study/provenance/provenance_tags.h"
@@ -65,7 +65,7 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
     OutputFolder files(folder, rules);
     files.add(texts.name + ".tif",
               [&](const Path& file) { return writeGeoTiff(file, frame, grid, bands, texts.tags); });
-    files.add(texts.name + ".qml", textContent(rasterStyle(sheet.map.legend)));
+    files.add(texts.name + ".qml", textContent(rasterStyle(coloursOf(sheet.map.legend))));
     files.add(texts.name + ".png",
               [&](QIODevice& device) { return writePng(makePicture(sheet, width), texts.tags, device); });
     files.add(texts.name + ".pdf", [&](QIODevice& device) { return writePdf(sheet, device); });

@@ -20,7 +20,8 @@ Result<std::vector<std::filesystem::path>> writeContributionFiles(const Study& s
               textContent(contributionsCsv(of.rows, of.breakdown.sets, study.provenance)));
     files.add("contributions.gpkg", [&](const std::filesystem::path& file) {
         return writeCityGeoPackage(file, study.city,
-                                   contributionColumns(of.rows, study.city.buildings.size()))
+                                   contributionColumns(of.rows, study.city.buildings.size()),
+                                   contributionStyle())
             .map([](const Warnings&) {});
     });
     files.add("by_month.csv", textContent(monthsCsv(monthsOf(of.breakdown), study.provenance)));

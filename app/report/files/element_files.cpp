@@ -3,6 +3,7 @@
 #include "app/report/book/element_book.h"
 #include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
+#include "app/report/maps/element_legend.h"
 #include "core/study/elements/element_cityjson.h"
 #include "core/study/elements/element_gltf.h"
 #include "core/study/elements/element_tables.h"
@@ -42,6 +43,7 @@ Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy&
     if (cityJson) names.emplace_back(cityJsonName);
     if (auto may = checkOutputs(folder, names, rules); !may) return tl::make_unexpected(may.error());
     const ElementTable table = makeElementTable(map, study.city, sourceValues(study.provenance));
+    const LayerStyle style = makeStyle(coloursOf(makeLegend(map, ShadowMeasure::gross, settings.legend)));
     QByteArray pdf;
     if (hasElevations(study.elements.places)) {
         auto printed = printBook(makeElementBook(study, map, settings));
@@ -51,12 +53,13 @@ Result<std::vector<std::filesystem::path>> writeElementFiles(const ElementStudy&
     OutputFolder files(folder, rules);
     files.add("elements.csv", textContent(toCsv(table)));
     files.add("elements.gpkg",
-              [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
+              [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table, style); });
     files.add("elements.glb", textContent(toGlb(map)));
     if (!pdf.isEmpty()) files.add("elements.pdf", textContent(pdf.toStdString()));
     if (cityJson) files.add(cityJsonName, textContent(*cityJson));
-    files.addLast("study.json",
-                  [&](const OutputFolder::Durations& seconds) { return elementStudyJson(study, seconds); });
+    files.addLast("study.json", [&](const OutputFolder::Durations& seconds) {
+        return extendRepeat(elementStudyJson(study, seconds), listLegendOptions(settings.legend, false));
+    });
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     return std::move(files).result();

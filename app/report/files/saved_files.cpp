@@ -5,8 +5,9 @@
 #include "app/report/book/answer_book.h"
 #include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
-#include "app/report/maps/raster_style.h"
+#include "app/report/maps/element_legend.h"
 #include "app/report/maps/write_png.h"
+#include "core/io/styles/raster_style.h"
 #include "core/io/write_raster.h"
 #include "core/study/elements/element_gltf.h"
 
@@ -63,7 +64,7 @@ WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin
     files.add("result.tif", [&](const std::filesystem::path& file) {
         return writeGeoTiff(file, source.city.frame, result.grid, bands, tags);
     });
-    files.add("result.qml", textContent(rasterStyle(sheet.map.legend)));
+    files.add("result.qml", textContent(rasterStyle(coloursOf(sheet.map.legend))));
     files.add("result.png", [&](QIODevice& device) {
         return writePng(makePicture(sheet, look.pictureWidth), tags, device);
     });
@@ -73,25 +74,29 @@ WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin
 }
 
 WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& points, const City& city,
-                              const std::filesystem::path& folder, const OutputRules& rules) {
+                              const std::filesystem::path& folder, const LegendChoice& legend,
+                              const OutputRules& rules) {
     const ElementTable table = makeElementTable(points.map, city, points.source);
+    const LayerStyle style = makeStyle(coloursOf(makeLegend(points.map, ShadowMeasure::gross, legend)));
     OutputFolder files(folder, rules);
     files.add("elements.csv", textContent(toCsv(table)));
     files.add("elements.gpkg",
-              [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
+              [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table, style); });
     files.add("elements.glb", textContent(toGlb(points.map)));
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();
 }
 
 WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun, const City& city,
-                              const std::filesystem::path& folder, const OutputRules& rules) {
+                              const std::filesystem::path& folder, const LegendChoice& legend,
+                              const OutputRules& rules) {
     sun.baseline.city = city;
     const ElementTable table = makeTable(sun.baseline, sun.compared);
     OutputFolder files(folder, rules);
     files.add("places.csv", textContent(toCsv(table)));
     files.add("places.gpkg", [&](const std::filesystem::path& file) {
-        return writePlacesGeoPackage(file, city.frame, sun.baseline.places, table, makeStyle(sun.baseline));
+        return writePlacesGeoPackage(file, city.frame, sun.baseline.places, table,
+                                     makeStyle(sun.baseline, legend));
     });
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();

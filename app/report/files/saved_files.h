@@ -36,12 +36,14 @@ WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin
 /// The tables of points, settings and figures.
 const std::vector<std::string>& savedPointNames();
 WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& points, const City& city,
-                              const std::filesystem::path& folder, const OutputRules& rules = {});
+                              const std::filesystem::path& folder, const LegendChoice& legend = {},
+                              const OutputRules& rules = {});
 
 /// The tables of places, settings and figures.
 const std::vector<std::string>& savedPlaceNames();
 WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun, const City& city,
-                              const std::filesystem::path& folder, const OutputRules& rules = {});
+                              const std::filesystem::path& folder, const LegendChoice& legend = {},
+                              const OutputRules& rules = {});
 
 /// The figures of any result as a table, its pages, settings and figures.
 const std::vector<std::string>& savedFigureNames();

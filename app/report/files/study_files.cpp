@@ -6,9 +6,9 @@
 #include "app/report/book/print_book.h"
 #include "app/report/files/cells_csv.h"
 #include "app/report/files/output_folder.h"
-#include "app/report/maps/raster_style.h"
 #include "app/report/maps/write_png.h"
 #include "app/report/sheets/study_report.h"
+#include "core/io/styles/raster_style.h"
 #include "core/io/write_city.h"
 #include "core/measures/has_runs.h"
 #include "core/study/contributions/contributions.h"
@@ -40,7 +40,8 @@ Result<void> writeMonths(const Study& study, const std::filesystem::path& file) 
 
 Result<void> writeContributions(const Study& study, const std::filesystem::path& file) {
     const auto rows = listContributions(study.city, *study.breakdown, study.sun.dayCount());
-    return writeCityGeoPackage(file, study.city, contributionColumns(rows, study.city.buildings.size()))
+    return writeCityGeoPackage(file, study.city, contributionColumns(rows, study.city.buildings.size()),
+                               contributionStyle())
         .map([](const Warnings&) {});
 }
 
@@ -64,7 +65,8 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     if (auto may = checkOutputs(folder, names, options.rules); !may) return tl::make_unexpected(may.error());
     OutputFolder files(folder, options.rules);
     files.add("shadow.tif", [&](const std::filesystem::path& file) { return writeRaster(study, file); });
-    const std::string style = rasterStyle(makeLegend(study.field, ShadowMeasure::gross, options.legend));
+    const std::string style =
+        rasterStyle(coloursOf(makeLegend(study.field, ShadowMeasure::gross, options.legend)));
     files.add("shadow.qml", textContent(style));
     files.add("shadow.png", [&](QIODevice& device) {
         return writePng(mapPicture(study, ShadowMeasure::gross, options.pictureWidth, options.legend),
@@ -86,7 +88,7 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
         files.add("contributions.csv", textContent(contributionsCsv(study)));
         files.add("contributions.gpkg",
                   [&](const std::filesystem::path& file) { return writeContributions(study, file); });
-        const auto pdf = printBook(makeContributionBook(study, {}));
+        const auto pdf = printBook(makeContributionBook(study, {.legend = options.legend}));
         if (!pdf) return tl::make_unexpected(pdf.error());
         files.add("contributions.pdf", textContent(pdf->toStdString()));
     }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/measures/palette.h"
+#include "core/measures/colour_scale.h"
 
 namespace noonmark {
 
@@ -21,7 +21,7 @@ ChangeSpread changeSpreadOf(const std::vector<float>& values, float least);
 /// The range of colours of a difference in minutes. A locked scale is the same for every proposal, so that
 /// pictures can be compared; otherwise the scale is fitted to each difference.
 struct ChangeScale {
-    static constexpr double defaultLockedMin = 60;
+    static constexpr double defaultLockedMin = lockedChangeMin;
     static constexpr double maxLockedMin = 1440;
     std::optional<double> lockedMin =
         defaultLockedMin;  ///< colours run from -lockedMin to lockedMin; (0, maxLockedMin]

@@ -60,12 +60,15 @@ std::vector<BookPage> tablePages(const ScenarioStudies& scenarios, const BookSet
         {{QStringLiteral("The same study of each scenario"), note, std::move(table)}});
 }
 
-/// The legend of the scenario with most shadow at any receiver.
-Legend commonLegend(const ScenarioStudies& scenarios) {
+}  // namespace
+
+Legend commonLegend(const ScenarioStudies& scenarios, const LegendChoice& choice) {
     const auto most = std::ranges::max_element(
         scenarios, {}, [](const ScenarioStudy& scenario) { return scenario.study->statistics.maxGrossMin; });
-    return makeLegend(most->study->field, ShadowMeasure::gross);
+    return makeLegend(most->study->field, ShadowMeasure::gross, choice);
 }
+
+namespace {
 
 BookPage mapPage(const ScenarioStudy& scenario, const Legend& legend, const PageSetup& setup) {
     const Study& study = *scenario.study;
@@ -113,7 +116,7 @@ Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& sett
     book.pages = tablePages(scenarios, settings);
     for (const MonthChart& chart : makeMonthCharts(listMonths(scenarios)))
         book.pages.push_back(monthPage(chart, settings));
-    const Legend legend = commonLegend(scenarios);
+    const Legend legend = commonLegend(scenarios, settings.legend);
     for (const ScenarioStudy& scenario : scenarios)
         book.pages.push_back(mapPage(scenario, legend, settings.setup));
     return book;

@@ -8,6 +8,7 @@
 #include "app/report/scenarios/scenario_book.h"
 #include "app/report/scenarios/scenario_months.h"
 #include "app/report/scenarios/scenario_text.h"
+#include "core/io/styles/raster_style.h"
 #include "core/io/write_raster.h"
 #include "core/study/provenance/provenance_tags.h"
 
@@ -27,8 +28,8 @@ Result<void> writeGrossBands(const ScenarioStudies& scenarios, const std::filesy
 }  // namespace
 
 std::vector<std::string> scenarioFileNames() {
-    return {"scenarios.csv",  "scenario_uses.csv", "scenario_months.csv",
-            "scenarios.json", "scenarios.pdf",     "scenarios.tif"};
+    return {"scenarios.csv", "scenario_uses.csv", "scenario_months.csv", "scenarios.json",
+            "scenarios.pdf", "scenarios.tif",     "scenarios.qml"};
 }
 
 Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStudies& scenarios,
@@ -55,6 +56,7 @@ Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStud
     files.add("scenarios.pdf", textContent(pdf->toStdString()));
     files.add("scenarios.tif",
               [&](const std::filesystem::path& file) { return writeGrossBands(scenarios, file); });
+    files.add("scenarios.qml", textContent(rasterStyle(coloursOf(commonLegend(scenarios, sheets.legend)))));
     return std::move(files).result();
 }
 

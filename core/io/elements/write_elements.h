@@ -9,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/geo/frame.h"
+#include "core/io/styles/layer_style.h"
 #include "core/receivers/place.h"
 
 namespace noonmark {
@@ -33,18 +34,13 @@ struct ElementTable {
 
 /// Writes the table as a GeoPackage with a layer "elements" of PointZ in longitude and latitude
 /// (EPSG:4326); z is in the vertical datum of the city's data, as the layer's description states.
-/// Error: the file cannot be written. Some 4 us a row. Backend: write_elements_gdal.cpp.
-Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const ElementTable& table);
-
-/// A style of QGIS.
-struct LayerStyle {
-    std::string name;
-    std::string qml;  ///< empty: none
-};
+/// `style`: the layer's style in QGIS, stored in the file. Error: the file cannot be written. Some 4 us a
+/// row. Backend: write_elements_gdal.cpp.
+Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const ElementTable& table,
+                                     const LayerStyle& style = {});
 
 /// Writes a row for each place as a GeoPackage with a layer "places" of polygons in longitude and latitude
-/// (EPSG:4326). `table.places` is not used. `style`: the layer's style in QGIS, stored in the table
-/// layer_styles, from which QGIS takes it by itself. Error: the file cannot be written.
+/// (EPSG:4326). `table.places` is not used. `style`: as above. Error: the file cannot be written.
 Result<void> writePlacesGeoPackage(const std::filesystem::path& file, const Frame& frame,
                                    const std::vector<Place>& places, const ElementTable& table,
                                    const LayerStyle& style = {});

@@ -7,10 +7,10 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "core/base/gdal_calls.h"
 #include "core/io/elements/write_elements.h"
+#include "core/io/styles/layer_style_gdal.h"
 
 namespace noonmark {
 
@@ -38,33 +38,6 @@ struct WrittenLayer {
     std::function<std::unique_ptr<OGRGeometry>(std::size_t row)> shape;
     LayerStyle style = {};
 };
-
-/// Makes the table that QGIS stores styles in, with the layer's as its default one.
-bool writeStyle(GDALDataset& dataset, const WrittenLayer& written, const char* geometryColumn) {
-    if (written.style.qml.empty()) return true;
-    CPLStringList options;
-    options.SetNameValue("FID", "id");
-    OGRLayer* styles = dataset.CreateLayer("layer_styles", nullptr, wkbNone, options.List());
-    if (styles == nullptr) return false;
-    for (const char* name : {"f_table_catalog", "f_table_schema", "f_table_name", "f_geometry_column",
-                             "styleName", "styleQML", "styleSLD", "description", "owner", "ui"}) {
-        OGRFieldDefn field(name, OFTString);
-        if (styles->CreateField(&field) != OGRERR_NONE) return false;
-    }
-    OGRFieldDefn isDefault("useAsDefault", OFTInteger), updated("update_time", OFTDateTime);
-    isDefault.SetSubType(OFSTBoolean);
-    if (styles->CreateField(&isDefault) != OGRERR_NONE || styles->CreateField(&updated) != OGRERR_NONE)
-        return false;
-    OGRFeature style(styles->GetLayerDefn());
-    for (const auto& [name, text] :
-         {std::pair{"f_table_catalog", ""}, std::pair{"f_table_schema", ""},
-          std::pair{"f_table_name", written.name}, std::pair{"f_geometry_column", geometryColumn},
-          std::pair{"styleName", written.style.name.c_str()},
-          std::pair{"styleQML", written.style.qml.c_str()}, std::pair{"description", written.description}})
-        style.SetField(name, text);
-    style.SetField("useAsDefault", 1);
-    return styles->CreateFeature(&style) == OGRERR_NONE;
-}
 
 OGRLayer* createTableLayer(GDALDataset& dataset, const WrittenLayer& written, const ElementTable& table) {
     OGRSpatialReference system;
@@ -95,8 +68,8 @@ bool writeTable(GDALDataset& dataset, const WrittenLayer& written, const Element
     if (layer == nullptr) return false;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
         if (!writeRow(*layer, table.rows[i], written.shape(i))) return false;
-    return writeStyle(dataset, written, layer->GetGeometryColumn()) &&
-           dataset.CommitTransaction() == OGRERR_NONE;
+    writeLayerStyle(dataset, *layer, written.style);
+    return dataset.CommitTransaction() == OGRERR_NONE;
 }
 
 Result<void> writeGeoPackage(const std::filesystem::path& file, const WrittenLayer& layer,
@@ -135,7 +108,8 @@ std::unique_ptr<OGRGeometry> makeMultiPolygon(const Place& place, const Frame& f
 
 }  // namespace
 
-Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const ElementTable& table) {
+Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const ElementTable& table,
+                                     const LayerStyle& style) {
     const auto shape = [&](std::size_t row) {
         const glm::dvec3 place = table.places[row];
         return std::make_unique<OGRPoint>(place.x, place.y, place.z);
@@ -143,7 +117,7 @@ Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const El
     return writeGeoPackage(
         file,
         {"elements", "Points where sunlight was measured. z: metres in the vertical datum of the city's data",
-         wkbPoint25D, shape},
+         wkbPoint25D, shape, style},
         table);
 }
 

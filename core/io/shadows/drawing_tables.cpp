@@ -1,5 +1,9 @@
 #include "core/io/shadows/drawing_tables.h"
 
+#include <fmt/format.h>
+
+#include <set>
+
 namespace noonmark {
 
 namespace {
@@ -73,6 +77,19 @@ DrawingTable fanTable(const ShadowDrawing& drawing) {
     return table;
 }
 
+// In the colours of maps of shadow, a colour for each line's minutes.
+LayerStyle colourLevels(const ShadowDrawing& drawing) {
+    std::set<double> levels;
+    for (const DrawnIsochrones& day : drawing.isochrones)
+        for (const Isochrone& line : day.lines) levels.insert(line.level);
+    if (levels.empty()) return {};
+    const ColourScale scale = plainScale(*levels.rbegin());
+    std::vector<ColourClass> classes;
+    for (const double level : levels)
+        classes.push_back({level, level, scale.colourOf(level), fmt::format("{:g}", level)});
+    return {"Minutes in shadow", categorizedStyle(StyledShape::lines, "minutes", classes)};
+}
+
 DrawingTable isochroneTable(const ShadowDrawing& drawing) {
     DrawingTable table{
         "isochrones", true, {{"day", text}, {"minutes", number}, {"closed", number}, {"cell_m", number}}, {}};
@@ -80,6 +97,7 @@ DrawingTable isochroneTable(const ShadowDrawing& drawing) {
         for (const Isochrone& line : day.lines)
             table.rows.push_back(
                 {{}, {pointsToDraw(line)}, {day.day, line.level, line.closed ? 1.0 : 0.0, day.cellM}});
+    table.style = colourLevels(drawing);
     return table;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/io/shadows/shadow_drawing.h"
+#include "core/io/styles/layer_style.h"
 
 namespace noonmark {
 
@@ -27,6 +28,7 @@ struct DrawingTable {
     bool isOfLines = false;
     std::vector<DrawingColumn> columns;
     std::vector<DrawingRow> rows;
+    LayerStyle style{};  ///< for QGIS, of what was measured
 };
 
 /// The layers of a drawing as tables, those without a row left out, except shadows:

@@ -11,6 +11,7 @@
 #include "core/io/shadows/drawing_tables.h"
 #include "core/io/shadows/ogr_drawing.h"
 #include "core/io/shadows/write_shadows.h"
+#include "core/io/styles/layer_style_gdal.h"
 
 namespace noonmark {
 
@@ -110,8 +111,10 @@ Result<void> writeShadowsGeoPackage(const std::filesystem::path& file, const Sha
     const GdalCalls calls;
     GDALDatasetUniquePtr dataset = create("GPKG", file);
     bool written = dataset && dataset->StartTransaction() == OGRERR_NONE;
-    for (const DrawingTable& table : makeDrawingTables(drawing))
+    for (const DrawingTable& table : makeDrawingTables(drawing)) {
         written = written && writeTable(*dataset, table, *shapes, {});
+        if (written) writeLayerStyle(*dataset, *dataset->GetLayerByName(table.name.c_str()), table.style);
+    }
     written = written && dataset->CommitTransaction() == OGRERR_NONE;
     dataset.reset();
     return written && !calls.failed() ? Result<void>() : notWritten("The GeoPackage", file, calls);

@@ -163,9 +163,12 @@ AnswerPage makePage(const SunOfCities& sun);
 /// its middle, source. As CSV by toCsv(), as polygons by writePlacesGeoPackage().
 ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compared = {});
 
-/// The style of the places for QGIS: coloured by hours_mean, as maps of shadow are, in classes of one or two
-/// hours; places without figures are not drawn.
-LayerStyle makeStyle(const SunByPlace& sun);
+/// The colours of places by their mean hours of sun a day, around enoughHours.
+ColourScale makeColourScale(const SunByPlace& sun, const LegendChoice& choice);
+
+/// The style of the places for QGIS: by hours_mean, in the classes of that scale; places without figures are
+/// not drawn.
+LayerStyle makeStyle(const SunByPlace& sun, const LegendChoice& choice = {});
 
 /// "0.022 % mean, 0.10 % largest, against rays"; "not measured".
 std::string describeCellError(const std::optional<SampledError>& error);

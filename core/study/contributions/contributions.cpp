@@ -172,4 +172,14 @@ std::vector<BuildingColumn> contributionColumns(const std::vector<Contribution>&
     return columns;
 }
 
+LayerStyle contributionStyle() {
+    std::vector<ColourClass> classes;
+    for (std::size_t i = 0; i < contributionClasses.size(); ++i) {
+        const auto& [from, colour] = contributionClasses[i];
+        const double to = i + 1 < contributionClasses.size() ? contributionClasses[i + 1].from : 1;
+        classes.push_back({from, to, colour, fmt::format("{:g} to {:g} %", 100 * from, 100 * to)});
+    }
+    return {"Share of the shadow", graduatedStyle(StyledShape::polygons, "share", classes)};
+}
+
 }  // namespace noonmark

@@ -3,6 +3,7 @@
 // The folder core/study/contributions states what each building takes: contributions.h has the rows of a
 // table with their figures, place_contributions.h finds them for one place of a study.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,5 +47,19 @@ std::string contributionsCsv(const Study& study);
 
 /// The figures as columns of the layer of buildings; 0 where a building shades nothing.
 std::vector<BuildingColumn> contributionColumns(const std::vector<Contribution>& rows, std::size_t buildings);
+
+/// The classes of maps of contributions: a share of at least `from` has this colour. Sequential, told apart
+/// by colour-blind readers and by lightness; none of them is a colour of the maps of shadow.
+struct ContributionClass {
+    double from = 0;  ///< 0 to 1
+    Rgb colour;
+};
+inline constexpr std::array contributionClasses{
+    ContributionClass{0, {0xfe, 0xeb, 0xe2}}, ContributionClass{0.01, {0xfb, 0xb4, 0xb9}},
+    ContributionClass{0.05, {0xf7, 0x68, 0xa1}}, ContributionClass{0.15, {0xc5, 0x1b, 0x8a}},
+    ContributionClass{0.30, {0x7a, 0x01, 0x77}}};
+
+/// The style of those columns for QGIS: buildings coloured by `share`.
+LayerStyle contributionStyle();
 
 }  // namespace noonmark

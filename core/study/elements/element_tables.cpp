@@ -111,6 +111,17 @@ ElementTable makeElementTable(const ElementStudy& study) {
     return makeElementTable(makeElementMap(study), study.city, sourceValues(study.provenance));
 }
 
+LayerStyle makeStyle(const ColourScale& scale) {
+    constexpr double minutesOfHour = 60;
+    const ShownAs as = scale.quantity.as;
+    const char* column = as == ShownAs::sun     ? "sunlit_min"
+                         : as == ShownAs::share ? "sunlit_pct"
+                                                : "gross_min";
+    return {std::string(scale.quantity.title()),
+            graduatedStyle(StyledShape::points, column,
+                           styleClasses(scale, as == ShownAs::sun ? minutesOfHour : 1))};
+}
+
 std::string toCsv(const ElementTable& table) {
     std::vector<std::string> columns;
     for (const ElementColumn& column : table.columns) columns.push_back(column.name);

@@ -24,6 +24,10 @@ ElementTable makeElementTable(const ElementStudy& study);
 /// values (sourceValues()).
 ElementTable makeElementTable(const ElementMap& map, const City& city, const SourceValues& source);
 
+/// The style of the points for QGIS, in the colours of a map of their gross shadow: by gross_min, sunlit_min
+/// or sunlit_pct, as the scale shows.
+LayerStyle makeStyle(const ColourScale& scale);
+
 /// The table as CSV (RFC 4180), in metres, minutes and degrees with fixed digits.
 std::string toCsv(const ElementTable& table);
 

@@ -1,5 +1,7 @@
 #include "core/study/tiles/tile_maps.h"
 
+#include <algorithm>
+
 #include "core/study/tiles/map_bands.h"
 
 namespace noonmark {
@@ -13,6 +15,11 @@ TileMap mapOfMonths(const SunSteps& sun, std::size_t firstBand) {
 }
 
 }  // namespace
+
+ColourScale makeShadowScale(const ShadowStatistics& figures, double sunlitMinutesPerDay) {
+    return makeColourScale({}, {ShownAs::shadow, sunlitMinutesPerDay},
+                           std::max(sunlitMinutesPerDay, figures.maxGrossMin), {});
+}
 
 std::vector<TileMap> listTileMaps(const StudySettings& settings, const SunSteps& sun) {
     const ShadowField names;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/io/write_raster.h"
+#include "core/measures/colour_scale.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -16,7 +18,11 @@ struct TileMap {
     std::vector<RasterBand> bands;  ///< names and units; no values
     std::size_t firstBand = 0;      ///< place of its first band in the files of tiles
     std::size_t runBands = 0;       ///< how many of its last bands hold continuous shadow, or its change
+    std::optional<ColourScale> colours{};  ///< none: those of shadow, see makeShadowScale()
 };
+
+/// The colours of maps of shadow whose cells are never together in memory: as of a fitted legend.
+ColourScale makeShadowScale(const ShadowStatistics& figures, double sunlitMinutesPerDay);
 
 /// The maps that the settings of a study ask for: `shadow` (gross and continuous), and `by_month`, with a
 /// band for each month of the sun.

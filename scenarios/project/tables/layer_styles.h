@@ -15,7 +15,7 @@ void addLayerStyles(Database& database);
 void addPlaceStyle(Database& database);
 
 /// Adds the style of a layer of bands; the column `label` selects the colour.
-void addBandStyle(Database& database, const std::string& table, const std::vector<ValueBand>& bands);
+void addBandStyle(Database& database, const std::string& table, const std::vector<ColourClass>& bands);
 void removeStyle(Database& database, const std::string& table);
 
 }  // namespace noonmark

@@ -20,7 +20,7 @@ void writePolygons(Database& database, const std::string& table, const Grid& gri
     Statement add = database.prepare(
         fmt::format("INSERT INTO {} (geom, label, low, high, area_m2) VALUES (?, ?, ?, ?, ?)", table));
     for (const BandPolygon& polygon : traceBands(grid, std::move(bandOfCell))) {
-        const ValueBand& band = bands.bands().at(std::size_t(polygon.band));
+        const ColourClass& band = bands.bands().at(std::size_t(polygon.band));
         const Bytes shape = polygonBlob(polygon.outline);
         add.run(AsBlob{shape}, band.label, band.low, band.high, area(polygon.outline));
     }

@@ -167,8 +167,8 @@ TEST(WriteShadows, GeoPackageHasTheLayersWithTheirFields) {
     ASSERT_TRUE(package);
     std::vector<std::string> names;
     for (OGRLayer* layer : package->GetLayers()) names.emplace_back(layer->GetName());
-    EXPECT_THAT(names,
-                testing::ElementsAre("shadows", "buildings", "places", "fan", "isochrones", "distances"));
+    EXPECT_THAT(names, testing::ElementsAre("shadows", "buildings", "places", "fan", "isochrones",
+                                            "distances", "layer_styles"));
     OGRLayer& shadows = *package->GetLayerByName("shadows");
     EXPECT_EQ(shadows.GetFeatureCount(), 2);
     std::map<std::string, double> areas;

@@ -338,17 +338,17 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
     EXPECT_NEAR(area(read->places[0]), 3200, 1);
 }
 
-// More than eight hours: classes of two hours, of which each has a symbol.
-TEST(SunByPlace, StyleHasAClassForEveryHour) {
+TEST(SunByPlace, StyleHasTheClassesAroundEnoughSunInTheColoursOfTheLegend) {
     SunByPlace sun;
+    sun.settings.enoughHours = 3;
     sun.sun.resize(2);
-    sun.sun[0].meanHours = 9.5;
+    sun.sun[0].meanHours = 8.5;
     const std::string qml = makeStyle(sun).qml;
     EXPECT_THAT(qml, HasSubstr(R"(attr="hours_mean")"));
-    EXPECT_THAT(qml, HasSubstr(R"(symbol="0" lower="0" upper="2")"));
-    EXPECT_THAT(qml, HasSubstr(R"(symbol="4" lower="8" upper="10")"));
-    EXPECT_THAT(qml, HasSubstr(R"(<symbol type="fill" name="4")"));
-    EXPECT_THAT(qml, Not(HasSubstr(R"(name="6")")));
+    EXPECT_THAT(qml, HasSubstr(R"(lower="2" upper="3" symbol="2")"));
+    EXPECT_THAT(qml, HasSubstr(R"(lower="3" upper="5" symbol="3" label="3 to 5 h")"));
+    EXPECT_THAT(qml, HasSubstr(R"(<symbol type="fill" name="5")"));
+    EXPECT_NE(makeStyle(sun, {.ramp = Ramp::viridis}).qml, qml);
 }
 
 }  // namespace

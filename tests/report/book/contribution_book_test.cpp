@@ -47,6 +47,14 @@ TEST(ContributionBook, RowsAddUpToAllShadow) {
     EXPECT_EQ(rows, expected);
 }
 
+TEST(ContributionBook, HasTheLegendThatWasChosen) {
+    const Study study = studyWithContributions();
+    const Book book = makeContributionBook(study, {.legend = {.show = ShownAs::sun, .ramp = Ramp::viridis}});
+    const Legend& legend = std::get<PageMap>(book.pages.front().items.front().content).map->legend;
+    EXPECT_EQ(legend.title, QStringLiteral("Hours of sun"));
+    EXPECT_EQ(legend.colours->ramp, Ramp::viridis);
+}
+
 TEST(ContributionBook, NumbersStandOnTheirBuildings) {
     const Study study = studyWithContributions();
     const Book book = makeContributionBook(study, {});

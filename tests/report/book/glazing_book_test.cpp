@@ -53,6 +53,14 @@ protected:
     }();
 };
 
+TEST_F(GlazingBook, HasTheColoursThatWereChosen) {
+    const GlazingStudy study = review("korea", "west house");
+    const Book made = book(study, {.legend = {.ramp = Ramp::viridis, .changeRamp = Ramp::orangePurple}});
+    const ElevationDrawing& north = *drawingsOf(made).at(0);
+    EXPECT_EQ(north.panels[1].cells.at(0).colour, toColour(rampRgb(Ramp::viridis, 1))) << "no sun";
+    EXPECT_EQ(north.panels[2].cells.at(0).colour, toColour(rampRgb(Ramp::orangePurple, 0.5))) << "no change";
+}
+
 TEST_F(GlazingBook, DrawsEachSideOfAHouseBeforeAndAfterAtAScale) {
     const GlazingStudy study = review("korea", "west house");
     const Book made = book(study);

@@ -18,16 +18,6 @@ double minutesOf(const MeasuredElement& element, ShadowMeasure measure) {
 
 }  // namespace
 
-Legend makeLegend(const ElementMap& map, ShadowMeasure measure, const LegendChoice& choice) {
-    double top = map.possibleMin;
-    std::vector<float> minutes;
-    for (const MeasuredElement& element : map.elements) {
-        minutes.push_back(float(minutesOf(element, measure)));
-        top = std::max(top, minutesOf(element, measure));
-    }
-    return makeLegend(measure, choice, map.possibleMin, top, minutes);
-}
-
 std::vector<ElementTiles::Tile> makeTiles(const ElementMap& map, ShadowMeasure measure,
                                           const ColourScale& scale) {
     std::vector<ElementTiles::Tile> tiles;

@@ -2,8 +2,7 @@
 
 #include <memory>
 
-#include "app/report/maps/legend_painter.h"
-#include "core/study/elements/element_map.h"
+#include "app/report/maps/element_legend.h"
 #include "render/scene/element_tiles.h"
 
 namespace noonmark {
@@ -16,9 +15,6 @@ struct ElementView {
     /// Instead of the note while continuous shadow is shown; empty: the note holds for both measures.
     QString runNote{};
 };
-
-/// The scale of a study of cells: up to the sunlit minutes of a day, or the largest value if that is larger.
-Legend makeLegend(const ElementMap& map, ShadowMeasure measure, const LegendChoice& choice = {});
 
 /// A rectangle for each element, in their order. Those that the scale leaves free
 /// have the colour of 0.

@@ -12,6 +12,7 @@
 #include "app/gui/view/panel/view_panel.h"
 #include "app/input/all_engines.h"
 #include "app/questions/saved_question.h"
+#include "app/report/maps/palette.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -204,7 +205,7 @@ void ContributionLinks::colour() {
                 groups[classOf(row.share)].some.buildings.push_back(row.building);
     }
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        const QColor& colour = contributionClasses[i].colour;
+        const QColor colour = toColour(contributionClasses[i].colour);
         groups[i].colour = {colour.redF(), colour.greenF(), colour.blueF()};
     }
     panel_.view().overlay().showColoured(groups);

@@ -4,6 +4,7 @@
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/number_words.h"
+#include "app/report/maps/palette.h"
 
 namespace noonmark {
 
@@ -49,7 +50,7 @@ QVariant ContributionModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignVCenter | (isName ? Qt::AlignLeft : Qt::AlignRight));
     if (role == Qt::DecorationRole && isName && row.building)
-        return contributionClasses[classOf(row.share)].colour;
+        return toColour(contributionClasses[classOf(row.share)].colour);
     if (role == Qt::ToolTipRole && isName && row.building) {
         const QString id = QString::fromStdString(row.building->sourceId);
         return id == row.name ? row.name : QStringLiteral("%1 (%2)").arg(row.name, id);

@@ -4,9 +4,7 @@
 // contribution_sheet.h makes the rows, as plain data; contributions_dock.h shows them with bars by month;
 // contribution_links.h asks for them and connects them with the view.
 
-#include <QColor>
 #include <QString>
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -53,16 +51,6 @@ ContributionSheet makeContributionSheet(const SavedStudy& study, const City& cit
 /// `after`: the city with the new buildings.
 ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place);
 
-/// The classes of the map: a share of at least `from` has this colour. Sequential, told apart by colour-blind
-/// readers and by lightness; none of them is a colour of the maps of shadow.
-struct ContributionClass {
-    double from = 0;
-    QColor colour;
-};
-inline constexpr std::array contributionClasses{
-    ContributionClass{0, QColor(0xfe, 0xeb, 0xe2)}, ContributionClass{0.01, QColor(0xfb, 0xb4, 0xb9)},
-    ContributionClass{0.05, QColor(0xf7, 0x68, 0xa1)}, ContributionClass{0.15, QColor(0xc5, 0x1b, 0x8a)},
-    ContributionClass{0.30, QColor(0x7a, 0x01, 0x77)}};
 std::size_t classOf(double share);     ///< index in contributionClasses
 QString describeClass(std::size_t i);  ///< "< 1 %", "1-5 %", "≥ 30 %"
 

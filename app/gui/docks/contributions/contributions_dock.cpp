@@ -21,6 +21,7 @@
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/contributions/contribution_model.h"
 #include "app/gui/session/answers/bar_charts.h"
+#include "app/report/maps/palette.h"
 
 namespace noonmark {
 
@@ -126,7 +127,7 @@ QWidget* ContributionsDock::makeLegend() {
     cells->setSpacing(3);
     for (std::size_t i = 0; i < contributionClasses.size(); ++i) {
         QPixmap swatch(swatchPx, swatchPx);
-        swatch.fill(contributionClasses[i].colour);
+        swatch.fill(toColour(contributionClasses[i].colour));
         auto* colour = new QLabel;
         colour->setPixmap(swatch);
         cells->addWidget(colour);

@@ -24,7 +24,7 @@ constexpr int formWidth = 330;
 }  // namespace
 
 SheetsDialog::SheetsDialog(std::shared_ptr<const ReviewAnswer> answer, ReviewSource source,
-                           ProjectSession& session, const PageSetup& setup, QWidget* parent)
+                           ProjectSession& session, const BookSettings& begin, QWidget* parent)
     : QDialog(parent),
       answer_(std::move(answer)),
       source_(std::move(source)),
@@ -48,7 +48,7 @@ SheetsDialog::SheetsDialog(std::shared_ptr<const ReviewAnswer> answer, ReviewSou
     connect(form_, &SheetForm::failed, this, &SheetsDialog::tell);
     connect(write_, &QPushButton::clicked, this, &SheetsDialog::askForFolder);
     connect(&session_, &ProjectSession::changed, this, &SheetsDialog::showProject);
-    shown_.setup = setup;
+    shown_ = begin;
     showProject();
 }
 
@@ -86,7 +86,8 @@ BookSettings SheetsDialog::settings() const {
 }
 
 void SheetsDialog::takeForm() {
-    const BookSettings chosen = form_->settings();
+    BookSettings chosen = form_->settings();
+    chosen.legend = shown_.legend;
     if (chosen == shown_) return;
     if (!(chosen.setup == shown_.setup)) Q_EMIT setupChosen(chosen.setup);
     shown_ = chosen;

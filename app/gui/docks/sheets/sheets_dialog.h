@@ -25,9 +25,9 @@ class SheetForm;
 class SheetsDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// `session` must outlive it. `setup`: paper to begin with.
+    /// `session` must outlive it. `begin`: paper and legend to begin with.
     SheetsDialog(std::shared_ptr<const ReviewAnswer> answer, ReviewSource source, ProjectSession& session,
-                 const PageSetup& setup, QWidget* parent);
+                 const BookSettings& begin, QWidget* parent);
 
     /// Writes the files as they are shown; lays the sheets out first where they are not up to date.
     void write(const QString& folder);

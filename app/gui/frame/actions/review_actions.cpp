@@ -63,15 +63,16 @@ void ReviewActions::exportGlazing() {
     const QString folder = askForFolder(&window_, tr("Export the review"));
     if (folder.isEmpty()) return;
     if (mayReplace(&window_, folder, filesInTheWay(folder, glazingFileNames())))
-        windows_.write(*answer, folder);
+        windows_.write(*answer, folder, panel_.legend().choice());
 }
 
 void ReviewActions::showSheets() {
     auto answer = review_.finished();
     if (!answer) return panel_.messages().showError(answer.error());
     closeSheets();
-    sheets_ = new SheetsDialog(*std::move(answer), review_.source(), workbench_.session(),
-                               readPageSetup(settings_), &window_);
+    sheets_ =
+        new SheetsDialog(*std::move(answer), review_.source(), workbench_.session(),
+                         {.setup = readPageSetup(settings_), .legend = panel_.legend().choice()}, &window_);
     connect(sheets_, &SheetsDialog::failed, &panel_.messages(), &MessageBar::showError);
     connect(sheets_, &SheetsDialog::written, &panel_.messages(), [this](const QString& folder) {
         panel_.messages().showNote(tr("The review was exported to %1").arg(folder));

@@ -101,7 +101,9 @@ private:
                 : QStringLiteral("Shadow in the scenario: share of the place"),
             QStringLiteral("Day of the year across, time of day upwards; not counted: the sun is down, or "
                            "outside the rule's hours")};
-        return {makeCarpetChart(days_, quantity, carpetRowMin, scene_.sun.clock), caption};
+        CarpetChart chart = makeCarpetChart(days_, quantity, carpetRowMin, scene_.sun.clock);
+        chart.legend = scene_.settings.legend;
+        return {std::move(chart), caption};
     }
 
     [[nodiscard]] PageChart monthsChart() const {

@@ -39,8 +39,8 @@ std::vector<PanesOfBuilding> groupPanes(const GlazingStudy& study) {
     return groups;
 }
 
-QColor sunColour(const std::optional<double>& value, double top) {
-    return value ? shadowColour(1 - *value / top) : ink::line;
+QColor sunColour(const std::optional<double>& value, const Legend& legend) {
+    return value ? toColour(legend.colours->colourOf(*value)) : ink::line;
 }
 
 ElevationMark markOf(Verdict verdict) {
@@ -49,9 +49,9 @@ ElevationMark markOf(Verdict verdict) {
 }
 
 ElevationCell changeCell(const GlazingReview& review, const std::optional<double>& before,
-                         const std::optional<double>& after, double top) {
+                         const std::optional<double>& after, const Legend& legend) {
     ElevationCell cell{ink::line};
-    if (before && after) cell.colour = impactColour((*before - *after) / top);
+    if (before && after) cell.colour = toColour(legend.colours->colourOf(*after - *before));
     if (isWorse(review.formerVerdict, review.verdict)) cell.mark = ElevationMark::worse;
     if (isWorse(review.verdict, review.formerVerdict)) cell.mark = ElevationMark::better;
     return cell;
@@ -63,8 +63,13 @@ QString nameOfBuilding(const GlazingStudy& study, const PanesOfBuilding& group) 
     return name.empty() ? QStringLiteral("Windows at no building") : plainText(name);
 }
 
+/// Of a measure and of its change.
+struct GlazingLegends {
+    Legend value, change;
+};
+
 ElevationBuilding makeBuilding(const GlazingBookSource& source, const GlazingMeasure& measure,
-                               const PanesOfBuilding& group) {
+                               const GlazingLegends& legends, const PanesOfBuilding& group) {
     const GlazingStudy& study = source.study;
     ElevationBuilding building{nameOfBuilding(study, group), nullptr, {}, {{}, {}, {}}, {}};
     if (group.building < source.scenario.buildings.size()) {
@@ -80,9 +85,9 @@ ElevationBuilding makeBuilding(const GlazingBookSource& source, const GlazingMea
         const auto after = shownValue(study.rule, measure, review, false);
         hasFormer = hasFormer || before;
         building.panes.push_back(pane.pane);
-        building.cells[0].push_back({sunColour(before, measure.scale.top), markOf(review.formerVerdict)});
-        building.cells[1].push_back({sunColour(after, measure.scale.top), markOf(review.verdict)});
-        building.cells[2].push_back(changeCell(review, before, after, measure.changeScale.top));
+        building.cells[0].push_back({sunColour(before, legends.value), markOf(review.formerVerdict)});
+        building.cells[1].push_back({sunColour(after, legends.value), markOf(review.verdict)});
+        building.cells[2].push_back(changeCell(review, before, after, legends.change));
     }
     if (hasFormer) return building;
     building.cells[0].clear(), building.cells[2].clear();
@@ -91,19 +96,21 @@ ElevationBuilding makeBuilding(const GlazingBookSource& source, const GlazingMea
     return building;
 }
 
-Legend legendOf(const GlazingMeasure& measure, bool isChange) {
+Legend legendOf(const GlazingMeasure& measure, const LegendChoice& choice, bool isChange) {
     Legend legend;
     legend.title = isChange ? QStringLiteral("Change") : plainText(measure.title);
     legend.unit = plainText(measure.unit) + QStringLiteral(", scale locked");
     legend.scale = isChange ? measure.changeScale : measure.scale;
     legend.change = isChange;
-    legend.colours = makeWantedScale(legend.scale, isChange);
+    legend.colours = makeWantedScale(choice, legend.scale, isChange);
     return legend;
 }
 
 std::vector<BookPage> makePagesOf(const GlazingBookSource& source, const BookSettings& settings,
                                   const GlazingMeasure& measure, const std::vector<PanesOfBuilding>& groups) {
     const GlazingStudy& study = source.study;
+    const GlazingLegends legends{legendOf(measure, settings.legend, false),
+                                 legendOf(measure, settings.legend, true)};
     ElevationSheets sheets{
         QStringLiteral("Elevations: ") + plainText(measure.title),
         QStringLiteral("%1 and %2. %3. Colours beyond the ends of a scale are "
@@ -112,7 +119,7 @@ std::vector<BookPage> makePagesOf(const GlazingBookSource& source, const BookSet
                  describeFloors(study.settings.elements)),
         QStringLiteral("Elevations: ") + plainText(measure.title),
         {plainText(source.labels.from), plainText(source.labels.to), QStringLiteral("Change")},
-        {{legendOf(measure, false), legendOf(measure, true)}},
+        {{legends.value, legends.change}},
         source.scenario.frame,
         maxElevationPages};
     sheets.scale = settings.scale;
@@ -124,7 +131,7 @@ std::vector<BookPage> makePagesOf(const GlazingBookSource& source, const BookSet
             buildings.push_back({nameOfBuilding(study, group), nullptr, {}, {}, {}});
             continue;
         }
-        buildings.push_back(makeBuilding(source, measure, group));
+        buildings.push_back(makeBuilding(source, measure, legends, group));
     }
     return makeElevationPages(settings.setup, std::move(sheets), buildings);
 }

@@ -46,6 +46,8 @@ std::vector<CommandOption> makeRepeatOptions(const BookSettings& settings) {
     std::vector<CommandOption> options = listOptions(pageFields().of(settings.setup));
     for (const auto* fields : {&scaleFields(), &extentFields()})
         for (CommandOption& option : listOptions(fields->of(settings))) options.push_back(std::move(option));
+    for (CommandOption& option : listOptions(legendFields().of(settings.legend)))
+        options.push_back(std::move(option));
     if (!settings.titleBlock.date.empty()) options.push_back({"--date", {settings.titleBlock.date}});
     return options;
 }

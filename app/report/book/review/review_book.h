@@ -22,8 +22,8 @@ struct ReviewBookSource {
     std::vector<Place> streets{};  ///< drawn for orientation
 };
 
-/// The options of `noonmark-cli review run` that lay out the same sheets: paper, scale and printed date. The
-/// rest of the title block is the project's.
+/// The options of `noonmark-cli review run` that lay out the same sheets: paper, scale, legend and printed
+/// date. The rest of the title block is the project's.
 std::vector<CommandOption> makeRepeatOptions(const BookSettings& settings);
 
 /// The book of a review: summary with a picture of the worst moment, diagrams of the rule's days and hours,

@@ -13,6 +13,7 @@
 #include "core/io/files/pending_file.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
+#include "core/io/styles/raster_style.h"
 #include "core/measures/has_runs.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_tags.h"
@@ -87,7 +88,7 @@ private:
         addFigures(ownFigures);
         const std::vector<TileMap> maps =
             listWrittenMaps(merge_.maps.empty() ? listTileMaps(own, *sun) : merge_.maps, hasRuns(figures));
-        return writeMaps(district, files, maps)
+        return writeMaps(district, files, maps, makeShadowScale(figures, sunlit))
             .and_then([&]() -> Result<void> {
                 if (!own.byMonth) return {};
                 return writeFile(district.name + "by_month.csv",
@@ -101,10 +102,15 @@ private:
             .and_then([&] { return addPlacesOf(district, files, maps, sunlit); });
     }
 
-    Result<void> writeMaps(const District& district, const TileFiles& files,
-                           const std::vector<TileMap>& maps) {
-        for (const TileMap& map : maps)
-            if (auto made = writeMap(district, files, map); !made) return made;
+    Result<void> writeMaps(const District& district, const TileFiles& files, const std::vector<TileMap>& maps,
+                           const ColourScale& ofShadow) {
+        for (const TileMap& map : maps) {
+            const std::string style = rasterStyle(map.colours.value_or(ofShadow));
+            auto made = writeMap(district, files, map).and_then([&] {
+                return writeFile(district.name + map.name + ".qml", style);
+            });
+            if (!made) return made;
+        }
         return {};
     }
 

@@ -33,13 +33,14 @@ struct MergeReport {
 Result<std::filesystem::path> makeMergedFolder(const std::filesystem::path& plan);
 
 /// Joins the finished tiles of a plan, into the folder `merged` of the plan, for each district: `shadow.tif`,
-/// a Cloud Optimized GeoTIFF; `shadow.vrt`, a virtual raster over the tiles' own files; `item.json`, a STAC
-/// item; if the settings ask for months, `by_month.tif`, `by_month.vrt` and `by_month.csv`; and for all
-/// districts together `statistics.json` and, if places are given, `places.csv`. Other measures have maps of
-/// other names, and a table of places for each map with shadow (`before_places.csv`). Names of districts are
-/// put before those of the files. Cells equal those of the tiles to the last bit. Existing files of an
-/// earlier merge are replaced. Holds one tile in memory. Error: tiles are missing, a file cannot be read or
-/// written, places of maps without shadow; cancelled().
+/// a Cloud Optimized GeoTIFF; `shadow.vrt`, a virtual raster over the tiles' own files; `shadow.qml`, the
+/// style of both for QGIS; `item.json`, a STAC item; if the settings ask for months, `by_month.tif`,
+/// `by_month.vrt`, `by_month.qml` and `by_month.csv`; and for all districts together `statistics.json` and,
+/// if places are given, `places.csv`. Other measures have maps of other names, and a table of places for each
+/// map with shadow (`before_places.csv`). Names of districts are put before those of the files. Cells equal
+/// those of the tiles to the last bit. Existing files of an earlier merge are replaced. Holds one tile in
+/// memory. Error: tiles are missing, a file cannot be read or written, places of maps without shadow;
+/// cancelled().
 Result<MergeReport> mergeTiles(const std::filesystem::path& folder, const TaskPlan& plan,
                                const StudySettings& settings, const MergeSettings& merge, Progress& progress,
                                const std::stop_token& stop);

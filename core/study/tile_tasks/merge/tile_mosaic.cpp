@@ -4,24 +4,11 @@
 
 #include <cmath>
 
+#include "core/base/xml_text.h"
+
 namespace noonmark {
 
 namespace {
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char letter : text) {
-        if (letter == '&')
-            safe += "&amp;";
-        else if (letter == '<')
-            safe += "&lt;";
-        else if (letter == '>')
-            safe += "&gt;";
-        else
-            safe += letter;
-    }
-    return safe;
-}
 
 std::string sourceOf(const TilePlan& plan, std::size_t number, const std::string& file, std::size_t band) {
     const Grid& whole = plan.whole;
@@ -35,7 +22,7 @@ std::string sourceOf(const TilePlan& plan, std::size_t number, const std::string
         "      <SrcRect xOff=\"0\" yOff=\"0\" xSize=\"{}\" ySize=\"{}\"/>\n"
         "      <DstRect xOff=\"{}\" yOff=\"{}\" xSize=\"{}\" ySize=\"{}\"/>\n"
         "    </SimpleSource>\n",
-        escaped(file), band, tile.columns, tile.rows, column, row, tile.columns, tile.rows);
+        escapeXml(file), band, tile.columns, tile.rows, column, row, tile.columns, tile.rows);
 }
 
 }  // namespace
@@ -46,7 +33,7 @@ std::string makeMosaic(const TilePlan& plan, const TileFiles& tiles, const Frame
     std::string text = fmt::format(
         "<VRTDataset rasterXSize=\"{}\" rasterYSize=\"{}\">\n  <SRS>{}</SRS>\n"
         "  <GeoTransform>{}, {}, 0, {}, 0, {}</GeoTransform>\n",
-        whole.columns, whole.rows, escaped(frame.projString()), whole.westM, whole.cellM, whole.northM(),
+        whole.columns, whole.rows, escapeXml(frame.projString()), whole.westM, whole.cellM, whole.northM(),
         -whole.cellM);
     std::size_t number = 0;
     for (const RasterBand& band : map.bands) {

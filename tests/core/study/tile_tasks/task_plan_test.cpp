@@ -4,7 +4,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/io/styles/raster_style.h"
 #include "core/study/tile_tasks/task_status.h"
+#include "core/study/tiles/tile_maps.h"
 #include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/study/tile_tasks/task_plan_fixture.h"
 
@@ -103,6 +105,8 @@ TEST_F(TaskPlanTest, TasksTogetherEqualOneStudyToTheLastBit) {
     EXPECT_EQ(made.districts[0].frame, whole.study.city.frame);
     expectEqualMaps(made, "plan/merged/shadow.tif", "whole.tif", 2);
     EXPECT_EQ(merged->statistics.receivers, whole.study.statistics.receivers);
+    EXPECT_EQ(textOf("plan/merged/shadow.qml"),
+              rasterStyle(makeShadowScale(whole.study.statistics, whole.study.field.sunlitMinutesPerDay)));
 }
 
 TEST_F(TaskPlanTest, ATaskOfSeveralWindowsEqualsOneStudyToTheLastBit) {

@@ -36,7 +36,9 @@ public:
     [[nodiscard]] QString whyOutdated();
     /// The answer that can be exported. Error: there is none.
     [[nodiscard]] Result<std::shared_ptr<const GlazingAnswer>> finished() const;
-    void write(std::shared_ptr<const GlazingAnswer> answer, const QString& folder);
+    /// `legend`: of the sheets.
+    void write(std::shared_ptr<const GlazingAnswer> answer, const QString& folder,
+               const LegendChoice& legend = {});
 
     [[nodiscard]] JobSlot& running() { return running_; }
     [[nodiscard]] JobSlot& runningAll() { return runningAll_; }
