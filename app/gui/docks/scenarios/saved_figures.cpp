@@ -1,7 +1,10 @@
 #include "app/gui/docks/scenarios/saved_figures.h"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
+#include "app/questions/question.h"
 #include "core/describe/figure_text.h"
 #include "core/measures/shadow_figures.h"
 #include "scenarios/project/results/saved_answer.h"
@@ -70,21 +73,46 @@ std::optional<ViewFigures> viewFiguresFrom(const Json& json) try {
     return std::nullopt;
 }
 
+void take(const SavedStudy& study, SavedFigures& figures) { figures.measured = study.statistics; }
+
+void take(const SavedScore& score, SavedFigures& figures) {
+    figures.score = totalsOf(score.score);
+    figures.scoreMonths = score.score.months;
+}
+
+void take(const SavedImpact& impact, SavedFigures& figures) { figures.impact = impact.figures.all.front(); }
+
+/// A kind of results with figures of a scenario, and how they are taken from what was saved.
+struct FiguresOfKind {
+    std::string_view kind;
+    void (*takeFrom)(const std::any& content, SavedFigures& figures);
+};
+
+template <class T>
+FiguresOfKind figuresOf(const Question& question) {
+    return {question.key, [](const std::any& content, SavedFigures& figures) {
+                take(std::any_cast<const T&>(content), figures);
+            }};
+}
+
+const FiguresOfKind* findFiguresOf(std::string_view kind) {
+    static const std::array all{figuresOf<SavedStudy>(studyQuestion()),
+                                figuresOf<SavedScore>(scoreQuestion()),
+                                figuresOf<SavedImpact>(comparisonQuestion())};
+    const auto found = std::ranges::find(all, kind, &FiguresOfKind::kind);
+    return found == all.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::optional<SavedFigures> readSavedFigures(const SavedResult& result, const Project& project) {
-    if (result.kind != "study" && result.kind != "score" && result.kind != "impact") return std::nullopt;
+    const FiguresOfKind* const of = findFiguresOf(result.kind);
+    if (of == nullptr) return std::nullopt;
     const auto saved = readSavedAnswer(result);
     if (!saved || !findChangesSince(result, saved->origin, project).empty()) return std::nullopt;
     SavedFigures figures{.question = saved->origin.questionSha256, .weights = saved->origin.weights};
     figures.grid = result.grid;
-    if (const auto* study = std::any_cast<SavedStudy>(&saved->content)) figures.measured = study->statistics;
-    if (const auto* score = std::any_cast<SavedScore>(&saved->content)) {
-        figures.score = totalsOf(score->score);
-        figures.scoreMonths = score->score.months;
-    }
-    if (const auto* impact = std::any_cast<SavedImpact>(&saved->content))
-        figures.impact = impact->figures.all.front();
+    of->takeFrom(saved->content, figures);
     if (!figures.measured) figures.settings = questionOf(Json::parse(result.settings)).dump();
     return figures;
 }
