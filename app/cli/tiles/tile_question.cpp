@@ -1,5 +1,8 @@
 #include "app/cli/tiles/tile_question.h"
 
+#include <algorithm>
+#include <array>
+
 #include "app/cli/options/project_question.h"
 #include "app/cli/study/load_city.h"
 #include "core/receivers/roof_receivers.h"
@@ -45,6 +48,29 @@ Result<TileSubject> impactIn(const Project& project, const TileStudyOptions& opt
     return makeImpactSubject(cities);
 }
 
+Result<TileSubject> scoreIn(const Project& project, const TileStudyOptions& options, ComparedCities cities) {
+    return findWeights(project, options.weights).map([&](TimeWeights weights) {
+        return makeScoreSubject({cities.after, cities.region, std::move(weights)});
+    });
+}
+
+/// A question besides the shadow of a scenario that tiles of a project answer.
+struct TiledQuestion {
+    std::string TileStudyOptions::*askedBy;  ///< the option that asks it
+    std::vector<TileMap> (*maps)();
+    /// Takes the scenario and the region; the baseline is read where it counts.
+    Result<TileSubject> (*subject)(const Project&, const TileStudyOptions&, ComparedCities);
+};
+constexpr std::array tiledQuestions{TiledQuestion{&TileStudyOptions::baseline, listImpactMaps, impactIn},
+                                    TiledQuestion{&TileStudyOptions::weights, listScoreMaps, scoreIn}};
+
+// Null: the shadow of a scenario.
+const TiledQuestion* findQuestion(const TileStudyOptions& options) {
+    const auto asked = std::ranges::find_if(
+        tiledQuestions, [&](const TiledQuestion& one) { return !(options.*one.askedBy).empty(); });
+    return asked == tiledQuestions.end() ? nullptr : &*asked;
+}
+
 // The cities to measure timelines of: the baseline first, where there is one.
 Result<TileSubject> timelinesIn(const Project& project, const TileStudyOptions& options,
                                 std::shared_ptr<const City> city, Region region) {
@@ -63,18 +89,15 @@ Result<TileSubject> timelinesIn(const Project& project, const TileStudyOptions& 
 Result<TileSubject> subjectIn(const Project& project, const TileStudyOptions& options) {
     const StudyOptions& study = options.study;
     const std::string scenario = study.scenario.empty() ? existingCity : study.scenario;
-    const bool compares = !options.baseline.empty(), scores = !options.weights.empty();
+    const TiledQuestion* const question = findQuestion(options);
     auto city = sharedCity(project, scenario);
     if (!city) return tl::make_unexpected(city.error());
-    auto region = regionIn(project, compares || scores ? *project.city : **city, study.region);
+    auto region = regionIn(project, question != nullptr ? *project.city : **city, study.region);
     if (!region) return tl::make_unexpected(region.error());
     if (!options.timelines.empty())
         return timelinesIn(project, options, *std::move(city), *std::move(region));
-    if (compares) return impactIn(project, options, {nullptr, *city, *region});
-    if (!scores) return TileSubject{.key = "study", .cities = {*city}, .region = *region};
-    return findWeights(project, options.weights).map([&](TimeWeights weights) {
-        return makeScoreSubject({*city, *region, std::move(weights)});
-    });
+    if (question != nullptr) return question->subject(project, options, {nullptr, *city, *region});
+    return TileSubject{.key = "study", .cities = {*city}, .region = *region};
 }
 
 Result<TileQuestionRead> questionIn(const Project& project, const TileStudyOptions& options) {
@@ -138,9 +161,8 @@ Result<Period> readPeriod(const TileStudyOptions& options) {
 }
 
 std::vector<TileMap> listMaps(const TileStudyOptions& options) {
-    if (!options.baseline.empty()) return listImpactMaps();
-    if (!options.weights.empty()) return listScoreMaps();
-    return {};
+    const TiledQuestion* const question = findQuestion(options);
+    return question != nullptr ? question->maps() : std::vector<TileMap>();
 }
 
 }  // namespace noonmark::cli
