@@ -1,5 +1,6 @@
 #include <qpdf/qpdf-c.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "tests/cli/project_command.h"
@@ -53,6 +54,40 @@ TEST_F(VerifyCommand, AgreesWithAReportAndItsRecord) {
         EXPECT_EQ(json["inputs"][0]["agrees"], true);
     }
     EXPECT_GT(verify("out/report.pdf").json()["printed"]["figures"], 50);
+}
+
+// Whatever else is saved in a project, a report stays true as long as what it rests on is the same.
+TEST_F(VerifyCommand, AcceptsAProjectThatWasSavedAgainWithTheSameQuestion) {
+    const std::string project = folder_.path("town.noonmark.gpkg").string();
+    const auto run = [](const std::vector<std::string>& words) {
+        const Spoken spoken = noonmarkCli(words);
+        ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    };
+    run({"project", "new", project, folder_.path("houses.geojson").string()});
+    run({"project", "add-scenario", project, "Tower"});
+    run({"study",      project,
+         "--scenario", "Tower",
+         "--start",    "2026-03-21",
+         "--from",     "09:00",
+         "--hours",    "6",
+         "--step",     "10",
+         "--zone",     "America/New_York",
+         "--region",   "-73.9845,40.7525,-73.9828,40.7536",
+         "--cell",     "2",
+         "--out",      folder_.path("filed").string()});
+    run({"project", "lot", "add", project, "Lot", "-73.9836,40.7532,-73.9834,40.7534"});
+    for (const char* report : {"filed/report.pdf", "filed/study.json"}) {
+        const Spoken spoken = verify(report);
+        EXPECT_EQ(spoken.code, exitOk) << spoken.err << spoken.out;
+        const auto inputs = spoken.json()["inputs"];
+        EXPECT_TRUE(std::ranges::any_of(inputs, [](const auto& file) { return file["saved_again"] == true; }))
+            << inputs.dump();
+    }
+    run({"project", "extrude", project, "--scenario", "Tower", "--lot", "Lot", "--height", "30", "--id",
+         "T"});
+    const Spoken other = verify("filed/report.pdf");
+    EXPECT_EQ(other.code, exitUsage);
+    EXPECT_EQ(other.json()["verdict"], "not computed");
 }
 
 // Whatever the working folder: it is the same afterwards, and nothing is left behind.

@@ -45,6 +45,7 @@ std::string_view nameOf(Verdict verdict) {
 
 std::string_view stateOf(const FoundFile& file) {
     if (file.recorded.sha256.empty() && file.agrees) return "a sample, made by the program";
+    if (file.isSavedAgain) return "saved again since; what the result rests on is the same";
     if (file.agrees) return "the same file";
     if (file.path)
         return file.recorded.needed ? "ANOTHER FILE: its hash differs" : "another file, not needed";
@@ -125,7 +126,8 @@ Json filesJson(const std::vector<FoundFile>& files) {
                         {"sha256", file.recorded.sha256.empty() ? Json() : Json(file.recorded.sha256)},
                         {"needed", file.recorded.needed},
                         {"found", file.path ? Json(file.path->string()) : Json()},
-                        {"agrees", file.agrees}});
+                        {"agrees", file.agrees},
+                        {"saved_again", file.isSavedAgain}});
     return json;
 }
 

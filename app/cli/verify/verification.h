@@ -36,9 +36,9 @@ struct Verification {
 };
 
 /// Keys: report, record, program, verdict ("agrees", "differs", "not computed"), inputs (path, sha256,
-/// needed, found, agrees), figures (compared, differences of key, recorded, computed), printed (figures,
-/// differences of before, recorded, computed), pages (compared, different, only_in_one), tables (name,
-/// compared, differences), not_compared.
+/// needed, found, agrees, saved_again), figures (compared, differences of key, recorded, computed), printed
+/// (figures, differences of before, recorded, computed), pages (compared, different, only_in_one), tables
+/// (name, compared, differences), not_compared.
 nlohmann::ordered_json verificationJson(const Verification& verification);
 
 /// The same for people.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,6 +11,7 @@
 #include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
+#include "app/cli/verify/later_save.h"
 #include "app/cli/verify/repeat_run.h"
 #include "app/cli/verify/verification.h"
 #include "app/report/files/read_report.h"
@@ -90,12 +92,32 @@ Result<void> compareFilesBeside(const fs::path& report, const fs::path& computed
     return {};
 }
 
+/// The project that was saved again since; null without one.
+const FoundFile* findLaterSave(const Verification& verification) {
+    const auto found = std::ranges::find_if(verification.files, &FoundFile::isSavedAgain);
+    return found == verification.files.end() ? nullptr : &*found;
+}
+
+/// Takes out the differences that only state the hash of the project's file, which is another one.
+void leaveOutFileHash(Verification& verification, const std::string& recorded) {
+    std::erase_if(verification.figures->differences,
+                  [](const RecordDifference& one) { return one.key == "project.file_sha256"; });
+    if (!verification.printed) return;
+    std::erase_if(verification.printed->differences, [&](const WordDifference& one) {
+        std::string words = one.recorded;  // a hash may be broken into lines
+        std::erase(words, ' ');
+        return words == recorded;
+    });
+}
+
 Result<void> comparePrinted(const FiledReport& filed, const fs::path& computed, Verification& verification) {
     const auto printed = readPrintedWords(computed);
     if (!printed) return tl::make_unexpected(printed.error());
     verification.printed = compareWords(filed.printed, *printed);
-    if (!verification.sameProgram) {
-        verification.notCompared.emplace_back("how the pages look, since another version made them");
+    if (!verification.sameProgram || findLaterSave(verification) != nullptr) {
+        verification.notCompared.emplace_back(
+            verification.sameProgram ? "how the pages look, since they print the hash of the project's file"
+                                     : "how the pages look, since another version made them");
         return {};
     }
     const Interrupt interrupt;
@@ -142,10 +164,13 @@ Result<Verification> verify(const VerifyOptions& options, const Console& console
         const Interrupt interrupt;
         verification.files = findInputs(record->files, options.inputs, interrupt.token());
         if (interrupt.token().stop_requested()) return cancelled();
+        acceptLaterSaves(verification.files, record->json);
     }
     if (!areComplete(verification.files)) return verification;
     if (auto repeated = repeat(options, *record, *filed, console, verification); !repeated)
         return tl::make_unexpected(repeated.error());
+    if (const FoundFile* saved = findLaterSave(verification))
+        leaveOutFileHash(verification, saved->recorded.sha256);
     return verification;
 }
 

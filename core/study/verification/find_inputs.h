@@ -14,6 +14,7 @@ struct FoundFile {
     RecordedFile recorded;
     std::optional<std::filesystem::path> path;  ///< a file of that name; none: not found
     bool agrees = false;                        ///< its hash is the recorded one, or it is a sample
+    bool isSavedAgain = false;  ///< another hash, but a project whose content the result rests on is the same
 };
 
 /// Looks for each recorded file by its name in a folder and its subfolders (100,000 entries at most); of
