@@ -8,6 +8,7 @@
 #include "core/base/stopwatch.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
+#include "core/study/provenance/provenance.h"
 #include "scenarios/project/project_provenance.h"
 #include "scenarios/project/rule_parcels.h"
 
@@ -130,6 +131,28 @@ Result<std::vector<std::filesystem::path>> writeReview(const ReviewQuestion& que
                                                        const std::stop_token& stop) {
     return writeReviewFiles(bookSourceOf(question, source, *sheets.study, sheets.labels), sheets.book,
                             {byteOrderMark, source.outputs}, folder, progress, stop);
+}
+
+Result<void> checkCopy(const ProjectFile& file, const std::filesystem::path& folder) {
+    const std::filesystem::path copy = folder / file.path().filename();
+    std::error_code ignored;
+    if (!std::filesystem::exists(copy, ignored) || std::filesystem::equivalent(file.path(), copy, ignored))
+        return {};
+    const auto there = describeInputFile(copy), here = describeInputFile(file.path());
+    if (there && here && there->sha256 == here->sha256) return {};
+    return failure("Another file has the name of the project's copy", copy.string(),
+                   "Remove it, or choose another folder");
+}
+
+Result<void> copyProject(const ProjectFile& file, const std::filesystem::path& folder) {
+    if (auto may = checkCopy(file, folder); !may) return may;
+    const std::filesystem::path copy = folder / file.path().filename();
+    std::error_code error;
+    if (std::filesystem::exists(copy, error)) return {};
+    std::filesystem::copy_file(file.path(), copy, error);
+    if (error)
+        return failure("The project cannot be copied beside the report", copy.string(), error.message());
+    return {};
 }
 
 }  // namespace noonmark

@@ -103,4 +103,11 @@ Result<std::vector<std::filesystem::path>> writeReview(const ReviewQuestion& que
                                                        bool byteOrderMark, Progress& progress,
                                                        const std::stop_token& stop);
 
+/// Whether copyProject() can put a project's file into the folder of a report: it lies there, no file of its
+/// name does, or a file with the same bytes. Another one is never replaced: it may be a project.
+Result<void> checkCopy(const ProjectFile& file, const std::filesystem::path& folder);
+/// Copies a project's file as it is on disk into the folder of a report, where `verify` looks for it. Error:
+/// that of checkCopy(), or it cannot be copied.
+Result<void> copyProject(const ProjectFile& file, const std::filesystem::path& folder);
+
 }  // namespace noonmark

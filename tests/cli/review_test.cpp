@@ -136,6 +136,32 @@ TEST_F(ReviewCommand, WritesABookOfSheets) {
     EXPECT_EQ(review("ceqr", asked).code, 2);
 }
 
+TEST_F(ReviewCommand, ReviewsTheExistingCityWithoutAScenario) {
+    const Spoken spoken =
+        noonmarkCli({"review", "run", file_, "--rule", "bre-209-amenity", "--places", "all", "--zone",
+                     "America/New_York", "--cell", "10", "--out", folder_.path("review").string(), "--json"});
+    ASSERT_EQ(spoken.code, 0) << spoken.err;
+    const auto json = spoken.json();
+    EXPECT_EQ(json["from"], "Existing");
+    EXPECT_EQ(json["to"], "Existing");
+    EXPECT_EQ(json["places"][0]["verdict"], "pass");
+    EXPECT_GT(json["places"][0]["totals"]["scenario_m2h"], 0);
+    EXPECT_EQ(json["places"][0]["totals"]["incremental_m2h"], 0);
+}
+
+TEST_F(ReviewCommand, MayLayACopyOfTheProjectBesideItsFiles) {
+    std::vector<std::string> asked = all_;
+    asked.emplace_back("--with-project");
+    ASSERT_EQ(review("four-days", asked).code, 0);
+    const auto copy = folder_.path("review") / std::filesystem::path(file_).filename();
+    EXPECT_TRUE(std::filesystem::exists(copy));
+    const Spoken verified = noonmarkCli({"verify", folder_.path("review/sheets.pdf").string()});
+    EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+    EXPECT_EQ(review("four-days", asked).code, 0) << "the same copy is left as it is";
+    std::ofstream(copy) << "another";
+    EXPECT_THAT(review("four-days", asked).err, HasSubstr("Another file has the name"));
+}
+
 TEST_F(ReviewCommand, PrintsTheRulesOwnTableAndWhatIsNotChecked) {
     const Spoken spoken = review("ceqr", all_);
     ASSERT_EQ(spoken.code, 0) << spoken.err;

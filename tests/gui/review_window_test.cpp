@@ -327,5 +327,16 @@ TEST_F(SheetsWindow, PaperAndScaleAreThoseChosen) {
     EXPECT_FALSE(sheets.form().takeLogo(folder.filePath(QStringLiteral("missing.png"))));
 }
 
+TEST_F(SheetsWindow, HowMuchTheyHoldIsThatChosen) {
+    SheetsDialog& sheets = showSheets();
+    EXPECT_FALSE(sheets.form().settings().allPages);
+    BookSettings settings = sheets.form().settings();
+    settings.allPages = true;
+    settings.leastPlaceM2 = 250;
+    sheets.form().show(settings);
+    EXPECT_TRUE(sheets.form().settings().allPages);
+    EXPECT_EQ(sheets.form().settings().leastPlaceM2, 250);
+}
+
 }  // namespace
 }  // namespace noonmark

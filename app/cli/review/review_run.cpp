@@ -57,6 +57,9 @@ Result<PlaceQuestion> makePlaceQuestion(const ReviewRunOptions& options, const R
     if (!taken) return tl::make_unexpected(taken.error());
     auto ground = prepareGround(options, source, reviewFileNames());
     if (!ground) return tl::make_unexpected(ground.error());
+    if (options.withProject && source.file)
+        if (const auto may = checkCopy(*source.file, options.out); !may)
+            return tl::make_unexpected(may.error());
     const ReviewSettings settings{options.settings.cellM, ground->zone, ground->year, true, true};
     auto repeat = makeRepeatOptions(options.sheets);
     if (options.inReach) repeat.push_back({"--in-reach", {}});
@@ -169,6 +172,9 @@ Result<std::shared_ptr<const ReviewSheets>> writeFiles(const PlaceQuestion& ques
     const auto written = writeReview(question.asked, source, **sheets, options.out, options.byteOrderMark,
                                      forFiles, interrupt.token());
     if (!written) return tl::make_unexpected(written.error());
+    if (options.withProject && source.file)
+        if (const auto copied = copyProject(*source.file, options.out); !copied)
+            return tl::make_unexpected(copied.error());
     return sheets;
 }
 
@@ -229,7 +235,8 @@ void addQuestion(CLI::App& command, ReviewRunOptions& options) {
         ->type_name("NAME");
     command
         .add_option(flags::to, options.to,
-                    "The scenario to review; needed for a project. City files have the existing city alone")
+                    "The scenario to review (default: the existing city, as it stands). City files have the "
+                    "existing city alone")
         ->type_name("NAME");
     command
         .add_option(flags::places, options.places,
@@ -270,6 +277,8 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
     command.add_flag(
         "--bom", options.byteOrderMark,
         "review.csv or windows.csv begins with a byte order mark, by which Excel recognises UTF-8");
+    command.add_flag("--with-project", options.withProject,
+                     "Of places: also put a copy of the project into the folder, so that `verify` finds it");
     addOverwriteOption(command, options.overwrite);
     command.add_flag("--estimate", options.estimate,
                      "Only state how long the review will take, and write nothing");

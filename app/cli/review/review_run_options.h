@@ -40,6 +40,7 @@ struct ReviewRunOptions {
     GlazingRunOptions windows;
     bool overwrite = false;
     bool byteOrderMark = false;
+    bool withProject = false;  ///< copy the project beside the files
     bool inReach = false;
     bool estimate = false;  ///< state the expected time instead of running
     bool json = false;

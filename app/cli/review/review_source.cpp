@@ -14,7 +14,8 @@ namespace {
 
 Result<ReviewSource> openScenarios(const ReviewRunOptions& options, const Console& console) {
     if (auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
-    if (options.to.empty())
+    // Without any scenario the existing city is reviewed; a baseline alone says nothing about what to review.
+    if (options.to.empty() && !options.from.empty() && options.from != existingCity)
         return failure("The scenario to review is missing", flags::to, "Give --to NAME, a scenario");
     return openProject(options.read.files.front(), console).map([](ProjectFile disk) {
         return ReviewSource{disk.project(), std::move(disk), {}, {}, {}};

@@ -1,9 +1,12 @@
 #include "app/gui/docks/sheets/sheets_dialog.h"
 
+#include <QCheckBox>
+#include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QUrl>
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/error_words.h"
@@ -33,10 +36,12 @@ SheetsDialog::SheetsDialog(std::shared_ptr<const ReviewAnswer> answer, ReviewSou
       pages_(new BookView),
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       message_(new QLabel),
+      withProject_(new QCheckBox(tr("With the project"))),
       write_(
           pushButton(tr("Write files..."), "writeSheets",
                      tr("Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD "
-                        "and GIS (DXF, GeoPackage) to a folder"))) {
+                        "and GIS (DXF, GeoPackage) to a folder"))),
+      openFolder_(pushButton(tr("Open folder"), "openFolder", tr("Shows the written files"))) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Sheets of the review"));
     arrange();
@@ -65,8 +70,18 @@ void SheetsDialog::arrange() {
     auto* foot = new QHBoxLayout;
     foot->addWidget(message_, 1);
     foot->addWidget(progress_, 1);
+    withProject_->setObjectName(QStringLiteral("withProject"));
+    withProject_->setToolTip(
+        tr("Puts a copy of the project's file into the folder, so that the report can be verified "
+           "from there"));
+    withProject_->setEnabled(source_.file.has_value());
+    foot->addWidget(withProject_);
     foot->addWidget(write_);
+    foot->addWidget(openFolder_);
     foot->addWidget(close);
+    openFolder_->setEnabled(false);
+    connect(openFolder_, &QPushButton::clicked, this,
+            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(writtenTo_)); });
     auto* body = new QHBoxLayout;
     body->addWidget(fields);
     body->addWidget(pages_, 1);
@@ -139,14 +154,24 @@ void SheetsDialog::writeFiles(const QString& folder) {
     using Paths = std::vector<std::filesystem::path>;
     working_.start<Paths>(
         tr("Writing the files"),
-        [answer = answer_, source = source_, sheets = sheets_, folder](Progress& progress,
-                                                                       const std::stop_token& stop) {
-            return writeReview(answer->question, source, *sheets, folder.toStdString(), false, progress,
-                               stop);
+        [answer = answer_, source = source_, sheets = sheets_, folder,
+         copies = withProject_->isEnabled() && withProject_->isChecked()](
+            Progress& progress, const std::stop_token& stop) -> Result<Paths> {
+            const std::filesystem::path where = folder.toStdString();
+            if (copies)
+                if (const auto may = checkCopy(*source.file, where); !may)
+                    return tl::make_unexpected(may.error());
+            auto paths = writeReview(answer->question, source, *sheets, where, false, progress, stop);
+            if (!paths || !copies) return paths;
+            if (const auto copied = copyProject(*source.file, where); !copied)
+                return tl::make_unexpected(copied.error());
+            return paths;
         },
         [this, folder](Result<Paths> paths) {
             if (!paths) return tell(paths.error());
             message_->setText(tr("Written to %1").arg(folder));
+            writtenTo_ = folder;
+            openFolder_->setEnabled(true);
             Q_EMIT written(folder);
         });
 }

@@ -9,6 +9,7 @@
 #include "app/gui/base/jobs/job_slot.h"
 #include "app/questions/review_question.h"
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 class QSettings;
@@ -60,7 +61,10 @@ private:
     BookView* pages_;
     ProgressStrip* progress_;
     QLabel* message_;
+    QCheckBox* withProject_;
     QPushButton* write_;
+    QPushButton* openFolder_;  // the one that was written last
+    QString writtenTo_;
     BookSettings shown_;  // the form's
     std::shared_ptr<const ReviewSheets> sheets_;
     QTimer soon_;
