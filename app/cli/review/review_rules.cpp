@@ -7,9 +7,11 @@
 #include "app/cli/base/command.h"
 #include "app/cli/review/review_commands.h"
 #include "app/cli/review/rule_options.h"
+#include "core/review/library/rule_groups.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
 #include "core/study/text/warnings_json.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark::cli {
 
@@ -19,6 +21,7 @@ using Json = nlohmann::ordered_json;
 
 struct RuleListOptions {
     RuleOptions rules;
+    std::string zone;  ///< of the site; empty: not known
     bool json = false;
 };
 
@@ -36,6 +39,7 @@ Json listJson(const RuleLibrary& library) {
         rules.push_back({{"rule", rule.key},
                          {"name", rule.name},
                          {"where", rule.where},
+                         {"countries", rule.countries},
                          {"summary", rule.summary},
                          {"status", ruleNameOf(figureStatusNames(), leastSure(rule))},
                          {"choices", choices},
@@ -44,12 +48,15 @@ Json listJson(const RuleLibrary& library) {
     return {{"rules", rules}, {"warnings", warningsJson(library.warnings())}};
 }
 
-void printRules(const RuleLibrary& library, std::ostream& out) {
+void printRules(const RuleLibrary& library, const std::string& site, std::ostream& out) {
     std::size_t width = 0;
     for (const Rule& rule : library.rules()) width = std::max(width, rule.key.size());
-    for (const Rule& rule : library.rules())
-        out << fmt::format("{:<{}}  {}  {}\n", rule.key, width,
-                           ruleNameOf(figureStatusNames(), leastSure(rule)), rule.name);
+    for (const RuleGroup& group : groupByCountry(library.rules(), site)) {
+        out << fmt::format("{}{}\n", group.name, group.isAbroad ? " (not where the site is)" : "");
+        for (const Rule* rule : group.rules)
+            out << fmt::format("  {:<{}}  {}  {}\n", rule->key, width,
+                               ruleNameOf(figureStatusNames(), leastSure(*rule)), rule->name);
+    }
     out << "\nThe letter is that of the least sure figure a verdict rests on. V: read in the rule's text or "
            "on an "
            "official page; R: reported by practice; U: not checked against the rule's text.\n";
@@ -59,10 +66,12 @@ void printRules(const RuleLibrary& library, std::ostream& out) {
 int runReviewList(const RuleListOptions& options, const Console& console) {
     const auto library = loadRules(options.rules);
     if (!library) return fail(console, library.error(), exitUsage);
+    if (!options.zone.empty())
+        if (const auto zone = Zone::named(options.zone); !zone) return fail(console, zone.error(), exitUsage);
     if (options.json)
         console.out << toJsonText(listJson(*library)) << '\n';
     else
-        printRules(*library, console.out);
+        printRules(*library, countryOfZone(options.zone), console.out);
     return exitOk;
 }
 
@@ -82,7 +91,12 @@ int runReviewShow(const RuleShowOptions& options, const Console& console) {
 
 void addReviewList(CLI::App& review, Run& run) {
     const auto options = std::make_shared<RuleListOptions>();
-    CLI::App* command = review.add_subcommand("list", "List the rules");
+    CLI::App* command = review.add_subcommand("list", "List the rules by country");
+    command
+        ->add_option("--zone", options->zone,
+                     "Time zone of the site: the rules of its country come first, and those of others are "
+                     "marked")
+        ->type_name("ZONE");
     addRuleFolders(*command, options->rules);
     addJsonFlag(*command, options->json);
     command->callback([options, &run] {

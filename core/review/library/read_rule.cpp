@@ -118,6 +118,13 @@ void readHeading(RuleFields& fields, Rule& rule) {
         fields.trouble("key", "A key has at most 60 of a to z, 0 to 9 and hyphens", "Write my-own-rule");
     rule.name = fields.text("name");
     rule.where = fields.textOr("where", {});
+    rule.countries = fields.texts("countries");
+    const auto isCode = [](const std::string& code) {
+        return code.size() == 2 && std::ranges::all_of(code, [](char c) { return c >= 'A' && c <= 'Z'; });
+    };
+    if (!std::ranges::all_of(rule.countries, isCode))
+        fields.trouble("countries", "A country is a code of two capital letters (ISO 3166-1)",
+                       "Write [\"US\"]");
     const std::string half = fields.textOr("hemisphere", "north");
     rule.isSouthern = half == "south";
     if (!rule.isSouthern && half != "north")

@@ -216,7 +216,8 @@ struct StatedFigure {
 struct Rule {
     std::string key;  ///< a to z, 0 to 9 and hyphens
     std::string name, where, summary, source;
-    bool isSouthern = false;  ///< its dates are seasons of the southern half of the earth
+    std::vector<std::string> countries;  ///< ISO 3166-1 codes where it applies; empty: anywhere
+    bool isSouthern = false;             ///< its dates are seasons of the southern half of the earth
     RuleDays days;
     CountedHours window;
     RuleClock clock;

@@ -244,6 +244,7 @@ void ReviewDock::hideEvent(QHideEvent* event) {
 void ReviewDock::showChoice() {
     if (!isVisible()) return;
     const ReviewChoice& choice = review_.choice();
+    form_->setZone(review_.zone());
     form_->show(choice, project_.project().scenarios, project_.scenario());
     places_->show(review_.candidates(), choice.allPlaces, choice.places, review_.screened());
     glazingForm_->show(choice.windows);

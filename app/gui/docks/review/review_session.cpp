@@ -48,6 +48,8 @@ void ReviewSession::restore(const std::string& text) {
     Q_EMIT answered();
 }
 
+const std::string& ReviewSession::zone() const { return workbench_.document().settings().period.zone; }
+
 void ReviewSession::choose(const ReviewChoice& choice) {
     if (choice == choice_) return;
     choice_ = choice;

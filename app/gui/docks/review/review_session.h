@@ -30,7 +30,8 @@ public:
 
     [[nodiscard]] const RuleLibrary& library() const { return library_; }
     [[nodiscard]] const ReviewChoice& choice() const { return choice_; }
-    void choose(const ReviewChoice& choice);  ///< no undo step, like the camera
+    [[nodiscard]] const std::string& zone() const;  ///< of the study, IANA
+    void choose(const ReviewChoice& choice);        ///< no undo step, like the camera
     /// Another project was opened: takes the choice saved in it, and drops the answers of the one before.
     void restore(const std::string& text);
 

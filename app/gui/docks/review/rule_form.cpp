@@ -3,9 +3,11 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 
 #include "app/gui/docks/review/verdict_words.h"
 #include "core/review/rule/rule_names.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 
@@ -45,10 +47,30 @@ QComboBox* RuleForm::makeList(const char* name) {
 }
 
 void RuleForm::listRules() {
-    for (const Rule& rule : library_.rules()) {
-        rule_->addItem(qtText(rule.name), qtText(rule.key));
-        rule_->setItemData(rule_->count() - 1, tipOf(rule), Qt::ToolTipRole);
+    rule_->clear();
+    for (const RuleGroup& group : groupByCountry(library_.rules(), countryOfZone(zone_))) {
+        addHeading(group);
+        for (const Rule* rule : group.rules) {
+            rule_->addItem(qtText(rule->name), qtText(rule->key));
+            rule_->setItemData(rule_->count() - 1, tipOf(*rule), Qt::ToolTipRole);
+        }
     }
+}
+
+/// A line of the list that cannot be chosen.
+void RuleForm::addHeading(const RuleGroup& group) {
+    const QString name = qtText(group.name);
+    rule_->addItem(group.isAbroad ? tr("%1 (not where the site is)").arg(name) : name);
+    auto* model = qobject_cast<QStandardItemModel*>(rule_->model());
+    model->item(rule_->count() - 1)->setFlags(Qt::NoItemFlags);
+}
+
+void RuleForm::setZone(const std::string& zone) {
+    if (zone_ == zone) return;
+    zone_ = zone;
+    const QVariant shown = rule_->currentData();
+    listRules();
+    rule_->setCurrentIndex(rule_->findData(shown));
 }
 
 void RuleForm::show(const ReviewChoice& choice, const std::vector<Scenario>& scenarios,
