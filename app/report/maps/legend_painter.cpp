@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QLinearGradient>
+#include <algorithm>
 #include <cmath>
 
 #include "core/describe/text.h"
@@ -25,16 +26,22 @@ QString fittingParts(QString unit, const QFontMetricsF& metrics, double room) {
 
 void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) {
     QPainter& painter = canvas.painter;
-    const QFont bold = textFont(canvas, titlePt, QFont::Bold);
+    // A patch stands to the right of the title: what is too wide shrinks, and is cut at the end.
+    const QFont usual = textFont(canvas, titlePt, QFont::Bold);
+    const double shrunk =
+        std::clamp(0.99 * area.width() / QFontMetricsF(usual).horizontalAdvance(legend.title), 0.6, 1.0);
+    const QFont bold = textFont(canvas, titlePt * shrunk, QFont::Bold);
+    const QString title = QFontMetricsF(bold).elidedText(legend.title, Qt::ElideRight, area.width());
     const double baseline = area.top() + titlePt * canvas.point;
     painter.setFont(bold);
     painter.setPen(canvas.inks.text);
-    painter.drawText(QPointF(area.left(), baseline), legend.title);
-    const double used = QFontMetricsF(bold).horizontalAdvance(legend.title + QStringLiteral("  "));
+    painter.drawText(QPointF(area.left(), baseline), title);
+    const double used = QFontMetricsF(bold).horizontalAdvance(title + QStringLiteral("  "));
     painter.setFont(textFont(canvas, titlePt));
     painter.setPen(canvas.inks.quiet);
     painter.drawText(QPointF(area.left() + used, baseline),
-                     fittingParts(describeUnit(legend), QFontMetricsF(painter.font()), area.width() - used));
+                     fittingParts(describeUnit(legend), QFontMetricsF(painter.font()),
+                                  std::max(0.0, area.width() - used)));
 }
 
 QRectF barOf(const Canvas& canvas, const QRectF& area) {

@@ -52,6 +52,21 @@ const std::string chineseName = "人民公园中央草坪与儿童游乐场以�
 const std::string arabicName = "حديقة الأزهر الكبرى في القاهرة";
 const std::string hostileName = "a\nb\tc \x01 \xE2\x80\xAE evil <b>&amp; %1 %s \\ 100 %";
 
+TEST(Book, TextsThatLieOverEachOtherAreFound) {
+    const auto meetings = [](double secondLeft, double secondTop) {
+        RecordedPage page(QSize(2000, 1000));
+        QPainter painter(&page);
+        painter.setFont(textFont({painter, unit}, 8));
+        painter.drawText(QPointF(100, 500), QStringLiteral("Elm Park"));
+        painter.drawText(QPointF(secondLeft, secondTop), QStringLiteral("62 m"));
+        painter.end();
+        return listMeetings(page.texts());
+    };
+    EXPECT_EQ(meetings(150, 510).size(), 1U);
+    EXPECT_EQ(meetings(150, 500 + 10 * unit).size(), 0U) << "the next line";
+    EXPECT_EQ(meetings(1200, 500).size(), 0U);
+}
+
 TEST(Paper, HasTheSizesOfItsNames) {
     const auto mm = [](double points) { return points * 25.4 / 72; };
     EXPECT_NEAR(mm(sizePt({Paper::a4, false}).width()), 210, 0.3);

@@ -42,7 +42,10 @@ public:
 
     PlaceList sort() {
         for (const std::size_t i : worstFirst(source_.study)) take(i);
-        std::ranges::move(together_, std::back_inserter(list_.rows));
+        for (PlaceRow& row : together_) {
+            if (row.reviews.size() == 1) row.name = plainText(reviewOf(row.reviews.front()).name);
+            list_.rows.push_back(std::move(row));
+        }
         std::ranges::stable_sort(list_.rows, {},
                                  [&](const PlaceRow& row) { return rankOf(reviewOf(row.reviews.front())); });
         number();

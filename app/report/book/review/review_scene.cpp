@@ -1,6 +1,8 @@
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
@@ -176,21 +178,43 @@ double keyHeightPt(const ReviewScene& scene, const QString& text) {
 
 bool meet(const Box2& a, const Box2& b) { return !intersectionOf(a, b).empty(); }
 
-/// The entries of a key, by number.
-std::vector<QString> keyEntries(const ReviewScene& scene, const std::vector<Box2>& seen) {
-    std::map<int, QString> entries;
+/// The numbers of the places that are seen, by what the key calls them. Places without a name share an entry.
+std::map<QString, std::set<int>> seenNumbers(const ReviewScene& scene, const std::vector<Box2>& seen) {
+    std::map<QString, std::set<int>> numbers;
     const auto& places = scene.diagrams->places;
     for (const auto* rows : {&scene.list.rows, &scene.list.others})
         for (const PlaceRow& row : *rows)
             for (const std::size_t i : row.reviews) {
-                const Box2 box = bounds(places[placeOf(scene.source.study, i)]);
-                if (std::ranges::none_of(seen, [&](const Box2& view) { return meet(box, view); })) continue;
-                const QString name =
-                    row.reviews.size() > 1 ? row.name : shortName(places[placeOf(scene.source.study, i)]);
-                entries.emplace(row.number, QString::number(row.number) + QChar(0xa0) + name);
+                const Place& place = places[placeOf(scene.source.study, i)];
+                const Box2 box = bounds(place);
+                if (std::ranges::any_of(seen, [&](const Box2& view) { return meet(box, view); }))
+                    numbers[row.reviews.size() > 1 ? row.name : shortName(place)].insert(row.number);
             }
+    return numbers;
+}
+
+/// "4-9" for three numbers or more that follow each other.
+QString joinNumbers(const std::set<int>& numbers) {
+    QStringList parts;
+    for (auto at = numbers.begin(); at != numbers.end();) {
+        const int first = *at;
+        int last = first;
+        while (++at != numbers.end() && *at == last + 1) ++last;
+        if (last > first + 1)
+            parts << QStringLiteral("%1-%2").arg(first).arg(last);
+        else
+            for (int number = first; number <= last; ++number) parts << QString::number(number);
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+/// The entries of a key, the smallest numbers first.
+std::vector<QString> keyEntries(const ReviewScene& scene, const std::vector<Box2>& seen) {
+    std::map<std::pair<int, QString>, QString> entries;
+    for (const auto& [name, numbers] : seenNumbers(scene, seen))
+        entries.emplace(std::pair(*numbers.begin(), name), joinNumbers(numbers) + QChar(0xa0) + name);
     std::vector<QString> texts;
-    for (auto& [number, text] : entries) texts.push_back(std::move(text));
+    for (auto& [order, text] : entries) texts.push_back(std::move(text));
     return texts;
 }
 
