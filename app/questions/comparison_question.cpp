@@ -4,6 +4,7 @@
 #include "app/report/sheets/impact_report.h"
 #include "core/base/stopwatch.h"
 #include "core/describe/text.h"
+#include "core/study/review_study.h"
 #include "core/study/text/region_text.h"
 #include "scenarios/project/results/save_result.h"
 
@@ -78,8 +79,9 @@ Result<std::shared_ptr<const Answer>> computeComparison(const Asked& asked, Prog
                            enginesWith(asked.settings.engine));
     if (!study) return tl::make_unexpected(study.error());
     putBefore(study->total.warnings, asked.loaded.read.warnings);
-    auto impact = std::make_shared<const ImpactAnswer>(ImpactAnswer{
-        asked.baseline, asked.scenario, settings, asked.thresholdsMin, *std::move(study), asked.provenance});
+    auto impact = std::make_shared<const ImpactAnswer>(
+        ImpactAnswer{asked.baseline, asked.scenario, settings, asked.thresholdsMin, *std::move(study),
+                     asked.provenance, keepOwnBuildings(asked.loaded.read.city, *asked.before)});
     return std::make_shared<ComparisonAnswer>(std::move(impact), watch.seconds());
 }
 

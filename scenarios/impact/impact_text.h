@@ -17,6 +17,7 @@ struct ImpactAnswer {
     std::vector<double> thresholdsMin{defaultThresholdsMin.begin(), defaultThresholdsMin.end()};
     ImpactStudy study;
     Provenance provenance{};
+    City proposal{};  ///< the buildings that only the city after has; empty: not known, or none
 };
 
 /// The figures of an impact without its fields, for lists in the window.

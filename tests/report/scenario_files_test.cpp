@@ -9,10 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/files/read_report.h"
+#include "app/report/scenarios/scenario_book.h"
 #include "app/report/scenarios/scenario_months.h"
 #include "app/report/scenarios/scenario_text.h"
 #include "app/report/sheets/study_report.h"
 #include "core/io/write_raster.h"
+#include "tests/report/book/book_texts.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {
@@ -110,6 +112,20 @@ TEST(ScenarioTables, StateHeightImpactScoreAndVerdictsOrLeaveThemEmpty) {
     EXPECT_EQ(json["score"]["score_m2"], -340.25);
     EXPECT_EQ(json["score"]["weighted_shade_m2h"], -1234.5);
     EXPECT_EQ(json["verdicts"]["fail"], 3);
+}
+
+TEST(ScenarioBook, ShowsAllScenariosOnItsFirstPageWithHeightAndFloorArea) {
+    ScenarioStudies two = makeTwoScenarios();
+    two[1].uses = {{{"homes", 9, 1800}, {"", 3, 600}}, 0};
+    two[1].heightM = 42;
+    for (const bool landscape : {false, true}) {
+        const Book book = makeScenarioBook(two, {{Paper::a4, landscape}, {}, {}});
+        const QString text = tests::textOfPage(book, 0);
+        for (const char* part : {"Existing", "Tower", "42 m high", "floor area 2,400 m²"})
+            EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part << ": " << text.toStdString();
+        for (std::size_t i = 0; i < book.pages.size(); ++i)
+            EXPECT_THAT(tests::listMeetings(tests::textsOfPage(book, i)), testing::IsEmpty()) << "page " << i;
+    }
 }
 
 TEST(ScenarioTables, LeaveContinuousShadowOutWhereItWasNotCounted) {

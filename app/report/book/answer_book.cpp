@@ -19,13 +19,24 @@ namespace {
 constexpr std::size_t commandLetters = 60;  // in a line of a column
 constexpr double tablePt = 7.8;
 
+/// The answer in a sentence at the top of a page. Returns the y below it.
+double addFinding(BookPage& page, const QString& finding, const QRectF& all, double scale) {
+    MeasuringCanvas measure;
+    constexpr double points = 10, unit = MeasuringCanvas::unitsPerPoint;
+    const TextBlocks blocks{heading(plainText(finding))};
+    const double height = heightOf(measure.canvas(), blocks, all.width() * unit, points * scale) / unit + 1;
+    page.items.push_back({{all.left(), all.top(), all.width(), height}, PageText{blocks, points * scale}});
+    return all.top() + height + 4 * scale;
+}
+
 /// The map of a sheet beside its figures, or above them.
 BookPage mapPage(const PageSetup& setup, const Sheet& sheet, const SheetMap& map, const QString& bookmark,
                  bool hasFigures) {
     const Headline& headline = sheet.headline;
     BookPage page{headline.what, headline.when + QStringLiteral(". ") + headline.where, bookmark, 0, {}};
-    const QRectF all = contentArea(setup);
+    QRectF all = contentArea(setup);
     const double scale = textScale(setup), gap = 14 * scale;
+    if (hasFigures && !sheet.finding.isEmpty()) all.setTop(addFinding(page, sheet.finding, all, scale));
     QRectF area = all;
     if (hasFigures) {
         PageTable table{{QStringLiteral("Figure"), QStringLiteral("Value")}, {}, {}, {}, tablePt * scale};
@@ -33,7 +44,7 @@ BookPage mapPage(const PageSetup& setup, const Sheet& sheet, const SheetMap& map
             table.rows.push_back({plainText(figure.name), plainText(figure.value)});
         const double width = setup.landscape ? all.width() * 0.3 : all.width();
         table.widthsPt = fitColumns(table, width);
-        const double height = std::min(tableHeightPt(table), all.height() * 0.45);
+        const double height = std::min(tableHeightPt(table), all.height() * 0.52);
         if (setup.landscape) {
             area.setWidth(all.width() - width - gap);
             page.items.push_back({{area.right() + gap, all.top(), width, all.height()}, table});

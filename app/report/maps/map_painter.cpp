@@ -1,5 +1,6 @@
 #include "app/report/maps/map_painter.h"
 
+#include <QFontMetricsF>
 #include <QPaintEngine>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "app/report/maps/context_painter.h"
 #include "app/report/maps/map_furniture.h"
 #include "app/report/maps/palette.h"
+#include "core/base/display_units.h"
 
 namespace noonmark {
 
@@ -95,7 +97,36 @@ void paintMarks(const Canvas& canvas, const MapView& view, const std::vector<Map
         paintMark(canvas, view.at(mark->at), mark->text);
 }
 
+/// Above the building; "120 m". Buildings whose label would cover another one's have none.
+void paintProposal(const Canvas& canvas, const MapView& view, const City& proposal) {
+    paintBuildings(canvas, view, proposal, {shade::proposal, ink::text, 0.9});
+    const QFont font = textFont(canvas, 6.6, QFont::Bold);
+    const QFontMetricsF metrics(font, canvas.painter.device());
+    canvas.painter.setFont(font);
+    std::vector<QRectF> labels;
+    for (const auto& building : proposal.buildings) {
+        const Box2 box = bounds(*building);
+        const glm::dvec2 middle = glm::dvec2(box.low + box.high) / 2.0;
+        const QString text = QString::fromStdString(formatLength(
+            double(topM(*building)) - double(groundAt(proposal, middle)), UnitSystem::metric, 0));
+        QRectF label(0, 0, metrics.horizontalAdvance(text) + 3 * canvas.point, 9 * canvas.point);
+        label.moveCenter(view.at(middle));
+        label.moveBottom(view.at({middle.x, double(box.high.y)}).y() - 2 * canvas.point);
+        const bool isFree =
+            std::ranges::none_of(labels, [&](const QRectF& other) { return other.intersects(label); });
+        if (!isFree || !view.target().contains(label)) continue;
+        canvas.painter.fillRect(label, QColor(255, 255, 255, 225));
+        canvas.painter.setPen(shade::proposal);
+        canvas.painter.drawText(label, Qt::AlignCenter, text);
+        labels.push_back(label);
+    }
+}
+
 }  // namespace
+
+Box2 shownGround(const MapScene& scene) {
+    return scene.shown ? *scene.shown : worldOf(scene.region, scene.grid);
+}
 
 MapScene makeMapScene(const Study& study, ShadowMeasure measure, const LegendChoice& choice) {
     const ColourScale scale = coloursOf(makeLegend(study.field, measure, choice));
@@ -113,9 +144,7 @@ MapScene makeGrossScene(const City& city, const Region& region, const ShadowFiel
     return {city, region, field.grid, image};
 }
 
-MapView makeMapView(const MapScene& scene, const QRectF& frame) {
-    return {worldOf(scene.region, scene.grid), frame};
-}
+MapView makeMapView(const MapScene& scene, const QRectF& frame) { return {shownGround(scene), frame}; }
 
 MapView makeMapView(const Study& study, const QRectF& frame) {
     return {worldOf(study.settings.region, study.field.grid), frame};
@@ -131,6 +160,7 @@ void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene) 
     paintField(canvas, view, scene);
     canvas.painter.setRenderHint(QPainter::Antialiasing);
     paintCity(canvas, view, scene.city, region);
+    if (scene.proposal) paintProposal(canvas, view, *scene.proposal);
     paintOutline(canvas, region);
     paintMarks(canvas, view, scene.marks);
     canvas.painter.restore();

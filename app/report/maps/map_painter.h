@@ -6,6 +6,7 @@
 // impact_legend.h and score_legend.h, scale bar and north arrow from map_furniture.h.
 
 #include <functional>
+#include <optional>
 
 #include "app/report/maps/field_image.h"
 #include "app/report/maps/legend_painter.h"
@@ -22,20 +23,24 @@ struct MapMark {
 };
 
 /// The contents of a map of any measure: the colours of a grid with a city's buildings over them. Owns
-/// nothing: city, region and the data used by `image` must outlive it.
+/// nothing: city, region, proposal and the data used by `image` must outlive it.
 struct MapScene {
     const City& city;
     const Region& region;
     Grid grid;
     std::function<FieldImage(int wantedPixels)> image;  ///< as makeFieldImage()
     std::vector<MapMark> marks{};                       ///< the first lies on top
+    const City* proposal = nullptr;  ///< new buildings, drawn darker over the city, each with its height
+    std::optional<Box2> shown{};     ///< none: grid and region
 };
+/// The ground that a map of the scene shows.
+Box2 shownGround(const MapScene& scene);
 MapScene makeMapScene(const Study& study, ShadowMeasure measure, const LegendChoice& choice = {});
 /// Gross shadow alone in given colours: for maps that share a scale.
 MapScene makeGrossScene(const City& city, const Region& region, const ShadowField& field,
                         const ColourScale& scale);
 
-/// The view of a scene's map in a frame: grid and region with a margin, north up.
+/// The view of a scene's map in a frame: shownGround() with a margin, north up.
 MapView makeMapView(const MapScene& scene, const QRectF& frame);
 /// The same for the map of a study.
 MapView makeMapView(const Study& study, const QRectF& frame);

@@ -1,6 +1,8 @@
 #include "app/report/scenarios/scenario_book.h"
 
+#include <QStringList>
 #include <algorithm>
+#include <iterator>
 
 #include "app/report/book/flow.h"
 #include "app/report/maps/palette.h"
@@ -82,6 +84,50 @@ BookPage mapPage(const ScenarioStudy& scenario, const Legend& legend, const Page
             {{contentArea(setup), PageMap{std::make_shared<const SheetMap>(map)}}}};
 }
 
+/// "120 m high, floor area 27,058 m²": what a scenario builds.
+QString describeBuilt(const ScenarioStudy& scenario, UnitSystem units) {
+    QStringList parts;
+    if (scenario.heightM)
+        parts << QStringLiteral("%1 high").arg(
+            QString::fromStdString(formatLength(*scenario.heightM, units, 1)));
+    if (const auto floorM2 = sumFloorAreaM2(scenario.uses))
+        parts
+            << QStringLiteral("floor area %1").arg(QString::fromStdString(formatSmallArea(*floorM2, units)));
+    return parts.empty() ? QStringLiteral("no new building with known floors")
+                         : parts.join(QStringLiteral(", "));
+}
+
+/// The maps of all scenarios in a grid, with what each builds.
+std::vector<BookPage> sideBySidePages(const ScenarioStudies& scenarios, const Legend& legend,
+                                      const BookSettings& settings) {
+    const PageSetup& setup = settings.setup;
+    const QRectF all = contentArea(setup);
+    const double gap = 12 * textScale(setup);
+    const bool isPair = scenarios.size() <= 2;
+    const int columns = setup.landscape ? (isPair ? 2 : 3) : (isPair ? 1 : 2);
+    const int rows = setup.landscape ? (isPair ? 1 : 2) : (isPair ? 2 : 3);
+    const QSizeF size((all.width() - gap * (columns - 1)) / columns,
+                      (all.height() - gap * (rows - 1)) / rows);
+    const QString title = QStringLiteral("Scenarios side by side");
+    std::vector<BookPage> pages;
+    for (std::size_t i = 0; i < scenarios.size(); ++i) {
+        const int at = int(i) % (columns * rows);
+        if (at == 0)
+            pages.push_back(
+                {title, legend.title + QStringLiteral(", on one scale"), i == 0 ? title : QString(), 0, {}});
+        const Study& study = *scenarios[i].study;
+        const SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)),
+                           legend};
+        const QPointF corner(all.left() + (at % columns) * (size.width() + gap),
+                             all.top() + (at / columns) * (size.height() + gap));
+        pages.back().items.push_back(
+            {{corner, size},
+             PageMap{std::make_shared<const SheetMap>(map),
+                     {plainText(scenarios[i].name), describeBuilt(scenarios[i], settings.units)}}});
+    }
+    return pages;
+}
+
 PageChart chartOf(const MonthChart& chart, const Bars& bars, const BookSettings& settings) {
     const bool isArea = chart.unit == FigureUnit::squareMetres || chart.unit == FigureUnit::squareMetreHours;
     const Bars shown = firstSeries(bars, bars.isChange ? maxSeries - 1 : maxSeries);
@@ -117,6 +163,9 @@ Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& sett
     for (const MonthChart& chart : makeMonthCharts(listMonths(scenarios)))
         book.pages.push_back(monthPage(chart, settings));
     const Legend legend = commonLegend(scenarios, settings.legend);
+    std::vector<BookPage> maps = sideBySidePages(scenarios, legend, settings);
+    book.pages.insert(book.pages.begin(), std::make_move_iterator(maps.begin()),
+                      std::make_move_iterator(maps.end()));
     for (const ScenarioStudy& scenario : scenarios)
         book.pages.push_back(mapPage(scenario, legend, settings.setup));
     return book;

@@ -1,6 +1,11 @@
 #include "app/report/sheets/impact_report.h"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
 #include "app/report/sheets/report_sections.h"
+#include "core/base/clean_text.h"
 #include "core/study/provenance/command_words.h"
 #include "scenarios/impact/impact_runs.h"
 #include "scenarios/settings_json.h"
@@ -66,6 +71,59 @@ std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSourc
     return sections;
 }
 
+/// Cells whose shadow changes by more than the threshold, and what is built.
+Box2 changedGround(const Impact& impact, const City& proposal, double thresholdMin) {
+    Box2 box = bounds(proposal);
+    const Grid& grid = impact.grid;
+    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+        if (!(std::abs(double(impact.grossMin[cell])) > thresholdMin)) continue;  // NaN: no receiver
+        const float west = float(grid.westM + double(cell % std::size_t(grid.columns)) * grid.cellM),
+                    south = float(grid.southM + double(cell / std::size_t(grid.columns)) * grid.cellM);
+        box.add(glm::vec2(west, south));
+        box.add(glm::vec2(west, south) + float(grid.cellM));
+    }
+    return box;
+}
+
+/// What the map shows where the change is in a small part of the region; none: all of it.
+std::optional<Box2> zoomOf(const ImpactAnswer& answer, const MapScene& scene) {
+    constexpr float leastM = 60, aroundM = 15;
+    constexpr double mostOfMap = 0.6;  // a larger change needs no closer view
+    const double threshold = answer.thresholdsMin.empty() ? 0 : answer.thresholdsMin.front();
+    const Box2 changed = changedGround(answer.study.total, answer.proposal, threshold);
+    if (changed.empty()) return std::nullopt;
+    const Box2 all = shownGround(scene);
+    const glm::vec2 middle = (changed.low + changed.high) / 2.0F;
+    const glm::vec2 half = glm::max((changed.high - changed.low) / 2.0F + aroundM, glm::vec2(leastM / 2));
+    const Box2 zoom{glm::max(middle - half, all.low), glm::min(middle + half, all.high)};
+    const glm::vec2 part = zoom.high - zoom.low, whole = all.high - all.low;
+    if (zoom.empty() || double(part.x * part.y) > mostOfMap * double(whole.x * whole.y)) return std::nullopt;
+    return zoom;
+}
+
+void zoomOnChange(const ImpactAnswer& answer, SheetMap& map) {
+    map.scene.shown = zoomOf(answer, map.scene);
+    if (!answer.proposal.buildings.empty()) map.scene.proposal = &answer.proposal;
+}
+
+/// Rows for the new buildings: "New building", "Mill Tower, 62 m high".
+void addNewBuildings(std::vector<FigureText>& figures, const City& proposal) {
+    constexpr std::size_t most = 3;
+    for (std::size_t i = 0; i < std::min(most, proposal.buildings.size()); ++i) {
+        const Building& building = *proposal.buildings[i];
+        const Box2 box = bounds(building);
+        const double height =
+            double(topM(building)) - double(groundAt(proposal, glm::dvec2(box.low + box.high) / 2.0));
+        const std::string& name = building.name.empty() ? building.sourceId : building.name;
+        figures.push_back({QStringLiteral("New building"),
+                           QStringLiteral("%1, %2 m high")
+                               .arg(QString::fromStdString(cleanText(name)), describeAmount(height, 1))});
+    }
+    if (proposal.buildings.size() > most)
+        figures.push_back(
+            {QStringLiteral("Further new buildings"), describeCount(proposal.buildings.size() - most)});
+}
+
 }  // namespace
 
 std::vector<CommandOption> drawnOptions(const ChangeScale& scale, const LegendChoice& legend) {
@@ -104,9 +162,16 @@ Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const Ch
                 .credit = describeData(answer.provenance.attribution),
                 .record = {QStringLiteral("impact.json"),
                            extendRepeat(impactJson(answer), drawnOptions(scale, legend))}};
-    if (!isInstant(impact) && hasRuns(impact))
+    zoomOnChange(answer, sheet.map);
+    addNewBuildings(sheet.figures, answer.proposal);
+    sheet.finding =
+        QString::fromStdString(formatText(makePage(impact, computeFigures(answer), legend.show).headline)) +
+        u'.';
+    if (!isInstant(impact) && hasRuns(impact)) {
         sheet.smallMap.emplace(
             makeImpactMap(impact, source.city, region, ShadowMeasure::continuous, scale, legend));
+        zoomOnChange(answer, *sheet.smallMap);
+    }
     return sheet;
 }
 

@@ -42,6 +42,7 @@ struct Sheet {
     TextBlocks repeat{};                 ///< across the bottom of the page; may be empty
     QString credit{};                    ///< credit of the data
     SheetRecord record{};                ///< attached to the PDF
+    QString finding{};                   ///< the answer in a sentence, below the headline; may be empty
 };
 
 /// Writes an A4 page. False if the device did not accept it.

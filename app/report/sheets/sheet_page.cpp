@@ -18,6 +18,7 @@ constexpr double gutterPt = 18;
 constexpr double largeMapPt = 332;
 constexpr double sideColumnPt = contentPt - largeMapPt - gutterPt;
 constexpr double definitionPt = 6.6;
+constexpr double findingPt = 9;
 constexpr double figurePt = 7.4;
 constexpr double maxTextPt = 8.2;
 constexpr double minTextPt = 5.6;
@@ -37,7 +38,7 @@ public:
 
     void paint() {
         paintHeadline(canvas_, area(sidePt, topPt, contentPt, headlineHeightPt), sheet_.headline);
-        const double maps = topPt + headlineHeightPt + 2;
+        const double maps = paintFinding(topPt + headlineHeightPt + 2);
         const double below = std::max(paintLargeMap(maps), paintSideColumn(maps)) + 8;
         const double foot = pageHeightPt - bottomPt - 10;
         paintSmallPrint(canvas_, area(sidePt, foot, contentPt, 10), sheet_.credit);
@@ -51,9 +52,7 @@ private:
     }
 
     /// At least as wide as high, which leaves half of the page for text.
-    [[nodiscard]] double mapAspect() const {
-        return std::max(1.0, aspectOf(bounds(sheet_.map.scene.region)));
-    }
+    [[nodiscard]] double mapAspect() const { return std::max(1.0, aspectOf(shownGround(sheet_.map.scene))); }
 
     /// Map, foot and definitions. Returns the y below them, points.
     double paintLargeMap(double top) {
@@ -71,6 +70,15 @@ private:
             heightOf(canvas_, blocks, largeMapPt * canvas_.point, definitionPt) / canvas_.point;
         paintBlocks(canvas_, blocks, area(sidePt, top, largeMapPt, height), definitionPt);
         return top + height;
+    }
+
+    /// The answer in a sentence, across the page.
+    double paintFinding(double top) {
+        if (sheet_.finding.isEmpty()) return top;
+        const TextBlocks blocks{heading(sheet_.finding)};
+        const double height = heightOf(canvas_, blocks, contentPt * canvas_.point, findingPt) / canvas_.point;
+        paintBlocks(canvas_, blocks, area(sidePt, top, contentPt, height + 1), findingPt);
+        return top + height + 4;
     }
 
     double paintSideColumn(double top) {

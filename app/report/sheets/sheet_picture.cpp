@@ -17,7 +17,7 @@ struct Places {
     QRectF headline, map, foot, smallPrint;
 };
 
-Places placesOf(const Region& region, int widthPx) {
+Places placesOf(const MapScene& scene, int widthPx) {
     const double point = widthPx / widthPt;
     const double width = widthPt - 2 * marginPt;
     double y = marginPt;
@@ -28,7 +28,7 @@ Places placesOf(const Region& region, int widthPx) {
     };
     Places places;
     places.headline = next(headlineHeightPt, 2);
-    places.map = next(width / aspectOf(bounds(region)), gapPt);
+    places.map = next(width / aspectOf(shownGround(scene)), gapPt);
     places.foot = next(legendHeightPt, 4);
     places.smallPrint = next(smallPrintPt, marginPt * 0.6);
     places.size = {widthPx, int(y * point)};
@@ -39,7 +39,7 @@ Places placesOf(const Region& region, int widthPx) {
 
 QImage makePicture(const Sheet& sheet, int width) {
     width = std::clamp(width, minPictureWidth, maxPictureWidth);
-    const Places places = placesOf(sheet.map.scene.region, width);
+    const Places places = placesOf(sheet.map.scene, width);
     QImage image(places.size, QImage::Format_RGB32);
     image.fill(ink::paper);
     QPainter painter(&image);

@@ -1,0 +1,85 @@
+#include <gmock/gmock.h>
+
+#include "app/report/book/answer_book.h"
+#include "app/report/sheets/impact_report.h"
+#include "core/study/review_study.h"
+#include "tests/report/book/book_texts.h"
+#include "tests/scenarios/small_town.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+
+/// Three houses in a region of 1.2 km, and a tower of 62 m beside them.
+class ComparedTower {
+public:
+    explicit ComparedTower(const std::string& name = "Mill Tower") {
+        before = threeHouses();
+        after = before;
+        after.buildings.push_back(shared(house(name, box(0, 40, 20, 60), 62)));
+        ImpactSettings settings;
+        settings.study.region = makeRegionFromLocalBox({{-600, -600}, {600, 600}});
+        settings.study.receivers.cellM = 8;
+        settings.study.period = {.hours = 3, .stepMinutes = 30, .zone = "America/New_York"};
+        NoProgress progress;
+        answer = {"Existing",
+                  name,
+                  settings,
+                  {10},
+                  runImpact(before, after, settings, progress, {}).value(),
+                  {},
+                  keepOwnBuildings(after, before)};
+    }
+
+    City before, after;
+    ImpactAnswer answer;
+};
+
+TEST(ImpactSheet, IsZoomedOnTheChangeAndNamesTheTowerWithItsHeight) {
+    const ComparedTower tower;
+    const Sheet sheet = makeSheet(tower.answer, {tower.after}, {});
+    ASSERT_TRUE(sheet.map.scene.shown);
+    const Box2 shown = shownGround(sheet.map.scene);
+    EXPECT_LT(shown.high.x - shown.low.x, 900) << "not all of the region";
+    EXPECT_LE(shown.low.x, 0);
+    EXPECT_GE(shown.high.y, 60) << "the tower";
+    ASSERT_NE(sheet.map.scene.proposal, nullptr);
+    EXPECT_EQ(sheet.map.scene.proposal->buildings.size(), 1U);
+    EXPECT_EQ(sheet.figures.back().value, QStringLiteral("Mill Tower, 62 m high"));
+}
+
+TEST(ImpactSheet, StatesItsFindingInASentenceAndShowsTheHeightOnTheMap) {
+    const ComparedTower tower;
+    const Sheet sheet = makeSheet(tower.answer, {tower.after}, {});
+    EXPECT_THAT(sheet.finding.toStdString(), testing::EndsWith("."));
+    const QString text = textOfPage(makeImpactBook(tower.answer, {tower.after}, {}, {}), 0);
+    EXPECT_TRUE(text.contains(QStringLiteral("62 m"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(sheet.finding.section(u' ', 0, 2))) << text.toStdString();
+}
+
+TEST(ImpactSheet, OfNoChangeShowsTheWholeRegion) {
+    ComparedTower tower;
+    NoProgress progress;
+    tower.answer.study = runImpact(tower.before, tower.before, tower.answer.settings, progress, {}).value();
+    tower.answer.proposal = {};
+    const Sheet sheet = makeSheet(tower.answer, {tower.before}, {});
+    EXPECT_FALSE(sheet.map.scene.shown);
+    EXPECT_EQ(sheet.map.scene.proposal, nullptr);
+}
+
+TEST(ImpactSheet, OfAnyNameLaysNoTextOverAnother) {
+    for (const char* name : {"The Honourable Society's Memorial Tower and Winter Garden of Saint-Michel",
+                             "Donaudampfschifffahrtsgesellschaftsverwaltungsgebäudeerweiterungsbau"}) {
+        const ComparedTower tower(name);
+        for (const bool landscape : {false, true}) {
+            const Book book =
+                makeImpactBook(tower.answer, {tower.after}, {}, {{Paper::a4, landscape}, {}, {}});
+            for (std::size_t i = 0; i < book.pages.size(); ++i)
+                EXPECT_THAT(listMeetings(textsOfPage(book, i)), testing::IsEmpty()) << "page " << i;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace noonmark
