@@ -14,8 +14,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr float cellM = 200;        // of the grid that groups buildings: neighbouring cells are one group
-constexpr double mainShare = 0.95;  // of the footprint area
+constexpr float cellM = 200;         // of the grid that groups buildings: neighbouring cells are one group
+constexpr double mainShare = 0.95;   // of the footprint area
 constexpr float besideShare = 0.25;  // of the longer side: what lies as near belongs to the main part
 constexpr float stepM = 50;          // of the boxes that are tried
 constexpr double nearlyDensest = 0.9;
@@ -140,8 +140,7 @@ public:
             }
         for (int row = 1; row <= rows_; ++row)
             for (int column = 1; column <= columns_; ++column)
-                at(column, row) +=
-                    at(column - 1, row) + at(column, row - 1) - at(column - 1, row - 1);
+                at(column, row) += at(column - 1, row) + at(column, row - 1) - at(column - 1, row - 1);
     }
 
     // The first from the south-west among equals.
@@ -191,8 +190,7 @@ Box2 findDensestBox(const City& city, const Box2& within, glm::vec2 sizeM) {
     const glm::vec2 size = glm::min(sizeM, within.high - within.low);
     const glm::vec2 middle = (within.low + within.high) / 2.0F;
     const Box2 central{middle - size / 2.0F, middle + size / 2.0F};
-    const glm::vec2 low =
-        glm::min(AreaSums(bodies, within).densestCorner(size), within.high - size);
+    const glm::vec2 low = glm::min(AreaSums(bodies, within).densestCorner(size), within.high - size);
     const Box2 densest{low, low + size};
     return areaIn(bodies, central) >= nearlyDensest * areaIn(bodies, densest) ? central : densest;
 }

@@ -125,8 +125,9 @@ WindowStates::WindowStates(QString folder) : folder_(std::move(folder)) {
     settings_.setValue(QStringLiteral("unsavedFolder"), work_.filePath(QStringLiteral("unsaved")));
     makeProject();
     window_ = std::make_unique<MainWindow>(settings_);
-    window_->time().setClock([] { return Instant(std::chrono::sys_days(std::chrono::year(2026) / 6 / 21) +
-                                                 std::chrono::hours(16)); });
+    window_->time().setClock([] {
+        return Instant(std::chrono::sys_days(std::chrono::year(2026) / 6 / 21) + std::chrono::hours(16));
+    });
     window_->resize(1400, 1000);
     window_->show();
 }

@@ -30,8 +30,7 @@ TEST(PresentLook, IsTheTimeAtTheCityInTheYearOfThePeriod) {
 }
 
 TEST(PresentLook, IsNoonOfTheSameDayWhileTheSunIsDown) {
-    const TimeLook look =
-        findPresentLook(newYork, inNewYork, at(2026y / std::chrono::June / 22, 3h)).value();
+    const TimeLook look = findPresentLook(newYork, inNewYork, at(2026y / std::chrono::June / 22, 3h)).value();
     EXPECT_EQ(look, (TimeLook{LookSpan::moment, 2025y / std::chrono::June / 21, 12h}))
         << "eleven in the evening before";
 }

@@ -313,8 +313,7 @@ OsmSelection selectContext() {
 // The keys of which areas of water have one.
 OsmSelection selectWater() {
     const std::vector<std::string> kinds{"natural", "waterway", "landuse", "leisure"};
-    OsmSelection selection{
-        .keys = kinds, .areaKeys = kinds, .kindKeys = kinds, .lineKeys = {"natural"}};
+    OsmSelection selection{.keys = kinds, .areaKeys = kinds, .kindKeys = kinds, .lineKeys = {"natural"}};
     for (const char* key : {"name", "building", "tunnel", "layer", "location"})
         selection.keys.emplace_back(key);
     return selection;

@@ -26,9 +26,9 @@ using OsmTags = std::vector<std::pair<std::string, std::string>>;
 
 /// What is read of a file.
 struct OsmSelection {
-    std::vector<std::string> keys;       ///< the tags to keep
-    std::vector<std::string> areaKeys;   ///< closed ways with one of these are areas, unless area=no
-    std::vector<std::string> kindKeys;   ///< areas without any of these are not; empty: all are kept
+    std::vector<std::string> keys;      ///< the tags to keep
+    std::vector<std::string> areaKeys;  ///< closed ways with one of these are areas, unless area=no
+    std::vector<std::string> kindKeys;  ///< areas without any of these are not; empty: all are kept
     /// Ways that are no areas and have one of these are lines; with the key natural coastlines, too, which
     /// as closed ways may be areas besides.
     std::vector<std::string> lineKeys;

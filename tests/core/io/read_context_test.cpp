@@ -76,15 +76,14 @@ std::string coastXml(const std::string& bounds, double fromX) {
                            at.lonDeg);
     };
     const auto way = [](int id, const std::string& nodes) {
-        return fmt::format(
-            "<way id=\"{}\" version=\"1\">{}<tag k=\"natural\" v=\"coastline\"/></way>", id, nodes);
+        return fmt::format("<way id=\"{}\" version=\"1\">{}<tag k=\"natural\" v=\"coastline\"/></way>", id,
+                           nodes);
     };
     return "<?xml version=\"1.0\"?><osm version=\"0.6\">" + bounds + node(1, fromX, 0) + node(2, 0, 0) +
            node(3, 1200, 0) + node(4, 100, -500) + node(5, 300, -500) + node(6, 300, -300) +
            node(7, 100, -300) + way(1, "<nd ref=\"2\"/><nd ref=\"3\"/>") +
            way(2, "<nd ref=\"1\"/><nd ref=\"2\"/>") +
-           way(3, "<nd ref=\"4\"/><nd ref=\"5\"/><nd ref=\"6\"/><nd ref=\"7\"/><nd ref=\"4\"/>") +
-           "</osm>";
+           way(3, "<nd ref=\"4\"/><nd ref=\"5\"/><nd ref=\"6\"/><nd ref=\"7\"/><nd ref=\"4\"/>") + "</osm>";
 }
 
 std::string boundsOfTwoKilometres() {

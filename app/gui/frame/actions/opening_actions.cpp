@@ -6,10 +6,10 @@
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/base/widgets/message_bar.h"
+#include "app/gui/base/widgets/number_words.h"
 #include "app/gui/frame/actions/place_actions.h"
 #include "app/gui/frame/actions/saving_actions.h"
 #include "app/gui/session/study/open_options.h"
-#include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/workbench.h"
 #include "app/input/load_city.h"
 #include "core/io/files/file_kind.h"
@@ -139,8 +139,7 @@ void OpeningActions::showGuesses() {
         lines << tr("The time zone %1 is a guess; %2 is also nearby.")
                      .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
     const std::size_t far = workbench_.city()->arrays->mainPart.farBuildings;
-    if (far > 0)
-        lines << tr("%1 far building(s) left aside.", "", pluralNumber(far)).arg(formatCount(far));
+    if (far > 0) lines << tr("%1 far building(s) left aside.", "", pluralNumber(far)).arg(formatCount(far));
     const bool read = !workbench_.session().file() && !workbench_.session().project().places.empty();
     if (read || !workbench_.placeWarnings().empty())
         lines << describePlacesRead(workbench_.session().project().places.size(), 0,
@@ -150,8 +149,7 @@ void OpeningActions::showGuesses() {
     messages_.showHelp(lines.join(u'\n'));
     if ((heights || doubt || stand) && !workbench_.source().files.isEmpty() && !workbench_.session().file())
         offerOptions();
-    if (far > 0)
-        messages_.offerToo(tr("Zoom to all"), [this] { Q_EMIT wholeCityWanted(); });
+    if (far > 0) messages_.offerToo(tr("Zoom to all"), [this] { Q_EMIT wholeCityWanted(); });
 }
 
 // If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.

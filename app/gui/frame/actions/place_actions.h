@@ -30,7 +30,7 @@ public:
                  ProjectDock& tree, QWidget& window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {read_, streets_, draw_, fromBuilding_}; }
-    [[nodiscard]] QAction* showAction() const { return show_; }  ///< shows and hides names
+    [[nodiscard]] QAction* showAction() const { return show_; }          ///< shows and hides names
     [[nodiscard]] QAction* outlinesAction() const { return outlines_; }  ///< shows outlines of all places
 
     /// Reads places into the open project; those of the same source are replaced.

@@ -73,7 +73,9 @@ private:
     SunShadow otherShadow_;  // of CityView::other()
     bool otherShown_ = false;
     SunAtMoment sun_;
-    Clock clock_ = [] { return std::chrono::time_point_cast<Instant::duration>(std::chrono::system_clock::now()); };
+    Clock clock_ = [] {
+        return std::chrono::time_point_cast<Instant::duration>(std::chrono::system_clock::now());
+    };
     /// The look of showPresent(), and the time it was then.
     struct Present {
         TimeLook look;
