@@ -12,7 +12,7 @@ std::shared_ptr<const Building> squareAt(float x, float y, float sideM = 10) {
     return std::make_shared<const Building>(std::move(building));
 }
 
-City village() {
+City squareVillage() {
     City city;
     for (int i = 0; i < 100; ++i)
         city.buildings.push_back(squareAt(float(20 * (i % 10)), float(20 * (i / 10))));
@@ -20,7 +20,7 @@ City village() {
 }
 
 TEST(MainPart, DistantBuildingsAreLeftAsideAndCounted) {
-    City city = village();
+    City city = squareVillage();
     const Box2 all = bounds(city);
     city.buildings.push_back(squareAt(40000, 0));
     city.buildings.push_back(squareAt(0, -9000));
@@ -31,7 +31,7 @@ TEST(MainPart, DistantBuildingsAreLeftAsideAndCounted) {
 }
 
 TEST(MainPart, IsTheWholeCityWhereNothingIsDistant) {
-    const City city = village();
+    const City city = squareVillage();
     EXPECT_EQ(findMainPart(city).box, bounds(city));
     EXPECT_EQ(findMainPart(city).farBuildings, 0U);
     City one;
@@ -41,21 +41,21 @@ TEST(MainPart, IsTheWholeCityWhereNothingIsDistant) {
 }
 
 TEST(MainPart, TwoVillagesAreBothCounted) {
-    City city = village();
+    City city = squareVillage();
     for (int i = 0; i < 50; ++i) city.buildings.push_back(squareAt(2000 + float(20 * (i % 10)), 0));
     EXPECT_EQ(findMainPart(city).box, bounds(city));
     EXPECT_EQ(findMainPart(city).farBuildings, 0U);
 }
 
 TEST(MainPart, AHouseJustOutsideBelongsToIt) {
-    City city = village();
+    City city = squareVillage();
     city.buildings.push_back(squareAt(380, 0));
     EXPECT_EQ(findMainPart(city).box, bounds(city));
 }
 
 // Footprint area counts, not the number of buildings: 30 huts in a lake do not outweigh a village.
 TEST(MainPart, ManyHutsFarOutAreStillFar) {
-    City city = village();
+    City city = squareVillage();
     const Box2 all = bounds(city);
     for (int i = 0; i < 30; ++i) city.buildings.push_back(squareAt(5000 + float(10 * i), 0, 2));
     EXPECT_EQ(findMainPart(city).box, all);
@@ -63,7 +63,7 @@ TEST(MainPart, ManyHutsFarOutAreStillFar) {
 }
 
 TEST(DensestBox, LiesWhereMostGroundIsBuiltOn) {
-    City city = village();  // 190 m wide
+    City city = squareVillage();  // 190 m wide
     for (int i = 0; i < 10; ++i) city.buildings.push_back(squareAt(300 + 100 * float(i), 0));
     const Box2 within = bounds(city);
     const Box2 box = findDensestBox(city, within, {200, 200});
@@ -73,7 +73,7 @@ TEST(DensestBox, LiesWhereMostGroundIsBuiltOn) {
 }
 
 TEST(DensestBox, LiesInTheMiddleOfAnEvenCity) {
-    const City city = village();
+    const City city = squareVillage();
     const Box2 within = bounds(city), box = findDensestBox(city, within, {100, 100});
     EXPECT_EQ(box.low + box.high, within.low + within.high);
 }
