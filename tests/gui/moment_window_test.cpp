@@ -27,6 +27,8 @@ struct MomentWindow : ::testing::TestWithParam<bool> {
     MainWindow window{settings};
 
     void SetUp() override {
+        window.time().setClock(
+            [] { return Instant(std::chrono::sys_days(2026y / std::chrono::March / 21) + 17h); });
         window.resize(1000, 760);
         window.show();
         window.open({QStringLiteral("sample:grid")});

@@ -25,19 +25,20 @@ Instant at(std::chrono::year_month_day date, std::chrono::minutes utc) {
 
 TEST(PresentLook, IsTheTimeAtTheCityInTheYearOfThePeriod) {
     const TimeLook look =
-        findPresentLook(newYork, inNewYork, at(2026y / std::chrono::June / 21, 18h + 5min)).value();
+        findPresentLook(newYork, inNewYork, at(2026y / std::chrono::June / 21, 18h + 5min)).value().look;
     EXPECT_EQ(look, (TimeLook{LookSpan::moment, 2025y / std::chrono::June / 21, 14h + 5min}));
 }
 
 TEST(PresentLook, IsNoonOfTheSameDayWhileTheSunIsDown) {
-    const TimeLook look = findPresentLook(newYork, inNewYork, at(2026y / std::chrono::June / 22, 3h)).value();
+    const TimeLook look =
+        findPresentLook(newYork, inNewYork, at(2026y / std::chrono::June / 22, 3h)).value().look;
     EXPECT_EQ(look, (TimeLook{LookSpan::moment, 2025y / std::chrono::June / 21, 12h}))
         << "eleven in the evening before";
 }
 
 TEST(PresentLook, TheDayThatAYearLacksIsTheLastOfItsMonth) {
     const TimeLook look =
-        findPresentLook(newYork, inNewYork, at(2028y / std::chrono::February / 29, 17h)).value();
+        findPresentLook(newYork, inNewYork, at(2028y / std::chrono::February / 29, 17h)).value().look;
     EXPECT_EQ(look.date, 2025y / std::chrono::February / 28);
 }
 

@@ -106,10 +106,10 @@ void TimeDisplay::showPresent() {
     if (!workbench_.city()) return;
     const StudySettings& settings = workbench_.document().settings();
     const Observer observer = makeObserver(workbench_.city()->city(), settings);
-    const auto look = findPresentLook(observer, settings.period, clock_());
-    if (!look) return;
-    present_ = Present{*look, look->at == std::chrono::hours(12)};
-    panel_.time().choose(*look);
+    const auto present = findPresentLook(observer, settings.period, clock_());
+    if (!present) return;
+    present_ = *present;
+    panel_.time().choose(present->look);
     showSun();
 }
 
@@ -126,7 +126,7 @@ QString TimeDisplay::moment() const {
     if (!showsMoment()) return {};
     const TimeLook& look = panel_.time().look();
     const QString words = tr("%1. %2").arg(describe(look), describe(sun_));
-    const bool night = present_ && present_->night && present_->look == look;
+    const bool night = present_ && present_->isNight && present_->look == look;
     return night ? tr("It is night there now, so this is noon: %1").arg(words) : words;
 }
 

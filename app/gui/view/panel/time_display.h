@@ -76,14 +76,9 @@ private:
     Clock clock_ = [] {
         return std::chrono::time_point_cast<Instant::duration>(std::chrono::system_clock::now());
     };
-    /// The look of showPresent(), and the time it was then.
-    struct Present {
-        TimeLook look;
-        bool night = false;  ///< look is noon instead
-    };
-    std::optional<Present> present_;
-    QTimer* rest_;    // then the shadow is drawn finely
-    QPointF turned_;  // minutes and days of a drag that are not whole yet
+    std::optional<PresentLook> present_;  ///< of showPresent()
+    QTimer* rest_;                        // then the shadow is drawn finely
+    QPointF turned_;                      // minutes and days of a drag that are not whole yet
     QList<QAction*> actions_;
 };
 

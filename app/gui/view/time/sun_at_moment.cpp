@@ -43,7 +43,7 @@ Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period,
     return moment;
 }
 
-Result<TimeLook> findPresentLook(const Observer& observer, const Period& period, Instant now) {
+Result<PresentLook> findPresentLook(const Observer& observer, const Period& period, Instant now) {
     const auto zone = Zone::named(period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
     const CivilDate today = zone->dateAt(now);
@@ -53,7 +53,7 @@ Result<TimeLook> findPresentLook(const Observer& observer, const Period& period,
     const auto sun = computeSunAt(observer, period, look);
     if (!sun) return tl::make_unexpected(sun.error());
     if (!sun->isUp()) look.at = std::chrono::hours(12);
-    return look;
+    return PresentLook{look, !sun->isUp()};
 }
 
 QString describe(const SunAtMoment& sun) {

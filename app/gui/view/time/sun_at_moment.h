@@ -21,9 +21,15 @@ struct SunAtMoment {
 /// Zone and refraction are those of `period`. Error: an unknown zone. About 0.3 ms.
 Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period, const TimeLook& look);
 
+/// The present as a look.
+struct PresentLook {
+    TimeLook look;
+    bool isNight = false;  ///< look is noon of that day instead
+};
+
 /// The moment that it is at `now` in the period's zone, with the day in the year of the period; noon of that
 /// day while the sun is down. Error: an unknown zone.
-Result<TimeLook> findPresentLook(const Observer& observer, const Period& period, Instant now);
+Result<PresentLook> findPresentLook(const Observer& observer, const Period& period, Instant now);
 
 /// "Sun 221° SW, 32° high", "Sun below the horizon".
 QString describe(const SunAtMoment& sun);
