@@ -24,4 +24,9 @@ HeightCounts countHeights(const City& city) {
     return counts;
 }
 
+bool isProposal(const Building& building) {
+    return std::ranges::any_of(building.parts,
+                               [](const Part& part) { return part.heightSource == HeightSource::designed; });
+}
+
 }  // namespace noonmark

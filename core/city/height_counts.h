@@ -26,4 +26,7 @@ HeightCounts countHeights(const City& city);
 /// a note.
 inline constexpr double maxAssumedShare = 0.1;
 
+/// Whether the user designed any part of a building: a massing, a placed mesh, a changed height.
+bool isProposal(const Building& building);
+
 }  // namespace noonmark

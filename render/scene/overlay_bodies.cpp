@@ -20,7 +20,6 @@ namespace {
 
 constexpr QColor hoveredColour{0x5b, 0x9b, 0xe0, 90};
 constexpr QColor selectedColour{0x2f, 0x7d, 0xe0, 165};
-constexpr QColor proposedColour{0x4f, 0xc2, 0xa4, 255};
 constexpr QColor edgeColour{0x05, 0x3d, 0x30};
 constexpr QColor floorColour{0x02, 0x2c, 0x40};
 constexpr float floorHazeM = 5000;  // from further away, floors would lie side by side
@@ -57,7 +56,7 @@ OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* si
     };
     for (const auto& [tint, colour] : {std::pair(Tint::hovered, hoveredColour),
                                        {Tint::selected, selectedColour},
-                                       {Tint::proposed, proposedColour}}) {
+                                       {Tint::proposed, proposalColour}}) {
         of(tint).material = makeTint(componentsOf(colour), tintLift);
         if (tint != Tint::proposed) of(tint).material->blend();
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QColor>
 #include <array>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -22,6 +23,9 @@ class QLayer;
 namespace noonmark {
 
 class ShaderMaterial;
+
+/// The colour of what is proposed, while it is edited and afterwards.
+inline constexpr QColor proposalColour{0x4f, 0xc2, 0xa4};
 
 /// What the user is editing or asking about, drawn over the city: tinted buildings, a proposed building,
 /// lines, a drag handle and a pin. Each can be replaced on its own many times a second; the city's arrays do

@@ -26,9 +26,11 @@ namespace noonmark {
 namespace {
 
 constexpr QColor lineColour{0xd6, 0x3c, 0x1e};
+constexpr QColor demolishedColour{0x4a, 0x4d, 0x57};
 constexpr double viewDeg = 40;
 constexpr int restMs = 200;
 constexpr double hazeDistances = 4;
+constexpr int movingSpacingPx = 2;
 
 ViewLens inDevicePixels(ViewLens lens, double ratio) {
     lens.widthPx = std::round(lens.widthPx * ratio);
@@ -37,10 +39,10 @@ ViewLens inDevicePixels(ViewLens lens, double ratio) {
 }
 
 // Lines that stay as wide as they are however far away they lie.
-ShaderMaterial* makeLineMaterial(Qt3DCore::QEntity* parent) {
+ShaderMaterial* makeLineMaterial(const QColor& colour, float widthPx, Qt3DCore::QEntity* parent) {
     auto* material = new ShaderMaterial(QStringLiteral("ribbon"), parent);
-    material->set(QStringLiteral("lineColour"), QVector4D(toVector(lineColour), 0.9F));
-    material->set(QStringLiteral("widthPx"), 2.5F);
+    material->set(QStringLiteral("lineColour"), QVector4D(toVector(colour), 0.9F));
+    material->set(QStringLiteral("widthPx"), widthPx);
     material->blend();
     material->alwaysVisible();
     material->bothSides();
@@ -56,7 +58,8 @@ CityView::CityView()
       sideLayers_{new Qt3DRender::QLayer(root_), new Qt3DRender::QLayer(root_)},
       displayed_(blended_, sideLayers_[0], root_),
       other_(blended_, sideLayers_[1], root_),
-      ribbon_(makeLineMaterial(root_)),
+      ribbon_(makeLineMaterial(lineColour, 2.5F, root_)),
+      demolishedRibbon_(makeLineMaterial(demolishedColour, 1.8F, root_)),
       divider_(blended_, sideLayers_, root_),
       rest_(new QTimer(this)),
       names_(new QTimer(this)) {
@@ -72,6 +75,7 @@ CityView::CityView()
     names_->setSingleShot(true);
     names_->setInterval(restMs);
     connect(names_, &QTimer::timeout, this, [this] {
+        restCamera();
         places_->layNames(pose_, lens());
         dome_->layNames(pose_, lens());
     });
@@ -149,6 +153,7 @@ void CityView::showTracedSun(const std::optional<glm::dvec3>& towardsSun) {
 
 void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
     showLines({});
+    showDemolished({});
     pointMarks_->show({});
     pointMarks_->showSnap({});
     tiles_->clear();
@@ -205,11 +210,23 @@ void CityView::showLines(const std::vector<GroundLine>& lines) {
     if (!lines.empty()) lines_ = makeArrayEntity(makeOutlineGeometry(lines), *ribbon_, root_, blended_);
 }
 
+void CityView::showDemolished(const std::vector<GroundLine>& lines) {
+    delete demolished_;
+    demolished_ = nullptr;
+    if (!lines.empty())
+        demolished_ = makeArrayEntity(makeOutlineGeometry(lines), *demolishedRibbon_, root_, blended_);
+}
+
 void CityView::setPose(const CameraPose& pose) {
+    moving_ = isTraced() && pose != pose_;
     pose_ = pose;
     refresh();
     if (displayed_.hideEdges() | other_.hideEdges()) rest_->start();
     Q_EMIT poseChanged();
+}
+
+void CityView::restCamera() {
+    if (std::exchange(moving_, false)) applyCamera();
 }
 
 void CityView::showEdges() {
@@ -242,7 +259,8 @@ void CityView::applyCamera() {
     camera()->setPosition(toVector(computeEye(pose_)));
     camera()->setViewCenter(toVector(pose_.target));
     camera()->setUpVector(toVector(computeUp(pose_)));
-    ribbon_->set(QStringLiteral("viewSize"), QVector2D(float(view.widthPx), float(view.heightPx)));
+    for (ShaderMaterial* ribbon : {ribbon_, demolishedRibbon_})
+        ribbon->set(QStringLiteral("viewSize"), QVector2D(float(view.widthPx), float(view.heightPx)));
     overlay_->setLens(pose_, view);
     places_->setLens(view);
     pointMarks_->setViewSize({float(view.widthPx), float(view.heightPx)});
@@ -277,7 +295,9 @@ void CityView::trace(const ClipRange& clip) {
         DrawnCity& city = side == 0 ? displayed_ : other_;
         if (!city.isTraced()) continue;
         const SideColumns own = beside ? SideColumns{0, int(view.widthPx)} : columns;
-        city.traced().trace({pose_, view, clip, section_, own, beside ? columns.first : 0});
+        // Two sides share a ray only where both begin at it.
+        const int spacing = moving_ && sides_.layout == SideLayout::one ? movingSpacingPx : 1;
+        city.traced().trace({pose_, view, clip, section_, own, beside ? columns.first : 0, spacing});
     }
 }
 
@@ -297,6 +317,7 @@ void CityView::exposeEvent(QExposeEvent* event) {
 
 void CityView::capture(std::function<void(QImage)> done) {
     showEdges();
+    restCamera();
     if (cameraMoved_) applyCamera();
     places_->layNames(pose_, lens());
     dome_->layNames(pose_, lens());

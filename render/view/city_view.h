@@ -79,6 +79,8 @@ public:
     /// Shows or hides the faces; without them only the buildings' edges cover the ground.
     void showFaces(bool shown);
     void showLines(const std::vector<GroundLine>& lines);
+    /// Outlines of buildings that are there no more; showCity() removes them.
+    void showDemolished(const std::vector<GroundLine>& lines);
     /// Cuts away what lies outside the box; empty: shows everything. Shadows and pictures stay those of the
     /// whole city. It stays when the city changes.
     void showSection(const std::optional<SectionBox>& box);
@@ -101,6 +103,9 @@ public:
 
     [[nodiscard]] const CameraPose& pose() const { return pose_; }
     void setPose(const CameraPose& pose);
+    /// Whether the camera moved within the last 0.2 s where rays draw the city: until it rests, four pixels
+    /// share a ray.
+    [[nodiscard]] bool isMoving() const { return moving_; }
     [[nodiscard]] const ViewBounds& viewBounds() const { return displayed_.bounds(); }
     /// Of the city without its far buildings (MainPart).
     [[nodiscard]] ViewBounds mainBounds() const;
@@ -127,6 +132,7 @@ private:
     [[nodiscard]] ViewBounds drawnBounds() const;
     void applyCamera();
     void trace(const ClipRange& clip);
+    void restCamera();
     void showEdges();
 
     CameraPose pose_;
@@ -136,13 +142,16 @@ private:
     DrawnCity displayed_;
     DrawnCity other_;
     ShaderMaterial* ribbon_;
+    ShaderMaterial* demolishedRibbon_;
     SideDivider divider_;
     ViewSides sides_;
     bool traced_ = false;
     bool cameraMoved_ = false;  ///< since the last frame
+    bool moving_ = false;       ///< see isMoving()
     QTimer* rest_;
     QTimer* names_;
     Qt3DCore::QEntity* lines_ = nullptr;
+    Qt3DCore::QEntity* demolished_ = nullptr;
     std::unique_ptr<ElementTiles> tiles_;
     std::unique_ptr<OverlayBodies> overlay_;
     std::unique_ptr<PlaceMarks> places_;

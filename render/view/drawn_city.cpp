@@ -5,7 +5,9 @@
 #include <Qt3DRender/QLayer>
 #include <algorithm>
 
+#include "core/city/height_counts.h"
 #include "render/scene/array_entity.h"
+#include "render/scene/overlay_bodies.h"
 #include "render/scene/picture_texture.h"
 #include "render/scene/qt_vectors.h"
 #include "render/scene/shader_material.h"
@@ -76,17 +78,20 @@ DrawnCity::DrawnCity(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3D
       side_(side),
       parent_(parent),
       building_(makeMaterial("building", parent)),
+      proposal_(makeMaterial("building", parent)),
       cut_(makeMaterial("cut", parent)),
       edge_(makeMaterial("edge", parent)),
       ground_(makeMaterial("ground", parent)),
       traced_(side, parent),
-      bodyMaterials_{building_, traced_.material()},
+      bodyMaterials_{building_, proposal_, traced_.material()},
       groundMaterials_{ground_, traced_.material()} {
     cut_->fromBehind();
     edge_->blend();
-    for (ShaderMaterial* material : {building_, ground_}) material->drawDepthFirst();
-    const Materials surfaces{building_, ground_, traced_.material()};
+    for (ShaderMaterial* material : {building_, proposal_, ground_}) material->drawDepthFirst();
+    const Materials surfaces{building_, proposal_, ground_, traced_.material()};
     setAll(bodyMaterials_, QStringLiteral("baseColour"), toVector(buildingColour));
+    proposal_->set(QStringLiteral("baseColour"), toVector(proposalColour));
+    traced_.material()->set(QStringLiteral("proposalColour"), toVector(proposalColour));
     setAll(groundMaterials_, QStringLiteral("groundColour"), toVector(groundColour));
     setAll(surfaces, QStringLiteral("haze"), toVector(backgroundColour));
     traced_.material()->set(QStringLiteral("skyBlue"), toVector(skyColour));
@@ -94,14 +99,15 @@ DrawnCity::DrawnCity(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3D
     clearPicture();
     clearMap();
     surfaces_ = std::make_unique<SurfaceLayer>(surfaces, parent);
-    sun_ = std::make_unique<SunLayer>(Materials{building_, ground_}, parent);
+    sun_ = std::make_unique<SunLayer>(Materials{building_, proposal_, ground_}, parent);
 }
 
 DrawnCity::~DrawnCity() = default;
 
-std::unique_ptr<BuildingBodies> DrawnCity::makeBodies(std::shared_ptr<const CityArrays> arrays) {
+std::unique_ptr<BuildingBodies> DrawnCity::makeBodies(std::shared_ptr<const CityArrays> arrays,
+                                                      ShaderMaterial& faces) {
     return std::make_unique<BuildingBodies>(std::move(arrays),
-                                            BuildingBodies::Materials{*building_, *cut_, *edge_},
+                                            BuildingBodies::Materials{faces, *cut_, *edge_},
                                             BuildingBodies::Layers{blended_, side_}, parent_);
 }
 
@@ -121,14 +127,17 @@ void DrawnCity::showCity(std::shared_ptr<const CityArrays> arrays) {
     bounds_ = arrays->bounds;
     showGround(*arrays);
     manyEdges_ = arrays->edges.size() > (drawsInSoftware() ? maxEdgesBySoftware : maxEdgesInMotion);
-    city_ = makeBodies(std::move(arrays));
+    city_ = makeBodies(std::move(arrays), *building_);
     showBodies();
 }
 
 void DrawnCity::showChanges(const ArrayDifference& changes) {
     if (!city_) return;
     city_->leaveOut(changes.gone);
-    added_ = makeBodies(std::make_shared<const CityArrays>(makeBuildingArrays(changes.added)));
+    const auto isNew = [](const auto& building) { return isProposal(*building); };
+    const bool proposed = std::ranges::all_of(changes.added.buildings, isNew);
+    added_ = makeBodies(std::make_shared<const CityArrays>(makeBuildingArrays(changes.added)),
+                        proposed ? *proposal_ : *building_);
     addedTraced_ = traced_.showOnly(listShown(*city_->arrays(), changes));
     showBodies();
     bounds_ = city_->arrays()->bounds;
@@ -231,7 +240,8 @@ void DrawnCity::setTracedSun(const std::optional<glm::dvec3>& towardsSun) {
 }
 
 void DrawnCity::setHaze(float distanceM) {
-    setAll({building_, edge_, ground_, traced_.material()}, QStringLiteral("hazeDistance"), distanceM);
+    setAll({building_, proposal_, edge_, ground_, traced_.material()}, QStringLiteral("hazeDistance"),
+           distanceM);
 }
 
 void DrawnCity::redraw() {

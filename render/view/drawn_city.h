@@ -67,13 +67,15 @@ private:
     using Materials = std::vector<ShaderMaterial*>;
     void showBodies();
     void showGround(const CityArrays& arrays);
-    [[nodiscard]] std::unique_ptr<BuildingBodies> makeBodies(std::shared_ptr<const CityArrays> arrays);
+    [[nodiscard]] std::unique_ptr<BuildingBodies> makeBodies(std::shared_ptr<const CityArrays> arrays,
+                                                             ShaderMaterial& faces);
 
     Qt3DRender::QLayer* blended_;
     Qt3DRender::QLayer* side_;
     Qt3DCore::QEntity* parent_;
     ShaderMaterial* building_;
-    ShaderMaterial* cut_;  ///< buildings from behind
+    ShaderMaterial* proposal_;  ///< what was added to the city drawn first, where all of it is a proposal
+    ShaderMaterial* cut_;       ///< buildings from behind
     ShaderMaterial* edge_;
     ShaderMaterial* ground_;
     TracedCity traced_;

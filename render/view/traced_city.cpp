@@ -4,6 +4,7 @@
 #include <QVector3D>
 #include <algorithm>
 
+#include "core/city/height_counts.h"
 #include "core/engines/ray/traced_view.h"
 #include "render/scene/array_entity.h"
 #include "render/scene/picture_texture.h"
@@ -29,10 +30,10 @@ Qt3DCore::QEntity* makePixels(ShaderMaterial& material, Qt3DRender::QLayer* side
     return entity;
 }
 
-PixelCamera makeTracedCamera(const CameraPose& pose, const ViewLens& lens,
-                             const std::optional<SectionBox>& section) {
-    PixelCamera camera = makeExploredCamera(pose, lens, 1);
-    if (section) camera.section = VisibleBox{glm::vec3(section->lowM), glm::vec3(section->highM)};
+PixelCamera makeTracedCamera(const TracedCity::Picture& picture) {
+    PixelCamera camera = makeExploredCamera(picture.pose, picture.lens, picture.spacingPx);
+    if (const auto& section = picture.section)
+        camera.section = VisibleBox{glm::vec3(section->lowM), glm::vec3(section->highM)};
     return camera;
 }
 
@@ -55,6 +56,8 @@ void TracedCity::setScene(RayScene scene, Buildings buildings, float groundM) {
     buildings_ = std::move(buildings);
     groundM_ = groundM;
     hidden_.clear();
+    proposed_.clear();
+    for (const auto& building : buildings_) proposed_.push_back(isProposal(*building) ? 1 : 0);
 }
 
 void TracedCity::clear() {
@@ -85,7 +88,7 @@ void TracedCity::setSun(const std::optional<glm::vec3>& towardsSun) {
 void TracedCity::trace(const Picture& picture) {
     if (!scene_ || picture.columns.last <= picture.columns.first) return;
     const CameraPose& pose = picture.pose;
-    const PixelCamera camera = makeTracedCamera(pose, picture.lens, picture.section);
+    const PixelCamera camera = makeTracedCamera(picture);
     traceView(*scene_, camera,
               {.groundM = groundM_,
                .nearM = float(picture.clip.nearM),
@@ -93,6 +96,7 @@ void TracedCity::trace(const Picture& picture) {
                .firstColumn = picture.columns.first,
                .lastColumn = picture.columns.last,
                .hidden = hidden_,
+               .marked = proposed_,
                .towardsSun = towardsSun_},
               view_);
     const double pixel = 1 / samplesPerMetre(camera, 1);
@@ -103,6 +107,7 @@ void TracedCity::trace(const Picture& picture) {
     set("tracedClip", depthScale(pose, picture.clip));
     set("tracedParallel", pose.isParallel() ? 1.0F : 0.0F);
     set("tracedLeft", float(picture.leftPx));
+    set("tracedSpacing", float(picture.spacingPx));
     layTexture();
 }
 

@@ -29,6 +29,7 @@ public:
     TracedCity(Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent);
 
     /// What is traced: a scene, its buildings in the scene's order, and the z of the level ground around.
+    /// Proposals (isProposal()) have a colour of their own.
     void setScene(RayScene scene, Buildings buildings, float groundM);
     void clear();
     [[nodiscard]] bool hasScene() const { return scene_.has_value(); }
@@ -45,6 +46,7 @@ public:
         std::optional<SectionBox> section;
         SideColumns columns;  ///< of the picture that are wanted
         int leftPx = 0;       ///< column of the window where the picture begins
+        int spacingPx = 1;    ///< pixels a side that share one ray; not 1: all columns are wanted
     };
     /// Traces a picture, on all cores.
     void trace(const Picture& picture);
@@ -63,7 +65,7 @@ private:
     TracedView view_;
     std::optional<RayScene> scene_;
     Buildings buildings_;
-    std::vector<std::uint8_t> hidden_;  ///< by building, 1: left out; empty: nothing is
+    std::vector<std::uint8_t> hidden_, proposed_;  ///< by building, 1: left out; empty: nothing is
     std::optional<glm::vec3> towardsSun_;
     float groundM_ = 0;
 };

@@ -8,6 +8,7 @@ uniform vec3 tracedRight;     // one pixel further at a depth of one metre, or a
 uniform vec3 tracedUp;
 uniform float tracedParallel;  // 1: parallel projection
 uniform float tracedLeft;      // column of the window where the picture begins
+uniform float tracedSpacing;   // pixels a side of each pixel of `traced`: more than 1 while the camera moves
 uniform vec3 edgeColour;
 uniform vec2 tracedClip;  // depth in the depth buffer: x + y / depth, in a parallel projection x + y * depth
 
@@ -24,10 +25,12 @@ vec4 lookUp(sampler2D picture, vec2 within, vec4 box, vec3 at) {
 #pragma include sky.inc
 #pragma include body.inc
 #pragma include earth.inc
+uniform vec3 baseColour;
+uniform vec3 proposalColour;
 
 void main() {
     ivec2 size = textureSize(traced, 0);
-    vec2 pixel = gl_FragCoord.xy - vec2(tracedLeft, 0.0);
+    vec2 pixel = (gl_FragCoord.xy - vec2(tracedLeft, 0.0)) / tracedSpacing;
     vec2 seen = texelFetch(traced, clamp(ivec2(int(pixel.x), size.y - 1 - int(pixel.y)), ivec2(0), size - 1), 0).xy;
     int bits = floatBitsToInt(seen.y);
     int kind = bits >> 24 & 3;
@@ -38,7 +41,8 @@ void main() {
     vec3 normal = vec3(bits & 255, bits >> 8 & 255, bits >> 16 & 255) / 127.0 - 1.0;
     float distanceToEye = length(fromEye);
     float sun = float(bits >> 27 & 1);
-    vec3 shown = kind == 1 ? earthColour(at, normal, distanceToEye, sun) : bodyColour(at, normal, distanceToEye, sun);
+    vec3 base = (bits >> 28 & 1) == 1 ? proposalColour : baseColour;
+    vec3 shown = kind == 1 ? earthColour(at, normal, distanceToEye, sun) : bodyColour(base, at, normal, distanceToEye, sun);
     shown = withExplored(shown, at, normal);
     if (kind == 3) shown = vec3(0.36, 0.30, 0.42);  // as cut.frag
     // As edge.frag: far edges fade.

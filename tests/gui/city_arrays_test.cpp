@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/gui/view/panel/ground_lines.h"
 #include "render/scene/feature_edges.h"
 #include "render/scene/ground_picture.h"
 #include "tests/gui/small_city.h"
@@ -47,6 +48,19 @@ TEST(CityArrays, KnowWhereEachBuildingLies) {
         for (std::size_t i = arrays.edgeStart[building]; i < arrays.edgeStart[building + 1]; ++i)
             EXPECT_EQ(arrays.buildingOfPoint[arrays.edges[i]], float(building));
     }
+}
+
+TEST(DemolishedLines, GoAroundWhatIsGoneAndNotAroundWhatChanged) {
+    City city = test::smallCity();
+    const CityArrays arrays = makeArrays(city);
+    city.buildings[1] = std::make_shared<const Building>(*city.buildings[1]);  // changed, with its id
+    city.buildings.erase(city.buildings.begin());
+    const auto lines = makeDemolishedLines(arrays, computeDifference(arrays, city), city);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(lines[0].closed);
+    Box2 box;
+    for (const glm::vec3 point : lines[0].points) box.add(glm::vec2(point));
+    EXPECT_EQ(box, bounds(*arrays.buildings[0])) << "the South House";
 }
 
 TEST(CityArrays, ACityThatSharesItsBuildingsDiffersByTheOthers) {

@@ -69,6 +69,22 @@ GroundPicture brownGround() {
 
 TEST_F(TracedCityView, LooksLikeTriangles) { expectSame("plain"); }
 
+TEST_F(TracedCityView, IsCoarseOnlyWhileTheCameraMoves) {
+    CameraPose pose = panel.view().pose();
+    pose.headingDeg += 10;
+    panel.view().setPose(pose);
+    EXPECT_TRUE(panel.view().isMoving());
+    ASSERT_TRUE(waitFor([this] { return !panel.view().isMoving(); }));
+    const QImage resting = captured();
+    panel.view().setPose(pose);
+    EXPECT_FALSE(panel.view().isMoving()) << "it is where it was";
+    pose.headingDeg += 10;
+    panel.view().setPose(pose);
+    pose.headingDeg -= 10;
+    panel.view().setPose(pose);
+    EXPECT_LT(differing(captured(), resting, 12), 0.001) << "pictures are never coarse";
+}
+
 TEST_F(TracedCityView, ShowsPicturesOnGroundAndRoofsLikeTriangles) {
     const QImage plain = captured();
     panel.view().showPicture(brownGround());

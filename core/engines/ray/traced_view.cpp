@@ -83,7 +83,8 @@ private:
                 const auto pixel =
                     std::size_t(row + i) * std::size_t(camera_.widthPx) + std::size_t(column + j);
                 const auto lane = std::size_t(i * sidePx + j);
-                view_.pixels[pixel] = {depths[lane], bits[lane]};
+                const std::uint32_t marked = isIn(space_.marked, packet.hit[lane]) ? 1 : 0;
+                view_.pixels[pixel] = {depths[lane], bits[lane] | marked << TracedPixel::markedBit};
                 view_.hits[pixel] = packet.hit[lane];
             }
     }
@@ -109,9 +110,11 @@ private:
         packet.distance[lane] = std::min(packet.distance[lane], far);
     }
 
-    [[nodiscard]] bool isHidden(std::uint32_t hit) const {
-        return hit < space_.hidden.size() && space_.hidden[hit] != 0;
+    static bool isIn(std::span<const std::uint8_t> buildings, std::uint32_t hit) {
+        return hit < buildings.size() && buildings[hit] != 0;
     }
+
+    [[nodiscard]] bool isHidden(std::uint32_t hit) const { return isIn(space_.hidden, hit); }
 
     // Rays that hit a hidden building go on behind it.
     void passHidden(HitPacket& packet, const HitPacket::Lanes& farthest) const {
@@ -191,6 +194,8 @@ glm::vec3 normalOf(TracedPixel pixel) {
 }
 
 bool isInSun(TracedPixel pixel) { return (pixel.bits >> TracedPixel::sunBit & 1U) != 0; }
+
+bool isMarked(TracedPixel pixel) { return (pixel.bits >> TracedPixel::markedBit & 1U) != 0; }
 
 bool isEdge(TracedPixel pixel) { return (pixel.bits >> TracedPixel::edgeBit & 1U) != 0; }
 

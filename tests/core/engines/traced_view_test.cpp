@@ -148,6 +148,22 @@ TEST(TracedView, HiddenBuildingsAreLookedThrough) {
     EXPECT_LE(differing, 2U);
 }
 
+TEST(TracedView, MarksThePixelsOfMarkedBuildingsAlone) {
+    const std::vector<Box3> boxes = randomBoxes(7, 6);
+    const PixelCamera camera = makeCamera({40, -300, 140}, {60, 60, 10}, 40, width, height);
+    const std::vector<std::uint8_t> second{0, 1};
+    const TracedView view = trace(cityOf(boxes), camera, {.marked = second});
+    const TracedView plain = trace(cityOf(boxes), camera, {});
+    std::size_t marked = 0;
+    for (std::size_t pixel = 0; pixel < view.pixels.size(); ++pixel) {
+        EXPECT_EQ(isMarked(view.pixels[pixel]), view.hits[pixel] == 1U) << pixel;
+        EXPECT_EQ(kindOf(view.pixels[pixel]), kindOf(plain.pixels[pixel])) << pixel;
+        EXPECT_FALSE(isMarked(plain.pixels[pixel]));
+        marked += isMarked(view.pixels[pixel]) ? 1 : 0;
+    }
+    EXPECT_GT(marked, 0U);
+}
+
 TEST(TracedView, ASectionShowsTheInsideOfWhatItCuts) {
     OneBox box;
     box.camera.section = VisibleBox{{-30, -30, -1}, {30, 30, 10}};

@@ -71,6 +71,20 @@ std::vector<GroundLine> makeGroundLines(const Region& region, const City& city) 
     return lines;
 }
 
+std::vector<GroundLine> makeDemolishedLines(const CityArrays& drawn, const ArrayDifference& changes,
+                                            const City& city) {
+    const auto isThere = [&](const Building& gone) {
+        return std::ranges::any_of(changes.added.buildings,
+                                   [&](const auto& added) { return added->sourceId == gone.sourceId; });
+    };
+    Region outlines;
+    for (const std::uint32_t index : changes.gone)
+        if (const Building& gone = *drawn.buildings[index]; !isThere(gone))
+            for (const Part& part : gone.parts)
+                if (!part.isOverhanging) outlines.polygons.push_back(part.footprint);
+    return makeGroundLines(outlines, city);
+}
+
 glm::dvec2 findMarkPoint(const Footprint& polygon) {
     glm::dvec2 sum{0};
     double twice = 0;

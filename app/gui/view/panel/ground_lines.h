@@ -2,12 +2,18 @@
 
 #include "core/city/city.h"
 #include "core/receivers/region.h"
+#include "render/scene/city_arrays.h"
 #include "render/scene/outline_geometry.h"
 
 namespace noonmark {
 
 /// The outline of a region as lines slightly above the ground.
 std::vector<GroundLine> makeGroundLines(const Region& region, const City& city);
+
+/// The outlines of buildings of the drawn city that `city`, which differs from it by `changes`, has no more.
+/// A changed building, which keeps its id, is none of them.
+std::vector<GroundLine> makeDemolishedLines(const CityArrays& drawn, const ArrayDifference& changes,
+                                            const City& city);
 
 /// A point within a polygon where its name can stand: the centre of its area, or, where that lies outside, a
 /// point on the line through it.

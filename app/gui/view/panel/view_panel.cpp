@@ -172,7 +172,9 @@ void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
         measureTool_->end();
         view_->showCity(city_->arrays);
     }
-    view_->showChanges(computeDifference(*city_->arrays, city_->city()));
+    const ArrayDifference changes = computeDifference(*city_->arrays, city_->city());
+    view_->showChanges(changes);
+    view_->showDemolished(makeDemolishedLines(*city_->arrays, changes, city_->city()));
     if (const auto& rays = city_->picker.scene()) view_->setRays(*rays, city_->city().buildings);
     results_->forget();
     map_->showCity(city_->city());
@@ -210,7 +212,7 @@ void ViewPanel::markPlaces() {
     highlightPlace(highlighted_);
 }
 
-// Trees and furniture are lower than what counts as hidden, and so is what stands on the place itself.
+// A name stays where only low things, or what is on the place itself, lie before it.
 bool ViewPanel::isHidden(const glm::dvec3& at) const {
     constexpr double nearM = 15;
     const auto pixel = pixelOf(view_->pose(), view_->lens(), at);
