@@ -33,8 +33,8 @@ Json settingsJson(const StudySettings& settings) {
 RepeatQuestion projectQuestion(const std::string& command, const StudySettings& settings,
                                const Provenance& provenance, const std::string& engineKey,
                                std::vector<CommandOption> options) {
-    RepeatQuestion question{command, settings,          provenance, engineKey, periodFlagsBesideScenarios(),
-                            true,    std::move(options)};
+    RepeatQuestion question{command, settings, provenance,        engineKey, periodFlagsBesideScenarios(),
+                            true,    true,     std::move(options)};
     question.settings.byMonth = question.settings.contributions = false;
     return question;
 }

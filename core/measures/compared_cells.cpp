@@ -1,6 +1,9 @@
 #include "core/measures/compared_cells.h"
 
+#include "core/base/progress_share.h"
+#include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/ray_minutes.h"
+#include "core/measures/error_sample.h"
 
 namespace noonmark {
 
@@ -40,6 +43,63 @@ Result<std::vector<ComparedCell>> compareByRays(const RayScene& scene, const Rec
             for (std::size_t i = 0; i < cells.size(); ++i)
                 pairs.push_back(compareCell(field, cells[i], truths[i]));
             return pairs;
+        });
+}
+
+namespace {
+
+std::vector<glm::vec3> positionsOf(const Receivers& receivers, const std::vector<std::uint32_t>& cells) {
+    std::vector<glm::vec3> places;
+    for (const std::uint32_t cell : cells) places.push_back(receivers.position(cell));
+    return places;
+}
+
+Result<RayScene> sceneAround(const City& city, const Receivers& sample, const SunSteps& sun,
+                             const std::stop_token& stop) {
+    if (stop.stop_requested()) return cancelled();
+    return RayScene::over(city, findBuildingsInReach(city, sample, sun), stop);
+}
+
+}  // namespace
+
+Result<std::vector<std::vector<double>>> traceSets(const City& city, const Receivers& receivers,
+                                                   const SunSteps& sun, const StepSets& sets,
+                                                   const std::vector<std::uint32_t>& cells,
+                                                   Progress& progress, const std::stop_token& stop) {
+    const Receivers sample = onlyReceivers(receivers, cells);
+    const auto scene = sceneAround(city, sample, sun, stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    const std::vector<glm::vec3> places = positionsOf(sample, cells);
+    std::vector<std::vector<double>> minutes;
+    for (std::size_t set = 0; set < sets.names.size(); ++set) {
+        const SunSteps steps = sets.stepsOf(set, sun);
+        ProgressShare share(progress, set, sets.names.size());
+        SampleProgress sampling(share);
+        auto truths = traceMinutesAt(*scene, places, steps, sampling, stop);
+        if (!truths) return tl::make_unexpected(truths.error());
+        auto& ofSet = minutes.emplace_back();
+        for (const PointMinutes& truth : *truths) ofSet.push_back(truth.gross * double(steps.dayCount()));
+    }
+    return minutes;
+}
+
+std::vector<std::vector<double>> minutesAt(std::span<const std::vector<float>> minutes,
+                                           const std::vector<std::uint32_t>& cells) {
+    std::vector<std::vector<double>> some;
+    for (const std::vector<float>& ofSet : minutes) {
+        auto& values = some.emplace_back();
+        for (const std::uint32_t cell : cells) values.push_back(double(ofSet[cell]));
+    }
+    return some;
+}
+
+Result<ComparedSets> compareSets(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                 const StepSets& sets, std::span<const std::vector<float>> minutes,
+                                 const std::vector<std::uint32_t>& cells, Progress& progress,
+                                 const std::stop_token& stop) {
+    return traceSets(city, receivers, sun, sets, cells, progress, stop)
+        .map([&](std::vector<std::vector<double>>&& reference) {
+            return ComparedSets{minutesAt(minutes, cells), std::move(reference)};
         });
 }
 

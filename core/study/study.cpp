@@ -10,6 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
 #include "core/engines/common/engine_in_use.h"
+#include "core/measures/compared_cells.h"
 #include "core/measures/error_sample.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/breakdown_check.h"
@@ -101,6 +102,40 @@ bool goesOn(const Study& study, EngineInUse& engine) {
     return study.error && engine.goOn(study.error->grossOff());
 }
 
+// Of all months together, on a quarter of the sample.
+Result<std::optional<ShownError>> compareMonths(const Study& study, const std::stop_token& stop) {
+    const ShadowBreakdown& by = *study.breakdown;
+    const std::size_t size = sampleSize(study.settings.errorSample, study.sun.steps.size());
+    const auto cells =
+        spreadReceivers(study.receivers, std::max<std::size_t>(1, size / 4), study.settings.errorSample.seed);
+    NoProgress quiet;
+    const auto compared =
+        compareSets(study.city, study.receivers, study.sun, by.sets, by.minutes, cells, quiet, stop);
+    if (!compared) return tl::make_unexpected(compared.error());
+    std::vector<double> off;
+    for (std::size_t month = 0; month < by.sets.names.size(); ++month) {
+        const auto days = double(by.sets.stepsOf(month, study.sun).dayCount());
+        for (std::size_t cell = 0; days > 0 && cell < cells.size(); ++cell)
+            off.push_back(std::abs(compared->minutes[month][cell] - compared->reference[month][cell]) / days);
+    }
+    if (off.empty()) return std::optional<ShownError>();
+    return std::optional(sumUpError("cell_month", std::move(off)));
+}
+
+// As measureError().
+Result<void> measureMonthError(Study& study, const std::stop_token& stop) {
+    if (!study.settings.byMonth || !study.breakdown || !wantsError(study)) return {};
+    const Stopwatch watch;
+    auto error = compareMonths(study, stop);
+    if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
+    if (!error)
+        study.warnings.push_back(
+            {WarningKind::leftOut, "the error of months against the ray reference", error.error().text()});
+    if (error) study.monthError = *std::move(error);
+    study.seconds["error_sample"] += watch.seconds();
+    return {};
+}
+
 // By the engine in use, and by those that it goes on to while samples are off by more than it aims at.
 Result<void> measureField(Study& study, EngineInUse& engine, Progress& progress,
                           const std::stop_token& stop) {
@@ -113,10 +148,17 @@ Result<void> measureField(Study& study, EngineInUse& engine, Progress& progress,
         }
         if (auto done = measureError(study, progress, stop); !done) return done;
     } while (goesOn(study, engine));
-    return breakDown(study, engine, progress, stop);
+    return breakDown(study, engine, progress, stop).and_then([&] { return measureMonthError(study, stop); });
 }
 
 }  // namespace
+
+std::vector<ShownError> listErrors(const Study& study) {
+    std::vector<ShownError> errors;
+    if (study.error) errors = listErrors(*study.error, false);
+    if (study.monthError) errors.push_back(*study.monthError);
+    return errors;
+}
 
 Observer makeObserver(const City& city, const StudySettings& settings) {
     const Box2 box = bounds(settings.region);

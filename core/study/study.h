@@ -16,6 +16,7 @@
 #include "core/engines/horizon/attribution/horizon_breakdown.h"
 #include "core/io/read_city.h"
 #include "core/measures/error_sample.h"
+#include "core/measures/shown_error.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/receivers.h"
 #include "core/study/provenance/provenance.h"
@@ -56,6 +57,7 @@ struct Study {
     /// Error against the ray reference; nothing if it was switched off, could not be measured (a warning says
     /// so) or the engine is the reference itself.
     std::optional<SampledError> error;
+    std::optional<ShownError> monthError;  ///< of the shadow of cells by month, likewise
     std::map<std::string, double>
         seconds;        ///< by stage: "read", "sun", "receivers", "accumulate", "error_sample"; and "total"
     Warnings warnings;  ///< from reading and from computing
@@ -72,6 +74,9 @@ struct Study {
 /// memory than the limit. Stops with cancelled() within 0.2 s.
 Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
                        std::stop_token stop, const EngineList& engines = coreEngines());
+
+/// The errors of all quantities that it shows; none where they were not measured.
+std::vector<ShownError> listErrors(const Study& study);
 
 /// The observer of a study's sun: at the middle of its region, at the frame's elevation, in the air of its
 /// settings.

@@ -74,6 +74,9 @@ Json definitions(bool runs) {
          "shadow area minus the reference's, divided by the sample's area; gross and continuous, the "
          "absolute differences of the cells, as shares of whole_min (the sunlit minutes of a mean day, of "
          "the longest day)"},
+        {"errors",
+         "of each quantity shown, against the ray reference on a sample: the mean of the absolute "
+         "differences, what 99 of 100 of them do not exceed, and the largest"},
         {"receiver",
          "a cell of the region with its centre at the place that receivers_on states: on the ground, outside "
          "every footprint that stands on it and off the water of the map, or on the roof of a building "
@@ -107,6 +110,7 @@ std::string studyJson(const Study& study, const FileSeconds& writeSeconds) {
     json["sunlit_min_per_day"] = study.field.sunlitMinutesPerDay;
     json.update(figuresJson(shadowFigures().of(study.statistics)));
     json["error"] = errorJson(study);
+    json["errors"] = errorsJson(listErrors(study));
     addCost(json, study, writeSeconds);
     if (study.settings.byMonth)
         json["by_month"] =

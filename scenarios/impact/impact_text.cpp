@@ -97,6 +97,7 @@ ComparisonFigures computeFigures(const ImpactAnswer& answer) {
     for (const BuildingImpact& building : answer.study.byBuilding)
         figures.byBuilding.push_back({building.name.empty() ? building.id : building.name,
                                       computeFigures(building.impact, answer.thresholdsMin.front())});
+    if (answer.study.error) figures.errors = listErrors(*answer.study.error, true);
     return figures;
 }
 
@@ -196,6 +197,7 @@ std::string impactJson(const ImpactAnswer& answer) {
     json["sunlit_min_per_day"] = total.sunlitMinutesPerDay;
     json["water_m2"] = total.waterM2;
     json["error"] = answer.study.error ? errorJson(*answer.study.error, answer.study.frame) : Json();
+    json["errors"] = answer.study.error ? errorsJson(listErrors(*answer.study.error, true)) : Json();
     json["impact"] = figuresJson(total, answer.thresholdsMin);
     json["by_building"] = Json::array();
     for (const BuildingImpact& building : answer.study.byBuilding)

@@ -32,7 +32,8 @@ struct ComparisonFigures {
     std::vector<NewBuilding> byBuilding;
     std::string period;  ///< as text
     std::string engine;
-    double waterM2 = 0;  ///< of the region, left out
+    double waterM2 = 0;                ///< of the region, left out
+    std::vector<ShownError> errors{};  ///< of the changes of a cell; none: not measured
 };
 ComparisonFigures computeFigures(const ImpactAnswer& answer);
 

@@ -7,6 +7,8 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
+#include "core/measures/compared_cells.h"
+#include "core/measures/error_sample.h"
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
@@ -34,6 +36,28 @@ public:
           progress_(progress),
           stop_(std::move(stop)) {}
 
+    /// Chooses the cells that measureErrors() is about, before run().
+    void sample(const ErrorSampleSettings& settings) {
+        sampled_ = spreadReceivers(receivers_, sampleSize(settings, sun_.steps.size()), settings.seed);
+    }
+
+    /// Holds what run() found against rays.
+    Result<std::vector<ShownError>> measureErrors() const {
+        NoProgress quiet;
+        const auto truth =
+            traceSets(city_, receivers_, sun_, makeSets(pieces_, sun_), sampled_, quiet, stop_);
+        if (!truth) return tl::make_unexpected(truth.error());
+        const auto score = differencesOf(*truth, [&](std::size_t i) { return scorePerMinute(pieces_[i]); });
+        const auto shade = differencesOf(*truth, [&](std::size_t i) { return weightOf(pieces_[i]) / 60; });
+        std::vector<double> off;
+        for (const double one : score) off.push_back(std::abs(one));
+        if (off.empty()) return std::vector<ShownError>();
+        const double areaM2 = double(receivers_.cells.size()) * receivers_.grid.cellAreaM2();
+        return std::vector<ShownError>{sumUpError("cell_score", std::move(off)),
+                                       sumUpTotalError("score_m2", score, areaM2),
+                                       sumUpTotalError("weighted_shade_m2h", shade, areaM2)};
+    }
+
     Result<Score> run(const Engine& engine) {
         const City* const cities[]{&city_};
         auto choice = engine.choose(cities, receivers_, sun_);
@@ -46,6 +70,28 @@ public:
     }
 
 private:
+    double weightOf(const TimePiece& piece) const {
+        return piece.interval ? weights_.intervals[*piece.interval].weight : 0;
+    }
+
+    double scorePerMinute(const TimePiece& piece) const {
+        if (!piece.interval) return 0;
+        double sunlit = 0;
+        for (const TimePiece& other : pieces_)
+            if (other.interval == piece.interval) sunlit += other.sun.sunlitMinutes();
+        return weightOf(piece) / sunlit;
+    }
+
+    // At each cell of the sample: the engine minus rays, each minute by the factor of its piece.
+    template <class Factor>
+    std::vector<double> differencesOf(const std::vector<std::vector<double>>& truth, Factor factor) const {
+        std::vector<double> differences(sampled_.size(), 0);
+        for (std::size_t piece = 0; piece < pieces_.size(); ++piece)
+            for (std::size_t cell = 0; cell < sampled_.size(); ++cell)
+                differences[cell] += factor(piece) * (minutes_[piece][cell] - truth[piece][cell]);
+        return differences;
+    }
+
     static Score stated(Score score, const EngineChoice& choice) {
         score.engine += fmt::format(" (chosen: {})", choice.why);
         score.engineKey = choice.key;
@@ -63,7 +109,8 @@ private:
             .map([&](const ShadowBreakdown& breakdown) { return summed(breakdown); });
     }
 
-    Score summed(const ShadowBreakdown& breakdown) const {
+    Score summed(const ShadowBreakdown& breakdown) {
+        minutes_ = minutesAt(breakdown.minutes, sampled_);
         ScoreSum sum(receivers_, weights_, pieces_);
         for (std::size_t i = 0; i < pieces_.size(); ++i) sum.add(pieces_[i], breakdown.minutes[i]);
         Score score = std::move(sum).finish();
@@ -73,13 +120,17 @@ private:
 
     Result<Score> pieceByPiece(const Engine& engine) {
         ScoreSum sum(receivers_, weights_, pieces_);
+        minutes_.clear();
         std::string words;
         Warnings warnings;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             ProgressShare share(progress_, i, pieces_.size());
             const auto field = engine.accumulate(city_, receivers_, pieces_[i].sun, share, stop_);
             if (!field) return tl::make_unexpected(field.error());
-            sum.add(pieces_[i], field->grossMin, double(pieces_[i].sun.dayCount()));
+            const auto days = double(pieces_[i].sun.dayCount());
+            sum.add(pieces_[i], field->grossMin, days);
+            minutes_.push_back(minutesAt(std::span(&field->grossMin, 1), sampled_).front());
+            for (double& minutes : minutes_.back()) minutes *= days;
             words = field->engine;
             if (warnings.empty()) warnings = field->warnings;
         }
@@ -94,6 +145,8 @@ private:
     const SunSteps& sun_;
     const TimeWeights& weights_;
     std::vector<TimePiece> pieces_;
+    std::vector<std::uint32_t> sampled_{};
+    std::vector<std::vector<double>> minutes_{};  // of run(), by piece and sampled cell
     Progress& progress_;
     std::stop_token stop_;
 };
@@ -108,6 +161,17 @@ Result<Score> computeScore(const City& city, const Receivers& receivers, const S
 }
 
 namespace {
+
+// A missing error fails no score.
+Result<void> addErrors(Score& score, Result<std::vector<ShownError>> errors) {
+    if (!errors && isCancelled(errors.error())) return tl::make_unexpected(errors.error());
+    if (!errors)
+        score.warnings.push_back(
+            {WarningKind::leftOut, "the error against the ray reference", errors.error().text()});
+    else
+        score.errors = *std::move(errors);
+    return {};
+}
 
 Result<Score> placeAndScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
                             Progress& progress, const std::stop_token& stop, const EngineList& engines) {
@@ -127,9 +191,16 @@ Result<Score> placeAndScore(const City& city, const StudySettings& settings, con
         return computeDaylightSteps(period, makeObserver(city, settings), stop);
     });
     if (!sun) return tl::make_unexpected(sun.error());
-    auto score = computeScore(city, *receivers, *sun, *zone, weights, **engine, progress, stop);
+    if (const auto sound = validate(weights); !sound) return tl::make_unexpected(sound.error());
+    Scoring scoring(city, *receivers, *sun, *zone, weights, progress, stop);
+    const bool wantsErrors = settings.errorSample.receivers > 0;
+    if (wantsErrors) scoring.sample(settings.errorSample);
+    auto score = scoring.run(**engine);
     if (!score) return score;
     if (score->engineKey.empty()) score->engineKey = settings.engine;
+    if (wantsErrors && score->engineKey != referenceEngine)
+        if (auto done = addErrors(*score, scoring.measureErrors()); !done)
+            return tl::make_unexpected(done.error());
     if (auto mismatch = findSeasonMismatch(weights, city.frame.origin().latDeg))
         score->warnings.push_back(*std::move(mismatch));
     return score;

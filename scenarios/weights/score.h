@@ -45,6 +45,9 @@ struct Score {
     std::vector<IntervalFigures> intervals;  ///< of the weight table, in its order
     std::string engine;                      ///< name and settings, as text
     std::string engineKey;                   ///< key of the engine that computed it
+    /// Of a cell, the total and the weighted shade, on a sample against the ray reference. None: not
+    /// measured, or the reference computed it.
+    std::vector<ShownError> errors;
     Warnings warnings;
 };
 
@@ -67,8 +70,8 @@ Result<Score> computeScore(const City& city, const Receivers& receivers, const S
                            const Zone& zone, const TimeWeights& weights, const Engine& engine,
                            Progress& progress, const std::stop_token& stop);
 
-/// Places receivers in `settings.region`, computes the steps of the sun and the score. Errors as of
-/// runStudy() and computeScore().
+/// Places receivers in `settings.region`, computes the steps of the sun, the score and its errors. Errors as
+/// of runStudy() and computeScore().
 Result<Score> runScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
                        Progress& progress, const std::stop_token& stop,
                        const EngineList& engines = coreEngines());

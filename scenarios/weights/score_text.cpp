@@ -59,6 +59,7 @@ std::string scoreJson(const ScoreAnswer& answer) {
     json["water_m2"] = answer.score.waterM2;
     const ScoreTotals totals = totalsOf(answer.score);
     json.update(figuresJson(scoreFigures().of(totals)));
+    json["errors"] = errorsJson(answer.score.errors);
     json["months"] = monthsJson(answer.score.months);
     json["intervals"] = listJson(
         answer.score.intervals, "name", [](const IntervalFigures& interval) { return interval.name; },

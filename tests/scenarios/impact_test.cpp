@@ -221,6 +221,12 @@ TEST(Impact, StatesTheErrorOfTheChange) {
     EXPECT_GT(study.error->receivers, cells * 9 / 10);  // the receivers that the sample's points hit
     EXPECT_NEAR(study.error->gross.meanMin, sum / double(cells), 0.2 * sum / double(cells));
     EXPECT_LE(study.error->gross.maxMin, most + 1e-3);
+    const std::vector<ShownError> shown = listErrors(*study.error, true);
+    ASSERT_EQ(shown.size(), 2U);
+    EXPECT_EQ(shown[0].facts.key, "change_gross");
+    EXPECT_EQ(shown[0].p99, study.error->gross.p99Min);
+    EXPECT_EQ(shown[1].facts.key, "change_continuous");
+    EXPECT_EQ(shown[1].largest, study.error->continuous.maxMin);
     settings.study.errorSample.receivers = 0;
     EXPECT_FALSE(impactOf(before, after, settings).error);
 }

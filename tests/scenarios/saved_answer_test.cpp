@@ -159,6 +159,11 @@ TEST(SavedAnswers, AScoreComesBackMonthByMonth) {
     EXPECT_EQ(back.score.months[0].shadowAreaM2, answer.score.months[0].shadowAreaM2);
     EXPECT_EQ(back.score.intervals.size(), 12U);
     EXPECT_TRUE(same(back.score.score, answer.score.score));
+    ASSERT_EQ(back.score.errors.size(), answer.score.errors.size());
+    for (std::size_t i = 0; i < answer.score.errors.size(); ++i) {
+        EXPECT_EQ(back.score.errors[i].facts.key, answer.score.errors[i].facts.key);
+        EXPECT_EQ(back.score.errors[i].p99, answer.score.errors[i].p99);
+    }
 }
 
 Place lawn(const std::string& name, const Footprint& outline) {
@@ -215,6 +220,9 @@ TEST(SavedAnswers, SunByPlaceComesBackWithOutlinesDatesAndChanges) {
         EXPECT_NEAR(back.sun.compared[0].changes[i].meanHours, answer.compared[0].changes[i].meanHours, 1e-4);
     }
     EXPECT_LT(back.sun.compared[0].changes[1].meanHours, 0) << "north of the tower";
+    EXPECT_FALSE(answer.baseline.errors.empty());
+    EXPECT_EQ(errorsJson(back.sun.baseline.errors), errorsJson(answer.baseline.errors));
+    EXPECT_EQ(errorsJson(back.sun.compared[0].sun.errors), errorsJson(answer.compared[0].sun.errors));
 }
 
 // The names of the keys order the cities of a place otherwise.

@@ -173,6 +173,35 @@ TEST(Score, OfHoursCountsThoseHoursOnly) {
     EXPECT_NEAR(score.months[0].scoreM2, score.scoreM2, 1e-9 * score.scoreM2);
 }
 
+// Few bins make the error visible. The sample has all cells, so that the errors are the whole differences.
+TEST(Score, ItsErrorsAreHowFarItIsOffRays) {
+    StudySettings settings = year();
+    settings.period.stepMinutes = 20;
+    settings.errorSample.receivers = ErrorSampleSettings::maxReceivers;
+    const Score truth = scored(settings, makeMonthlyWeights());
+    EXPECT_TRUE(truth.errors.empty()) << "rays computed it";
+    settings.engine = "horizon";
+    settings.engineSettings["bin"] = 4;
+    const Score score = scored(settings, makeMonthlyWeights());
+    double off = 0, largest = 0, cells = 0;
+    for (std::size_t i = 0; i < score.score.size(); ++i) {
+        if (std::isnan(score.score[i])) continue;
+        const double one = std::abs(double(score.score[i]) - double(truth.score[i]));
+        off += one, largest = std::max(largest, one), ++cells;
+    }
+    ASSERT_EQ(score.errors.size(), 3U);
+    EXPECT_GT(largest, 0);
+    EXPECT_EQ(score.errors[0].facts.key, "cell_score");
+    EXPECT_NEAR(score.errors[0].mean, off / cells, 0.1 * off / cells);
+    EXPECT_NEAR(score.errors[0].largest, largest, 1e-5);
+    EXPECT_EQ(score.errors[1].facts.key, "score_m2");
+    EXPECT_LT(std::abs(score.scoreM2 - truth.scoreM2), score.errors[1].p99);
+    EXPECT_EQ(score.errors[2].facts.key, "weighted_shade_m2h");
+    EXPECT_LT(std::abs(score.weightedShadeM2h - truth.weightedShadeM2h), score.errors[2].p99);
+    settings.errorSample.receivers = 0;
+    EXPECT_TRUE(scored(settings, makeMonthlyWeights()).errors.empty());
+}
+
 TEST(Score, AnIntervalOverSeveralMonthsIsOneFraction) {
     StudySettings days = year();
     days.period.start = 2026y / May / 20;

@@ -58,6 +58,7 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
                                  isInstant(study.field)}));
     if (study.city.terrain) table.add("terrain", formatText(*study.city.terrain));
     for (const ErrorLine& line : makeErrorLines(study)) table.add(line.name, line.value);
+    if (study.monthError) addErrors(table, std::span(&*study.monthError, 1));
     addCost(table, study);
     table.print(out);
     out << "\nFiles\n";

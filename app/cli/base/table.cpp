@@ -38,6 +38,11 @@ void addFigures(Table& table, std::string label, const std::vector<FigureLine>& 
     table.add(std::move(label), plainUnits(joinLines(lines)));
 }
 
+void addErrors(Table& table, std::span<const ShownError> errors) {
+    for (const ShownError& error : errors)
+        table.add("error: " + lowered(labelOf(error)), plainUnits(formatText(describe(error))));
+}
+
 std::string withCommas(std::size_t number) { return formatNumber(double(number)); }
 
 void printWarnings(std::ostream& out, const Warnings& warnings) {

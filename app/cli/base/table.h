@@ -1,12 +1,14 @@
 #pragma once
 
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/warnings.h"
 #include "core/describe/figure_text.h"
+#include "core/measures/shown_error.h"
 
 namespace noonmark::cli {
 
@@ -24,6 +26,9 @@ private:
 void addFigures(Table& table, const std::vector<FigureLine>& lines);
 /// The same on one row: "more shadow 12 m2, less shadow 0 m2".
 void addFigures(Table& table, std::string label, const std::vector<FigureLine>& lines);
+
+/// A row for each: "error: mean sun of a place".
+void addErrors(Table& table, std::span<const ShownError> errors);
 
 /// "1,234,567"
 std::string withCommas(std::size_t number);

@@ -11,6 +11,7 @@
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
 #include "app/cli/options/field_options.h"
+#include "app/cli/options/number_range.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/picture_option.h"
 #include "app/cli/options/place_options.h"
@@ -181,8 +182,10 @@ void addComparison(Table& table, const SunOfCities& all) {
     if (all.compared.empty()) return;
     table.add("baseline", all.baseline.name);
     table.add("loss", fmt::format("more than {:g} min of sun a day counts", all.baseline.settings.lossMin));
-    for (const ComparedSun& one : all.compared)
-        table.add("error, " + one.sun.name, describeCellError(one.sun.error));
+    for (const ComparedSun& one : all.compared) {
+        table.add("errors of", one.sun.name);
+        addErrors(table, one.sun.errors);
+    }
 }
 
 void printSun(const SunOfCities& all, const std::vector<std::filesystem::path>& files, std::ostream& out) {
@@ -201,6 +204,7 @@ void printSun(const SunOfCities& all, const std::vector<std::filesystem::path>& 
     if (sun.error) table.add("error of cells", describeCellError(sun.error));
     for (std::size_t date = 0; date < sun.dateErrors.size(); ++date)
         table.add("error, " + formatText(sun.settings.dates[date]), describeCellError(sun.dateErrors[date]));
+    addErrors(table, sun.errors);
     addComparison(table, all);
     table.add("time", fmt::format("{:.2f} s, {} expected", sun.seconds.at("total"),
                                   describeForecast(sun.seconds.at("forecast"))));

@@ -44,7 +44,9 @@ void printComparison(const Answer& compared, std::ostream& out) {
     table.add("period", formatText(answer.settings.study.period));
     table.add("engine", impact.engine);
     table.add("sunlit time", fmt::format("{:.1f} min a day", impact.sunlitMinutesPerDay));
-    addFigures(table, listLines(computeFigures(answer)));
+    const ComparisonFigures figures = computeFigures(answer);
+    addFigures(table, listLines(figures));
+    addErrors(table, figures.errors);
     for (const BuildingImpact& building : answer.study.byBuilding)
         for (const double threshold : answer.thresholdsMin)
             addFigures(table,

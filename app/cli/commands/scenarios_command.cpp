@@ -50,7 +50,8 @@ std::vector<std::string> chooseScenarios(const ScenariosOptions& options, const 
 
 Result<void> addScore(ScenarioStudy& scenario, const ScenariosQuestion& question, Progress& progress,
                       const std::stop_token& stop) {
-    const StudySettings& settings = question.study;
+    StudySettings settings = question.study;
+    settings.errorSample.receivers = 0;  // tables of scenarios state no error of scores
     auto score = runScore(scenario.study->city, settings, *question.weights, progress, stop,
                           enginesWith(settings.engine));
     if (!score) return tl::make_unexpected(score.error());

@@ -40,6 +40,7 @@ void printScore(const Answer& weighed, std::ostream& out) {
     for (const MonthFigures& month : score.months)
         addFigures(table, fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month())),
                    listLines(scoreMonthFigures().of(month), FigureUse::result));
+    addErrors(table, score.errors);
     table.print(out);
     printWarnings(out, score.warnings);
 }

@@ -8,6 +8,7 @@
 #include "app/input/find_element_parts.h"
 #include "app/questions/saved_question.h"
 #include "core/base/progress_share.h"
+#include "core/receivers/place_names.h"
 #include "scenarios/scenario_list.h"
 
 // The answers of Workbench: how they are asked for, which one is displayed.

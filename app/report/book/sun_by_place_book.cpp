@@ -1,5 +1,7 @@
 #include "app/report/book/sun_by_place_book.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -12,6 +14,7 @@
 #include "app/report/sheets/period_words.h"
 #include "app/report/sheets/report_sections.h"
 #include "core/receivers/place_names.h"
+#include "core/study/provenance/command_words.h"
 
 namespace noonmark {
 
@@ -66,12 +69,19 @@ TextBlocks describeMethod(const SunOfCities& all) {
         add(QStringLiteral("Error on %1: %2.")
                 .arg(describeDates(sun.settings.dates[date]),
                      plainText(describeCellError(sun.dateErrors[date]))));
-    for (const ComparedSun& one : all.compared)
-        add(QStringLiteral("Error of %1: %2.")
-                .arg(plainText(one.sun.name), plainText(describeCellError(one.sun.error))));
     if (!all.compared.empty())
         add(QStringLiteral("The baseline is %1. Ground that is built on in any scenario counts in none.")
                 .arg(plainText(sun.name)));
+    return blocks;
+}
+
+TextBlocks describeErrors(const SunOfCities& all) {
+    TextBlocks blocks = errorBlocks(sunOf(all).errors);
+    for (const ComparedSun& one : all.compared) {
+        TextBlocks own = errorBlocks(one.sun.errors);
+        own.front() = heading(QStringLiteral("The same in %1").arg(plainText(one.sun.name)));
+        blocks.insert(blocks.end(), own.begin(), own.end());
+    }
     return blocks;
 }
 

@@ -170,6 +170,17 @@ TextBlocks definitionBlocks(const Study& study, ShownAs show) {
     return blocks;
 }
 
+TextBlocks errorBlocks(std::span<const ShownError> errors) {
+    TextBlocks blocks{heading(QStringLiteral("Error against the ray reference, on a sample"))};
+    for (const ShownError& error : errors)
+        blocks.push_back(
+            body(QStringLiteral("%1: %2 (of %3).")
+                     .arg(QString::fromStdString(labelOf(error)),
+                          QString::fromStdString(formatText(describe(error))), describeCount(error.count))));
+    if (errors.empty()) blocks.push_back(body(QStringLiteral("Not measured.")));
+    return blocks;
+}
+
 std::vector<TextBlocks> methodSections(const Study& study, const QString& errorOf) {
     TextBlocks method{heading(QStringLiteral("Method")), body(describeEngine(study)),
                       body(describeReceiver(study))};
@@ -179,6 +190,10 @@ std::vector<TextBlocks> methodSections(const Study& study, const QString& errorO
     TextBlocks error{heading(QStringLiteral("Error")), body(describeEngineError(study)),
                      body(describeModelError())};
     if (!errorOf.isEmpty() && study.error) error.insert(error.begin() + 1, body(errorOf));
+    if (study.monthError)
+        error.push_back(body(
+            QStringLiteral("%1: %2.").arg(QString::fromStdString(labelOf(*study.monthError)),
+                                          QString::fromStdString(formatText(describe(*study.monthError))))));
     return {method, error};
 }
 

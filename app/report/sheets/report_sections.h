@@ -17,6 +17,8 @@ TextBlocks definitionBlocks(const Study& study, ShownAs show = ShownAs::shadow);
 /// sources of the heights, warnings, and cost. Each section begins with its heading. Long lists are cut and
 /// state that.
 std::vector<TextBlocks> methodSections(const Study& study, const QString& errorOf = {});
+/// A line for each error of what is shown; "not measured" where there is none.
+TextBlocks errorBlocks(std::span<const ShownError> errors);
 std::vector<TextBlocks> sourceSections(const Study& study);
 
 /// The same one after the other, of a result that is no field of shadow: without cost. `sources` has the

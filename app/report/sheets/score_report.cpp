@@ -95,7 +95,7 @@ std::vector<FigureText> makeScoreFigures(const Score& score) {
 
 Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source, const LegendChoice& legend) {
     const QString subject = QStringLiteral("Shadow score of %1").arg(QString::fromStdString(answer.scenario));
-    std::vector<TextBlocks> sections{methodOf(answer), weightsOf(answer)};
+    std::vector<TextBlocks> sections{methodOf(answer), errorBlocks(answer.score.errors), weightsOf(answer)};
     for (TextBlocks& section : sourcesOf(answer, source, listLegendOptions(legend, true)))
         sections.push_back(std::move(section));
     return {.headline = makeHeadline(answer.settings, source.city.frame, subject, {}),

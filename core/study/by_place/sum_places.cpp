@@ -32,19 +32,6 @@ AreaSums sumUp(const std::vector<CountedCell>& cells, double enoughHours, Hours&
     return sums;
 }
 
-// Of each month of the period, in order (monthsOf() in step_sets.h), with those on which the sun does not
-// rise.
-std::vector<double> countDays(const SunSteps& sun) {
-    std::vector<double> days;
-    std::chrono::year_month last{};
-    for (const SunDay& day : sun.days) {
-        const std::chrono::year_month month{day.date.year(), day.date.month()};
-        if (month != std::exchange(last, month)) days.push_back(0);
-        ++days.back();
-    }
-    return days;
-}
-
 SunOfPlace summarize(const ShadowField& field, const std::vector<CountedCell>& cells, double enoughHours) {
     SunOfPlace sun;
     if (cells.empty()) return sun;
@@ -115,6 +102,17 @@ std::vector<SunSeason> listSeasons(const std::vector<std::string>& months, doubl
             {keys[quarter], isTropical ? labels[quarter] : fmt::format("{} ({})", labels[quarter], season)});
     }
     return seasons;
+}
+
+std::vector<double> countDays(const SunSteps& sun) {
+    std::vector<double> days;
+    std::chrono::year_month last{};
+    for (const SunDay& day : sun.days) {
+        const std::chrono::year_month month{day.date.year(), day.date.month()};
+        if (month != std::exchange(last, month)) days.push_back(0);
+        ++days.back();
+    }
+    return days;
 }
 
 void takeMonths(SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums,

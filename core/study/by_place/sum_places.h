@@ -8,6 +8,10 @@ namespace noonmark {
 /// they are at the latitude; within the tropics without a name.
 std::vector<SunSeason> listSeasons(const std::vector<std::string>& months, double latDeg);
 
+/// Days of each month of the period, in order (monthsOf() in step_sets.h), with those on which the sun does
+/// not rise.
+std::vector<double> countDays(const SunSteps& sun);
+
 /// States the figures of the period, its months and seasons of the places of a group. `sums`: by month, of
 /// which `field` is the mean day. Places without a cell have NaN.
 void takeMonths(SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums,

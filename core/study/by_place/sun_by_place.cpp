@@ -12,6 +12,7 @@
 #include "core/engines/api/blank_field.h"
 #include "core/measures/error_sample.h"
 #include "core/study/by_place/city_sweeps.h"
+#include "core/study/by_place/place_errors.h"
 #include "core/study/by_place/place_parts.h"
 #include "core/study/by_place/place_warnings.h"
 #include "core/study/by_place/sum_places.h"
@@ -44,7 +45,8 @@ struct Measuring {
     /// For the cells of all places, over the period and on each date. Small places are measured by the same,
     /// so that the error of the others is theirs, too.
     std::vector<ChosenEngine> chosen{};
-    std::vector<SampledOff> off{};  ///< samples after which the engine was changed for a closer one
+    std::vector<SampledOff> off{};         ///< samples after which the engine was changed for a closer one
+    std::vector<ComparedSets> compared{};  ///< the period in the cities sampled so far
 
     [[nodiscard]] const SunByPlaceSettings& settings() const { return made.front().settings; }
     [[nodiscard]] const std::vector<Place>& places() const { return made.front().places; }
@@ -124,6 +126,74 @@ Result<std::optional<SampledError>> measureError(Measuring& m, std::size_t city,
     return error;
 }
 
+bool wantsErrors(const Measuring& m) {
+    return m.settings().study.errorSample.receivers > 0 && m.settings().study.engine != referenceEngine;
+}
+
+/// Holds the figures of places against rays, in one city after the other.
+class PlaceErrors {
+public:
+    PlaceErrors(Measuring& m, const CellGroup& group)
+        : m_(m), receivers_(group.on.receivers), wanted_(wantsErrors(m)) {
+        if (wanted_) places_ = samplePlaces(group, m.settings().study.errorSample, m.daylight.steps.size());
+    }
+
+    Result<void> takePeriod(std::size_t city, const ShadowBreakdown& sums) {
+        if (!wanted_) return {};
+        SunByPlace& made = m_.made[city];
+        const SunlitTime time{m_.daylight.sunlitMinutes(), countDays(m_.daylight), made.settings.enoughHours};
+        auto compared = compare(city, m_.daylight, m_.months, sums);
+        if (!compared) return warn(made, compared.error());
+        if (made.error) {
+            const ShownError cells = listErrors(*made.error, false).front();
+            made.errors.push_back(
+                {findErrorFacts("cell_sun"), {}, cells.mean, cells.p99, cells.largest, cells.count});
+        }
+        append(made, listPeriodErrors(places_, *compared, time));
+        if (city > 0 && !m_.compared.empty())
+            append(made,
+                   listChangeErrors(places_, m_.compared.front(), *compared, time, made.settings.lossMin));
+        m_.compared.push_back(*std::move(compared));
+        return {};
+    }
+
+    Result<void> takeDate(std::size_t city, const SunSteps& sun, const StepSets& one,
+                          const ShadowBreakdown& sums, const CivilDate& date) {
+        if (!wanted_) return {};
+        SunByPlace& made = m_.made[city];
+        const SunlitTime time{sun.sunlitMinutes(), {1}, made.settings.enoughHours};
+        const auto compared = compare(city, sun, one, sums);
+        if (!compared) return warn(made, compared.error());
+        append(made, listDateErrors(places_, *compared, time, formatText(date)));
+        return {};
+    }
+
+private:
+    Result<ComparedSets> compare(std::size_t city, const SunSteps& sun, const StepSets& sets,
+                                 const ShadowBreakdown& sums) {
+        NoProgress quiet;
+        return compareSets(*m_.cities[city], receivers_, sun, sets, sums.minutes, places_.cells, quiet,
+                           m_.stop);
+    }
+
+    static void append(SunByPlace& made, std::vector<ShownError> errors) {
+        std::ranges::move(errors, std::back_inserter(made.errors));
+    }
+
+    // A missing error fails nothing.
+    static Result<void> warn(SunByPlace& made, const Error& error) {
+        if (isCancelled(error)) return tl::make_unexpected(error);
+        made.warnings.push_back(
+            {WarningKind::leftOut, "the error of places against the ray reference", error.text()});
+        return {};
+    }
+
+    Measuring& m_;
+    const Receivers& receivers_;
+    bool wanted_;
+    SampledPlaces places_;
+};
+
 /// Measures the places of one group in all cities.
 class GroupMeasure {
 public:
@@ -131,6 +201,7 @@ public:
         : m_(m), group_(group), receivers_(group.on.receivers), isMain_(isMain), progress_(progress) {}
 
     Result<void> run() {
+        if (isMain_) errors_.emplace(m_, group_);
         if (auto done = timeStage(m_.made.front(), "accumulate", [&] { return sweepMonths(); }); !done)
             return done;
         for (std::size_t date = 0; date < m_.dates.size(); ++date)
@@ -141,21 +212,24 @@ public:
 
     /// Seconds that run() is expected to take, if no sample is off.
     [[nodiscard]] double forecast() const {
-        const StudySettings& study = m_.settings().study;
-        const std::size_t sample = isMain_ ? std::size_t(study.errorSample.receivers) : 0;
-        double seconds =
-            CitySweeps(engineOf(0), m_.cities, receivers_, m_.daylight, m_.months).forecast(keyOf(0), sample);
+        double seconds = CitySweeps(engineOf(0), m_.cities, receivers_, m_.daylight, m_.months)
+                             .forecast(keyOf(0), sampledOver(m_.daylight));
         for (std::size_t date = 0; date < m_.dates.size(); ++date) {
             const SunSteps& day = m_.dates[date];
             if (day.steps.empty() || m_.stop.stop_requested()) continue;
             const StepSets one = makeOneSet(day);
             seconds += CitySweeps(engineOf(date + 1), m_.cities, receivers_, day, one)
-                           .forecast(keyOf(date + 1), sample);
+                           .forecast(keyOf(date + 1), sampledOver(day));
         }
         return seconds;
     }
 
 private:
+    // Cells that rays are traced to in each city: the sample, and half as many in places.
+    [[nodiscard]] std::size_t sampledOver(const SunSteps& sun) const {
+        return isMain_ ? sampleSize(m_.settings().study.errorSample, sun.steps.size()) * 3 / 2 : 0;
+    }
+
     // Over the period (0) or on a date (1 and on).
     [[nodiscard]] const Engine& engineOf(std::size_t sweep) const {
         const auto& own = m_.chosen[sweep].engine;
@@ -180,6 +254,7 @@ private:
                 m_.off.push_back(error->grossOff());
                 continue;
             }
+            if (auto taken = takeErrors(0, *first); !taken) return taken;
             return sweepOthers(sweeps, *first);
         }
     }
@@ -198,8 +273,17 @@ private:
             const auto sums = sweeps.sweepOther(city, first, share, m_.stop);
             if (!sums) return tl::make_unexpected(sums.error());
             if (auto taken = take(city, *sums); !taken) return taken;
+            if (auto taken = takeErrors(city, *sums); !taken) return taken;
         }
         return {};
+    }
+
+    Result<void> takeErrors(std::size_t city, const ShadowBreakdown& sums) {
+        if (!errors_) return {};
+        const Stopwatch watch;
+        auto taken = errors_->takePeriod(city, sums);
+        m_.made[city].seconds["error_sample"] += watch.seconds();
+        return taken;
     }
 
     Result<void> take(std::size_t city, const ShadowBreakdown& sums) {
@@ -233,6 +317,9 @@ private:
                                   : sweeps.sweepOther(city, *first, share, m_.stop);
             if (!sums) return tl::make_unexpected(sums.error());
             if (auto taken = takeDay(city, sun, makeField(*sums, receivers_, sun)); !taken) return taken;
+            if (errors_)
+                if (auto taken = errors_->takeDate(city, sun, one, *sums, m_.settings().dates[date]); !taken)
+                    return taken;
             if (city == 0) first = *std::move(sums);
         }
         return {};
@@ -259,6 +346,7 @@ private:
     const Receivers& receivers_;
     bool isMain_;
     Progress& progress_;
+    std::optional<PlaceErrors> errors_;  // of the main group
     std::size_t done_ = 0;
 };
 

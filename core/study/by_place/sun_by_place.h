@@ -95,7 +95,9 @@ struct SunByPlace {
     ShadowField field;                  ///< gross shadow on the union of the places' cells; no longest runs
     std::optional<SampledError> error;  ///< of cells, against the ray reference
     std::vector<std::optional<SampledError>> dateErrors;  ///< likewise; of SunByPlaceSettings::dates
-    SunSteps daylight;                                    ///< the period's sun
+    /// Of each quantity that is shown, on a sample; of a compared city its changes, too. None: not measured.
+    std::vector<ShownError> errors;
+    SunSteps daylight;                      ///< the period's sun
     std::map<std::string, double> seconds;  ///< by stage, "total", and "forecast" of it before the sweeps
     Warnings warnings;                      ///< places without cells among them
     Provenance provenance;                  ///< set by the caller

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <limits>
 
 #include "core/base/version.h"
 #include "core/describe/figure_text.h"
@@ -188,6 +189,7 @@ void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSu
             {{"name", one.sun.name},
              {"engine", one.sun.field.engine},
              {"error", one.sun.error ? errorJson(*one.sun.error, sun.city.frame) : Json()},
+             {"errors", errorsJson(one.sun.errors)},
              {"seconds", one.sun.seconds},
              {"warnings", warningsJson(one.sun.warnings)}});
     json["definitions"].update(definitionsJson(sunChangeFigures().rows()));
@@ -306,6 +308,7 @@ std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared)
     for (std::size_t date = 0; date < sun.dateErrors.size(); ++date)
         json["date_errors"][formatText(sun.settings.dates[date])] =
             sun.dateErrors[date] ? errorJson(*sun.dateErrors[date], sun.city.frame) : Json();
+    json["errors"] = errorsJson(sun.errors);
     for (const SunSeason& season : sun.seasons) json["seasons"][season.key] = season.label;
     json["seconds"] = sun.seconds;
     json["places"] = Json::array();

@@ -95,6 +95,7 @@ SavedStudy studyOf(const SavedResult& result, const Json& json) {
     study.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
     study.seconds = json.at("seconds").value("accumulate", 0.0);
     study.error = parseErrorText(json);
+    study.errors = savedErrors(json);
     study.start = parseDate(json.at("period").at("start").get<std::string>()).value_or(CivilDate());
     study.months = parseMonths(json.value("by_month", Json::array()));
     const Json saved = json.value("kept", Json::object());
@@ -243,6 +244,7 @@ std::vector<ComparedSun> citiesOf(const Json& json, const SunByPlace& baseline) 
     for (const Json& scenario : json.at("scenarios")) {
         cities.push_back({baseline, {}});
         cities.back().sun.name = scenario.at("name");
+        cities.back().sun.errors = savedErrors(scenario);
     }
     return cities;
 }
@@ -251,6 +253,7 @@ SavedSunByPlace sunByPlaceOf(const SavedResult& result, const Json& json) {
     SavedSunByPlace saved{.sun = {.baseline = sunWithoutFigures(json), .compared = {}}};
     SunOfCities& sun = saved.sun;
     sun.baseline.name = result.baseline.empty() ? result.scenario : result.baseline;
+    sun.baseline.errors = savedErrors(json);
     if (!result.baseline.empty()) sun.compared = citiesOf(json, sun.baseline);
     for (const Json& place : json.at("places")) {
         sun.baseline.sun.push_back(sunOfPlace(place));

@@ -47,6 +47,8 @@ struct SavedStudy {
     /// Of the region to the buildings, without indices in City::buildings and sets of steps. None: not asked
     /// for, or not stored by the version.
     std::optional<std::vector<Contribution>> contributions{};
+    std::vector<ShownError>
+        errors{};  ///< of the quantities it shows; none where the version did not state them
 };
 
 struct SavedImpact {

@@ -35,6 +35,10 @@ std::string nameOrId(const Json& building) {
 
 }  // namespace
 
+std::vector<ShownError> savedErrors(const Json& result) {
+    return parseErrors(result.value("errors", Json()));
+}
+
 ImpactFigures parseImpactFigures(const Json& json) {
     ImpactFigures figures = readFigures(impactFigures(), json);
     figures.gross = changeFrom(json.at("gross"));
@@ -49,6 +53,7 @@ ComparisonFigures parseComparison(const Json& impact) {
         impact.at("from"),           impact.at("to"), {}, {}, impact.at("period").at("text"),
         impact.at("engine_settings")};
     figures.waterM2 = impact.value("water_m2", 0.0);
+    figures.errors = savedErrors(impact);
     for (const Json& one : impact.at("impact")) figures.all.push_back(parseImpactFigures(one));
     if (figures.all.empty()) throw std::invalid_argument("no figures");
     for (const Json& building : impact.at("by_building"))
@@ -79,6 +84,7 @@ Score parseScore(const Json& json) {
         figures.name = interval.at("name");
     }
     score.engine = json.at("engine_settings");
+    score.errors = savedErrors(json);
     return score;
 }
 

@@ -16,6 +16,9 @@ ComparisonFigures parseComparison(const nlohmann::ordered_json& impact);
 std::vector<MonthFigures> parseScoreMonths(const nlohmann::ordered_json& months);  ///< as of monthsJson()
 Score parseScore(const nlohmann::ordered_json& score);  ///< without grid, cells and warnings
 
+/// The errors of the quantities that a result shows; none where its version did not state them.
+std::vector<ShownError> savedErrors(const nlohmann::ordered_json& result);
+
 /// The study's error against the ray reference in one line, or the reason why it was not measured; empty
 /// where the JSON holds neither.
 std::string parseErrorText(const nlohmann::ordered_json& study);

@@ -208,6 +208,24 @@ TEST(RunStudy, MeasuresTheErrorOfEveryEngineButTheReference) {
     EXPECT_FALSE(run(settings)->error);
 }
 
+TEST(RunStudy, MonthsHaveAnErrorOfTheirOwn) {
+    StudySettings settings = aroundTheTower();
+    settings.engine = "horizon";
+    EXPECT_FALSE(run(settings)->monthError);
+    settings.byMonth = true;
+    const auto study = run(settings);
+    ASSERT_TRUE(study) << errorOf(study);
+    ASSERT_TRUE(study->monthError);
+    EXPECT_GE(study->monthError->largest, study->monthError->mean);
+    EXPECT_LE(study->monthError->largest, 60);
+    std::vector<std::string> quantities;
+    for (const auto& error : nlohmann::json::parse(studyJson(*study))["errors"])
+        quantities.push_back(error["quantity"]);
+    EXPECT_EQ(quantities, (std::vector<std::string>{"cell_gross", "cell_continuous", "cell_month"}));
+    settings.errorSample.receivers = 0;
+    EXPECT_FALSE(run(settings)->monthError);
+}
+
 TEST(StudyJson, TheErrorsKeysAreThereMeasuredOrNot) {
     StudySettings settings = aroundTheTower();
     settings.engine = "projected";

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -194,6 +196,44 @@ TEST(SunByPlace, EachDateHasItsOwnError) {
     ASSERT_TRUE(sun.dateErrors[0] && sun.dateErrors[1]);
     EXPECT_NE(sun.dateErrors[0]->gross.wholeMin, sun.dateErrors[1]->gross.wholeMin);
     EXPECT_LT(sun.dateErrors[0]->gross.percent(sun.dateErrors[0]->gross.meanMin), 1);
+}
+
+std::vector<std::string> quantitiesOf(const std::vector<ShownError>& errors) {
+    std::vector<std::string> quantities;
+    for (const ShownError& error : errors) quantities.emplace_back(error.facts.key);
+    return quantities;
+}
+
+const ShownError* findError(const SunByPlace& sun, std::string_view quantity) {
+    const auto at = std::ranges::find(sun.errors, quantity, [](const auto& one) { return one.facts.key; });
+    return at == sun.errors.end() ? nullptr : &*at;
+}
+
+// Four cells, all of which are sampled. Few bins make the error visible.
+TEST(SunByPlace, TheErrorOfAMeanIsHowFarItIsOffRays) {
+    const Place corner = namedPlace("Corner", 20, 20, 24, 24);
+    SunByPlaceSettings settings = ofDays(20);
+    settings.smallCellM = 2;
+    settings.study.engine = "horizon";
+    settings.study.engineSettings["bin"] = 4;
+    const SunByPlace sun = measured(tower(), {corner}, settings);
+    StudySettings byRays = ofDays(20).study;
+    byRays.region = {"Corner", corner.polygons};
+    byRays.engine = "ray";
+    NoProgress quiet;
+    const auto rays = runStudy(tower(), byRays, quiet, {});
+    ASSERT_TRUE(rays) << rays.error().text();
+    ASSERT_EQ(rays->receivers.cells.size(), 4U);
+    const double hours = (rays->field.sunlitMinutesPerDay - rays->statistics.meanGrossMin) / 60;
+    const ShownError* mean = findError(sun, "place_mean");
+    ASSERT_NE(mean, nullptr);
+    EXPECT_GT(mean->mean, 0);
+    EXPECT_NEAR(mean->mean, 60 * std::abs(sun.sun[0].meanHours - hours), 1e-3);
+    EXPECT_EQ(mean->mean, mean->largest) << "of one place";
+    const ShownError* month = findError(sun, "place_month");
+    ASSERT_NE(month, nullptr);
+    EXPECT_EQ(month->count, 2U);
+    EXPECT_GE(month->largest, mean->mean);
 }
 
 TEST(SunByPlace, PiecesWithoutANameAreFoldedUnderTheirPark) {

@@ -92,7 +92,8 @@ std::vector<ResultRow> makeRows(const PlaceFigures& shown) {
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
                              describeSteps(shown.belowHorizon)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(shown.engine)));
-    if (!shown.error.empty())
+    addErrors(rows, sun.errors);
+    if (sun.errors.empty() && !shown.error.empty())
         rows.push_back(methodRow(QObject::tr("Error"), localiseNumbers(QString::fromStdString(shown.error)),
                                  QObject::tr("Against the ray reference, on a sample of the cells over the "
                                              "same steps")));

@@ -78,6 +78,7 @@ std::vector<ResultRow> makeRows(const ComparisonFigures& figures, ShownAs show) 
     rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(figures.period)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(figures.engine),
                              QObject::tr("Used for both")));
+    addErrors(rows, figures.errors);
     return rows;
 }
 

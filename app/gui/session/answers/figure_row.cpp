@@ -61,6 +61,18 @@ QString sentenceText(const Sentence& sentence) {
     return text;
 }
 
+void addErrors(std::vector<ResultRow>& rows, std::span<const ShownError> errors) {
+    for (const ShownError& error : errors) {
+        const QString label = translated(error.facts.label);
+        const QString name =
+            error.of.empty() ? label : QStringLiteral("%1, %2").arg(label, QString::fromStdString(error.of));
+        rows.push_back(methodRow(QObject::tr("Error: %1").arg(name), sentenceText(describe(error)),
+                                 QObject::tr("Against the ray reference, of a sample of %1 value(s)", "",
+                                             pluralNumber(error.count))
+                                     .arg(formatCount(error.count))));
+    }
+}
+
 ResultRow methodRow(const QString& name, const QString& value, const QString& meaning) {
     return {name, value, meaning, true};
 }

@@ -28,6 +28,9 @@ ResultRow methodRow(const QString& name, const QString& value, const QString& me
 /// A row for each figure in the user's language and units: label, value, and the definition as a tooltip.
 std::vector<ResultRow> figureRows(const std::vector<FigureLine>& lines);
 
+/// A row for each error: of what, how much, and what it was measured on.
+void addErrors(std::vector<ResultRow>& rows, std::span<const ShownError> errors);
+
 /// The same in one text: "Weighted shade +10 m² h, Shadow area 9 m²".
 QString joinFigures(const std::vector<FigureLine>& lines);
 
@@ -52,6 +55,7 @@ struct StudyFigures {
     std::string period;  ///< in words
     std::vector<ErrorLine> errors;
     std::string engine;
+    std::vector<ShownError> monthErrors{};  ///< none: no months, or not measured
 };
 std::vector<ResultRow> makeRows(const StudyFigures& figures, ShownAs show);
 
@@ -84,7 +88,7 @@ struct PlaceFigures {
     std::uint64_t steps = 0, belowHorizon = 0;
     double seconds = 0;
     std::string period;  ///< in words
-    std::string error;   ///< against rays, in words; empty: not measured
+    std::string error;   ///< of cells, in words, where `sun` has no errors; empty: not measured
     std::string engine;
 };
 /// How many places were measured, the sunniest and the darkest of them, and how.

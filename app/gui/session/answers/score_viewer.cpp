@@ -87,6 +87,7 @@ std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scen
     addIntervals(rows, score, show);
     rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(period)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(score.engine)));
+    addErrors(rows, score.errors);
     return rows;
 }
 

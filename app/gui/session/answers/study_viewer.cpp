@@ -43,7 +43,8 @@ StudyFigures figuresOfStudy(const Study& study) {
             accumulateSeconds(study),
             formatText(study.settings.period),
             makeErrorLines(study),
-            study.field.engine};
+            study.field.engine,
+            study.monthError ? std::vector{*study.monthError} : std::vector<ShownError>()};
 }
 
 std::optional<AnswerLayer> layerOfStudy(const std::shared_ptr<const Answer>& answer) {
@@ -59,6 +60,12 @@ std::optional<AnswerLayer> layerOfSavedStudy(const std::shared_ptr<const SavedCo
         {.map = std::shared_ptr<const ShadowField>(saved, &saved->as<SavedStudy>()->field)});
 }
 
+// The text of the error states the others.
+std::vector<ShownError> onlyMonths(std::vector<ShownError> errors) {
+    std::erase_if(errors, [](const ShownError& error) { return error.facts.key != "cell_month"; });
+    return errors;
+}
+
 std::vector<ResultRow> rowsOfSavedStudy(const SavedContent& saved, ShownAs show) {
     const auto& study = *saved.as<SavedStudy>();
     const ShadowField& field = study.field;
@@ -71,7 +78,8 @@ std::vector<ResultRow> rowsOfSavedStudy(const SavedContent& saved, ShownAs show)
                                  study.seconds,
                                  saved.answer.origin.period,
                                  {{"error", study.error}},
-                                 field.engine},
+                                 field.engine,
+                                 onlyMonths(study.errors)},
                     show);
 }
 
@@ -110,6 +118,7 @@ std::vector<ResultRow> makeRows(const StudyFigures& figures, ShownAs show) {
                              describeSteps(figures.belowHorizon)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(figures.engine)));
     addErrorRows(rows, figures.errors);
+    addErrors(rows, figures.monthErrors);
     addTimeRows(rows, figures);
     return rows;
 }

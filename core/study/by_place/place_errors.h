@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/measures/compared_cells.h"
+#include "core/measures/error_sample.h"
+#include "core/measures/shown_error.h"
+#include "core/study/by_place/cell_groups.h"
+
+namespace noonmark {
+
+/// Cells of some places, on which the figures of places are held against the ray reference.
+struct SampledPlaces {
+    struct Part {
+        std::vector<std::size_t> at;  ///< of SampledPlaces::cells
+        std::vector<double> shares;   ///< of each, of which the sum is 1
+    };
+    std::vector<Part> places;
+    std::vector<std::uint32_t> cells;  ///< ascending
+};
+
+/// Chooses places that have cells, spread evenly over all, and up to four cells of each: as a sample of the
+/// place its mean is less exact than that of all its cells, so that the errors found are too large rather
+/// than too small. Half as many cells as the sample of the study has.
+SampledPlaces samplePlaces(const CellGroup& group, const ErrorSampleSettings& settings, std::size_t steps);
+
+/// What hours follow from.
+struct SunlitTime {
+    double minutes = 0;        ///< of the period, with the sun above the horizon
+    std::vector<double> days;  ///< of each set of steps
+    double enoughHours = 0;    ///< of sun a day
+};
+
+/// Of the mean over the period, a month and the share with enough sun.
+std::vector<ShownError> listPeriodErrors(const SampledPlaces& places, const ComparedSets& compared,
+                                         const SunlitTime& time);
+/// Of the mean and the share with less than enough sun on a date.
+std::vector<ShownError> listDateErrors(const SampledPlaces& places, const ComparedSets& compared,
+                                       const SunlitTime& time, const std::string& date);
+/// Of what changes from one city to another over the period.
+std::vector<ShownError> listChangeErrors(const SampledPlaces& places, const ComparedSets& before,
+                                         const ComparedSets& after, const SunlitTime& time, double lossMin);
+
+}  // namespace noonmark
