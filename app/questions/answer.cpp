@@ -13,6 +13,11 @@ bool isSame(const T* a, const T* b) {
 
 }  // namespace
 
+const std::vector<KeptContributions>& Answer::ofPlaces() const {
+    static const std::vector<KeptContributions> none;
+    return none;
+}
+
 bool Answer::asksSameAs(const Answer& other) const {
     const MeasuredPart mine = part(), theirs = other.part();
     return &question() == &other.question() && isSame(settings(), other.settings()) &&

@@ -17,6 +17,7 @@
 #include "core/describe/answer_page.h"
 #include "core/describe/figure_text.h"
 #include "core/io/files/check_output.h"
+#include "core/study/contributions/place_contributions.h"
 #include "core/study/study.h"
 #include "scenarios/project/project_provenance.h"
 

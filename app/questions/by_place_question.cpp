@@ -55,12 +55,18 @@ public:
 
     [[nodiscard]] AnswerPage page(ShownAs) const override { return makePage(content()); }
 
-    [[nodiscard]] std::string json() const override { return toJson(content().baseline, content().compared); }
+    [[nodiscard]] std::string json() const override {
+        return withContributions(toJson(content().baseline, content().compared), ofPlaces_);
+    }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
-        return makeSavedResult(project, content());
+        SavedResult result = makeSavedResult(project, content());
+        result.settings = withContributions(std::move(result.settings), ofPlaces_);
+        return result;
     }
     [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles& how) const override {
-        return byPlaceFileNames(how.sheets);
+        std::vector<std::string> names = byPlaceFileNames(how.sheets);
+        if (!ofPlaces_.empty()) names.emplace_back(keptContributionsFile);
+        return names;
     }
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
                                                                    const std::filesystem::path& folder,
@@ -83,6 +89,7 @@ public:
 
 private:
     StudySettings asked_;
+    std::vector<KeptContributions> ofPlaces_;
 };
 
 // The scenario comes last; without a baseline it is what the others are compared with.
@@ -118,7 +125,8 @@ SavedForm savedPlaces() {
             [](const SavedContent& saved, ShownAs) { return makePage(saved.as<SavedSunByPlace>()->sun); },
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
                const AnswerFiles& how) {
-                return writeSavedPlaces(*saved.result, saved.as<SavedSunByPlace>()->sun, source.city, folder,
+                return writeSavedPlaces(*saved.result, saved.as<SavedSunByPlace>()->sun, saved.answer.ofPlaces,
+                                        source.city, folder,
                                         how.legend, how.rules);
             }};
 }

@@ -71,6 +71,9 @@ public:
         const bool draws = of_.saved && of_.saved->drawnOptions;
         return draws ? of_.saved->drawnOptions(how) : std::vector<CommandOption>();
     }
+    [[nodiscard]] const std::vector<KeptContributions>& ofPlaces() const override {
+        return content().answer.ofPlaces;
+    }
     [[nodiscard]] std::string json() const override { return content().result->settings; }
     [[nodiscard]] SavedResult toSave(const Project&) const override { return *content().result; }
     [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {

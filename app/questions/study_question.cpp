@@ -13,11 +13,6 @@ namespace noonmark {
 
 namespace {
 
-StudyFileOptions studyOptions(const AnswerFiles& how) {
-    return {
-        .cellsCsv = how.cells, .rules = how.rules, .pictureWidth = how.pictureWidth, .legend = how.legend};
-}
-
 std::vector<CommandOption> drawnOfStudy(const AnswerFiles& how) {
     return listLegendOptions(how.legend, false);
 }
@@ -25,8 +20,9 @@ std::vector<CommandOption> drawnOfStudy(const AnswerFiles& how) {
 /// The shadow over cells of one scenario.
 class StudyAnswer final : public AnswerOf<Study> {
 public:
-    StudyAnswer(std::shared_ptr<const Study> study, std::string scenario)
-        : AnswerOf(std::move(study)), scenario_(std::move(scenario)) {}
+    StudyAnswer(std::shared_ptr<const Study> study, std::string scenario,
+                std::vector<KeptContributions> ofPlaces = {})
+        : AnswerOf(std::move(study)), scenario_(std::move(scenario)), ofPlaces_(std::move(ofPlaces)) {}
 
     [[nodiscard]] const Question& question() const override { return studyQuestion(); }
     [[nodiscard]] const StudySettings* settings() const override { return &content().settings; }
@@ -38,12 +34,17 @@ public:
 
     [[nodiscard]] std::shared_ptr<const Answer> updated(const Project&, const std::string& scenario,
                                                         const std::string&) const override {
-        return scenario == scenario_ ? nullptr : std::make_shared<StudyAnswer>(shared(), scenario);
+        return scenario == scenario_ ? nullptr : std::make_shared<StudyAnswer>(shared(), scenario, ofPlaces_);
     }
     [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance provenance) const override {
         auto study = std::make_shared<Study>(content());
         study->provenance = std::move(provenance);
-        return std::make_shared<StudyAnswer>(std::move(study), scenario_);
+        return std::make_shared<StudyAnswer>(std::move(study), scenario_, ofPlaces_);
+    }
+    [[nodiscard]] const std::vector<KeptContributions>& ofPlaces() const override { return ofPlaces_; }
+    [[nodiscard]] std::shared_ptr<const Answer> withPlace(KeptContributions of) const override {
+        return std::make_shared<StudyAnswer>(shared(), scenario_,
+                                             withContributions(ofPlaces_, std::move(of)));
     }
 
     [[nodiscard]] AnswerPage page(ShownAs show) const override {
@@ -55,23 +56,36 @@ public:
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
         return drawnOfStudy(how);
     }
-    [[nodiscard]] std::string json() const override { return studyJson(content()); }
+    [[nodiscard]] std::string json() const override {
+        return withContributions(studyJson(content()), ofPlaces_);
+    }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
-        return makeSavedResult(project, scenario_, content());
+        SavedResult result = makeSavedResult(project, scenario_, content());
+        result.settings = withContributions(std::move(result.settings), ofPlaces_);
+        return result;
     }
     [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles& how) const override {
-        auto names = studyFileNames(content().settings, studyOptions(how));
+        auto names = studyFileNames(content().settings, optionsOf(how));
         names.emplace_back(regionFileName);
         return names;
     }
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
-        return writeStudyFiles(content(), folder, studyOptions(how));
+        return writeStudyFiles(content(), folder, optionsOf(how));
     }
 
 private:
+    [[nodiscard]] StudyFileOptions optionsOf(const AnswerFiles& how) const {
+        return {.cellsCsv = how.cells,
+                .rules = how.rules,
+                .pictureWidth = how.pictureWidth,
+                .legend = how.legend,
+                .ofPlaces = ofPlaces_};
+    }
+
     std::string scenario_;
+    std::vector<KeptContributions> ofPlaces_;
 };
 
 Result<std::shared_ptr<const Answer>> computeStudy(const Asked& asked, Progress& progress,

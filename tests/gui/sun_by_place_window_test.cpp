@@ -11,6 +11,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "app/gui/docks/contributions/contribution_model.h"
+#include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/places/places_dock.h"
 #include "app/gui/docks/study_form/study_dock.h"
@@ -271,6 +273,43 @@ TEST_F(SunByPlaceWindow, AllScenariosAreMeasuredSideBySide) {
     showSaved("All");
     ASSERT_EQ(sun()->compared.size(), 2U);
     EXPECT_EQ(sun()->compared[1].sun.name, "Tower");
+}
+
+TEST_F(SunByPlaceWindow, TheLegendStatesTheErrorOfWhatIsColoured) {
+    measure();
+    const auto errorOf = [&](const char* quantity) {
+        const auto& errors = sun()->baseline.errors;
+        const auto at =
+            std::ranges::find(errors, quantity, [](const ShownError& error) { return error.facts.key; });
+        return at == errors.end() ? QStringLiteral("none") : sentenceText(describe(*at));
+    };
+    EXPECT_TRUE(dock().view()->note.endsWith(errorOf("place_mean"))) << dock().view()->note.toStdString();
+    field<QComboBox>("placesShown").setCurrentIndex(1);
+    EXPECT_TRUE(dock().view()->note.endsWith(errorOf("place_date"))) << dock().view()->note.toStdString();
+}
+
+TEST_F(SunByPlaceWindow, AChosenPlaceShowsWhoShadesItAlsoWhenSavedAndReopened) {
+    measure();
+    auto& contributions = *window->findChild<ContributionsDock*>();
+    const auto shownFor = [&](const char* name) {
+        return contributions.subject() == name && !contributions.model().sheet().rows.empty();
+    };
+    const auto& places = sun()->baseline.places;
+    const auto park = std::ranges::find(places, "North Park", &Place::name) - places.begin();
+    dock().select(std::size_t(park));
+    QTest::mouseClick(&field<QPushButton>("placeContributors"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return shownFor("North Park"); }));
+    ASSERT_EQ(workbench().answer()->ofPlaces().size(), 1U);
+    const KeptContributions kept = workbench().answer()->ofPlaces().front();
+    EXPECT_GT(kept.rows.front().attributedMinM2, 0);
+    EXPECT_TRUE(sun()) << "the answer stays";
+    keep("Sunny");
+    workbench().showStudyAgain();
+    showSaved("Sunny");
+    ASSERT_EQ(workbench().answer()->ofPlaces().size(), 1U);
+    EXPECT_EQ(workbench().answer()->ofPlaces().front().rows.front().id, kept.rows.front().id);
+    EXPECT_TRUE(shownFor("North Park"));
+    EXPECT_TRUE(workbench().filesOf({}).contains(QStringLiteral("contributions_of_places.csv")));
 }
 
 TEST_F(SunByPlaceWindow, ASavedAnswerComesBack) {

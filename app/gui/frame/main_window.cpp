@@ -271,6 +271,13 @@ void MainWindow::connectDocks() {
     });
     connect(&placeLinks_, &PlaceLinks::dockWanted, this, [this] { showDock(docks_.places); });
     connect(&placeLinks_, &PlaceLinks::placeWanted, &places_, &PlaceActions::zoomTo);
+    connect(&placeLinks_, &PlaceLinks::placeWanted, this, [this](const std::string& place) {
+        if (docks_.contributions->isInFront()) contributions_.choose(place);
+    });
+    connect(&placeLinks_, &PlaceLinks::contributorsWanted, this, [this](const std::string& place) {
+        raiseDock(docks_.contributions);
+        contributions_.choose(place);
+    });
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
     connectElementForms();

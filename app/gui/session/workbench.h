@@ -113,6 +113,10 @@ public:
     /// Saves the displayed answer in the project, once its buildings are hashed.
     void saveAnswer(const QString& name);
 
+    /// Keeps what buildings take from a place with the displayed answer, in all lists that have it, if its
+    /// question keeps such.
+    void keepWithAnswer(KeptContributions of);
+
     /// Finds the command line that asks the same as the displayed answer; costs a hash of its files.
     /// With the options that draw the same as `drawn`.
     void findCommand(const AnswerFiles& drawn);

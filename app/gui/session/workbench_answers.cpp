@@ -309,6 +309,29 @@ bool Workbench::rename(SharedAnswer& answer) {
     return true;
 }
 
+// An answer that was saved under a name is listed beside it again, as it holds more now.
+void Workbench::keepWithAnswer(KeptContributions of) {
+    const SharedAnswer before = answer();
+    const SharedAnswer now = before ? before->withPlace(std::move(of)) : nullptr;
+    if (!now) return;
+    const auto replace = [&](SharedAnswer& one) {
+        if (one == before) one = now;
+    };
+    replace(front_);
+    replace(base_);
+    replace(comparison_.answer);
+    for (KnownAnswer& study : studies_) replace(study.answer);
+    study_ = contentOf<Study>(base_) ? contentOf<Study>(base_) : study_;
+    for (auto& measured : measured_) {
+        if (measured->known().answer != before) continue;
+        KnownAnswer known = measured->known();
+        known.answer = now;
+        measured = std::make_shared<const MeasuredAnswer>(known, session_, measured->name());
+    }
+    session_.noteAnswer();
+    Q_EMIT answerUpdated();
+}
+
 void Workbench::updateAnswers() {
     const bool isOther = contentOf<ImpactAnswer>(base_) && !isCompared();
     const bool base = !isOther && rename(base_), front = rename(front_);

@@ -41,7 +41,7 @@ const FileNames& savedPointNames() {
 }
 
 const FileNames& savedPlaceNames() {
-    static const FileNames names{"places.csv", "places.gpkg", "result.json"};
+    static const FileNames names{"places.csv", "places.gpkg", keptContributionsFile, "result.json"};
     return names;
 }
 
@@ -87,7 +87,8 @@ WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& po
     return std::move(files).result();
 }
 
-WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun, const City& city,
+WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
+                              const std::vector<KeptContributions>& ofPlaces, const City& city,
                               const std::filesystem::path& folder, const LegendChoice& legend,
                               const OutputRules& rules) {
     sun.baseline.city = city;
@@ -98,6 +99,7 @@ WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun, const 
         return writePlacesGeoPackage(file, city.frame, sun.baseline.places, table,
                                      makeStyle(sun.baseline, legend));
     });
+    if (!ofPlaces.empty()) files.add(keptContributionsFile, textContent(contributionsCsv(ofPlaces, {})));
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();
 }

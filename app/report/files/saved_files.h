@@ -39,9 +39,10 @@ WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& po
                               const std::filesystem::path& folder, const LegendChoice& legend = {},
                               const OutputRules& rules = {});
 
-/// The tables of places, settings and figures.
+/// The tables of places and of what buildings take from some of them, settings and figures.
 const std::vector<std::string>& savedPlaceNames();
-WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun, const City& city,
+WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
+                              const std::vector<KeptContributions>& ofPlaces, const City& city,
                               const std::filesystem::path& folder, const LegendChoice& legend = {},
                               const OutputRules& rules = {});
 

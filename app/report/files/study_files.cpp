@@ -53,6 +53,7 @@ std::vector<std::string> studyFileNames(const StudySettings& settings, const Stu
     if (settings.contributions)
         names.insert(names.end(), {"contributions.csv", "contributions.gpkg", "contributions.pdf"});
     if (options.cellsCsv) names.emplace_back("cells.csv");
+    if (!options.ofPlaces.empty()) names.emplace_back(keptContributionsFile);
     return names;
 }
 
@@ -74,7 +75,9 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     });
     files.add("report.pdf", [&](QIODevice& device) { return writeReport(study, device, options.legend); });
     files.addLast("study.json", [&](const FileSeconds& seconds) {
-        return extendRepeat(studyJson(study, seconds), listLegendOptions(options.legend, false));
+        return withContributions(
+            extendRepeat(studyJson(study, seconds), listLegendOptions(options.legend, false)),
+            options.ofPlaces);
     });
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
@@ -92,6 +95,8 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
         if (!pdf) return tl::make_unexpected(pdf.error());
         files.add("contributions.pdf", textContent(pdf->toStdString()));
     }
+    if (!options.ofPlaces.empty())
+        files.add(keptContributionsFile, textContent(contributionsCsv(options.ofPlaces, study.provenance)));
     if (options.cellsCsv)
         files.add("cells.csv",
                   [&](QIODevice& device) { return writeCellsCsv(study.field, study.city.frame, device); });

@@ -10,6 +10,7 @@
 
 #include "app/report/sheets/sheet.h"
 #include "core/io/files/check_output.h"
+#include "core/study/contributions/place_contributions.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -19,6 +20,7 @@ struct StudyFileOptions {
     OutputRules rules{};                        ///< which files may be replaced
     int pictureWidth = noonmark::pictureWidth;  ///< of shadow.png, pixels
     LegendChoice legend{};                      ///< of pictures, pages and styles
+    std::vector<KeptContributions> ofPlaces{};  ///< of single places: a table, and a part of study.json
 };
 
 /// The names of the files of writeStudyFiles(), except region.geojson; known before the computation.

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "core/base/memory_guard.h"
+#include "core/measures/place_receivers.h"
 #include "core/receivers/rasterize.h"
 #include "core/study/breakdown_check.h"
+#include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark {
 
@@ -59,14 +61,19 @@ double sumOfStudy(const Study& study, const std::vector<std::uint32_t>& cells) {
     return minutesADay * double(study.sun.dayCount()) * study.field.grid.cellAreaM2();
 }
 
+Result<std::unique_ptr<Engine>> makeAttributing(StudySettings settings, const EngineList& engines) {
+    auto engine = makeEngine(settings.engine, settings.engineSettings, engines);
+    if (!engine) return engine;
+    settings.contributions = true;
+    if (auto able = checkBreakdown(settings, (*engine)->capabilities(), engines); !able)
+        return tl::make_unexpected(able.error());
+    return engine;
+}
+
 Result<PlaceContributions> attribute(const Study& study, const Place& place, Progress& progress,
                                      std::stop_token stop, const EngineList& engines) {
-    const auto engine = makeEngine(study.settings.engine, study.settings.engineSettings, engines);
+    const auto engine = makeAttributing(study.settings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
-    StudySettings wanted = study.settings;
-    wanted.contributions = true;
-    if (auto able = checkBreakdown(wanted, (*engine)->capabilities(), engines); !able)
-        return tl::make_unexpected(able.error());
     const std::vector<std::uint32_t> cells = findCellsIn(place, study.receivers);
     if (cells.empty())
         return failure("No cell of the study lies on open ground of this place", place.name,
@@ -80,7 +87,39 @@ Result<PlaceContributions> attribute(const Study& study, const Place& place, Pro
     return made;
 }
 
+// On ground that is open in all cities, in the cells that the place was measured on.
+Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place, Progress& progress,
+                                     std::stop_token stop, const EngineList& engines) {
+    const SunByPlace& sun = all.compared.empty() ? all.baseline : all.compared.back().sun;
+    const Place& where = sun.places[place];
+    const SunOfPlace& of = sun.sun[place];
+    if (of.ofCells.empty())
+        return failure("No cell lies on open ground of this place", where.name, "Choose another place");
+    const auto engine = makeAttributing(sun.settings.study, engines);
+    if (!engine) return tl::make_unexpected(engine.error());
+    std::vector<const City*> cities{&all.baseline.city};
+    for (const ComparedSun& one : all.compared) cities.push_back(&one.sun.city);
+    const auto on = placeReceiversOnPlaces(cities, std::span(&where, 1), {.cellM = of.cellM}, stop);
+    if (!on) return tl::make_unexpected(on.error());
+    const std::size_t cells = on->receivers.cells.size(), days = sun.daylight.dayCount();
+    auto breakdown = (*engine)->breakDown(sun.city, on->receivers, sun.daylight, monthsOf(sun.daylight), true,
+                                          progress, std::move(stop));
+    if (!breakdown) return tl::make_unexpected(breakdown.error());
+    const double minutesADay = sun.daylight.sunlitMinutes() / double(days) - 60 * of.meanHours;
+    const double cellDays = double(cells) * on->receivers.grid.cellAreaM2() * double(days);
+    PlaceContributions made{where, *std::move(breakdown), cells, days, minutesADay * cellDays, {}};
+    made.rows = listContributions(sun.city, made.breakdown, days);
+    return made;
+}
+
 }  // namespace
+
+Result<PlaceContributions> computePlaceContributions(const SunOfCities& sun, std::size_t place,
+                                                     Progress& progress, std::stop_token stop,
+                                                     const EngineList& engines) {
+    return guardMemory({.advice = "Choose a smaller place or larger cells"},
+                       [&] { return attribute(sun, place, progress, std::move(stop), engines); });
+}
 
 Result<PlaceContributions> computePlaceContributions(const Study& study, const Place& place,
                                                      Progress& progress, std::stop_token stop,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "core/receivers/place.h"
 #include "core/study/contributions/contributions.h"
 
@@ -25,5 +27,35 @@ struct PlaceContributions {
 Result<PlaceContributions> computePlaceContributions(const Study& study, const Place& place,
                                                      Progress& progress, std::stop_token stop,
                                                      const EngineList& engines = coreEngines());
+
+struct SunOfCities;
+
+/// The same of a place whose sun was measured, on its own cells, in the last of the cities. `place`: its
+/// index. Error also where the place has no cell. Cost: that of a study of the place with contributions.
+Result<PlaceContributions> computePlaceContributions(const SunOfCities& sun, std::size_t place,
+                                                     Progress& progress, std::stop_token stop,
+                                                     const EngineList& engines = coreEngines());
+
+/// What buildings take from a place, as an answer keeps it: without maps.
+struct KeptContributions {
+    std::string place;  ///< its name
+    std::string kind;   ///< nameOf(PlaceKind)
+    std::string engine;
+    std::size_t cells = 0;
+    double sunlitMinutesPerDay = 0;
+    std::vector<Contribution> rows;  ///< read back: without indices of buildings and sets of steps
+};
+KeptContributions keepContributions(const PlaceContributions& of, double sunlitMinutesPerDay);
+/// In place of an earlier one of the same place.
+std::vector<KeptContributions> withContributions(std::vector<KeptContributions> all, KeptContributions more);
+
+/// The JSON of an answer with a member `contributions_of_places`; without any it stays as it is.
+std::string withContributions(std::string json, const std::vector<KeptContributions>& all);
+/// Of an answer's JSON; throws nlohmann's exceptions for JSON of another structure.
+std::vector<KeptContributions> parseContributions(const nlohmann::ordered_json& answer);
+/// Columns: place,kind,source_id,name, the figures, and the source columns; a row for each building of each
+/// place.
+std::string contributionsCsv(const std::vector<KeptContributions>& all, const Provenance& provenance);
+inline constexpr const char* keptContributionsFile = "contributions_of_places.csv";
 
 }  // namespace noonmark

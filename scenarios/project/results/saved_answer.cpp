@@ -335,7 +335,7 @@ Result<SavedAnswer> readSavedAnswer(const SavedResult& result, std::span<const S
     if (known == kinds.end())
         return failure(fmt::format("This version cannot show results of the kind '{}'", result.kind),
                        result.name, "Open the project with a newer Noonmark");
-    return SavedAnswer{originOf(json), known->read(result, json)};
+    return SavedAnswer{originOf(json), known->read(result, json), parseContributions(json)};
 } catch (const std::exception& problem) {  // JSON or layers of the wrong shape
     return failure(fmt::format("The saved result cannot be shown ({})", problem.what()), result.name,
                    "Measure and save it again");

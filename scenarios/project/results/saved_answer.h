@@ -13,7 +13,7 @@
 #include "core/engines/api/shadow_field.h"
 #include "core/measures/statistics.h"
 #include "core/study/by_place/sun_by_place.h"
-#include "core/study/contributions/contributions.h"
+#include "core/study/contributions/place_contributions.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/breakdown_text.h"
 #include "scenarios/impact/impact_text.h"
@@ -82,6 +82,7 @@ struct SavedSunByPlace {
 struct SavedAnswer {
     SavedOrigin origin;
     std::any content;  ///< of the type that its kind gives: SavedStudy, SavedImpact...
+    std::vector<KeptContributions> ofPlaces{};  ///< what buildings take from single places
 };
 
 /// Its origin alone, without its maps. Error: the settings are not those of a result.

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "core/samples/sample_city.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {
@@ -141,6 +143,45 @@ TEST(PlaceContributions, AllCellsOfTheStudyGiveItsOwnContributions) {
         EXPECT_DOUBLE_EQ(made.rows[i].attributedMinM2, whole[i].attributedMinM2);
         EXPECT_DOUBLE_EQ(made.rows[i].soleMin, whole[i].soleMin);
     }
+}
+
+// North of both towers, on the cells that its sun was measured on.
+TEST(PlaceContributions, OfAMeasuredPlaceTheyAddUpToTheShadowOfItsCells) {
+    SunByPlaceSettings settings;
+    settings.study = atNoon("horizon");
+    NoProgress quiet;
+    const auto sun = compareSunByPlace(std::vector<NamedCity>{{"Now", twoTowers()}},
+                                       {square("Yard", 0, 52, 20, 92), square("Inside", 4, 4, 16, 16)},
+                                       settings, quiet, {});
+    ASSERT_TRUE(sun) << sun.error().text();
+    const auto made = computePlaceContributions(*sun, 0, quiet, {});
+    ASSERT_TRUE(made) << made.error().text();
+    EXPECT_EQ(made->cells, sun->baseline.sun[0].cells);
+    ASSERT_FALSE(made->rows.empty());
+    const double shadowMin = sun->baseline.field.sunlitMinutesPerDay - 60 * sun->baseline.sun[0].meanHours;
+    EXPECT_NEAR(sumOfRows(made->rows, &Contribution::attributedMin), shadowMin, 1e-3 * shadowMin);
+    EXPECT_FALSE(computePlaceContributions(*sun, 1, quiet, {})) << "a tower stands on all of it";
+}
+
+TEST(PlaceContributions, KeptOnesComeBackFromTheJsonOfTheirAnswer) {
+    const Study study = studied(twoTowers(), atNoon("horizon"));
+    const auto keptOf = [&](const char* name) {
+        return keepContributions(attributed(study, square(name, 0, 52, 20, 92)), 120);
+    };
+    std::vector<KeptContributions> all = withContributions({}, keptOf("Yard"));
+    all = withContributions(all, keptOf("Lawn"));
+    all = withContributions(all, keptOf("Yard"));
+    ASSERT_EQ(all.size(), 2U) << "once each";
+    EXPECT_EQ(withContributions("{}", {}), "{}");
+    const auto back = parseContributions(nlohmann::ordered_json::parse(withContributions("{}", all)));
+    ASSERT_EQ(back.size(), 2U);
+    EXPECT_EQ(back[1].place, "Yard");
+    EXPECT_EQ(back[1].cells, all[1].cells);
+    ASSERT_EQ(back[1].rows.size(), all[1].rows.size());
+    EXPECT_EQ(back[1].rows[0].id, all[1].rows[0].id);
+    EXPECT_NEAR(back[1].rows[0].soleMinM2, all[1].rows[0].soleMinM2, 0.1);
+    EXPECT_THAT(contributionsCsv(all, {}), HasSubstr("place,kind,source_id,name,attributed_min_m2"));
+    EXPECT_THAT(contributionsCsv(all, {}), HasSubstr("Yard,park,"));
 }
 
 TEST(PlaceContributions, PlacesWithoutCellsAndEnginesWithoutAttributionAreRefused) {

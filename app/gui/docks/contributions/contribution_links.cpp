@@ -86,7 +86,28 @@ void ContributionLinks::follow() {
     refresh();
 }
 
+// The places of the answer shown, where it is about places; null: it is not, or it was saved.
+std::shared_ptr<const SunOfCities> ContributionLinks::sun() const {
+    return workbench_.answerAs<SunOfCities>();
+}
+
+std::optional<std::size_t> ContributionLinks::placeOfSun() const {
+    const auto places = sun();
+    if (!places) return std::nullopt;
+    const auto& all = places->baseline.places;
+    const auto at = std::ranges::find(all, dock_.subject(), &Place::name);
+    return at == all.end() ? std::nullopt : std::optional(std::size_t(at - all.begin()));
+}
+
+const KeptContributions* ContributionLinks::kept() const {
+    if (!workbench_.answer() || dock_.subject().empty()) return nullptr;
+    const auto& all = workbench_.answer()->ofPlaces();
+    const auto at = std::ranges::find(all, dock_.subject(), &KeptContributions::place);
+    return at == all.end() ? nullptr : &*at;
+}
+
 std::optional<Place> ContributionLinks::subject() const {
+    if (const auto place = placeOfSun()) return sun()->baseline.places[*place];
     if (dock_.subject().empty()) {
         if (!study_) return std::nullopt;
         return Place{study_->settings.region.name, PlaceKind::other, study_->settings.region.polygons, {}};
@@ -102,14 +123,26 @@ void ContributionLinks::refresh() {
             makeContributionSheet(*comparison, workbench_.city()->city(), place ? &*place : nullptr));
     }
     if (const auto saved = workbench_.answerAs<SavedContent>()) return showSaved(*saved);
+    if (sun()) return showSun();
     if (study_) return showStudy(*study_);
     dock_.explain(
         tr("No study yet. Run one (Ctrl+R), then click a place in the view to see which buildings "
            "shade it."));
 }
 
+void ContributionLinks::showSun() {
+    if (const KeptContributions* known = kept(); known != nullptr && workbench_.city())
+        return dock_.show(makeContributionSheet(*known, workbench_.city()->city()));
+    if (placeOfSun())
+        return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
+    dock_.explain(
+        tr("Choose a place of the table, or click one in the view, to see which buildings shade "
+           "it."));
+}
+
 void ContributionLinks::showStudy(const Study& study) {
     if (const auto answer = shown()) return dock_.show(makeContributionSheet(study, *answer));
+    if (const KeptContributions* known = kept()) return dock_.show(makeContributionSheet(*known, study.city));
     if (!dock_.subject().empty())
         return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
     if (study.settings.contributions && study.breakdown)
@@ -122,11 +155,13 @@ void ContributionLinks::showStudy(const Study& study) {
 
 // What a place gets is computed from a study, which the project file does not hold.
 void ContributionLinks::showSaved(const SavedContent& saved) {
+    if (const KeptContributions* known = kept(); known != nullptr && workbench_.city())
+        return dock_.show(makeContributionSheet(*known, workbench_.city()->city()));
     const auto* study = saved.as<SavedStudy>();
     if (study && study->contributions && dock_.subject().empty() && workbench_.city())
         return dock_.show(makeContributionSheet(*study, workbench_.city()->city()));
     dock_.explain(tr("A saved result holds what buildings take from its whole region, if that was asked for. "
-                     "For a place, show the study again."),
+                     "Of places it holds those that were attributed before it was saved."),
                   false, study ? makeMonthBars(study->months, study->start, study->field.days) : Bars());
 }
 
@@ -142,10 +177,27 @@ void ContributionLinks::choose(const std::string& place) {
     working_.drop();
     refresh();
     const bool other = workbench_.answerAs<ImpactAnswer>() || workbench_.answerAs<SavedContent>();
-    if (study_ && !other && !place.empty() && !shown()) attribute();
+    if (other || place.empty() || kept() != nullptr) return;
+    if (sun() ? placeOfSun().has_value() : study_ && !shown()) attribute();
+}
+
+void ContributionLinks::attributeSun(std::size_t place) {
+    working_.start<PlaceContributions>(
+        tr("Attributing the shadow of %1").arg(QString::fromStdString(dock_.subject())),
+        [places = sun(), place](Progress& progress, std::stop_token stop) {
+            return computePlaceContributions(*places, place, progress, std::move(stop),
+                                             enginesWith(places->baseline.settings.study.engine));
+        },
+        [this, places = sun()](Result<PlaceContributions> made) {
+            if (places != sun()) return;
+            if (!made)
+                return isCancelled(made.error()) ? refresh() : dock_.explain(describeError(made.error()));
+            workbench_.keepWithAnswer(keepContributions(*made, places->baseline.field.sunlitMinutesPerDay));
+        });
 }
 
 void ContributionLinks::attribute() {
+    if (const auto place = placeOfSun()) return attributeSun(*place);
     const auto place = subject();
     if (!study_ || !place) return;
     working_.start<PlaceContributions>(
@@ -162,6 +214,8 @@ void ContributionLinks::attribute() {
 void ContributionLinks::take(const std::string& place, Result<PlaceContributions> made) {
     if (!made) return isCancelled(made.error()) ? refresh() : dock_.explain(describeError(made.error()));
     known_[place] = std::make_shared<const PlaceContributions>(*std::move(made));
+    if (!place.empty() && workbench_.answerAs<Study>() == study_)
+        workbench_.keepWithAnswer(keepContributions(*known_[place], study_->field.sunlitMinutesPerDay));
     refresh();
 }
 
@@ -169,7 +223,9 @@ void ContributionLinks::click(QPointF pixel) {
     if (!dock_.isInFront() || panel_.drawing() || !workbench_.city()) return;
     const auto pick = panel_.navigator().pickAt(pixel);
     if (!pick || pick->building) return;
-    const Place* place = findPlaceAt(workbench_.session().project().places, glm::dvec2(pick->position));
+    const auto measured = sun();
+    const auto& places = measured ? measured->baseline.places : workbench_.session().project().places;
+    const Place* place = findPlaceAt(places, glm::dvec2(pick->position));
     if (place != nullptr) choose(place->name);
 }
 

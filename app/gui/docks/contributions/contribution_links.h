@@ -39,14 +39,19 @@ private:
     void listPlaces();
     void follow();
     void refresh();
+    void showSun();
     void showStudy(const Study& study);
     void showSaved(const SavedContent& saved);
     void attribute();
+    void attributeSun(std::size_t place);
     void take(const std::string& place, Result<PlaceContributions> made);
     void click(QPointF pixel);
     void goTo(const Building& building);
     void markSelected();
     void colour();
+    [[nodiscard]] std::shared_ptr<const SunOfCities> sun() const;
+    [[nodiscard]] std::optional<std::size_t> placeOfSun() const;
+    [[nodiscard]] const KeptContributions* kept() const;
     [[nodiscard]] std::optional<Place> subject() const;
     [[nodiscard]] std::optional<std::uint32_t> indexOf(const Building& building) const;
 

@@ -179,6 +179,20 @@ ContributionSheet makeContributionSheet(const SavedStudy& study, const City& cit
     return sheet;
 }
 
+ContributionSheet makeContributionSheet(const KeptContributions& of, const City& city) {
+    ContributionSheet sheet{.columns = columnsOfStudy()};
+    for (const Contribution& one : of.rows) {
+        const QString name = isTerrain(one) ? QObject::tr("Terrain") : nameOf(one.name, one.id);
+        sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : findBuilding(city, one.id)));
+    }
+    ShadowField field;
+    field.sunlitMinutesPerDay = of.sunlitMinutesPerDay;
+    sheet.headline = describeSum(sheet, of.rows, field);
+    sheet.note = QObject::tr("%1 cell(s)", "", pluralNumber(of.cells)).arg(formatCount(of.cells));
+    sheet.method = QObject::tr("Attributed by: %1").arg(QString::fromStdString(of.engine));
+    return sheet;
+}
+
 ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place) {
     ContributionSheet sheet{.columns = columnsOfComparison()};
     for (const BuildingImpact& one : answer.study.byBuilding) {

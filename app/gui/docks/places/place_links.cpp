@@ -1,7 +1,5 @@
 #include "app/gui/docks/places/place_links.h"
 
-#include <QLocale>
-
 #include "app/gui/docks/places/places_dock.h"
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/session/workbench.h"
@@ -26,14 +24,6 @@ bool isAged(const std::shared_ptr<const Answer>& answer) {
     return saved && !saved->upToDate();
 }
 
-QString describeError(const SunOfCities& sun) {
-    const auto& error = shownCity(sun).error;
-    if (!error) return {};
-    return QObject::tr("Error of cells against rays: %1 % mean, %2 % largest")
-        .arg(QLocale().toString(error->gross.percent(error->gross.meanMin), 'g', 2),
-             QLocale().toString(error->gross.percent(error->gross.maxMin), 'g', 2));
-}
-
 }  // namespace
 
 PlaceLinks::PlaceLinks(Workbench& workbench, const ResultDisplay& display, PlacesDock& dock, ViewPanel& panel)
@@ -50,6 +40,8 @@ PlaceLinks::PlaceLinks(Workbench& workbench, const ResultDisplay& display, Place
             [this](std::size_t place) { panel_.highlightPlace(nameOf(place)); });
     connect(&dock_, &PlacesDock::wanted, this,
             [this](std::size_t place) { Q_EMIT placeWanted(nameOf(place)); });
+    connect(&dock_, &PlacesDock::contributorsWanted, this,
+            [this](std::size_t place) { Q_EMIT contributorsWanted(nameOf(place)); });
     connect(&panel_.navigator(), &ViewNavigator::clicked, this, &PlaceLinks::click);
 }
 
@@ -59,9 +51,7 @@ void PlaceLinks::follow() {
     const auto answer = past ? past : workbench_.answer();
     const SharedSun sun = sunOf(answer);
     const bool outdated = past || isAged(answer);
-    const QString note =
-        outdated ? tr("Outdated: buildings have changed") : (sun ? describeError(*sun) : QString());
-    dock_.show(sun, note, outdated);
+    dock_.show(sun, outdated ? tr("Outdated: buildings have changed") : QString(), outdated);
     panel_.results().setPlaces(dock_.view());
 }
 

@@ -19,8 +19,9 @@ public:
     PlaceLinks(Workbench& workbench, const ResultDisplay& display, PlacesDock& dock, ViewPanel& panel);
 
 Q_SIGNALS:
-    void placeWanted(const std::string& name);  ///< to be seen in the view
-    void dockWanted();                          ///< another answer about places
+    void placeWanted(const std::string& name);         ///< to be seen in the view
+    void contributorsWanted(const std::string& name);  ///< what buildings take from it is to be shown
+    void dockWanted();                                 ///< another answer about places
 
 private:
     void follow();

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QTreeView>
@@ -19,6 +20,8 @@
 #include "app/gui/base/layers/field_picture.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/push_button.h"
+#include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/study/region_words.h"
 #include "app/report/maps/palette.h"
 #include "core/describe/text.h"
@@ -80,7 +83,10 @@ PlacesDock::PlacesDock(QWidget* parent)
       kinds_(listField("placesKind", tr("Lists only places of this kind"))),
       grouped_(new QCheckBox(tr("By kind"))),
       table_(new QTreeView),
-      listed_(new QLabel) {
+      listed_(new QLabel),
+      contributors_(pushButton(tr("Who shades it"), "placeContributors",
+                               tr("Shows which buildings take sun from the chosen place, and how much. Or "
+                                  "double-click its row"))) {
     filter_->setSourceModel(model_);
     makeTable();
     placeFields();
@@ -104,6 +110,8 @@ void PlacesDock::placeFields() {
     column->addWidget(makeFilters());
     column->addWidget(table_, 1);
     column->addWidget(listed_);
+    column->addWidget(contributors_);
+    contributors_->setEnabled(false);
 }
 
 QWidget* PlacesDock::makeThreshold() {
@@ -182,6 +190,14 @@ void PlacesDock::connectTable() {
             [this, placeOf](const QModelIndex& index) {
                 if (const auto place = placeOf(index)) Q_EMIT pointedAt(*place);
             });
+    connect(
+        table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+        [this, placeOf](const QModelIndex& index) { contributors_->setEnabled(placeOf(index).has_value()); });
+    const auto askFor = [this, placeOf](const QModelIndex& index) {
+        if (const auto place = placeOf(index)) Q_EMIT contributorsWanted(*place);
+    };
+    connect(table_, &QTreeView::doubleClicked, this, askFor);
+    connect(contributors_, &QPushButton::clicked, this, [this, askFor] { askFor(table_->currentIndex()); });
     for (auto signal : {&QTreeView::clicked, &QTreeView::activated})
         connect(table_, signal, this, [this, placeOf](const QModelIndex& index) {
             if (const auto place = placeOf(index)) Q_EMIT wanted(*place);

@@ -11,6 +11,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
+class QPushButton;
 class QSlider;
 class QTreeView;
 
@@ -23,7 +24,7 @@ class PlacesDock final : public QWidget {
 public:
     explicit PlacesDock(QWidget* parent = nullptr);
 
-    /// Null: none. `note`: what is said of the answer beside the legend; `outdated`: as a warning.
+    /// Null: none. `note`: what is said beside the legend instead of the error; `outdated`: as a warning.
     void show(std::shared_ptr<const SunOfCities> sun, const QString& note, bool outdated);
     void setColours(const LegendChoice& choice);  ///< those that the user chose for legends
     void select(std::size_t place);               ///< without wanted(); a filter that hides it is emptied
@@ -35,6 +36,8 @@ public:
     [[nodiscard]] const PlaceSunModel& model() const { return *model_; }
 
 Q_SIGNALS:
+    /// Double click, or the button below the table: what buildings take from the place is to be shown.
+    void contributorsWanted(std::size_t place);
     void viewChanged();                 ///< view()
     void pointedAt(std::size_t place);  ///< the current row
     void wanted(std::size_t place);     ///< a click on its row, or Enter
@@ -55,6 +58,7 @@ private:
     void listed();
     [[nodiscard]] ShownSun shown() const;
     [[nodiscard]] ColourScale scaleOf(const ShownSun& shown) const;
+    [[nodiscard]] QString describeError(const ShownSun& shown) const;
     [[nodiscard]] QString describeAt(glm::dvec2 point, const ShownSun& shown) const;
 
     PlaceSunModel* model_;
@@ -68,6 +72,7 @@ private:
     QCheckBox* grouped_;
     QTreeView* table_;
     QLabel* listed_;
+    QPushButton* contributors_;
     PlacePicture picture_;
     std::shared_ptr<const PlaceView> view_;
     QString note_;
