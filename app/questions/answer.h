@@ -30,6 +30,7 @@ struct Question;
 struct AnswerFiles {
     ChangeScale scale{};                        ///< of a comparison's picture
     LegendChoice legend{};                      ///< of maps of minutes
+    std::optional<double> thresholdHours{};     ///< of the colours of places; none: the hours that are enough
     int pictureWidth = noonmark::pictureWidth;  ///< pixels
     bool cells = false;                         ///< of a study, a table of all cells
     bool sheets = false;                        ///< of a comparison or score, a book of sheets
@@ -84,6 +85,11 @@ public:
                                                                 const std::string& baseline) const = 0;
     /// The same with what it was made from, for files. Copies its maps.
     [[nodiscard]] virtual std::shared_ptr<const Answer> stated(Provenance provenance) const = 0;
+
+    /// What buildings take from single places, as far as it was asked for.
+    [[nodiscard]] virtual const std::vector<KeptContributions>& ofPlaces() const;
+    /// The same with what they take from one more place; null: this answer keeps none.
+    [[nodiscard]] virtual std::shared_ptr<const Answer> withPlace(KeptContributions) const { return nullptr; }
 
     [[nodiscard]] virtual std::string json() const = 0;
     /// As a saved result without a name. Costs a hash of each city.

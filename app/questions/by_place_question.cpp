@@ -20,8 +20,9 @@ std::string questionOf(const SunOfCities& sun) {
 /// How much sun places get in one scenario, and what it takes from or gives to those of a baseline.
 class ByPlaceAnswer final : public AnswerOf<SunOfCities> {
 public:
-    ByPlaceAnswer(std::shared_ptr<const SunOfCities> sun, StudySettings asked)
-        : AnswerOf(std::move(sun)), asked_(std::move(asked)) {}
+    ByPlaceAnswer(std::shared_ptr<const SunOfCities> sun, StudySettings asked,
+                  std::vector<KeptContributions> ofPlaces = {})
+        : AnswerOf(std::move(sun)), asked_(std::move(asked)), ofPlaces_(std::move(ofPlaces)) {}
 
     [[nodiscard]] const Question& question() const override { return byPlaceQuestion(); }
     /// As they were asked for: the content's have the places as their region.
@@ -45,15 +46,25 @@ public:
         if (shownCity(content()).name == scenario) return nullptr;
         auto sun = std::make_shared<SunOfCities>(content());
         (sun->compared.empty() ? sun->baseline : sun->compared.back().sun).name = scenario;
-        return std::make_shared<ByPlaceAnswer>(std::move(sun), asked_);
+        return std::make_shared<ByPlaceAnswer>(std::move(sun), asked_, ofPlaces_);
     }
     [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance provenance) const override {
         auto sun = std::make_shared<SunOfCities>(content());
         sun->baseline.provenance = std::move(provenance);
-        return std::make_shared<ByPlaceAnswer>(std::move(sun), asked_);
+        return std::make_shared<ByPlaceAnswer>(std::move(sun), asked_, ofPlaces_);
+    }
+    [[nodiscard]] const std::vector<KeptContributions>& ofPlaces() const override { return ofPlaces_; }
+    [[nodiscard]] std::shared_ptr<const Answer> withPlace(KeptContributions of) const override {
+        return std::make_shared<ByPlaceAnswer>(shared(), asked_, withContributions(ofPlaces_, std::move(of)));
     }
 
     [[nodiscard]] AnswerPage page(ShownAs) const override { return makePage(content()); }
+    [[nodiscard]] Result<std::string> command() const override {
+        return makeRepeatCommand(content().baseline, content().compared);
+    }
+    [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
+        return listColourOptions({how.legend, how.thresholdHours});
+    }
 
     [[nodiscard]] std::string json() const override {
         return withContributions(toJson(content().baseline, content().compared), ofPlaces_);
@@ -72,15 +83,18 @@ public:
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
         const SunByPlace& sun = content().baseline;
+        const PlaceColours colours{how.legend, how.thresholdHours};
         const ElementTable table = makeTable(sun, content().compared);
         OutputFolder files(folder, how.rules);
         files.add("places.csv", textContent(toCsv(table)));
         files.add("places.gpkg", [&](const std::filesystem::path& file) {
-            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeStyle(sun, how.legend));
+            return writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeStyle(sun, colours));
         });
-        files.add("places.json", textContent(json()));
+        files.add("places.json", textContent(extendRepeat(json(), listColourOptions(colours))));
+        if (!ofPlaces_.empty())
+            files.add(keptContributionsFile, textContent(contributionsCsv(ofPlaces_, sun.provenance)));
         if (how.sheets) {
-            const auto pdf = printBook(makeSunByPlaceBook(content(), bookOf(how)));
+            const auto pdf = printBook(makeSunByPlaceBook(content(), bookOf(how), colours));
             if (!pdf) return tl::make_unexpected(pdf.error());
             files.add("sheets.pdf", textContent(pdf->toStdString()));
         }
@@ -116,6 +130,7 @@ Result<std::shared_ptr<const Answer>> computeByPlace(const Asked& asked, Progres
     if (asked.loaded.seconds > 0) sun->baseline.seconds["read"] = asked.loaded.seconds;
     putBefore(sun->baseline.warnings, asked.loaded.read.warnings);
     sun->baseline.provenance = asked.provenance;
+    sun->baseline.asked = asked.placesAsked;
     return std::make_shared<ByPlaceAnswer>(std::make_shared<const SunOfCities>(*std::move(sun)),
                                            asked.settings);
 }

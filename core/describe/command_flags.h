@@ -9,6 +9,7 @@ inline constexpr const char* json = "--json";
 inline constexpr const char* save = "--save";
 inline constexpr const char* keep = "--keep";
 inline constexpr const char* scenario = "--scenario";
+inline constexpr const char* baseline = "--baseline";
 inline constexpr const char* from = "--from";  ///< scenario that another is compared with
 inline constexpr const char* to = "--to";
 inline constexpr const char* places = "--places";
@@ -18,7 +19,8 @@ inline constexpr const char* choose = "--choose";
 inline constexpr const char* year = "--year";
 inline constexpr const char* tile = "--tile";
 inline constexpr const char* partial = "--partial";
-inline constexpr const char* threshold = "--threshold";  ///< minutes a day that count as a change
+inline constexpr const char* threshold =
+    "--threshold";  ///< of a change, minutes a day; of colours of places, hours
 inline constexpr const char* byBuilding = "--by-building";
 inline constexpr const char* weights = "--weights";  ///< table of a score
 

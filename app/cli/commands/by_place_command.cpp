@@ -30,6 +30,9 @@ namespace noonmark::cli {
 
 namespace {
 
+constexpr const char* fromFlag = "--places-from";
+constexpr const char* regionFlag = "--region";
+
 struct ByPlaceOptions {
     StudyOptions study;
     PlaceOptions place;
@@ -38,6 +41,7 @@ struct ByPlaceOptions {
     std::vector<std::string> scenarios;
     SunByPlaceSettings settings;
     SheetOptions sheets;
+    PlaceColours colours;
 };
 
 // Of a project also by their names.
@@ -84,6 +88,17 @@ Result<std::vector<NamedCity>> listScenarios(const ByPlaceOptions& options, cons
     return cities;
 }
 
+// As they were typed; those of regions and files by name.
+std::vector<CommandOption> listPlaceOptions(const ByPlaceOptions& options) {
+    const auto fileName = [](const std::string& file) {
+        return std::filesystem::path(file).filename().string();
+    };
+    std::vector<CommandOption> listed = listOptions(options.place);
+    for (const std::string& file : options.from) listed.push_back({fromFlag, {fileName(file)}});
+    for (const std::string& region : options.regions) listed.push_back({regionFlag, {region}});
+    return listed;
+}
+
 // A baseline and scenarios alike are measured on ground without a roof over it.
 Result<Asked> makeAsked(const ByPlaceOptions& options, const StudyRequest& request, Progress& progress,
                         const std::stop_token& stop) {
@@ -92,6 +107,7 @@ Result<Asked> makeAsked(const ByPlaceOptions& options, const StudyRequest& reque
                 .scenario = baseline.empty() ? existingCity : baseline,
                 .settings = request.settings,
                 .byPlace = options.settings,
+                .placesAsked = {listPlaceOptions(options)},
                 .provenance = provenanceOf(request)};
     auto scenarios = listScenarios(options, request);
     if (!scenarios) return tl::make_unexpected(scenarios.error());
@@ -135,7 +151,8 @@ Result<std::vector<std::filesystem::path>> writeFiles(const Answer& answer, cons
     AnswerFiles how;
     how.sheets = options.sheets.wanted;
     how.book = *book;
-    how.legend = options.study.legend;
+    how.legend = options.colours.legend;
+    how.thresholdHours = options.colours.thresholdHours;
     how.rules = outputRulesOf(options.study, sun.provenance.inputs);
     return answer.write(sun.city, options.study.out, how);
 }
@@ -235,7 +252,7 @@ void addScenarioOptions(CLI::App& command, ByPlaceOptions& options) {
         ->allow_extra_args(false)
         ->type_name("NAME");
     command
-        .add_option("--baseline", options.study.scenario,
+        .add_option(flags::baseline, options.study.scenario,
                     "Scenario of the project to measure first (default: the existing city)")
         ->type_name("NAME");
 }
@@ -254,12 +271,12 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
     const std::vector<CLI::Option*> before = command->get_options();
     addPeriodOptions(*command, study.period);
     addNamedPeriod(*command, before, study.periodName);
-    command->add_option("--places-from", options->from, "Also the places of this file; may be repeated")
+    command->add_option(fromFlag, options->from, "Also the places of this file; may be repeated")
         ->allow_extra_args(false)
         ->type_name("FILE");
     command
         ->add_option(
-            "--region", options->regions,
+            regionFlag, options->regions,
             "Also this region as a place, whatever its kind: a box in degrees, a file of polygons, or "
             "a region of the project; may be repeated")
         ->allow_extra_args(false)
@@ -270,7 +287,13 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
     addCellOptions(*command, study.settings);
     addEngineOptions(*command, study.settings);
     addErrorOptions(*command, study.settings.errorSample);
-    addLegendOptions(*command, study.legend);
+    addLegendOptions(*command, options->colours.legend);
+    command
+        ->add_option(flags::threshold, options->colours.thresholdHours,
+                     "Hours of sun a day at which the map of the sheets and the style of places.gpkg change "
+                     "their colour (default: --enough)")
+        ->check(within(0, SunByPlaceSettings::maxHours))
+        ->type_name("H");
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets, {{"--date", "--sheet-date"}});
     command->add_option(flags::out, study.out, "Folder for places.csv, places.gpkg and places.json")

@@ -1,5 +1,7 @@
 #include "app/cli/options/place_options.h"
 
+#include <fmt/format.h>
+
 #include "app/cli/options/number_range.h"
 #include "core/receivers/place_names.h"
 
@@ -26,6 +28,26 @@ std::string checkKind(const std::string& text) {
 bool PlaceOptions::admits(const Place& place) const {
     return (settings.kinds.empty() || settings.kinds.contains(place.kind)) &&
            area(place) >= settings.minAreaM2;
+}
+
+std::vector<CommandOption> listOptions(const PlaceOptions& options) {
+    const PlaceSettings& settings = options.settings;
+    const PlaceSettings plain;
+    std::vector<CommandOption> listed;
+    for (const std::string& kind : options.kinds) listed.push_back({"--kind", {kind}});
+    const bool byKind = settings.kinds.contains(PlaceKind::street);
+    if (settings.streets && !byKind) listed.push_back({"--streets", {}});
+    if (settings.wholeStreets) listed.push_back({"--whole-streets", {}});
+    if (settings.sidewalkM != defaultSidewalkM)
+        listed.push_back({"--sidewalks", {fmt::format("{:g}", settings.sidewalkM)}});
+    if (!settings.unnamed) listed.push_back({"--named", {}});
+    if (settings.minAreaM2 != plain.minAreaM2)
+        listed.push_back({"--least-area", {fmt::format("{:g}", settings.minAreaM2)}});
+    if (!settings.nameField.empty()) listed.push_back({"--name-field", {settings.nameField}});
+    if (settings.kind != plain.kind) listed.push_back({"--as", {std::string(nameOf(settings.kind))}});
+    if (!settings.layer.empty()) listed.push_back({"--place-layer", {settings.layer}});
+    if (settings.crs) listed.push_back({"--place-crs", {*settings.crs}});
+    return listed;
 }
 
 void addPlaceOptions(CLI::App& command, PlaceOptions& options) {

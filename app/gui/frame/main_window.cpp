@@ -259,8 +259,9 @@ void MainWindow::connectDocks() {
     docks_.results->setActions(results_.saveResult(), scenarios_.compareAction(), results_.exportAction());
     connect(&panel_->legend(), &LegendStrip::shownChosen, this, [this] { view_.rememberShown(); });
     connect(docks_.results, &ResultsDock::commandWanted, this, [this] {
-        workbench_.findCommand(
-            {.scale = panel_->legend().changeScale(), .legend = panel_->legend().choice()});
+        workbench_.findCommand({.scale = panel_->legend().changeScale(),
+                                .legend = panel_->legend().choice(),
+                                .thresholdHours = panel_->results().thresholdHours()});
     });
     connect(docks_.results, &ResultsDock::warningsWanted, this, [this] { showDock(docks_.warnings); });
     connect(&workbench_, &Workbench::commandFound, &copying_, &CopyActions::copyCommand);

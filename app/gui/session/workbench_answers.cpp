@@ -16,6 +16,26 @@ namespace noonmark {
 
 namespace {
 
+// The kinds of the project's places that were chosen, and the regions.
+std::vector<CommandOption> listPlaceOptions(const std::vector<Place>& chosen, const Project& project) {
+    std::set<std::string> own, kinds;
+    for (const Place& place : project.places) own.insert(place.name);
+    std::vector<CommandOption> options, regions;
+    for (const Place& place : chosen) {
+        if (own.contains(place.name))
+            kinds.emplace(nameOf(place.kind));
+        else
+            regions.push_back({"--region", {place.name}});
+    }
+    for (const std::string& kind : kinds) options.push_back({"--kind", {kind}});
+    options.insert(options.end(), regions.begin(), regions.end());
+    return options;
+}
+
+}  // namespace
+
+namespace {
+
 constexpr std::size_t maxMeasured = 20;    // their maps stay in memory
 constexpr std::ptrdiff_t maxStudies = 64;  // cached; ScenarioCities caches as many cities
 
@@ -157,6 +177,7 @@ void Workbench::runByPlace(std::vector<Place> places, const SunByPlaceSettings& 
     auto asked = makeAsked(byPlaceQuestion(), {});
     if (!asked) return report(asked.error());
     again_ = false;
+    asked->placesAsked = {listPlaceOptions(places, session_.project()), true};
     asked->places = std::move(places);
     asked->byPlace = settings;
     if (allScenarios && comparing()) asked->others = listOthers(*asked);

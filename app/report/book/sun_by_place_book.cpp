@@ -13,6 +13,7 @@
 #include "app/report/maps/map_view.h"
 #include "app/report/sheets/period_words.h"
 #include "app/report/sheets/report_sections.h"
+#include "core/describe/command_flags.h"
 #include "core/receivers/place_names.h"
 #include "core/study/provenance/command_words.h"
 
@@ -93,11 +94,9 @@ TextBlocks describeSources(const SunByPlace& sun) {
     return sourceBlocks(sources);
 }
 
-Legend legendOf(const SunByPlace& sun, const LegendChoice& choice) {
-    Legend legend;
-    legend.title = QStringLiteral("Sun");
-    legend.unit = QStringLiteral("hours a day, mean over the days and the place");
-    legend.colours = makeColourScale(sun, choice);
+Legend legendOf(const SunByPlace& sun, const PlaceColours& colours) {
+    Legend legend{QStringLiteral("Sun by place"), QStringLiteral("hours of sun a day")};
+    legend.colours = makeScale(sun, colours);
     legend.scale = {legend.colours->high, legend.colours->tick};
     return legend;
 }
@@ -123,7 +122,7 @@ void paintPlaces(const Canvas& canvas, const MapView& view, const SunByPlace& su
     }
 }
 
-QImage paintMap(const SunByPlace& sun, const LegendChoice& choice, const QSizeF& sizePt) {
+QImage paintMap(const SunByPlace& sun, const PlaceColours& colours, const QSizeF& sizePt) {
     constexpr double pixelsPerPt = 300.0 / 72, gapPt = 6;
     QImage image((sizePt * pixelsPerPt).toSize(), QImage::Format_RGB32);
     image.fill(ink::paper);
@@ -136,7 +135,7 @@ QImage paintMap(const SunByPlace& sun, const LegendChoice& choice, const QSizeF&
     const MapView view(bounds(sun.settings.study.region), map);
     painter.setClipRect(map);
     paintBuildings(canvas, view, sun.city, {shade::building, shade::buildingLine, 0.1});
-    const Legend legend = legendOf(sun, choice);
+    const Legend legend = legendOf(sun, colours);
     paintPlaces(canvas, view, sun, legend);
     painter.setClipping(false);
     const QRectF foot(0, all.bottom() - footPx, all.width(), footPx);
@@ -147,8 +146,8 @@ QImage paintMap(const SunByPlace& sun, const LegendChoice& choice, const QSizeF&
     return image;
 }
 
-BookPage mapPage(const SunByPlace& sun, const BookSettings& settings) {
-    const QRectF content = contentArea(settings.setup);
+BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageSetup& setup) {
+    const QRectF content = contentArea(setup);
     BookPage page{QStringLiteral("Hours of sun by place"),
                   describePeriod(sun.settings.study.period),
                   QStringLiteral("Map"),
@@ -156,16 +155,15 @@ BookPage mapPage(const SunByPlace& sun, const BookSettings& settings) {
                   {}};
     const QSizeF size(content.width(), content.height() - captionPt(textScale(settings.setup)));
     page.items.push_back(
-        {content, PagePicture{paintMap(sun, settings.legend, size),
+        {content, PagePicture{paintMap(sun, colours, size),
                               {QStringLiteral("Places by their mean hours of sun a day"),
                                QStringLiteral("Outlines without colour: places without figures.")}}});
     return page;
 }
 
 std::vector<QString> titlesOf(const SunOfCities& all) {
-    std::vector<QString> titles{QStringLiteral("Name"),   QStringLiteral("Kind"),  QStringLiteral("Area m²"),
-                                QStringLiteral("Mean h"), QStringLiteral("Min h"), QStringLiteral("Max h"),
-                                QStringLiteral("Enough")};
+    std::vector<QString> titles{QStringLiteral("Place"), QStringLiteral("Kind")};
+    for (const Figure& figure : sunOfPlaceFigures().rows()) titles.push_back(titleOf(figure));
     for (const CivilDate& date : sunOf(all).settings.dates)
         titles.push_back(QStringLiteral("Below, %1").arg(plainText(formatText(date))));
     for (const ComparedSun& one : all.compared)
@@ -177,9 +175,7 @@ std::vector<QString> rowOf(const SunOfCities& all, std::size_t i) {
     const SunByPlace& sun = sunOf(all);
     const SunOfPlace& of = sun.sun[i];
     std::vector<QString> row{plainText(sun.places[i].name), plainText(nameOf(sun.places[i].kind))};
-    row.push_back(QString::number(of.areaM2, 'f', 0));
-    for (const double hours : {of.meanHours, of.minHours, of.maxHours}) row.push_back(hoursText(hours));
-    row.push_back(percentText(of.enoughShare));
+    for (const Figure& figure : sunOfPlaceFigures().rows()) row.push_back(textOf(figure, figure.get(&of)));
     for (std::size_t date = 0; date < sun.settings.dates.size(); ++date)
         row.push_back(date < of.belowShare.size() ? percentText(of.belowShare[date]) : QString());
     for (const ComparedSun& one : all.compared) row.push_back(hoursText(one.changes[i].meanHours));
@@ -203,20 +199,30 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
 
 }  // namespace
 
-Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings) {
+std::vector<CommandOption> listColourOptions(const PlaceColours& colours) {
+    std::vector<CommandOption> options = listLegendOptions(colours.legend, false);
+    if (colours.thresholdHours)
+        options.push_back({flags::threshold, {fmt::format("{:g}", *colours.thresholdHours)}});
+    return options;
+}
+
+Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, const PlaceColours& colours) {
     const SunByPlace& sun = sunOf(all);
     const QString title = QStringLiteral("Sun by place");
     Book book = beginBook(settings, title, sun.provenance.attribution);
-    book.record = {QStringLiteral("places.json"), toJson(sun, all.compared)};
+    book.record = {QStringLiteral("places.json"),
+                   extendRepeat(toJson(sun, all.compared), listColourOptions(colours))};
     const auto append = [&](std::vector<BookPage> pages) {
         std::ranges::move(pages, std::back_inserter(book.pages));
     };
     const std::vector<std::size_t> order = sortByInterest(all);
     TextBlocks blocks = describeFinding(all, settings.units);
-    for (const TextBlocks& more : {describeMethod(all), describeSources(sun)})
+    const TextBlocks repeat =
+        repeatBlocks(makeRepeatCommand(sun, all.compared, columnLetters), false, listColourOptions(colours));
+    for (const TextBlocks& more : {describeMethod(all), describeErrors(all), repeat, describeSources(sun)})
         blocks.insert(blocks.end(), more.begin(), more.end());
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, blocks));
-    book.pages.push_back(mapPage(sun, settings));
+    book.pages.push_back(mapPage(sun, colours, settings.setup));
     append(makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
                           {tableOf(all, order)}));
     return book;

@@ -8,7 +8,10 @@ namespace noonmark {
 /// Sheets of sun by place: the finding in a sentence, error and method; a map of the places coloured by hours
 /// of sun; a table of the places, those with the largest loss first or, without scenarios, those with least
 /// sun. Tables list so many rows at most; the heading names the file with the others.
-Book makeSunByPlaceBook(const SunOfCities& sun, const BookSettings& settings);
+Book makeSunByPlaceBook(const SunOfCities& sun, const BookSettings& settings,
+                        const PlaceColours& colours = {});
+/// The options of a command that draw it in these colours.
+std::vector<CommandOption> listColourOptions(const PlaceColours& colours);
 inline constexpr std::size_t maxRowsOfPlaces = 150;
 
 }  // namespace noonmark

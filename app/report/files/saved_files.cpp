@@ -97,7 +97,7 @@ WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
     files.add("places.csv", textContent(toCsv(table)));
     files.add("places.gpkg", [&](const std::filesystem::path& file) {
         return writePlacesGeoPackage(file, city.frame, sun.baseline.places, table,
-                                     makeStyle(sun.baseline, legend));
+                                     makeStyle(sun.baseline, {legend, {}}));
     });
     if (!ofPlaces.empty()) files.add(keptContributionsFile, textContent(contributionsCsv(ofPlaces, {})));
     files.add("result.json", textContent(result.settings));

@@ -14,9 +14,12 @@
 
 #include "core/describe/answer_page.h"
 #include "core/describe/choice.h"
+#include "core/describe/command_options.h"
 #include "core/describe/field.h"
 #include "core/describe/figure.h"
 #include "core/io/elements/write_elements.h"
+#include "core/measures/colour_scale.h"
+#include "core/measures/shown_error.h"
 #include "core/receivers/place.h"
 #include "core/study/study.h"
 
@@ -39,6 +42,12 @@ struct SunByPlaceSettings {
 
 /// All but those of the study.
 const Fields<SunByPlaceSettings>& sunByPlaceFields();
+
+/// How places were chosen.
+struct PlacesAsked {
+    std::vector<CommandOption> options;  ///< of the command by-place
+    bool ofProject = false;              ///< only its project has them
+};
 
 /// A cell of a place.
 struct SunOfCell {
@@ -87,6 +96,7 @@ struct SunByPlace {
     City city;
     SunByPlaceSettings settings;
     std::vector<Place> places;
+    std::optional<PlacesAsked> asked;                ///< set by the caller, with the provenance
     std::vector<SunOfPlace> sun;                     ///< of each place
     std::vector<std::optional<std::size_t>> partOf;  ///< of each place (findWholes()); none: for itself
     std::vector<std::string> months;                 ///< "2026-01"
@@ -165,12 +175,22 @@ AnswerPage makePage(const SunOfCities& sun);
 /// its middle, source. As CSV by toCsv(), as polygons by writePlacesGeoPackage().
 ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compared = {});
 
-/// The colours of places by their mean hours of sun a day, around enoughHours.
-ColourScale makeColourScale(const SunByPlace& sun, const LegendChoice& choice);
+/// How maps and styles colour places.
+struct PlaceColours {
+    LegendChoice legend{};
+    std::optional<double> thresholdHours{};  ///< none: the hours that are enough
+};
+/// The scale of their mean hours, as in the window.
+ColourScale makeScale(const SunByPlace& sun, const PlaceColours& colours = {});
 
-/// The style of the places for QGIS: by hours_mean, in the classes of that scale; places without figures are
-/// not drawn.
-LayerStyle makeStyle(const SunByPlace& sun, const LegendChoice& choice = {});
+/// The style of the places for QGIS: coloured by hours_mean in the classes of their scale; places without
+/// figures are not drawn.
+LayerStyle makeStyle(const SunByPlace& sun, const PlaceColours& colours = {});
+
+/// The command line that repeats it; see core/study/provenance/repeat_command.h. Error also where it is not
+/// known how the places were chosen.
+Result<std::string> makeRepeatCommand(const SunByPlace& sun, std::span<const ComparedSun> compared = {},
+                                      std::size_t width = 120);
 
 /// "0.022 % mean, 0.10 % largest, against rays"; "not measured".
 std::string describeCellError(const std::optional<SampledError>& error);

@@ -317,6 +317,7 @@ std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared)
     if (!compared.empty()) addComparison(json, sun, compared);
     json["warnings"] = warningsJson(sun.warnings);
     addProvenance(json, sun.provenance);
+    addRepeat(json, makeRepeatCommand(sun, compared, std::numeric_limits<std::size_t>::max()));
     return toJsonText(json);
 }
 

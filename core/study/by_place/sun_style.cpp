@@ -5,14 +5,15 @@
 
 namespace noonmark {
 
-ColourScale makeColourScale(const SunByPlace& sun, const LegendChoice& choice) {
+ColourScale makeScale(const SunByPlace& sun, const PlaceColours& colours) {
     double most = 0;
     for (const SunOfPlace& of : sun.sun) most = std::fmax(most, of.meanHours);
-    return makeThresholdScale(choice, sun.settings.enoughHours, std::ceil(most));
+    return makeThresholdScale(colours.legend, colours.thresholdHours.value_or(sun.settings.enoughHours),
+                              std::ceil(most));
 }
 
-LayerStyle makeStyle(const SunByPlace& sun, const LegendChoice& choice) {
-    const std::vector<ColourClass> classes = styleClasses(makeColourScale(sun, choice));
+LayerStyle makeStyle(const SunByPlace& sun, const PlaceColours& colours) {
+    const std::vector<ColourClass> classes = styleClasses(makeScale(sun, colours));
     return {"Hours of sun a day", graduatedStyle(StyledShape::polygons, "hours_mean", classes)};
 }
 

@@ -34,8 +34,9 @@ StudySettings settingsToName(const RepeatQuestion& question) {
 
 void addSettings(CommandWords& line, const RepeatQuestion& question) {
     const StudySettings settings = settingsToName(question);
+    const std::string_view region = flagOf(studyFields().rows(), "region");
     for (const CommandOption& option : listOptions(studyFields().of(settings), question.flags))
-        line.option(option);
+        if (question.namesCity || option.name != region) line.option(option);
     for (const CommandOption& option : question.options) line.option(option);
 }
 
@@ -82,7 +83,8 @@ void addSource(CommandWords& line, const RepeatQuestion& question) {
     const Provenance& provenance = question.provenance;
     if (namesProject(provenance)) {
         line.file(provenance.project->file);
-        if (!provenance.project->baseline) line.option(flags::scenario, provenance.project->scenario.name);
+        if (question.namesCity && !provenance.project->baseline)
+            line.option(flags::scenario, provenance.project->scenario.name);
         return;
     }
     addCityFiles(line, provenance);

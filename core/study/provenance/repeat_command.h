@@ -17,6 +17,7 @@ struct RepeatQuestion {
     std::string engineKey;                 ///< the engine that was used; empty: the one of the settings
     FlagNames flags{};                     ///< that differ on this command
     bool needsProject = false;             ///< the command takes no city files
+    bool namesCity = true;                 ///< the options --scenario and --region; else `options` state both
     std::vector<CommandOption> options{};  ///< options of this command only
 };
 

@@ -388,7 +388,28 @@ TEST(SunByPlace, StyleHasTheClassesAroundEnoughSunInTheColoursOfTheLegend) {
     EXPECT_THAT(qml, HasSubstr(R"(lower="2" upper="3" symbol="2")"));
     EXPECT_THAT(qml, HasSubstr(R"(lower="3" upper="5" symbol="3" label="3 to 5 h")"));
     EXPECT_THAT(qml, HasSubstr(R"(<symbol type="fill" name="5")"));
-    EXPECT_NE(makeStyle(sun, {.ramp = Ramp::viridis}).qml, qml);
+    EXPECT_THAT(makeStyle(sun, {{}, 6.0}).qml, HasSubstr(R"(lower="6" upper=")"));
+    EXPECT_NE(makeStyle(sun, {{.ramp = Ramp::viridis}, {}}).qml, qml);
+}
+
+TEST(SunByPlace, TheCommandNamesPlacesScenariosAndSettings) {
+    SunByPlace sun;
+    EXPECT_FALSE(makeRepeatCommand(sun));
+    sun.name = "Existing";
+    sun.asked = PlacesAsked{{{"--kind", {"park"}}}, true};
+    sun.settings = ofDays(3);
+    sun.settings.enoughHours = 3;
+    sun.settings.dates = {std::chrono::year(2026) / 12 / 21};
+    sun.provenance.project = ProjectRecord{"town.noonmark.gpkg", "hash", {}, {}, {}};
+    std::vector<ComparedSun> compared(1);
+    compared[0].sun.name = "Lower tower";
+    const auto command = makeRepeatCommand(sun, compared, 1000);
+    ASSERT_TRUE(command) << command.error().text();
+    EXPECT_THAT(*command, HasSubstr("noonmark-cli by-place town.noonmark.gpkg "));
+    EXPECT_THAT(*command, HasSubstr("--baseline Existing --scenario 'Lower tower' --kind park"));
+    EXPECT_THAT(*command, HasSubstr("--enough 3 --date 2026-12-21"));
+    EXPECT_THAT(*command, Not(HasSubstr("--region")));
+    EXPECT_THAT(*command, Not(HasSubstr("--by month")));
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ struct PlaceView {
     GroundPicture picture;
     Legend legend;
     QString note;
-    bool marked = false;  ///< the note is a warning
+    bool marked = false;        ///< the note is a warning
+    double thresholdHours = 0;  ///< of the colours
     std::function<QString(glm::dvec2 point)> describe;
 };
 

@@ -280,6 +280,21 @@ ColourScale PlacesDock::scaleOf(const ShownSun& shown) const {
     return makeThresholdScale(choice_, threshold_->value(), std::ceil(top));
 }
 
+// Of what colours the places, so that nobody takes it for exact; empty: not measured.
+QString PlacesDock::describeError(const ShownSun& shown) const {
+    using What = ShownSun::What;
+    const std::string_view quantity = shown.what == What::period ? "place_mean"
+                                      : shown.what == What::date ? "place_date"
+                                                                 : "place_change";
+    const SunByPlace& sun = shownCity(*model_->sun());
+    const std::string of =
+        shown.what == What::date ? formatText(sun.settings.dates[shown.date]) : std::string();
+    for (const ShownError& error : sun.errors)
+        if (error.facts.key == quantity && error.of == of)
+            return tr("Measured error against rays: %1").arg(sentenceText(describe(error)));
+    return {};
+}
+
 void PlacesDock::colour() {
     view_.reset();
     if (const auto& sun = model_->sun()) {
@@ -293,7 +308,8 @@ void PlacesDock::colour() {
         }
         model_->setColours(std::move(colours));
         view_ = std::make_shared<const PlaceView>(
-            PlaceView{picture_.coloured(pixels), legendOf(scale), note_, outdated_,
+            PlaceView{picture_.coloured(pixels), legendOf(scale),
+                      note_.isEmpty() ? describeError(what) : note_, outdated_, threshold_->value(),
                       [this, what](glm::dvec2 point) { return describeAt(point, what); }});
     }
     table_->viewport()->update();

@@ -100,6 +100,7 @@ void ResultActions::askForExport() {
     if (subjects.empty()) return workbench_.exportShown({}, {});
     last_.scale = panel_.legend().changeScale();
     last_.legend = panel_.legend().choice();
+    last_.thresholdHours = panel_.results().thresholdHours();
     auto* dialog = new ExportDialog(
         subjects, last_, lastFolder_,
         [this](const ExportChoice& choice) { return workbench_.filesOf(choice); }, &window_);

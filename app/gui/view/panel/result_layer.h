@@ -41,6 +41,10 @@ public:
     [[nodiscard]] bool showsElements() const;
     [[nodiscard]] bool showsTiles() const;
     [[nodiscard]] bool showsPlaces() const;
+    /// Of the colours of the places; none: none are shown.
+    [[nodiscard]] std::optional<double> thresholdHours() const {
+        return showsPlaces() ? std::optional(places_->thresholdHours) : std::nullopt;
+    }
     /// Partial result of a running study, displayed instead of the one before; null: none, shows the one
     /// before again.
     void setPartial(std::shared_ptr<const PartialField> partial);
