@@ -3,6 +3,7 @@
 
 #include "scenarios/scenario.h"
 #include "tests/cli/project_command.h"
+#include "tests/core/engines/scenes.h"
 
 namespace noonmark::cli::tests {
 namespace {
@@ -77,6 +78,32 @@ TEST_F(ScenariosCommand, MonthsAndScoresAreThoseOfStudyAndScoreSideBySide) {
     EXPECT_EQ(json["scenarios"][1]["score"]["score_m2"], score.json()["score_m2"]);
     EXPECT_TRUE(std::filesystem::exists(folder_.path("out") / "scenario_months.csv"));
     EXPECT_EQ(atNoon("scenarios", {"--weights", "none", "--overwrite"}).code, 2);
+}
+
+// A building that stands on all of the region.
+TEST_F(ScenariosCommand, AScenarioThatFailsIsNamedAndTheOthersGoOn) {
+    done("add-scenario", {"Built over"});
+    Project covered = opened();
+    Scenario& scenario = covered.scenarios.back();
+    ASSERT_EQ(scenario.name, "Built over");
+    const Box2 park = bounds(covered.regions.front());
+    Building hall = *noonmark::tests::buildingOf(
+        noonmark::tests::Box3{{park.low.x - 1, park.low.y - 1, 0}, {park.high.x + 1, park.high.y + 1, 20}});
+    hall.sourceId = "hall";
+    scenario.edits.push_back(AddBuilding{std::make_shared<const Building>(std::move(hall))});
+    ASSERT_TRUE(ProjectFile::open(file_).value().save(covered));
+    const Spoken three = atNoon(
+        "scenarios", {"--scenario", "Existing", "--scenario", "Built over", "--scenario", "Lower", "--json"});
+    EXPECT_EQ(three.code, 1);
+    EXPECT_THAT(three.err, testing::AllOf(HasSubstr("Built over"), HasSubstr("open ground")));
+    EXPECT_THAT(namesIn(three.json()), ElementsAre("Existing", "Lower"));
+    ASSERT_EQ(three.json()["failed"].size(), 1U);
+    EXPECT_EQ(three.json()["failed"][0]["name"], "Built over");
+    EXPECT_TRUE(std::filesystem::exists(folder_.path("out/scenarios.csv")));
+    std::filesystem::remove_all(folder_.path("out"));
+    const Spoken none = atNoon("scenarios", {"--scenario", "Built over"});
+    EXPECT_EQ(none.code, 1);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path("out/scenarios.csv")));
 }
 
 TEST_F(ScenariosCommand, RefusesAnUnknownScenarioBeforeTheWork) {

@@ -48,6 +48,12 @@ std::vector<std::string> chooseScenarios(const ScenariosOptions& options, const 
     return options.names.empty() ? listNames(project.scenarios) : options.names;
 }
 
+// What was measured, and what could not be.
+struct MeasuredScenarios {
+    ScenarioStudies studies;
+    FailedScenarios failed;
+};
+
 Result<void> addScore(ScenarioStudy& scenario, const ScenariosQuestion& question, Progress& progress,
                       const std::stop_token& stop) {
     StudySettings settings = question.study;
@@ -67,32 +73,42 @@ Result<ScenarioStudy> measureScenario(const std::string& name, const ScenariosQu
     const StudySettings& settings = question.study;
     const auto city = cityOf(project, name);
     if (!city) return tl::make_unexpected(city.error());
-    const std::size_t parts = question.weights ? 2 : 1;
-    ProgressShare first(progress, 0, parts), second(progress, parts - 1, parts);
-    auto study = runStudy(city->city, settings, first, stop, enginesWith(settings.engine));
+    auto study = runStudy(city->city, settings, progress, stop, enginesWith(settings.engine));
     if (!study) return tl::make_unexpected(study.error());
     putBefore(study->warnings, project.reading->warnings);
     study->provenance = provenanceOf(project, &disk, {name, {}, settings.region, question.weights});
-    ScenarioStudy scenario =
-        makeScenarioStudy(project.scenarios, name, std::make_shared<const Study>(*std::move(study)));
-    if (question.weights)
-        if (auto scored = addScore(scenario, question, second, stop); !scored)
-            return tl::make_unexpected(scored.error());
-    return scenario;
+    return makeScenarioStudy(project.scenarios, name, std::make_shared<const Study>(*std::move(study)));
 }
 
-Result<ScenarioStudies> measureAll(const std::vector<std::string>& names, const ScenariosQuestion& question,
-                                   const ProjectFile& disk, const Console& console) {
+// What fails is noted, and its study stays where only the score fails. Error: cancelled().
+Result<void> addScenario(MeasuredScenarios& made, const std::string& name, const ScenariosQuestion& question,
+                         const ProjectFile& disk, Progress& progress, const std::stop_token& stop) {
+    const std::size_t parts = question.weights ? 2 : 1;
+    ProgressShare first(progress, 0, parts), second(progress, parts - 1, parts);
+    const auto note = [&](const Error& error) -> Result<void> {
+        if (isCancelled(error)) return tl::make_unexpected(error);
+        made.failed.push_back({name, error});
+        return {};
+    };
+    auto study = measureScenario(name, question, disk, first, stop);
+    if (!study) return note(study.error());
+    made.studies.push_back(*std::move(study));
+    if (!question.weights) return {};
+    const auto scored = addScore(made.studies.back(), question, second, stop);
+    return scored ? Result<void>() : note(scored.error());
+}
+
+Result<MeasuredScenarios> measureAll(const std::vector<std::string>& names, const ScenariosQuestion& question,
+                                     const ProjectFile& disk, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    ScenarioStudies studies;
+    MeasuredScenarios made;
     for (std::size_t i = 0; i < names.size(); ++i) {
         ProgressShare share(progress, i, names.size());
-        auto study = measureScenario(names[i], question, disk, share, interrupt.token());
-        if (!study) return tl::make_unexpected(study.error());
-        studies.push_back(*std::move(study));
+        if (auto done = addScenario(made, names[i], question, disk, share, interrupt.token()); !done)
+            return tl::make_unexpected(done.error());
     }
-    return studies;
+    return made;
 }
 
 // Everything that can be wrong with the request is found before the first scenario is measured.
@@ -101,7 +117,8 @@ Result<ScenariosQuestion> checkRequest(const ScenariosOptions& options, const st
     for (const std::string& name : names) {
         if (std::ranges::count(names, name) > 1)
             return failure("The scenario is named twice", "--scenario " + name, "Name each scenario once");
-        if (const auto city = cityOf(project, name); !city) return tl::make_unexpected(city.error());
+        if (const auto city = cityOf(project, name); !city && !options.names.empty())
+            return tl::make_unexpected(city.error());
     }
     if (const auto sheets = bookSettingsOf(options.sheets, project.sheets); !sheets)
         return tl::make_unexpected(sheets.error());
@@ -119,13 +136,14 @@ Result<ScenariosQuestion> checkRequest(const ScenariosOptions& options, const st
     return question;
 }
 
-Result<void> writeFiles(const ScenarioStudies& studies, const ScenariosOptions& options,
+Result<void> writeFiles(const MeasuredScenarios& made, const ScenariosOptions& options,
                         const Project& project) {
     const OffscreenQt qt;
     auto sheets = bookSettingsOf(options.sheets, project.sheets);
     if (!sheets) return tl::make_unexpected(sheets.error());
     sheets->legend = options.measure.legend;
-    return writeScenarioFiles(studies, *sheets, options.measure.out, outputRulesOf(options.measure, project))
+    return writeScenarioFiles(made.studies, *sheets, options.measure.out,
+                              outputRulesOf(options.measure, project), made.failed)
         .map([](const auto&) {});
 }
 
@@ -162,21 +180,33 @@ void print(const ScenarioStudies& studies, std::ostream& out) {
     printWarnings(out, collectWarnings(studies));
 }
 
+// Exit code: something failed, or nothing.
+int reportFailed(const FailedScenarios& failed, const Console& console) {
+    int code = exitOk;
+    for (const FailedScenario& one : failed) {
+        Error named = one.error;
+        named.where = named.where.empty() ? one.name : one.name + ", " + named.where;
+        code = fail(console, named, exitFailed);
+    }
+    return code;
+}
+
 int runScenariosCommand(const ScenariosOptions& options, const Console& console) {
     const auto disk = openProject(options.measure.file, console);
     if (!disk) return fail(console, disk.error(), exitUsage);
     const std::vector<std::string> names = chooseScenarios(options, disk->project());
     const auto question = checkRequest(options, names, disk->project());
     if (!question) return fail(console, question.error(), exitUsage);
-    const auto studies = measureAll(names, *question, *disk, console);
-    if (!studies) return fail(console, studies.error(), exitFailed);
-    if (const auto written = writeFiles(*studies, options, disk->project()); !written)
+    const auto made = measureAll(names, *question, *disk, console);
+    if (!made) return fail(console, made.error(), exitFailed);
+    if (made->studies.empty()) return reportFailed(made->failed, console);
+    if (const auto written = writeFiles(*made, options, disk->project()); !written)
         return fail(console, written.error(), exitFailed);
     if (options.measure.json)
-        console.out << scenariosJson(*studies) << '\n';
+        console.out << scenariosJson(made->studies, made->failed) << '\n';
     else
-        print(*studies, console.out);
-    return exitOk;
+        print(made->studies, console.out);
+    return reportFailed(made->failed, console);
 }
 
 }  // namespace

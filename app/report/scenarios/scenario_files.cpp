@@ -35,7 +35,8 @@ std::vector<std::string> scenarioFileNames() {
 Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStudies& scenarios,
                                                               const BookSettings& sheets,
                                                               const std::filesystem::path& folder,
-                                                              const OutputRules& rules) {
+                                                              const OutputRules& rules,
+                                                              const FailedScenarios& failed) {
     if (qGuiApp == nullptr) return failure("Reports need a QGuiApplication", folder.string());
     if (scenarios.empty())
         return failure("No scenario has been measured", {}, "Press Measure all in the dock Scenarios");
@@ -52,7 +53,7 @@ Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStud
     files.add("scenario_uses.csv", textContent(scenarioUsesCsv(scenarios)));
     if (const auto months = makeMonthCharts(listMonths(scenarios)); !months.empty())
         files.add("scenario_months.csv", textContent(monthsCsv(months)));
-    files.add("scenarios.json", textContent(scenariosJson(scenarios)));
+    files.add("scenarios.json", textContent(scenariosJson(scenarios, failed)));
     files.add("scenarios.pdf", textContent(pdf->toStdString()));
     files.add("scenarios.tif",
               [&](const std::filesystem::path& file) { return writeGrossBands(scenarios, file); });

@@ -17,12 +17,14 @@ std::vector<std::string> scenarioFileNames();
 
 /// Writes the same study of several scenarios into a folder, which is created if missing: the table, the
 /// floor areas by use, the months, the record, the sheets, and a GeoTIFF with a band of gross shadow for each
-/// scenario, with its style for QGIS. Returns the paths written; all files or none. Error: there is no
+/// scenario, with its style for QGIS. `failed`: named in the record. Returns the paths written; all files or
+/// none. Error: there is no
 /// scenario, their grids differ, or a file cannot be written. Needs a QGuiApplication (the `offscreen`
 /// platform suffices).
 Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStudies& scenarios,
                                                               const BookSettings& sheets,
                                                               const std::filesystem::path& folder,
-                                                              const OutputRules& rules = {});
+                                                              const OutputRules& rules = {},
+                                                              const FailedScenarios& failed = {});
 
 }  // namespace noonmark

@@ -55,6 +55,13 @@ struct ScenarioStudy {
 };
 using ScenarioStudies = std::vector<ScenarioStudy>;
 
+/// What could not be computed of a scenario, and why.
+struct FailedScenario {
+    std::string name;
+    Error error;
+};
+using FailedScenarios = std::vector<FailedScenario>;
+
 /// A scenario of a project with its study and what its towers add; without its other answers. Some ms per
 /// tower.
 ScenarioStudy makeScenarioStudy(const std::vector<Scenario>& scenarios, std::string name,

@@ -136,7 +136,7 @@ std::string scenarioUsesCsv(const ScenarioStudies& scenarios) {
     return csv.take();
 }
 
-std::string scenariosJson(const ScenarioStudies& scenarios) {
+std::string scenariosJson(const ScenarioStudies& scenarios, const FailedScenarios& failed) {
     Json json = settingsJson(scenarios.front().study->settings);
     json["compared_with"] = scenarios.front().name;
     json["scenarios"] = Json::array();
@@ -158,6 +158,9 @@ std::string scenariosJson(const ScenarioStudies& scenarios) {
         one["warnings"] = warningsJson(scenario.study->warnings);
         json["scenarios"].push_back(std::move(one));
     }
+    json["failed"] = Json::array();
+    for (const FailedScenario& one : failed)
+        json["failed"].push_back({{"name", one.name}, {"error", one.error.text()}});
     json["definitions"] = definitionsJson(shadowFigures().rows());
     json["definitions"].update(definitionsJson(scoreFigures().rows()));
     json["definitions"].update(definitionsJson(months));

@@ -19,7 +19,7 @@ std::string scenariosCsv(const ScenarioStudies& scenarios);
 std::string scenarioUsesCsv(const ScenarioStudies& scenarios);
 
 /// The settings of the study, and figures and provenance of every scenario. Stable keys with their units.
-/// `scenarios` has at least one.
-std::string scenariosJson(const ScenarioStudies& scenarios);
+/// `scenarios` has at least one. `failed`: listed with the reason.
+std::string scenariosJson(const ScenarioStudies& scenarios, const FailedScenarios& failed = {});
 
 }  // namespace noonmark
