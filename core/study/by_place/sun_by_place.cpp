@@ -7,6 +7,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
+#include "core/base/rising_progress.h"
 #include "core/base/stopwatch.h"
 #include "core/describe/text.h"
 #include "core/engines/api/blank_field.h"
@@ -252,6 +253,7 @@ private:
             const auto& error = m_.made.front().error;
             if (isMain_ && error && sweeps.goOn(error->grossOff())) {
                 m_.off.push_back(error->grossOff());
+                --done_;  // the same again
                 continue;
             }
             if (auto taken = takeErrors(0, *first); !taken) return taken;
@@ -336,10 +338,7 @@ private:
         return {};
     }
 
-    ProgressShare nextShare() {
-        const std::size_t all = m_.cities.size() * (1 + m_.dates.size());
-        return {progress_, std::min(done_++, all - 1), all};
-    }
+    ProgressShare nextShare() { return {progress_, done_++, m_.cities.size() * (1 + m_.dates.size())}; }
 
     Measuring& m_;
     const CellGroup& group_;
@@ -449,10 +448,11 @@ Result<SunOfCities> answerSunByPlace(std::span<const NamedCity> cities, const st
     const auto engine = makeSummingEngine(settings.study, engines);
     if (!engine) return tl::make_unexpected(engine.error());
     std::vector<SunByPlace> made = makeBlank(cities, places, settings, stop);
+    RisingProgress rising(progress);
     Measuring m{.cities = {},
                 .engine = **engine,
                 .made = made,
-                .progress = progress,
+                .progress = rising,
                 .stop = stop,
                 .takeForecast = takeForecast};
     for (const NamedCity& one : cities) m.cities.push_back(&one.city);

@@ -294,6 +294,58 @@ TEST_P(SunByPlaceBy, ChangesEqualThoseOfCitiesMeasuredApart) {
     EXPECT_EQ(wall.changes[1].lostShare, 0);
 }
 
+TEST(SunByPlace, EachQuantityHasAnErrorOfItsOwn) {
+    SunByPlaceSettings settings = ofDays(3);
+    settings.study.engine = "horizon";
+    settings.dates = {std::chrono::year(2026) / 12 / 21};
+    const std::vector<Place> places{namedPlace("Park", -30, 20, 50, 60),
+                                    namedPlace("Far", -400, -400, -360, -360)};
+    const SunOfCities both = compared({{"Now", tower()}, {"Wall", withWall(tower())}}, places, settings);
+    std::vector<std::string> expected{"cell_sun",     "place_mean", "place_month",
+                                      "place_enough", "place_date", "place_below"};
+    EXPECT_EQ(quantitiesOf(both.baseline.errors), expected);
+    expected.insert(expected.begin() + 4, {"place_change", "cell_change", "place_lost"});
+    EXPECT_EQ(quantitiesOf(both.compared[0].sun.errors), expected);
+    EXPECT_EQ(findError(both.baseline, "place_date")->of, "2026-12-21");
+    EXPECT_GE(findError(both.compared[0].sun, "cell_change")->p99,
+              findError(both.compared[0].sun, "cell_change")->mean);
+    EXPECT_LT(findError(both.compared[0].sun, "place_change")->largest, 5);
+    settings.study.errorSample.receivers = 0;
+    EXPECT_THAT(measured(tower(), places, settings).errors, IsEmpty());
+}
+
+/// What is reported, as long as it rises.
+class RisingOnly final : public Progress {
+public:
+    void report(double fraction, std::string_view) override {
+        const std::lock_guard lock(mutex_);
+        if (fraction < last_) fell_ = true;
+        last_ = fraction;
+    }
+    [[nodiscard]] bool fell() const { return fell_; }
+    [[nodiscard]] double last() const { return last_; }
+
+private:
+    std::mutex mutex_;
+    double last_ = 0;
+    bool fell_ = false;
+};
+
+// The sweep of the second city covers the receivers that its wall reaches; small places come after all.
+TEST_P(SunByPlaceBy, ProgressRisesToTheEndInSeveralCities) {
+    SunByPlaceSettings settings = ofDays(3);
+    settings.study.engine = GetParam();
+    settings.dates = {std::chrono::year(2026) / 12 / 21, std::chrono::year(2026) / 6 / 21};
+    const std::vector<Place> places{namedPlace("Park", -30, 20, 50, 60), namedPlace("Small", 22, 22, 27, 27),
+                                    namedPlace("Far", -2000, -400, -1995, -395)};
+    const NamedCity cities[]{{"Now", tower()}, {"Wall", withWall(tower())}, {"Same", tower()}};
+    RisingOnly progress;
+    ASSERT_TRUE(compareSunByPlace(cities, places, settings, progress, {}));
+    EXPECT_FALSE(progress.fell());
+    EXPECT_GT(progress.last(), 0.9);
+    EXPECT_LE(progress.last(), 1);
+}
+
 TEST(SunByPlace, PlacesThatChangeStandSideBySideAboveTheirChanges) {
     const std::vector<Place> places{namedPlace("Far", -400, -400, -360, -360),
                                     namedPlace("Park", -30, 20, 50, 60)};
