@@ -140,9 +140,8 @@ SavedForm savedPlaces() {
             [](const SavedContent& saved, ShownAs) { return makePage(saved.as<SavedSunByPlace>()->sun); },
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
                const AnswerFiles& how) {
-                return writeSavedPlaces(*saved.result, saved.as<SavedSunByPlace>()->sun, saved.answer.ofPlaces,
-                                        source.city, folder,
-                                        how.legend, how.rules);
+                return writeSavedPlaces(*saved.result, saved.as<SavedSunByPlace>()->sun,
+                                        saved.answer.ofPlaces, source.city, folder, how.legend, how.rules);
             }};
 }
 

@@ -161,14 +161,44 @@ BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageS
     return page;
 }
 
+bool hasRemarks(const SunByPlace& sun) {
+    return std::ranges::any_of(sun.sun, [](const SunOfPlace& of) { return !listRemarks(of).empty(); });
+}
+
+// Of hours and areas with their unit, where the name of the figure does not end with it.
+QString titleOf(const Figure& figure) {
+    const QString label = plainText(std::string(figure.label));
+    if (figure.unit == FigureUnit::squareMetres) return label + QStringLiteral(", m²");
+    if (figure.unit == FigureUnit::share) return label;
+    return figure.unit == FigureUnit::minutesADay ? label + QStringLiteral(", min")
+                                                  : label + QStringLiteral(", h");
+}
+
+QString textOf(const Figure& figure, double value) {
+    if (std::isnan(value)) return {};
+    if (figure.unit == FigureUnit::share) return percentText(value);
+    const int decimals = figure.unit == FigureUnit::squareMetres ? 0 : figure.shownDecimals;
+    return QString::number(value, 'f', decimals);
+}
+
+// The change of the mean is the only one that has a column for each scenario.
+const Figure& changeFigure() { return sunChangeFigures().rows().front(); }
+
 std::vector<QString> titlesOf(const SunOfCities& all) {
     std::vector<QString> titles{QStringLiteral("Place"), QStringLiteral("Kind")};
     for (const Figure& figure : sunOfPlaceFigures().rows()) titles.push_back(titleOf(figure));
     for (const CivilDate& date : sunOf(all).settings.dates)
         titles.push_back(QStringLiteral("Below, %1").arg(plainText(formatText(date))));
     for (const ComparedSun& one : all.compared)
-        titles.push_back(QStringLiteral("Change h, %1").arg(plainText(one.sun.name)));
+        titles.push_back(QStringLiteral("%1, %2").arg(titleOf(changeFigure()), plainText(one.sun.name)));
+    if (hasRemarks(sunOf(all))) titles.push_back(QStringLiteral("Remarks"));
     return titles;
+}
+
+QString remarksOf(const SunOfPlace& of) {
+    QStringList words;
+    for (const std::string_view remark : listRemarks(of)) words << plainText(std::string(remark));
+    return words.join(QStringLiteral("; "));
 }
 
 std::vector<QString> rowOf(const SunOfCities& all, std::size_t i) {
@@ -178,7 +208,9 @@ std::vector<QString> rowOf(const SunOfCities& all, std::size_t i) {
     for (const Figure& figure : sunOfPlaceFigures().rows()) row.push_back(textOf(figure, figure.get(&of)));
     for (std::size_t date = 0; date < sun.settings.dates.size(); ++date)
         row.push_back(date < of.belowShare.size() ? percentText(of.belowShare[date]) : QString());
-    for (const ComparedSun& one : all.compared) row.push_back(hoursText(one.changes[i].meanHours));
+    for (const ComparedSun& one : all.compared)
+        row.push_back(textOf(changeFigure(), changeFigure().get(&one.changes[i])));
+    if (hasRemarks(sun)) row.push_back(remarksOf(of));
     return row;
 }
 

@@ -34,33 +34,49 @@ void listPlacesWithoutCells(std::span<const City* const> cities, std::vector<Sun
     }
 }
 
-void listPlacesBeyondTerrain(SunByPlace& made) {
-    const auto& terrain = made.city.terrain;
+// In the tables of all cities, and once as a warning.
+void remark(std::vector<SunByPlace>& all, std::size_t place, PlaceRemark remark) {
+    for (SunByPlace& made : all) made.sun[place].remarks.push_back(remark);
+    const auto choices = placeRemarkChoices();
+    const auto choice = std::ranges::find(choices, remark, &Choice<PlaceRemark>::value);
+    all.front().warnings.push_back(
+        {WarningKind::assumed, fmt::format("a place {}", choice->label), all.front().places[place].name});
+}
+
+bool isBeyond(const Terrain& terrain, const Place& place, const Grid& grid,
+              const std::vector<CountedCell>& cells) {
+    const auto columns = std::uint32_t(grid.columns);
+    const auto isCellBeyond = [&](const CountedCell& one) {
+        return beyondM(terrain.grid, grid.centre(int(one.cell % columns), int(one.cell / columns))) > 0;
+    };
+    const Box2 box = bounds(place);
+    if (cells.empty()) return beyondM(terrain.grid, glm::dvec2(box.low + box.high) / 2.0) > 0;
+    return std::ranges::any_of(cells, isCellBeyond);
+}
+
+void listPlacesBeyondTerrain(std::vector<SunByPlace>& all, const CellGroup& group) {
+    const auto& terrain = all.front().city.terrain;
     if (!terrain) return;
-    for (const Place& place : made.places) {
-        const Box2 box = bounds(place);
-        if (beyondM(terrain->grid, glm::dvec2(box.low + box.high) / 2.0) > 0)
-            made.warnings.push_back({WarningKind::assumed,
-                                     "a place beyond the terrain: the nearest elevation is taken",
-                                     place.name});
-    }
+    for (std::size_t i = 0; i < group.cells.size(); ++i)
+        if (isBeyond(*terrain, all.front().places[i], group.on.receivers.grid, group.cells[i]))
+            remark(all, i, PlaceRemark::beyondTerrain);
 }
 
 // They are measured all the same: a lake may be the place that matters.
-Result<void> listPlacesOnWater(SunByPlace& made, const CellGroup& all, const std::stop_token& stop) {
-    const auto& map = made.city.context;
+Result<void> listPlacesOnWater(std::vector<SunByPlace>& made, const CellGroup& all,
+                               const std::stop_token& stop) {
+    const SunByPlace& baseline = made.front();
+    const auto& map = baseline.city.context;
     if (!map || std::ranges::none_of(map->areas,
                                      [](const ContextArea& area) { return area.kind == ContextKind::water; }))
         return {};
-    const auto dry = placeReceiversInPart(made.city, made.settings.study.region, all.on.receivers.grid, stop);
+    const auto dry =
+        placeReceiversInPart(baseline.city, baseline.settings.study.region, all.on.receivers.grid, stop);
     if (!dry) return tl::make_unexpected(dry.error());
     for (std::size_t i = 0; i < all.cells.size(); ++i) {
         const auto wet = std::ranges::count_if(
             all.cells[i], [&](const CountedCell& one) { return dry->kind[one.cell] == CellKind::water; });
-        if (2 * std::size_t(wet) > all.cells[i].size())
-            made.warnings.push_back({WarningKind::assumed,
-                                     "a place that lies mostly on water: measured at its surface",
-                                     made.places[i].name});
+        if (2 * std::size_t(wet) > all.cells[i].size()) remark(made, i, PlaceRemark::onWater);
     }
     return {};
 }
@@ -70,8 +86,8 @@ Result<void> listPlacesOnWater(SunByPlace& made, const CellGroup& all, const std
 Result<void> warnOfPlaces(std::span<const City* const> cities, std::vector<SunByPlace>& made,
                           const CellGroup& all, const std::stop_token& stop) {
     listPlacesWithoutCells(cities, made);
-    listPlacesBeyondTerrain(made.front());
-    return listPlacesOnWater(made.front(), all, stop);
+    listPlacesBeyondTerrain(made, all);
+    return listPlacesOnWater(made, all, stop);
 }
 
 }  // namespace noonmark

@@ -67,6 +67,14 @@ std::span<const Choice<NoSunFigures>> noSunChoices();
 /// Their label; empty where it is measured.
 std::string_view describe(NoSunFigures why);
 
+/// What to know about the figures of a place.
+enum class PlaceRemark {
+    beyondTerrain,  ///< on some of it the nearest elevation of the terrain is taken
+    onWater,        ///< most of it is water; measured at its surface
+};
+/// With the keys of JSON.
+std::span<const Choice<PlaceRemark>> placeRemarkChoices();
+
 /// Three months of the year.
 struct SunSeason {
     std::string key;    ///< of columns: "dec_feb"
@@ -83,6 +91,7 @@ struct SunOfPlace {
     double enoughShare = none;                                  ///< of the area, with enoughHours or more
     double cellM = 0;                                           ///< side of its cells; 0: none
     NoSunFigures why = NoSunFigures::measured;                  ///< there are no figures
+    std::vector<PlaceRemark> remarks;                           ///< about its figures
     std::vector<double> seasonHours;                            ///< as monthHours; of SunByPlace::seasons
     std::vector<double> monthHours;  ///< mean over the cells and the month's days; of SunByPlace::months
     std::vector<double> dateHours;   ///< mean over the cells; of SunByPlaceSettings::dates
@@ -90,6 +99,9 @@ struct SunOfPlace {
         belowShare;  ///< of the area, with less than enoughHours; of SunByPlaceSettings::dates
     std::vector<SunOfCell> ofCells;  ///< also those beside it that count for some of it
 };
+
+/// Their labels, and why there are no figures: what a place is listed with. Empty: nothing to remark.
+std::vector<std::string_view> listRemarks(const SunOfPlace& of);
 
 struct SunByPlace {
     std::string name;  ///< of the city, where several are compared: "Tower"

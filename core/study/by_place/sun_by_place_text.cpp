@@ -103,6 +103,14 @@ ElementValue textOrNone(const std::string& text) {
     return text.empty() ? ElementValue() : ElementValue(text);
 }
 
+std::string remarksOf(const SunOfPlace& of) {
+    std::string words;
+    for (const Choice<PlaceRemark>& choice : placeRemarkChoices())
+        if (std::ranges::find(of.remarks, choice.value) != of.remarks.end())
+            words += (words.empty() ? "" : "; ") + std::string(choice.label);
+    return words;
+}
+
 void addComparedValues(std::vector<ElementValue>& row, const ComparedSun& compared, std::size_t i) {
     const DescribedFigures sun = sunOfPlaceFigures().of(compared.sun.sun[i]);
     for (const Figure& figure : sun.figures)
@@ -125,6 +133,7 @@ std::vector<ElementColumn> columnsOf(const SunByPlace& sun, std::span<const Comp
     addComparedColumns(columns, compared);
     columns.push_back({"cell_m", 0.0, 2});
     columns.push_back({"without_figures", std::string()});
+    columns.push_back({"remarks", std::string()});
     columns.push_back({"lon_deg", 0.0, placeDecimals});
     columns.push_back({"lat_deg", 0.0, placeDecimals});
     columns.push_back({"source", std::string()});
@@ -145,7 +154,7 @@ std::vector<ElementValue> rowOf(const SunByPlace& sun, std::span<const ComparedS
     const LonLat middle = middleOf(place, sun.city.frame);
     row.insert(row.end(),
                {of.cellM > 0 ? of.cellM : SunOfPlace::none, textOrNone(std::string(describe(of.why))),
-                middle.lonDeg, middle.latDeg, place.source});
+                textOrNone(remarksOf(of)), middle.lonDeg, middle.latDeg, place.source});
     return row;
 }
 
@@ -171,6 +180,8 @@ Json placeJson(const SunByPlace& sun, std::span<const ComparedSun> compared, std
     json["cell_m"] = sun.sun[i].cellM > 0 ? Json(sun.sun[i].cellM) : Json();
     if (sun.sun[i].why != NoSunFigures::measured)
         json["without_figures"] = keyOf(noSunChoices(), sun.sun[i].why);
+    for (const PlaceRemark remark : sun.sun[i].remarks)
+        json["remarks"].push_back(keyOf(placeRemarkChoices(), remark));
     for (const ComparedSun& one : compared) {
         Json other = figuresOf(one.sun, i);
         other.update(figuresJson(sunChangeFigures().of(one.changes[i])));
@@ -201,7 +212,24 @@ constexpr std::array noSunList{
                          NM_TEXT("no cell has its centre on its open ground")},
 };
 
+constexpr std::array placeRemarkList{
+    Choice<PlaceRemark>{PlaceRemark::beyondTerrain, "beyond_terrain",
+                        NM_TEXT("beyond the terrain: the nearest elevation is taken")},
+    Choice<PlaceRemark>{PlaceRemark::onWater, "on_water",
+                        NM_TEXT("mostly on water: measured at its surface")},
+};
+
 }  // namespace
+
+std::span<const Choice<PlaceRemark>> placeRemarkChoices() { return placeRemarkList; }
+
+std::vector<std::string_view> listRemarks(const SunOfPlace& of) {
+    std::vector<std::string_view> words;
+    if (of.why != NoSunFigures::measured) words.push_back(describe(of.why));
+    for (const Choice<PlaceRemark>& choice : placeRemarkList)
+        if (std::ranges::find(of.remarks, choice.value) != of.remarks.end()) words.push_back(choice.label);
+    return words;
+}
 
 std::span<const Choice<NoSunFigures>> noSunChoices() { return noSunList; }
 

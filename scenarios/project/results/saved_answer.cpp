@@ -205,6 +205,9 @@ SunOfPlace sunOfPlace(const Json& json) {
     if (cell.is_number()) sun.cellM = cell;
     const std::string why = json.value("without_figures", std::string());
     sun.why = findChoice(noSunChoices(), why).value_or(NoSunFigures::measured);
+    for (const Json& remark : json.value("remarks", Json::array()))
+        if (const auto known = findChoice(placeRemarkChoices(), remark.get<std::string>()))
+            sun.remarks.push_back(*known);
     return sun;
 }
 

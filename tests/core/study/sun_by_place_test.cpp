@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "core/city/map_context.h"
 #include "core/io/places/read_places.h"
 #include "core/receivers/place_names.h"
 #include "core/study/elements/element_tables.h"
@@ -144,6 +145,53 @@ TEST(SunByPlace, APlaceBelowABuildingIsListedAndNotDropped) {
     ASSERT_FALSE(sun.warnings.empty());
     EXPECT_EQ(sun.warnings.back().where, "Inside");
     EXPECT_EQ(sun.sun[0].why, NoSunFigures::builtOver);
+}
+
+// What a place is listed with in each output.
+void expectListed(const SunByPlace& sun, std::size_t place, const std::string& words,
+                  const std::string& key) {
+    const std::vector<std::string_view> remarks = listRemarks(sun.sun[place]);
+    EXPECT_THAT(remarks, testing::ElementsAre(words));
+    EXPECT_THAT(toCsv(makeTable(sun)), HasSubstr(words));
+    const auto json = nlohmann::json::parse(toJson(sun));
+    const auto& of = json["places"][place];
+    EXPECT_EQ(of.contains("remarks") ? of["remarks"][0] : of["without_figures"], key);
+    EXPECT_THAT(sun.warnings,
+                testing::Contains(testing::AllOf(testing::Field(&Warning::where, sun.places[place].name),
+                                                 testing::Field(&Warning::what, HasSubstr(words)))));
+}
+
+// In the tower.
+TEST(SunByPlace, APlaceWithoutCellsIsListedWithTheReason) {
+    SunByPlaceSettings settings = ofDays(3);
+    settings.smallCellM = 2;
+    const SunByPlace sun = measured(
+        tower(), {namedPlace("Park", -30, 20, 50, 60), namedPlace("Inside", 4, 4, 16, 16)}, settings);
+    expectListed(sun, 1, "buildings stand on all of it", "built_over");
+    EXPECT_THAT(listRemarks(sun.sun[0]), IsEmpty());
+}
+
+// The terrain ends 100 m east of the tower.
+TEST(SunByPlace, APlaceBeyondTheTerrainIsListedAndMeasured) {
+    City city = tower();
+    city.terrain = std::make_shared<const Terrain>(Terrain{{-1000, -1000, 1100, 2, 2}, {0, 0, 0, 0}});
+    const SunByPlace sun =
+        measured(city, {namedPlace("Park", -30, 20, 50, 60), namedPlace("Far", 150, 0, 190, 40)}, ofDays(3));
+    expectListed(sun, 1, "beyond the terrain: the nearest elevation is taken", "beyond_terrain");
+    EXPECT_THAT(listRemarks(sun.sun[0]), IsEmpty());
+    EXPECT_GT(sun.sun[1].meanHours, 0);
+}
+
+TEST(SunByPlace, APlaceOnWaterIsListedAndMeasured) {
+    City city = tower();
+    MapContext map;
+    map.areas = {{ContextKind::water, "Lake", {{rectangle(100, 0, 160, 40), {}}}}};
+    city.context = std::make_shared<const MapContext>(std::move(map));
+    const SunByPlace sun =
+        measured(city, {namedPlace("Park", -30, 20, 50, 60), namedPlace("Lake", 100, 0, 160, 40)}, ofDays(3));
+    expectListed(sun, 1, "mostly on water: measured at its surface", "on_water");
+    EXPECT_THAT(listRemarks(sun.sun[0]), IsEmpty());
+    EXPECT_GT(sun.sun[1].meanHours, 0);
 }
 
 TEST(SunByPlace, AZoneFarFromThePlacesIsQuestioned) {
@@ -409,9 +457,10 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
         settings);
     const ElementTable table = makeTable(sun);
     const std::string csv = toCsv(table);
-    EXPECT_THAT(csv, HasSubstr("name,kind,part_of,area_m2,hours_mean,hours_min,hours_max,share_enough,"
-                               "hours_dec_feb,hours_mar_may,hours_2026-02,hours_2026-03,hours_2026-12-21,"
-                               "share_below_2026-12-21,cell_m,without_figures,lon_deg,lat_deg,source"));
+    EXPECT_THAT(csv,
+                HasSubstr("name,kind,part_of,area_m2,hours_mean,hours_min,hours_max,share_enough,"
+                          "hours_dec_feb,hours_mar_may,hours_2026-02,hours_2026-03,hours_2026-12-21,"
+                          "share_below_2026-12-21,cell_m,without_figures,remarks,lon_deg,lat_deg,source"));
     EXPECT_THAT(csv, HasSubstr("\"A, \"\"B\"\"\",plaza,,800.0,"));
     const auto json = nlohmann::json::parse(toJson(sun));
     EXPECT_NEAR(json["places"][1]["hours_mean"].get<double>(), sun.sun[1].meanHours, 1e-4);

@@ -28,6 +28,12 @@ PlaceSunModel::FigureColumn::Above summaryOf(const Figure& figure) {
     return figure.key == minKey ? Above::least : figure.key == maxKey ? Above::most : Above::mean;
 }
 
+QString describeRemarks(const SunOfPlace& of) {
+    QStringList words;
+    for (const std::string_view remark : listRemarks(of)) words << translatedSentence(remark);
+    return words.join(QStringLiteral("; "));
+}
+
 bool isShare(const Figure& figure) { return figure.unit == FigureUnit::share; }
 
 QString columnHeading(const Figure& figure) {
@@ -280,6 +286,7 @@ int PlaceSunModel::columnCount(const QModelIndex&) const { return firstFigure + 
 
 QString PlaceSunModel::textOf(const Node& node, int column) const {
     if (column == kind) return describeKind(node.kind);
+    if (column == remarks) return node.place ? describeRemarks(shownCity(*sun_).sun[*node.place]) : QString();
     return node.place ? QString::fromStdString(sun_->baseline.places[*node.place].name) : node.text;
 }
 
@@ -290,7 +297,7 @@ QVariant PlaceSunModel::data(const QModelIndex& index, int role) const {
         return int(Qt::AlignVCenter | (isText ? Qt::AlignLeft : Qt::AlignRight));
     if (role == Qt::DecorationRole && index.column() == name && node.place && *node.place < colours_.size())
         return colours_[*node.place];
-    if (role == Qt::ToolTipRole && isText) return textOf(node, name);
+    if (role == Qt::ToolTipRole && isText) return textOf(node, index.column() == remarks ? remarks : name);
     if (role != Qt::DisplayRole && role != valueRole) return {};
     if (isText) return textOf(node, index.column());
     const double value = valueAt(index);
@@ -304,7 +311,8 @@ QVariant PlaceSunModel::headerData(int section, Qt::Orientation orientation, int
     if (section >= firstFigure && role == Qt::ToolTipRole)
         return columns_[std::size_t(section - firstFigure)].tip;
     if (role != Qt::DisplayRole) return {};
-    if (section < firstFigure) return section == name ? tr("Place") : tr("Kind");
+    if (section < firstFigure)
+        return section == name ? tr("Place") : section == kind ? tr("Kind") : tr("Remarks");
     return columns_[std::size_t(section - firstFigure)].heading;
 }
 

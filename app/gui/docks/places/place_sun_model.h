@@ -28,7 +28,7 @@ struct ShownSun {
 class PlaceSunModel final : public QAbstractItemModel {
     Q_OBJECT
 public:
-    enum Column { name, kind, firstFigure };
+    enum Column { name, kind, remarks, firstFigure };
     static constexpr int valueRole = Qt::UserRole;  ///< a number where the text is one
 
     struct FigureColumn {

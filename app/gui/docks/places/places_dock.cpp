@@ -236,15 +236,16 @@ void PlacesDock::fillLists() {
     slider_->setValue(int(std::lround(enough * ticksOfHour)));
     table_->header()->setResizeContentsPrecision(fittedRows);
     for (int column = 0; column < filter_->columnCount(); ++column) table_->resizeColumnToContents(column);
-    showKindLast();
+    showWordsLast();
     table_->setColumnWidth(0, std::min(table_->columnWidth(0), 24 * fontMetrics().averageCharWidth()));
     if (grouped_->isChecked()) table_->expandToDepth(0);
 }
 
 // Name and sun are read first.
-void PlacesDock::showKindLast() {
+void PlacesDock::showWordsLast() {
     QHeaderView& header = *table_->header();
-    header.moveSection(header.visualIndex(PlaceSunModel::kind), header.count() - 1);
+    for (const int column : {PlaceSunModel::kind, PlaceSunModel::remarks})
+        header.moveSection(header.visualIndex(column), header.count() - 1);
 }
 
 // Slider and field show the same hours.

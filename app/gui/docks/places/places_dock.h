@@ -50,7 +50,7 @@ private:
     void connectFields();
     void connectTable();
     void fillLists();
-    void showKindLast();
+    void showWordsLast();
     void follow(double hours);
     void colour();
     void describeCount();
