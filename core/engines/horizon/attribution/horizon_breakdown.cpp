@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <glm/common.hpp>
 #include <limits>
 
 #include "core/engines/common/shadow_reach.h"
@@ -29,6 +30,24 @@ struct Tile {
     OverhangTile overhangs;
 };
 
+// Whole blocks around the receivers of a tile, in which they stay as they are: fewer walls reach it where
+// places lie far apart. Empty: there are none.
+TileBox cropToReceivers(const TileBox& box, const Receivers& receivers) {
+    constexpr int side = ReceiverBlocks::side;
+    glm::ivec2 low{box.columns, box.rows}, high{0, 0};
+    for (int row = 0; row < box.rows; ++row)
+        for (int column = 0; column < box.columns; ++column)
+            if (isReceiver(
+                    receivers.kind[receivers.grid.index(box.firstColumn + column, box.firstRow + row)])) {
+                low = glm::min(low, glm::ivec2(column, row));
+                high = glm::max(high, glm::ivec2(column, row) + 1);
+            }
+    if (high.x == 0) return {};
+    low = low / side * side;
+    high = glm::min((high + side - 1) / side * side, glm::ivec2(box.columns, box.rows));
+    return {box.firstColumn + low.x, box.firstRow + low.y, high.x - low.x, high.y - low.y};
+}
+
 class Breakdown {
 public:
     /// All arguments must outlive it.
@@ -47,14 +66,18 @@ public:
           stop_(std::move(stop)) {}
 
     Result<void> run(ShadowBreakdown& breakdown, double stepMinutes) {
-        for (const TileBox& box : splitIntoTiles(receivers_.grid, tileSide)) {
+        for (const TileBox& whole : splitIntoTiles(receivers_.grid, tileSide)) {
+            const TileBox box = cropToReceivers(whole, receivers_);
+            if (box.columns == 0) continue;
             const Tile tile(receivers_, box, walls_.datumM);
-            if (tile.blocks.receivers() == 0) continue;
             for (Work& work : works_)
                 work.sums.begin(breakdown.sets.names.size(), tile.blocks.numbers(), casters_);
             sweep(tile, breakdown.sets.names.size());
             if (stop_.stop_requested()) return cancelled();
-            for (const Work& work : works_) addCells(tile.blocks, work.sums, breakdown);
+            for (Work& work : works_) {
+                work.sums.flush();
+                addCells(tile.blocks, work.sums, breakdown);
+            }
             receiversDone_ += tile.blocks.receivers();
         }
         for (auto& minutes : breakdown.minutes)

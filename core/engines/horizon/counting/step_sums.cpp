@@ -1,6 +1,7 @@
 #include "core/engines/horizon/counting/step_sums.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace noonmark {
 
@@ -13,21 +14,40 @@ std::vector<SetTables> setTables(const BinnedSun& binned, const StepSets& sets) 
     for (std::size_t bin = 0; bin < suns.size(); ++bin)
         for (std::size_t set = 0; set < suns[bin].size(); ++set) {
             std::ranges::sort(suns[bin][set]);
-            if (!suns[bin][set].empty()) tables[bin].push_back({set, HiddenSuns(suns[bin][set])});
+            if (!suns[bin][set].empty())
+                tables[bin].push_back({set, HiddenSuns(suns[bin][set]), findSunChanges(suns[bin][set], {})});
         }
     return tables;
 }
 
 void StepSums::begin(std::size_t sets, std::size_t numbers, std::size_t buildings) {
     cells_.assign(sets, std::vector<std::uint32_t>(numbers));
+    short_.assign(sets, {std::vector<std::int16_t>(buildings == 0 ? numbers : 0)});
     attributed_.resize(sets * buildings);
     sole_.resize(sets * buildings);
 }
 
 void StepSums::add(const SetTables& tables, std::span<const HorizonCode> codes) {
-    const NumberRange all{0, std::uint32_t(codes.size())};
+    constexpr int maxShort = std::numeric_limits<std::int16_t>::max();
     for (const SetTable& table : tables)
-        table.hidden.addTo(codes.data(), {&all, 1}, cells_[table.set].data());
+        for (const SunChange& suns : table.suns) {
+            ShortCells& some = short_[table.set];
+            if (some.most + suns.most() > maxShort) flush(table.set);
+            some.most += suns.most();
+            suns.addTo(codes.data(), codes.size(), some.sums.data());
+        }
+}
+
+void StepSums::flush(std::size_t set) {
+    ShortCells& some = short_[set];
+    if (some.most == 0) return;
+    for (std::size_t i = 0; i < some.sums.size(); ++i) cells_[set][i] += std::uint32_t(int(some.sums[i]));
+    std::ranges::fill(some.sums, std::int16_t{0});
+    some.most = 0;
+}
+
+void StepSums::flush() {
+    for (std::size_t set = 0; set < short_.size(); ++set) flush(set);
 }
 
 void StepSums::add(const SetTables& tables, std::span<const HorizonCode> codes, std::span<const Gap> gaps) {

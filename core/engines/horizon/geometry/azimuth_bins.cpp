@@ -124,19 +124,6 @@ HiddenSuns::HiddenSuns(std::span<const HorizonCode> suns, std::span<const Horizo
     for (const HorizonCode sun : suns) ++counts_[std::size_t(sun - lowest_) + 1];
     for (const HorizonCode sun : others) --counts_[std::size_t(sun - lowest_) + 1];
     for (std::size_t i = 1; i < counts_.size(); ++i) counts_[i] += counts_[i - 1];
-    if (std::max(suns.size(), others.size()) <= std::size_t(std::numeric_limits<std::int16_t>::max()))
-        short_.assign(counts_.begin(), counts_.end());
-}
-
-void HiddenSuns::addTo(const HorizonCode* horizons, std::span<const NumberRange> of,
-                       std::uint32_t* sums) const {
-    const auto add = [&](const auto* counts) {
-        const int lowest = lowest_, last = last_;
-        for (const auto& [first, end] : of)
-            for (std::uint32_t i = first; i < end; ++i)
-                sums[i] += std::uint32_t(counts[std::clamp(int(horizons[i]) - lowest, 0, last)]);
-    };
-    short_.empty() ? add(counts_.data()) : add(short_.data());
 }
 
 BinnedSun binSun(const SunSteps& sun, double widthDeg, BinDirection direction) {

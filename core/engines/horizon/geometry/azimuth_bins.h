@@ -40,7 +40,7 @@ struct NumberRange {
     std::uint32_t first, end;
 };
 
-/// A lookup table for how many of a set of suns a horizon hides.
+/// A lookup table for how many of a set of suns a horizon hides; for many horizons see SunChange.
 class HiddenSuns {
 public:
     /// `suns`: ascending; may be empty. 4 bytes per level between the lowest and the highest.
@@ -52,14 +52,9 @@ public:
         return counts_[std::size_t(std::clamp(int(horizon) - lowest_, 0, last_))];
     }
 
-    /// Adds the count of each horizon to its sum. Small counts are read from a 16-bit table, which stays in
-    /// cache.
-    void addTo(const HorizonCode* horizons, std::span<const NumberRange> of, std::uint32_t* sums) const;
-
 private:
     int lowest_ = 0, last_ = 0;
     std::vector<std::uint32_t> counts_;
-    std::vector<std::int16_t> short_;  // the same counts, if they fit
 };
 
 /// The bin and code of a step of the period: it is hidden by a horizon of that bin above its code.
