@@ -2,185 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>Engine</name>
-    <message>
-        <source>Ray reference</source>
-        <translation>Strahlreferenz</translation>
-    </message>
-    <message>
-        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
-        <translation>Ein Strahl je Messpunkt und Schritt, mit Embree verfolgt: die Wahrheit, an der die anderen gemessen werden</translation>
-    </message>
-    <message>
-        <source>Projected shadows</source>
-        <translation>Projizierte Schatten</translation>
-    </message>
-    <message>
-        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
-        <translation>Der Schatten jedes Gebäudes bei jedem Schritt als Polygon gefüllt: genau und schnell auf ebenem Boden</translation>
-    </message>
-    <message>
-        <source>Horizon sweep</source>
-        <translation>Horizontverfahren</translation>
-    </message>
-    <message>
-        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
-        <translation>Die Neigung des Horizonts jedes Messpunkts, Azimut für Azimut: ein Jahr in Augenblicken, auch auf Gelände und Dächern</translation>
-    </message>
-    <message>
-        <source>Shadow accrual map</source>
-        <translation>Schattenakkumulationskarte</translation>
-    </message>
-    <message>
-        <source>A depth map of each step of an hour, drawn from a city placed once; hours that look alike computed once</source>
-        <translation>Eine Tiefenkarte je Schritt einer Stunde, aus einer einmal gesetzten Stadt; ähnliche Stunden werden einmal berechnet</translation>
-    </message>
-    <message>
-        <source>Inverse accrual map</source>
-        <translation>Inverse Akkumulationskarte</translation>
-    </message>
-    <message>
-        <source>Occluders at both ends of each hour, their shadows moved along straight lines between; hours that look alike computed once</source>
-        <translation>Schattenwerfer an beiden Enden jeder Stunde, ihre Schatten dazwischen geradlinig bewegt; ähnliche Stunden werden einmal berechnet</translation>
-    </message>
-    <message>
-        <source>Ray reference through the direction graph</source>
-        <translation>Strahlreferenz über den Richtungsgraphen</translation>
-    </message>
-    <message>
-        <source>Rays, with hours that look alike traced once: what the graph alone does to the error</source>
-        <translation>Strahlen, ähnliche Stunden nur einmal verfolgt: was der Graph allein zum Fehler beiträgt</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result says which and why</source>
-        <translation>Projizierte Schatten, Horizontverfahren oder Strahlen: das genaue, wo es schnell ist; das Ergebnis nennt welches und warum</translation>
-    </message>
-    <message>
-        <source>Shadow maps (OpenGL)</source>
-        <translation>Schattenkarten (OpenGL)</translation>
-    </message>
-    <message>
-        <source>Draws one depth map per step and tests every cell against it: the method that the paper compares accrual maps with</source>
-        <translation>Zeichnet eine Tiefenkarte je Schritt und prüft jede Zelle daran: das Verfahren, mit dem der Artikel vergleicht</translation>
-    </message>
-    <message>
-        <source>Shadow accrual map (OpenGL)</source>
-        <translation>Schattenakkumulationskarte (OpenGL)</translation>
-    </message>
-    <message>
-        <source>One draw on the graphics device fills the depth maps of all steps of an hour</source>
-        <translation>Ein Zeichenvorgang der Grafikkarte füllt die Tiefenkarten aller Schritte einer Stunde</translation>
-    </message>
-    <message>
-        <source>Error target</source>
-        <translation>Zielfehler</translation>
-    </message>
-    <message>
-        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
-        <translation>Mittlerer Fehler des Gesamtschattens einer Zelle, vom Zeitraum: die Azimutklassen sind so breit, wie er zulässt; der halbe Fehler dauert doppelt so lange</translation>
-    </message>
-    <message>
-        <source>Azimuth bin</source>
-        <translation>Azimutklasse</translation>
-    </message>
-    <message>
-        <source>Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks</source>
-        <translation>Sonnenstände mit geringerem Azimutabstand teilen einen Horizont; 0: wie es der Zielfehler verlangt</translation>
-    </message>
-    <message>
-        <source>Continuous shadow</source>
-        <translation>Dauerschatten</translation>
-    </message>
-    <message>
-        <source>The longest unbroken shadow is counted too; without it, gross shadow only, in about half the time</source>
-        <translation>Auch der längste ununterbrochene Schatten wird gezählt; ohne ihn nur der Gesamtschatten, in etwa der halben Zeit</translation>
-    </message>
-    <message>
-        <source>Check runs</source>
-        <translation>Dauer prüfen</translation>
-    </message>
-    <message>
-        <source>Map size</source>
-        <translation>Kartengröße</translation>
-    </message>
-    <message>
-        <source>Texels along a side of the depth map that is stretched over the region; no more than cells are used</source>
-        <translation>Texel je Seite der Tiefenkarte über dem Gebiet; nicht mehr als Zellen</translation>
-    </message>
-    <message>
-        <source>Bias</source>
-        <translation>Versatz</translation>
-    </message>
-    <message>
-        <source>How high above the ground something must be to shade it</source>
-        <translation>Wie hoch über dem Boden etwas sein muss, um ihn zu verschatten</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>Intervall</translation>
-    </message>
-    <message>
-        <source>How long the sun is taken to move in a straight line</source>
-        <translation>Wie lange die Sonne als geradlinig bewegt gilt</translation>
-    </message>
-    <message>
-        <source>Direction bound</source>
-        <translation>Richtungsschranke</translation>
-    </message>
-    <message>
-        <source>Hours whose sun is less than this apart are computed once</source>
-        <translation>Stunden, deren Sonne weniger auseinander liegt, werden einmal berechnet</translation>
-    </message>
-    <message>
-        <source>Source levels</source>
-        <translation>Quellebenen</translation>
-    </message>
-    <message>
-        <source>How many occluders, nearest first, are followed from each cell</source>
-        <translation>Wie viele Schattenwerfer, die nächsten zuerst, je Zelle verfolgt werden</translation>
-    </message>
-    <message>
-        <source>Sources by rays</source>
-        <translation>Quellen mit Strahlen</translation>
-    </message>
-    <message>
-        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
-        <translation>Embree findet die Schattenwerfer an den Intervallenden; sonst gefüllte Polygone, was schneller ist</translation>
-    </message>
-    <message>
-        <source>Nearest hit</source>
-        <translation>Nächster Treffer</translation>
-    </message>
-    <message>
-        <source>Occluders nearer to a cell than this are left out (the paper: 1 m)</source>
-        <translation>Schattenwerfer, die näher an einer Zelle sind, werden ausgelassen (Artikel: 1 m)</translation>
-    </message>
-    <message>
-        <source>OpenCL device</source>
-        <translation>OpenCL-Gerät</translation>
-    </message>
-    <message>
-        <source>Which OpenCL device draws, counted from 0; -1: the processor itself</source>
-        <translation>Welches OpenCL-Gerät zeichnet, ab 0 gezählt; -1: der Prozessor selbst</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>ja</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>nein</translation>
-    </message>
-    <message>
-        <source>Rays look at every step of every longest run, so that a gap between two walls in one line is found too; without it, they look at what neighbouring bins leave in doubt</source>
-        <translation>Strahlen prüfen jeden Schritt jedes längsten Zeitraums, sodass auch eine Lücke zwischen zwei Wänden in einer Linie gefunden wird; ohne dies prüfen sie, was benachbarte Richtungen offenlassen</translation>
-    </message>
-</context>
-<context>
     <name>Error</name>
     <message>
         <source>No city is open</source>
@@ -495,169 +316,6 @@
     </message>
 </context>
 <context>
-    <name>Legend</name>
-    <message>
-        <source>Gross shadow</source>
-        <translation>Gesamtschatten</translation>
-    </message>
-    <message>
-        <source>Continuous shadow</source>
-        <translation>Dauerschatten</translation>
-    </message>
-    <message>
-        <source>minutes in shadow a day</source>
-        <translation>Minuten im Schatten am Tag</translation>
-    </message>
-    <message>
-        <source>longest run, minutes</source>
-        <translation>längste Dauer, Minuten</translation>
-    </message>
-    <message>
-        <source>Change of gross shadow</source>
-        <translation>Änderung des Gesamtschattens</translation>
-    </message>
-    <message>
-        <source>Change of continuous shadow</source>
-        <translation>Änderung des Dauerschattens</translation>
-    </message>
-    <message>
-        <source>min a day</source>
-        <translation>min am Tag</translation>
-    </message>
-    <message>
-        <source>min</source>
-        <translation>min</translation>
-    </message>
-    <message>
-        <source>scale fitted to this difference</source>
-        <translation>Skala dieser Differenz angepasst</translation>
-    </message>
-    <message>
-        <source>Shadow score</source>
-        <translation>Schattenbewertung</translation>
-    </message>
-    <message>
-        <source>weight × share of time</source>
-        <translation>Gewicht × Zeitanteil</translation>
-    </message>
-    <message>
-        <source>built over</source>
-        <translation>überbaut</translation>
-    </message>
-    <message>
-        <source>now ground</source>
-        <translation>jetzt Boden</translation>
-    </message>
-    <message>
-        <source>in the sun</source>
-        <translation>in der Sonne</translation>
-    </message>
-    <message>
-        <source>in shadow</source>
-        <translation>im Schatten</translation>
-    </message>
-    <message>
-        <source>Shadow</source>
-        <translation>Schatten</translation>
-    </message>
-    <message>
-        <source>at this moment</source>
-        <translation>zu diesem Zeitpunkt</translation>
-    </message>
-    <message>
-        <source>scale locked: %1</source>
-        <translation>Skala fest: %1</translation>
-    </message>
-    <message>
-        <source>largest %1</source>
-        <translation>größte %1</translation>
-    </message>
-    <message>
-        <source>Verdicts on windows</source>
-        <translation>Urteile über Fenster</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>vorher</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>nachher</translation>
-    </message>
-    <message>
-        <source>Change of verdicts</source>
-        <translation>Änderung der Urteile</translation>
-    </message>
-    <message>
-        <source>from before to after</source>
-        <translation>von vorher zu nachher</translation>
-    </message>
-    <message>
-        <source>pass</source>
-        <translation>erfüllt</translation>
-    </message>
-    <message>
-        <source>borderline</source>
-        <translation>grenzwertig</translation>
-    </message>
-    <message>
-        <source>fail</source>
-        <translation>nicht erfüllt</translation>
-    </message>
-    <message>
-        <source>not applicable</source>
-        <translation>nicht anwendbar</translation>
-    </message>
-    <message>
-        <source>worse</source>
-        <translation>schlechter</translation>
-    </message>
-    <message>
-        <source>better</source>
-        <translation>besser</translation>
-    </message>
-    <message>
-        <source>the same</source>
-        <translation>unverändert</translation>
-    </message>
-    <message>
-        <source>not compared</source>
-        <translation>nicht verglichen</translation>
-    </message>
-    <message>
-        <source>Hours of sun</source>
-        <translation>Sonnenstunden</translation>
-    </message>
-    <message>
-        <source>hours of sun a day</source>
-        <translation>Sonnenstunden am Tag</translation>
-    </message>
-    <message>
-        <source>Share of the sunlit time</source>
-        <translation>Anteil der besonnten Zeit</translation>
-    </message>
-    <message>
-        <source>% in the sun</source>
-        <translation>% in der Sonne</translation>
-    </message>
-    <message>
-        <source>Change of sun</source>
-        <translation>Änderung der Sonne</translation>
-    </message>
-    <message>
-        <source>Sun by place</source>
-        <translation>Sonne nach Ort</translation>
-    </message>
-    <message>
-        <source>Change of sun by place</source>
-        <translation>Änderung der Sonne nach Ort</translation>
-    </message>
-    <message>
-        <source>minutes of sun a day</source>
-        <translation>Minuten Sonne am Tag</translation>
-    </message>
-</context>
-<context>
     <name>QObject</name>
     <message>
         <source>Read &amp;places into this project</source>
@@ -954,10 +612,6 @@
     <message>
         <source>Storeys</source>
         <translation>Geschosse</translation>
-    </message>
-    <message>
-        <source>Lot</source>
-        <translation>Grundstück</translation>
     </message>
     <message>
         <source>Buildings demolished</source>
@@ -1398,10 +1052,6 @@ Zellen von %2 m</translation>
     <message>
         <source>plaza</source>
         <translation>Platz</translation>
-    </message>
-    <message>
-        <source>greenstreet</source>
-        <translation>Grünstraße</translation>
     </message>
     <message>
         <source>cemetery</source>
@@ -2295,10 +1945,6 @@ Die Untersuchung: %2</translation>
         <translation>%1-%2 %</translation>
     </message>
     <message>
-        <source>Error of cells against rays: %1 % mean, %2 % largest</source>
-        <translation>Fehler der Zellen gegen Strahlen: %1 % im Mittel, %2 % größter</translation>
-    </message>
-    <message>
         <source>%1, %</source>
         <translation>%1, %</translation>
     </message>
@@ -2411,10 +2057,6 @@ Die Untersuchung: %2</translation>
         <translation>Plätze</translation>
     </message>
     <message>
-        <source>Greenstreets</source>
-        <translation>Grünstreifen</translation>
-    </message>
-    <message>
         <source>Cemeteries</source>
         <translation>Friedhöfe</translation>
     </message>
@@ -2441,6 +2083,53 @@ Die Untersuchung: %2</translation>
     <message>
         <source>Contribution of this new building alone: ground that loses over %1 min of sun a day by it</source>
         <translation>Beitrag dieses neuen Gebäudes allein: Boden, der durch es mehr als %1 min Sonne am Tag verliert</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Export buildings</source>
+        <translation>Gebäude exportieren</translation>
+    </message>
+    <message>
+        <source>Attributed by: %1</source>
+        <translation>Zugeordnet durch: %1</translation>
+    </message>
+    <message>
+        <source>– figures only</source>
+        <translation>– nur Zahlen</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Fehler: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Against the ray reference, of a sample of %1 value(s)</source>
+        <translation>
+            <numerusform>Gegen die Strahlenreferenz, an einer Stichprobe von %1 Wert</numerusform>
+            <numerusform>Gegen die Strahlenreferenz, an einer Stichprobe von %1 Werten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>lawn or bed</source>
+        <translation>Rasen oder Beet</translation>
+    </message>
+    <message>
+        <source>Lawns and beds</source>
+        <translation>Rasen und Beete</translation>
+    </message>
+    <message>
+        <source>the whole lot</source>
+        <translation>das ganze Grundstück</translation>
+    </message>
+    <message>
+        <source> (top: %1)</source>
+        <translation> (oberstes: %1)</translation>
     </message>
 </context>
 <context>
@@ -2667,10 +2356,6 @@ Die Untersuchung: %2</translation>
     <message>
         <source>Level of detail</source>
         <translation>Detailgrad</translation>
-    </message>
-    <message>
-        <source>CityJSON: level of detail (default: the highest)</source>
-        <translation>CityJSON: Detailstufe (Standard: die höchste)</translation>
     </message>
     <message>
         <source>the highest</source>
@@ -3509,10 +3194,6 @@ Die Untersuchung: %2</translation>
         <translation>Im Mittel über ihre Fläche %1, von %2 am Tag mit der Sonne über dem Horizont.</translation>
     </message>
     <message>
-        <source>%1 takes sun from %2 places, at most %3 a day at one spot.</source>
-        <translation>%1 nimmt %2 Orten Sonne, höchstens %3 am Tag an einer Stelle.</translation>
-    </message>
-    <message>
         <source>Hours of sun a day by month</source>
         <translation>Sonnenstunden am Tag nach Monat</translation>
     </message>
@@ -3836,6 +3517,506 @@ Die Untersuchung: %2</translation>
         <source>Size of the cells of places with fewer than 25 cells, m; as large as the others or larger: the same</source>
         <translation>Größe der Zellen von Orten mit weniger als 25 Zellen, m; so groß wie die anderen oder größer: dieselbe</translation>
     </message>
+    <message>
+        <source>Ray reference</source>
+        <translation>Strahlreferenz</translation>
+    </message>
+    <message>
+        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
+        <translation>Ein Strahl je Messpunkt und Schritt, mit Embree verfolgt: die Wahrheit, an der die anderen gemessen werden</translation>
+    </message>
+    <message>
+        <source>Projected shadows</source>
+        <translation>Projizierte Schatten</translation>
+    </message>
+    <message>
+        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <translation>Der Schatten jedes Gebäudes bei jedem Schritt als Polygon gefüllt: genau und schnell auf ebenem Boden</translation>
+    </message>
+    <message>
+        <source>Horizon sweep</source>
+        <translation>Horizontverfahren</translation>
+    </message>
+    <message>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <translation>Die Neigung des Horizonts jedes Messpunkts, Azimut für Azimut: ein Jahr in Augenblicken, auch auf Gelände und Dächern</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map</source>
+        <translation>Schattenakkumulationskarte</translation>
+    </message>
+    <message>
+        <source>A depth map of each step of an hour, drawn from a city placed once; hours that look alike computed once</source>
+        <translation>Eine Tiefenkarte je Schritt einer Stunde, aus einer einmal gesetzten Stadt; ähnliche Stunden werden einmal berechnet</translation>
+    </message>
+    <message>
+        <source>Inverse accrual map</source>
+        <translation>Inverse Akkumulationskarte</translation>
+    </message>
+    <message>
+        <source>Occluders at both ends of each hour, their shadows moved along straight lines between; hours that look alike computed once</source>
+        <translation>Schattenwerfer an beiden Enden jeder Stunde, ihre Schatten dazwischen geradlinig bewegt; ähnliche Stunden werden einmal berechnet</translation>
+    </message>
+    <message>
+        <source>Ray reference through the direction graph</source>
+        <translation>Strahlreferenz über den Richtungsgraphen</translation>
+    </message>
+    <message>
+        <source>Rays, with hours that look alike traced once: what the graph alone does to the error</source>
+        <translation>Strahlen, ähnliche Stunden nur einmal verfolgt: was der Graph allein zum Fehler beiträgt</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result says which and why</source>
+        <translation>Projizierte Schatten, Horizontverfahren oder Strahlen: das genaue, wo es schnell ist; das Ergebnis nennt welches und warum</translation>
+    </message>
+    <message>
+        <source>Error target</source>
+        <translation>Zielfehler</translation>
+    </message>
+    <message>
+        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <translation>Mittlerer Fehler des Gesamtschattens einer Zelle, vom Zeitraum: die Azimutklassen sind so breit, wie er zulässt; der halbe Fehler dauert doppelt so lange</translation>
+    </message>
+    <message>
+        <source>Azimuth bin</source>
+        <translation>Azimutklasse</translation>
+    </message>
+    <message>
+        <source>Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks</source>
+        <translation>Sonnenstände mit geringerem Azimutabstand teilen einen Horizont; 0: wie es der Zielfehler verlangt</translation>
+    </message>
+    <message>
+        <source>Continuous shadow</source>
+        <translation>Dauerschatten</translation>
+    </message>
+    <message>
+        <source>The longest unbroken shadow is counted too; without it, gross shadow only, in about half the time</source>
+        <translation>Auch der längste ununterbrochene Schatten wird gezählt; ohne ihn nur der Gesamtschatten, in etwa der halben Zeit</translation>
+    </message>
+    <message>
+        <source>Check runs</source>
+        <translation>Dauer prüfen</translation>
+    </message>
+    <message>
+        <source>Map size</source>
+        <translation>Kartengröße</translation>
+    </message>
+    <message>
+        <source>Texels along a side of the depth map that is stretched over the region; no more than cells are used</source>
+        <translation>Texel je Seite der Tiefenkarte über dem Gebiet; nicht mehr als Zellen</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>How high above the ground something must be to shade it</source>
+        <translation>Wie hoch über dem Boden etwas sein muss, um ihn zu verschatten</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervall</translation>
+    </message>
+    <message>
+        <source>How long the sun is taken to move in a straight line</source>
+        <translation>Wie lange die Sonne als geradlinig bewegt gilt</translation>
+    </message>
+    <message>
+        <source>Direction bound</source>
+        <translation>Richtungsschranke</translation>
+    </message>
+    <message>
+        <source>Hours whose sun is less than this apart are computed once</source>
+        <translation>Stunden, deren Sonne weniger auseinander liegt, werden einmal berechnet</translation>
+    </message>
+    <message>
+        <source>Source levels</source>
+        <translation>Quellebenen</translation>
+    </message>
+    <message>
+        <source>How many occluders, nearest first, are followed from each cell</source>
+        <translation>Wie viele Schattenwerfer, die nächsten zuerst, je Zelle verfolgt werden</translation>
+    </message>
+    <message>
+        <source>Sources by rays</source>
+        <translation>Quellen mit Strahlen</translation>
+    </message>
+    <message>
+        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
+        <translation>Embree findet die Schattenwerfer an den Intervallenden; sonst gefüllte Polygone, was schneller ist</translation>
+    </message>
+    <message>
+        <source>Nearest hit</source>
+        <translation>Nächster Treffer</translation>
+    </message>
+    <message>
+        <source>Occluders nearer to a cell than this are left out (the paper: 1 m)</source>
+        <translation>Schattenwerfer, die näher an einer Zelle sind, werden ausgelassen (Artikel: 1 m)</translation>
+    </message>
+    <message>
+        <source>OpenCL device</source>
+        <translation>OpenCL-Gerät</translation>
+    </message>
+    <message>
+        <source>Which OpenCL device draws, counted from 0; -1: the processor itself</source>
+        <translation>Welches OpenCL-Gerät zeichnet, ab 0 gezählt; -1: der Prozessor selbst</translation>
+    </message>
+    <message>
+        <source>Rays look at every step of every longest run, so that a gap between two walls in one line is found too; without it, they look at what neighbouring bins leave in doubt</source>
+        <translation>Strahlen prüfen jeden Schritt jedes längsten Zeitraums, sodass auch eine Lücke zwischen zwei Wänden in einer Linie gefunden wird; ohne dies prüfen sie, was benachbarte Richtungen offenlassen</translation>
+    </message>
+    <message>
+        <source>Gross shadow</source>
+        <translation>Gesamtschatten</translation>
+    </message>
+    <message>
+        <source>minutes in shadow a day</source>
+        <translation>Minuten im Schatten am Tag</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>Schattenbewertung</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Verdicts on windows</source>
+        <translation>Urteile über Fenster</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>Change of verdicts</source>
+        <translation>Änderung der Urteile</translation>
+    </message>
+    <message>
+        <source>from before to after</source>
+        <translation>von vorher zu nachher</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>grenzwertig</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>nicht anwendbar</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>schlechter</translation>
+    </message>
+    <message>
+        <source>better</source>
+        <translation>besser</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>unverändert</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>nicht verglichen</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>Anteil der besonnten Zeit</translation>
+    </message>
+    <message>
+        <source>% in the sun</source>
+        <translation>% in der Sonne</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>Änderung der Sonne nach Ort</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>Minuten Sonne am Tag</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> min am Tag</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source> h a day</source>
+        <translation> h am Tag</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>nicht gezählt</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>wenn Bodenhöhen von Nachbarn abweichen</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>immer</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>nie (ebener Boden)</translation>
+    </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>je nachdem, wie ihre Fußpunkte zum Gelände passen</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>jedes auf das Gelände gesetzt</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>auf den Höhen der Datei</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>an Stufen entlang der Umrisse erkannt</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>den bloßen Boden</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>eine Oberfläche mit Gebäuden</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>CityGML, CityJSON: level of detail (default: the highest)</source>
+        <translation>CityGML, CityJSON: Detaillierungsgrad (Standard: der höchste)</translation>
+    </message>
+    <message>
+        <source>Sun to indigo</source>
+        <translation>Sonne bis Indigo</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Magma</source>
+        <translation>Magma</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Green to red</source>
+        <translation>Grün bis Rot</translation>
+    </message>
+    <message>
+        <source>Orange to violet</source>
+        <translation>Orange zu Violett</translation>
+    </message>
+    <message>
+        <source>Green-blue to brown</source>
+        <translation>Grünblau zu Braun</translation>
+    </message>
+    <message>
+        <source>Orange to purple</source>
+        <translation>Orange zu Purpur</translation>
+    </message>
+    <message>
+        <source>Blue to red</source>
+        <translation>Blau zu Rot</translation>
+    </message>
+    <message>
+        <source>Green to red, pale in the middle</source>
+        <translation>Grün zu Rot, in der Mitte blass</translation>
+    </message>
+    <message>
+        <source>Gross shadow of a cell</source>
+        <translation>Gesamtschatten einer Zelle</translation>
+    </message>
+    <message>
+        <source>Longest shadow of a cell</source>
+        <translation>Längster Schatten einer Zelle</translation>
+    </message>
+    <message>
+        <source>Shadow of a cell in a month</source>
+        <translation>Schatten einer Zelle in einem Monat</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow of a cell</source>
+        <translation>Änderung des Gesamtschattens einer Zelle</translation>
+    </message>
+    <message>
+        <source>Change of the longest shadow of a cell</source>
+        <translation>Änderung des längsten Schattens einer Zelle</translation>
+    </message>
+    <message>
+        <source>Score of a cell</source>
+        <translation>Bewertung einer Zelle</translation>
+    </message>
+    <message>
+        <source>Weighted shade</source>
+        <translation>Gewichteter Schatten</translation>
+    </message>
+    <message>
+        <source>Least and most sun of a place, at a cell</source>
+        <translation>Wenigste und meiste Sonne eines Ortes, an einer Zelle</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place</source>
+        <translation>Mittlere Sonne eines Ortes</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place in a month</source>
+        <translation>Mittlere Sonne eines Ortes in einem Monat</translation>
+    </message>
+    <message>
+        <source>Share of a place with enough sun</source>
+        <translation>Anteil eines Ortes mit genug Sonne</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place on a date</source>
+        <translation>Mittlere Sonne eines Ortes an einem Tag</translation>
+    </message>
+    <message>
+        <source>Share of a place with less than enough sun on a date</source>
+        <translation>Anteil eines Ortes mit zu wenig Sonne an einem Tag</translation>
+    </message>
+    <message>
+        <source>Change of the mean sun of a place</source>
+        <translation>Änderung der mittleren Sonne eines Ortes</translation>
+    </message>
+    <message>
+        <source>Largest loss and gain of a place, at a cell</source>
+        <translation>Größter Verlust und Gewinn eines Ortes, an einer Zelle</translation>
+    </message>
+    <message>
+        <source>Share of a place that loses sun</source>
+        <translation>Anteil eines Ortes, der Sonne verliert</translation>
+    </message>
+    <message>
+        <source>%1, with 99 % certainty within %2</source>
+        <translation>%1, mit 99 % Sicherheit innerhalb von %2</translation>
+    </message>
+    <message>
+        <source>%1 in the mean, 99 of 100 within %2, at most %3</source>
+        <translation>%1 im Mittel, 99 von 100 innerhalb von %2, höchstens %3</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>auf dem Boden</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>auf Dächern</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>auf Boden und Dächern</translation>
+    </message>
+    <message>
+        <source>%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot.</source>
+        <translation>%1 nimmt %2 Orten mehr als eine Minute Sonne am Tag, höchstens %3 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>buildings stand on all of it</source>
+        <translation>Gebäude stehen auf der ganzen Fläche</translation>
+    </message>
+    <message>
+        <source>no cell has its centre on its open ground</source>
+        <translation>keine Zelle hat ihre Mitte auf seinem freien Boden</translation>
+    </message>
+    <message>
+        <source>beyond the terrain: the nearest elevation is taken</source>
+        <translation>außerhalb des Geländes: die nächste Höhe gilt</translation>
+    </message>
+    <message>
+        <source>mostly on water: measured at its surface</source>
+        <translation>größtenteils auf Wasser: an dessen Oberfläche gemessen</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>Höhenlagen</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>über dem Gelände</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>an Fassaden</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>an Fenstern einer Datei</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>auf einer waagerechten Ebene</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>auf Linien um ein Flurstück</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>an einzelnen Punkten</translation>
+    </message>
+    <message>
+        <source>Floor plate</source>
+        <translation>Geschossplatte</translation>
+    </message>
+    <message>
+        <source>Gross floor area</source>
+        <translation>Bruttogrundfläche</translation>
+    </message>
+    <message>
+        <source>Floor area ratio (FAR)</source>
+        <translation>Geschossflächenzahl (GFZ)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -4151,8 +4332,12 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Der Schatten von %1 wird zugerechnet</translation>
     </message>
     <message>
-        <source>A saved result holds what buildings take from its whole region, if that was asked for. For a place, show the study again.</source>
-        <translation>Ein gespeichertes Ergebnis enthält, was Gebäude seinem ganzen Gebiet nehmen, wenn danach gefragt wurde. Für einen Ort die Untersuchung wieder zeigen.</translation>
+        <source>Choose a place of the table, or click one in the view, to see which buildings shade it.</source>
+        <translation>Wählen Sie einen Ort der Tabelle, oder klicken Sie einen in der Ansicht an, um zu sehen, welche Gebäude ihn beschatten.</translation>
+    </message>
+    <message>
+        <source>A saved result holds what buildings take from its whole region, if that was asked for. Of places it holds those that were attributed before it was saved.</source>
+        <translation>Ein gespeichertes Ergebnis enthält, was Gebäude seiner ganzen Region nehmen, falls danach gefragt war. Von Orten enthält es die, die vor dem Speichern zugeordnet wurden.</translation>
     </message>
 </context>
 <context>
@@ -5097,6 +5282,10 @@ Dauerschatten bleibt in Minuten: Die längste Sonne ohne Unterbrechung folgt nic
         <source>A difference has its range beside the legend; a score is fitted</source>
         <translation>Ein Unterschied hat seinen Bereich neben der Legende; eine Bewertung wird angepasst</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::LegendStrip</name>
@@ -5436,6 +5625,26 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
 oder die Länge einer Seite eingeben und Eingabe drücken.
 Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzte Ecke.</translation>
     </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Edit tower</source>
+        <translation>Hochhaus bearbeiten</translation>
+    </message>
+    <message>
+        <source>Designs the tower on this lot further, with the values it was built with</source>
+        <translation>Entwirft das Hochhaus auf diesem Grundstück weiter, mit den Werten, mit denen es gebaut wurde</translation>
+    </message>
+    <message>
+        <source>Takes the nearest value with which the tower can be built</source>
+        <translation>Nimmt den nächsten Wert, mit dem das Hochhaus gebaut werden kann</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>%1 nehmen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MeshPlacing</name>
@@ -5691,6 +5900,17 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <source>Open alone</source>
         <translation>Allein öffnen</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 far building(s) left aside.</source>
+        <translation>
+            <numerusform>%1 fernes Gebäude bleibt außer Acht.</numerusform>
+            <numerusform>%1 ferne Gebäude bleiben außer Acht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Zoom to all</source>
+        <translation>Alles zeigen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -5910,10 +6130,6 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>O&amp;rte</translation>
     </message>
     <message>
-        <source>Shows outlines and names of places</source>
-        <translation>Zeigt Umrisse und Namen der Orte</translation>
-    </message>
-    <message>
         <source>Reading places</source>
         <translation>Orte werden gelesen</translation>
     </message>
@@ -5932,6 +6148,26 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>Place from b&amp;uilding outline</source>
         <translation>Ort aus Gebäudeu&amp;mriss</translation>
+    </message>
+    <message>
+        <source>Read s&amp;treets</source>
+        <translation>S&amp;traßen einlesen</translation>
+    </message>
+    <message>
+        <source>Streets from OpenStreetMap as places, cut at their junctions, carriageway and sidewalks apart</source>
+        <translation>Straßen aus OpenStreetMap als Orte, an Kreuzungen geteilt, Fahrbahn und Gehwege getrennt</translation>
+    </message>
+    <message>
+        <source>Shows names of places</source>
+        <translation>Zeigt Namen von Orten</translation>
+    </message>
+    <message>
+        <source>Outlines of all places</source>
+        <translation>Umrisse aller Orte</translation>
+    </message>
+    <message>
+        <source>Without it, the outline of the chosen place is shown, and of the one under the cursor</source>
+        <translation>Sonst werden der Umriss des gewählten Ortes und der des Ortes unter dem Zeiger gezeigt</translation>
     </message>
 </context>
 <context>
@@ -6031,6 +6267,10 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>%1 (here: %2 h)</source>
         <translation>%1 (hier: %2 h)</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
     </message>
 </context>
 <context>
@@ -6132,6 +6372,22 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <source>Places with less sun a day than this are violet, others orange, unless the legend has other colours</source>
         <translation>Orte mit weniger Sonne am Tag sind violett, andere orange, wenn die Legende keine anderen Farben hat</translation>
     </message>
+    <message>
+        <source>Who shades it</source>
+        <translation>Wer ihn beschattet</translation>
+    </message>
+    <message>
+        <source>Shows which buildings take sun from the chosen place, and how much. Or double-click its row</source>
+        <translation>Zeigt, welche Gebäude dem gewählten Ort Sonne nehmen, und wie viel. Oder doppelklicken Sie seine Zeile</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1</source>
+        <translation>Gemessener Fehler gegen Strahlen: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 von %3</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesForm</name>
@@ -6174,6 +6430,14 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>Own regions %1</source>
         <translation>Eigene Gebiete %1</translation>
+    </message>
+    <message>
+        <source>Read streets</source>
+        <translation>Straßen einlesen</translation>
+    </message>
+    <message>
+        <source>Adds the streets of the city&apos;s OpenStreetMap file, cut at their junctions, carriageway and sidewalks apart</source>
+        <translation>Fügt die Straßen der OpenStreetMap-Datei der Stadt hinzu, an Kreuzungen geteilt, Fahrbahn und Gehwege getrennt</translation>
     </message>
 </context>
 <context>
@@ -7217,6 +7481,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Displayed: %1</source>
         <translation>Angezeigt: %1</translation>
     </message>
+    <message>
+        <source>%1 (not where the site is)</source>
+        <translation>%1 (nicht für diesen Standort)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RunForecast</name>
@@ -7360,6 +7628,25 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Saved as %1</source>
         <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>&amp;Export buildings...</source>
+        <translation>Gebäude &amp;exportieren...</translation>
+    </message>
+    <message>
+        <source>Writes the buildings that the displayed scenario proposes as glTF, OBJ, DXF or GeoPackage; of the existing city all buildings</source>
+        <translation>Schreibt die Gebäude, die das angezeigte Szenario vorschlägt, als glTF, OBJ, DXF oder GeoPackage; von der bestehenden Stadt alle Gebäude</translation>
+    </message>
+    <message>
+        <source>Export buildings</source>
+        <translation>Gebäude exportieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s) saved as %2</source>
+        <translation>
+            <numerusform>%1 Gebäude gespeichert als %2</numerusform>
+            <numerusform>%1 Gebäude gespeichert als %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7835,6 +8122,14 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Adds a building from a file (%1), placed by a click on the ground</source>
         <translation>Fügt ein Gebäude aus einer Datei (%1) hinzu, platziert durch einen Klick auf den Boden</translation>
     </message>
+    <message>
+        <source>Edit tower</source>
+        <translation>Hochhaus bearbeiten</translation>
+    </message>
+    <message>
+        <source>Designs the tower further, with the values it was built with</source>
+        <translation>Entwirft das Hochhaus weiter, mit den Werten, mit denen es gebaut wurde</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SetbackTable</name>
@@ -7979,6 +8274,22 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Cancelled. Any change lays the sheets out again.</source>
         <translation>Abgebrochen. Jede Änderung setzt die Blätter neu.</translation>
+    </message>
+    <message>
+        <source>With the project</source>
+        <translation>Mit dem Projekt</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Shows the written files</source>
+        <translation>Zeigt die geschriebenen Dateien</translation>
+    </message>
+    <message>
+        <source>Puts a copy of the project&apos;s file into the folder, so that the report can be verified from there</source>
+        <translation>Legt eine Kopie der Projektdatei in den Ordner, damit der Bericht von dort geprüft werden kann</translation>
     </message>
 </context>
 <context>
@@ -8214,6 +8525,45 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
 </context>
 <context>
+    <name>noonmark::TargetRow</name>
+    <message>
+        <source>Floor area</source>
+        <translation>Geschossfläche</translation>
+    </message>
+    <message>
+        <source>FAR</source>
+        <translation>GFZ</translation>
+    </message>
+    <message>
+        <source>Gross floor area, or floor area ratio: gross floor area divided by the lot&apos;s area</source>
+        <translation>Bruttogeschossfläche oder Geschossflächenzahl: Bruttogeschossfläche geteilt durch die Fläche des Grundstücks</translation>
+    </message>
+    <message>
+        <source>What the tower shall have; press a button below to reach it</source>
+        <translation>Was das Hochhaus haben soll; eine Schaltfläche darunter erreicht es</translation>
+    </message>
+    <message>
+        <source>Fit storeys</source>
+        <translation>Geschosse anpassen</translation>
+    </message>
+    <message>
+        <source>The most storeys that stay within it</source>
+        <translation>Die meisten Geschosse, die darunter bleiben</translation>
+    </message>
+    <message>
+        <source>Fit plate</source>
+        <translation>Grundriss anpassen</translation>
+    </message>
+    <message>
+        <source>The floor plate with which these storeys reach it</source>
+        <translation>Der Grundriss, mit dem diese Geschosse es erreichen</translation>
+    </message>
+    <message>
+        <source> sq ft</source>
+        <translation> sq ft</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::ThemeMenu</name>
     <message>
         <source>As the &amp;system</source>
@@ -8331,6 +8681,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>period</source>
         <translation>Zeitraum</translation>
+    </message>
+    <message>
+        <source>It is night there now, so this is noon: %1</source>
+        <translation>Dort ist jetzt Nacht, daher ist dies Mittag: %1</translation>
     </message>
 </context>
 <context>
@@ -9101,189 +9455,6 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
-    </message>
-</context>
-<context>
-    <name>std</name>
-    <message>
-        <source>if neighbours&apos; ground heights differ</source>
-        <translation>wenn Bodenhöhen von Nachbarn abweichen</translation>
-    </message>
-    <message>
-        <source>always</source>
-        <translation>immer</translation>
-    </message>
-    <message>
-        <source>never (flat ground)</source>
-        <translation>nie (ebener Boden)</translation>
-    </message>
-    <message>
-        <source>as their bases fit the terrain</source>
-        <translation>je nachdem, wie ihre Fußpunkte zum Gelände passen</translation>
-    </message>
-    <message>
-        <source>each set down on the terrain</source>
-        <translation>jedes auf das Gelände gesetzt</translation>
-    </message>
-    <message>
-        <source>at the elevations in the file</source>
-        <translation>auf den Höhen der Datei</translation>
-    </message>
-    <message>
-        <source>found by its steps at outlines</source>
-        <translation>an Stufen entlang der Umrisse erkannt</translation>
-    </message>
-    <message>
-        <source>the bare ground</source>
-        <translation>den bloßen Boden</translation>
-    </message>
-    <message>
-        <source>a surface with buildings</source>
-        <translation>eine Oberfläche mit Gebäuden</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Z</source>
-        <translation>Z</translation>
-    </message>
-    <message>
-        <source>on the ground</source>
-        <translation>auf dem Boden</translation>
-    </message>
-    <message>
-        <source>on roofs</source>
-        <translation>auf Dächern</translation>
-    </message>
-    <message>
-        <source>on the ground and roofs</source>
-        <translation>auf Boden und Dächern</translation>
-    </message>
-    <message>
-        <source>elevations</source>
-        <translation>Höhenlagen</translation>
-    </message>
-    <message>
-        <source>above the ground</source>
-        <translation>über dem Gelände</translation>
-    </message>
-    <message>
-        <source>on facades</source>
-        <translation>an Fassaden</translation>
-    </message>
-    <message>
-        <source>at windows of a file</source>
-        <translation>an Fenstern einer Datei</translation>
-    </message>
-    <message>
-        <source>on a level plane</source>
-        <translation>auf einer waagerechten Ebene</translation>
-    </message>
-    <message>
-        <source>on lines around a parcel</source>
-        <translation>auf Linien um ein Flurstück</translation>
-    </message>
-    <message>
-        <source>at single points</source>
-        <translation>an einzelnen Punkten</translation>
-    </message>
-    <message>
-        <source> min</source>
-        <translation> min</translation>
-    </message>
-    <message>
-        <source> min a day</source>
-        <translation> min am Tag</translation>
-    </message>
-    <message>
-        <source> h</source>
-        <translation> h</translation>
-    </message>
-    <message>
-        <source> h a day</source>
-        <translation> h am Tag</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>not counted</source>
-        <translation>nicht gezählt</translation>
-    </message>
-    <message>
-        <source>Sun to indigo</source>
-        <translation>Sonne bis Indigo</translation>
-    </message>
-    <message>
-        <source>Viridis</source>
-        <translation>Viridis</translation>
-    </message>
-    <message>
-        <source>Cividis</source>
-        <translation>Cividis</translation>
-    </message>
-    <message>
-        <source>Magma</source>
-        <translation>Magma</translation>
-    </message>
-    <message>
-        <source>Grey</source>
-        <translation>Grau</translation>
-    </message>
-    <message>
-        <source>Green to red</source>
-        <translation>Grün bis Rot</translation>
-    </message>
-    <message>
-        <source>Shadow</source>
-        <translation>Schatten</translation>
-    </message>
-    <message>
-        <source>Sun</source>
-        <translation>Sonne</translation>
-    </message>
-    <message>
-        <source>Share of the sunlit time</source>
-        <translation>Anteil der besonnten Zeit</translation>
-    </message>
-    <message>
-        <source>Orange to violet</source>
-        <translation>Orange zu Violett</translation>
-    </message>
-    <message>
-        <source>Green-blue to brown</source>
-        <translation>Grünblau zu Braun</translation>
-    </message>
-    <message>
-        <source>Orange to purple</source>
-        <translation>Orange zu Purpur</translation>
-    </message>
-    <message>
-        <source>Blue to red</source>
-        <translation>Blau zu Rot</translation>
-    </message>
-    <message>
-        <source>Green to red, pale in the middle</source>
-        <translation>Grün zu Rot, in der Mitte blass</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day by month</source>
-        <translation>Sonnenstunden am Tag nach Monat</translation>
-    </message>
-    <message>
-        <source>buildings stand on all of it</source>
-        <translation>Gebäude stehen auf der ganzen Fläche</translation>
-    </message>
-    <message>
-        <source>no cell has its centre on its open ground</source>
-        <translation>keine Zelle hat ihre Mitte auf seinem freien Boden</translation>
     </message>
 </context>
 </TS>

@@ -174,6 +174,13 @@
             <numerusform>%1 compared with %2: %3 min a day in shadow, mean over %4 cells.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Against the ray reference, of a sample of %1 value(s)</source>
+        <translation>
+            <numerusform>Against the ray reference, of a sample of %1 value</numerusform>
+            <numerusform>Against the ray reference, of a sample of %1 values</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::BuildingEditing</name>
@@ -236,6 +243,16 @@
         <translation>
             <numerusform>Movie of %1 frame saved as %2</numerusform>
             <numerusform>Movie of %1 frames saved as %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::OpeningActions</name>
+    <message numerus="yes">
+        <source>%1 far building(s) left aside.</source>
+        <translation>
+            <numerusform>%1 far building left aside.</numerusform>
+            <numerusform>%1 far buildings left aside.</numerusform>
         </translation>
     </message>
 </context>
@@ -307,6 +324,16 @@
         <translation>
             <numerusform>%1 warning about the data</numerusform>
             <numerusform>%1 warnings about the data</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioActions</name>
+    <message numerus="yes">
+        <source>%1 building(s) saved as %2</source>
+        <translation>
+            <numerusform>%1 building saved as %2</numerusform>
+            <numerusform>%1 buildings saved as %2</numerusform>
         </translation>
     </message>
 </context>

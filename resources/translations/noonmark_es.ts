@@ -2,185 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
-    <name>Engine</name>
-    <message>
-        <source>Ray reference</source>
-        <translation>Referencia por rayos</translation>
-    </message>
-    <message>
-        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
-        <translation>Un rayo por receptor y paso, trazado con Embree: la verdad con la que se miden los demás</translation>
-    </message>
-    <message>
-        <source>Projected shadows</source>
-        <translation>Sombras proyectadas</translation>
-    </message>
-    <message>
-        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
-        <translation>La sombra de cada edificio rellenada como polígonos en cada paso: exacto y rápido en suelo llano</translation>
-    </message>
-    <message>
-        <source>Horizon sweep</source>
-        <translation>Barrido de horizontes</translation>
-    </message>
-    <message>
-        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
-        <translation>La pendiente del horizonte de cada receptor, acimut a acimut: un año en un momento, también en terreno y cubiertas</translation>
-    </message>
-    <message>
-        <source>Shadow accrual map</source>
-        <translation>Mapa de acumulación de sombra</translation>
-    </message>
-    <message>
-        <source>A depth map of each step of an hour, drawn from a city placed once; hours that look alike computed once</source>
-        <translation>Un mapa de profundidad por cada paso de una hora, dibujado con la ciudad colocada una vez; las horas parecidas se calculan una vez</translation>
-    </message>
-    <message>
-        <source>Inverse accrual map</source>
-        <translation>Mapa de acumulación inverso</translation>
-    </message>
-    <message>
-        <source>Occluders at both ends of each hour, their shadows moved along straight lines between; hours that look alike computed once</source>
-        <translation>Obstáculos en ambos extremos de cada hora, sus sombras movidas en línea recta entre ellos; las horas parecidas se calculan una vez</translation>
-    </message>
-    <message>
-        <source>Ray reference through the direction graph</source>
-        <translation>Referencia por rayos mediante el grafo de direcciones</translation>
-    </message>
-    <message>
-        <source>Rays, with hours that look alike traced once: what the graph alone does to the error</source>
-        <translation>Rayos, con las horas parecidas trazadas una vez: qué hace solo el grafo con el error</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automático</translation>
-    </message>
-    <message>
-        <source>Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result says which and why</source>
-        <translation>Sombras proyectadas, barrido de horizontes o rayos: el exacto donde es rápido, y el resultado dice cuál y por qué</translation>
-    </message>
-    <message>
-        <source>Shadow maps (OpenGL)</source>
-        <translation>Mapas de sombra (OpenGL)</translation>
-    </message>
-    <message>
-        <source>Draws one depth map per step and tests every cell against it: the method that the paper compares accrual maps with</source>
-        <translation>Dibuja un mapa de profundidad por paso y comprueba cada celda: el método con que compara el artículo</translation>
-    </message>
-    <message>
-        <source>Shadow accrual map (OpenGL)</source>
-        <translation>Mapa de acumulación de sombra (OpenGL)</translation>
-    </message>
-    <message>
-        <source>One draw on the graphics device fills the depth maps of all steps of an hour</source>
-        <translation>Un solo dibujo en la tarjeta gráfica llena los mapas de profundidad de todos los pasos de una hora</translation>
-    </message>
-    <message>
-        <source>Error target</source>
-        <translation>Error objetivo</translation>
-    </message>
-    <message>
-        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
-        <translation>Error medio de la sombra total de una celda, del periodo: los intervalos de acimut son tan anchos como permite; la mitad tarda el doble</translation>
-    </message>
-    <message>
-        <source>Azimuth bin</source>
-        <translation>Intervalo de acimut</translation>
-    </message>
-    <message>
-        <source>Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks</source>
-        <translation>Los soles con menos separación de acimut comparten un horizonte; 0: según el error objetivo</translation>
-    </message>
-    <message>
-        <source>Continuous shadow</source>
-        <translation>Sombra continua</translation>
-    </message>
-    <message>
-        <source>The longest unbroken shadow is counted too; without it, gross shadow only, in about half the time</source>
-        <translation>También se cuenta la sombra ininterrumpida más larga; sin ella, solo la total, en la mitad del tiempo</translation>
-    </message>
-    <message>
-        <source>Check runs</source>
-        <translation>Comprobar tramos</translation>
-    </message>
-    <message>
-        <source>Map size</source>
-        <translation>Tamaño del mapa</translation>
-    </message>
-    <message>
-        <source>Texels along a side of the depth map that is stretched over the region; no more than cells are used</source>
-        <translation>Téxeles por lado del mapa de profundidad sobre la zona; no más que celdas</translation>
-    </message>
-    <message>
-        <source>Bias</source>
-        <translation>Desfase</translation>
-    </message>
-    <message>
-        <source>How high above the ground something must be to shade it</source>
-        <translation>A qué altura sobre el suelo debe estar algo para darle sombra</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>Intervalo</translation>
-    </message>
-    <message>
-        <source>How long the sun is taken to move in a straight line</source>
-        <translation>Cuánto tiempo se supone que el sol se mueve en línea recta</translation>
-    </message>
-    <message>
-        <source>Direction bound</source>
-        <translation>Límite de dirección</translation>
-    </message>
-    <message>
-        <source>Hours whose sun is less than this apart are computed once</source>
-        <translation>Las horas cuyo sol dista menos se calculan una vez</translation>
-    </message>
-    <message>
-        <source>Source levels</source>
-        <translation>Niveles de origen</translation>
-    </message>
-    <message>
-        <source>How many occluders, nearest first, are followed from each cell</source>
-        <translation>Cuántos obstáculos, primero los más cercanos, se siguen desde cada celda</translation>
-    </message>
-    <message>
-        <source>Sources by rays</source>
-        <translation>Orígenes por rayos</translation>
-    </message>
-    <message>
-        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
-        <translation>Embree halla los obstáculos en los extremos del intervalo; si no, polígonos rellenos, más rápido</translation>
-    </message>
-    <message>
-        <source>Nearest hit</source>
-        <translation>Impacto más cercano</translation>
-    </message>
-    <message>
-        <source>Occluders nearer to a cell than this are left out (the paper: 1 m)</source>
-        <translation>Se omiten los obstáculos más cercanos a una celda (el artículo: 1 m)</translation>
-    </message>
-    <message>
-        <source>OpenCL device</source>
-        <translation>Dispositivo OpenCL</translation>
-    </message>
-    <message>
-        <source>Which OpenCL device draws, counted from 0; -1: the processor itself</source>
-        <translation>Qué dispositivo OpenCL dibuja, contado desde 0; -1: el propio procesador</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>sí</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>no</translation>
-    </message>
-    <message>
-        <source>Rays look at every step of every longest run, so that a gap between two walls in one line is found too; without it, they look at what neighbouring bins leave in doubt</source>
-        <translation>Los rayos comprueban cada paso de cada intervalo más largo, de modo que también se encuentra un hueco entre dos muros alineados; sin ello, comprueban lo que las direcciones vecinas dejan en duda</translation>
-    </message>
-</context>
-<context>
     <name>Error</name>
     <message>
         <source>No city is open</source>
@@ -495,169 +316,6 @@
     </message>
 </context>
 <context>
-    <name>Legend</name>
-    <message>
-        <source>Gross shadow</source>
-        <translation>Sombra total</translation>
-    </message>
-    <message>
-        <source>Continuous shadow</source>
-        <translation>Sombra continua</translation>
-    </message>
-    <message>
-        <source>minutes in shadow a day</source>
-        <translation>minutos en sombra al día</translation>
-    </message>
-    <message>
-        <source>longest run, minutes</source>
-        <translation>tramo más largo, minutos</translation>
-    </message>
-    <message>
-        <source>Change of gross shadow</source>
-        <translation>Cambio de sombra total</translation>
-    </message>
-    <message>
-        <source>Change of continuous shadow</source>
-        <translation>Cambio de sombra continua</translation>
-    </message>
-    <message>
-        <source>min a day</source>
-        <translation>min al día</translation>
-    </message>
-    <message>
-        <source>min</source>
-        <translation>min</translation>
-    </message>
-    <message>
-        <source>scale fitted to this difference</source>
-        <translation>escala ajustada a esta diferencia</translation>
-    </message>
-    <message>
-        <source>Shadow score</source>
-        <translation>Puntuación de sombra</translation>
-    </message>
-    <message>
-        <source>weight × share of time</source>
-        <translation>peso × parte del tiempo</translation>
-    </message>
-    <message>
-        <source>built over</source>
-        <translation>edificado</translation>
-    </message>
-    <message>
-        <source>now ground</source>
-        <translation>ahora suelo</translation>
-    </message>
-    <message>
-        <source>in the sun</source>
-        <translation>al sol</translation>
-    </message>
-    <message>
-        <source>in shadow</source>
-        <translation>en sombra</translation>
-    </message>
-    <message>
-        <source>Shadow</source>
-        <translation>Sombra</translation>
-    </message>
-    <message>
-        <source>at this moment</source>
-        <translation>en este momento</translation>
-    </message>
-    <message>
-        <source>scale locked: %1</source>
-        <translation>escala fija: %1</translation>
-    </message>
-    <message>
-        <source>largest %1</source>
-        <translation>mayor %1</translation>
-    </message>
-    <message>
-        <source>Verdicts on windows</source>
-        <translation>Veredictos de las ventanas</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>antes</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>después</translation>
-    </message>
-    <message>
-        <source>Change of verdicts</source>
-        <translation>Cambio de los veredictos</translation>
-    </message>
-    <message>
-        <source>from before to after</source>
-        <translation>de antes a después</translation>
-    </message>
-    <message>
-        <source>pass</source>
-        <translation>cumple</translation>
-    </message>
-    <message>
-        <source>borderline</source>
-        <translation>en el límite</translation>
-    </message>
-    <message>
-        <source>fail</source>
-        <translation>no cumple</translation>
-    </message>
-    <message>
-        <source>not applicable</source>
-        <translation>no aplicable</translation>
-    </message>
-    <message>
-        <source>worse</source>
-        <translation>peor</translation>
-    </message>
-    <message>
-        <source>better</source>
-        <translation>mejor</translation>
-    </message>
-    <message>
-        <source>the same</source>
-        <translation>igual</translation>
-    </message>
-    <message>
-        <source>not compared</source>
-        <translation>sin comparar</translation>
-    </message>
-    <message>
-        <source>Hours of sun</source>
-        <translation>Horas de sol</translation>
-    </message>
-    <message>
-        <source>hours of sun a day</source>
-        <translation>horas de sol al día</translation>
-    </message>
-    <message>
-        <source>Share of the sunlit time</source>
-        <translation>Parte del tiempo con sol</translation>
-    </message>
-    <message>
-        <source>% in the sun</source>
-        <translation>% al sol</translation>
-    </message>
-    <message>
-        <source>Change of sun</source>
-        <translation>Cambio de sol</translation>
-    </message>
-    <message>
-        <source>Sun by place</source>
-        <translation>Sol por lugar</translation>
-    </message>
-    <message>
-        <source>Change of sun by place</source>
-        <translation>Cambio de sol por lugar</translation>
-    </message>
-    <message>
-        <source>minutes of sun a day</source>
-        <translation>minutos de sol al día</translation>
-    </message>
-</context>
-<context>
     <name>QObject</name>
     <message>
         <source>Read &amp;places into this project</source>
@@ -954,10 +612,6 @@
     <message>
         <source>Storeys</source>
         <translation>Plantas</translation>
-    </message>
-    <message>
-        <source>Lot</source>
-        <translation>Parcela</translation>
     </message>
     <message>
         <source>Buildings demolished</source>
@@ -1398,10 +1052,6 @@ celdas de %2 m</translation>
     <message>
         <source>plaza</source>
         <translation>plaza</translation>
-    </message>
-    <message>
-        <source>greenstreet</source>
-        <translation>calle verde</translation>
     </message>
     <message>
         <source>cemetery</source>
@@ -2295,10 +1945,6 @@ El estudio: %2</translation>
         <translation>%1-%2 %</translation>
     </message>
     <message>
-        <source>Error of cells against rays: %1 % mean, %2 % largest</source>
-        <translation>Error de las celdas frente a los rayos: %1 % de media, %2 % el mayor</translation>
-    </message>
-    <message>
         <source>%1, %</source>
         <translation>%1, %</translation>
     </message>
@@ -2411,10 +2057,6 @@ El estudio: %2</translation>
         <translation>Plazas</translation>
     </message>
     <message>
-        <source>Greenstreets</source>
-        <translation>Calles verdes</translation>
-    </message>
-    <message>
         <source>Cemeteries</source>
         <translation>Cementerios</translation>
     </message>
@@ -2441,6 +2083,53 @@ El estudio: %2</translation>
     <message>
         <source>Contribution of this new building alone: ground that loses over %1 min of sun a day by it</source>
         <translation>Contribución de este edificio nuevo por sí solo: suelo que pierde por él más de %1 min de sol al día</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>Export buildings</source>
+        <translation>Exportar edificios</translation>
+    </message>
+    <message>
+        <source>Attributed by: %1</source>
+        <translation>Atribuido por: %1</translation>
+    </message>
+    <message>
+        <source>– figures only</source>
+        <translation>– solo cifras</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Error: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Against the ray reference, of a sample of %1 value(s)</source>
+        <translation>
+            <numerusform>Frente a la referencia de rayos, en una muestra de %1 valor</numerusform>
+            <numerusform>Frente a la referencia de rayos, en una muestra de %1 valores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>lawn or bed</source>
+        <translation>césped o parterre</translation>
+    </message>
+    <message>
+        <source>Lawns and beds</source>
+        <translation>Céspedes y parterres</translation>
+    </message>
+    <message>
+        <source>the whole lot</source>
+        <translation>toda la parcela</translation>
+    </message>
+    <message>
+        <source> (top: %1)</source>
+        <translation> (última: %1)</translation>
     </message>
 </context>
 <context>
@@ -2667,10 +2356,6 @@ El estudio: %2</translation>
     <message>
         <source>Level of detail</source>
         <translation>Nivel de detalle</translation>
-    </message>
-    <message>
-        <source>CityJSON: level of detail (default: the highest)</source>
-        <translation>CityJSON: nivel de detalle (por defecto: el más alto)</translation>
     </message>
     <message>
         <source>the highest</source>
@@ -3509,10 +3194,6 @@ El estudio: %2</translation>
         <translation>De media en su área %1, de %2 al día con el sol sobre el horizonte.</translation>
     </message>
     <message>
-        <source>%1 takes sun from %2 places, at most %3 a day at one spot.</source>
-        <translation>%1 quita sol a %2 lugares, como máximo %3 al día en un punto.</translation>
-    </message>
-    <message>
         <source>Hours of sun a day by month</source>
         <translation>Horas de sol al día por mes</translation>
     </message>
@@ -3836,6 +3517,506 @@ El estudio: %2</translation>
         <source>Size of the cells of places with fewer than 25 cells, m; as large as the others or larger: the same</source>
         <translation>Tamaño de las celdas de lugares con menos de 25 celdas, m; tan grande como las demás o mayor: el mismo</translation>
     </message>
+    <message>
+        <source>Ray reference</source>
+        <translation>Referencia por rayos</translation>
+    </message>
+    <message>
+        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
+        <translation>Un rayo por receptor y paso, trazado con Embree: la verdad con la que se miden los demás</translation>
+    </message>
+    <message>
+        <source>Projected shadows</source>
+        <translation>Sombras proyectadas</translation>
+    </message>
+    <message>
+        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <translation>La sombra de cada edificio rellenada como polígonos en cada paso: exacto y rápido en suelo llano</translation>
+    </message>
+    <message>
+        <source>Horizon sweep</source>
+        <translation>Barrido de horizontes</translation>
+    </message>
+    <message>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <translation>La pendiente del horizonte de cada receptor, acimut a acimut: un año en un momento, también en terreno y cubiertas</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map</source>
+        <translation>Mapa de acumulación de sombra</translation>
+    </message>
+    <message>
+        <source>A depth map of each step of an hour, drawn from a city placed once; hours that look alike computed once</source>
+        <translation>Un mapa de profundidad por cada paso de una hora, dibujado con la ciudad colocada una vez; las horas parecidas se calculan una vez</translation>
+    </message>
+    <message>
+        <source>Inverse accrual map</source>
+        <translation>Mapa de acumulación inverso</translation>
+    </message>
+    <message>
+        <source>Occluders at both ends of each hour, their shadows moved along straight lines between; hours that look alike computed once</source>
+        <translation>Obstáculos en ambos extremos de cada hora, sus sombras movidas en línea recta entre ellos; las horas parecidas se calculan una vez</translation>
+    </message>
+    <message>
+        <source>Ray reference through the direction graph</source>
+        <translation>Referencia por rayos mediante el grafo de direcciones</translation>
+    </message>
+    <message>
+        <source>Rays, with hours that look alike traced once: what the graph alone does to the error</source>
+        <translation>Rayos, con las horas parecidas trazadas una vez: qué hace solo el grafo con el error</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result says which and why</source>
+        <translation>Sombras proyectadas, barrido de horizontes o rayos: el exacto donde es rápido, y el resultado dice cuál y por qué</translation>
+    </message>
+    <message>
+        <source>Error target</source>
+        <translation>Error objetivo</translation>
+    </message>
+    <message>
+        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <translation>Error medio de la sombra total de una celda, del periodo: los intervalos de acimut son tan anchos como permite; la mitad tarda el doble</translation>
+    </message>
+    <message>
+        <source>Azimuth bin</source>
+        <translation>Intervalo de acimut</translation>
+    </message>
+    <message>
+        <source>Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks</source>
+        <translation>Los soles con menos separación de acimut comparten un horizonte; 0: según el error objetivo</translation>
+    </message>
+    <message>
+        <source>Continuous shadow</source>
+        <translation>Sombra continua</translation>
+    </message>
+    <message>
+        <source>The longest unbroken shadow is counted too; without it, gross shadow only, in about half the time</source>
+        <translation>También se cuenta la sombra ininterrumpida más larga; sin ella, solo la total, en la mitad del tiempo</translation>
+    </message>
+    <message>
+        <source>Check runs</source>
+        <translation>Comprobar tramos</translation>
+    </message>
+    <message>
+        <source>Map size</source>
+        <translation>Tamaño del mapa</translation>
+    </message>
+    <message>
+        <source>Texels along a side of the depth map that is stretched over the region; no more than cells are used</source>
+        <translation>Téxeles por lado del mapa de profundidad sobre la zona; no más que celdas</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Desfase</translation>
+    </message>
+    <message>
+        <source>How high above the ground something must be to shade it</source>
+        <translation>A qué altura sobre el suelo debe estar algo para darle sombra</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>How long the sun is taken to move in a straight line</source>
+        <translation>Cuánto tiempo se supone que el sol se mueve en línea recta</translation>
+    </message>
+    <message>
+        <source>Direction bound</source>
+        <translation>Límite de dirección</translation>
+    </message>
+    <message>
+        <source>Hours whose sun is less than this apart are computed once</source>
+        <translation>Las horas cuyo sol dista menos se calculan una vez</translation>
+    </message>
+    <message>
+        <source>Source levels</source>
+        <translation>Niveles de origen</translation>
+    </message>
+    <message>
+        <source>How many occluders, nearest first, are followed from each cell</source>
+        <translation>Cuántos obstáculos, primero los más cercanos, se siguen desde cada celda</translation>
+    </message>
+    <message>
+        <source>Sources by rays</source>
+        <translation>Orígenes por rayos</translation>
+    </message>
+    <message>
+        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
+        <translation>Embree halla los obstáculos en los extremos del intervalo; si no, polígonos rellenos, más rápido</translation>
+    </message>
+    <message>
+        <source>Nearest hit</source>
+        <translation>Impacto más cercano</translation>
+    </message>
+    <message>
+        <source>Occluders nearer to a cell than this are left out (the paper: 1 m)</source>
+        <translation>Se omiten los obstáculos más cercanos a una celda (el artículo: 1 m)</translation>
+    </message>
+    <message>
+        <source>OpenCL device</source>
+        <translation>Dispositivo OpenCL</translation>
+    </message>
+    <message>
+        <source>Which OpenCL device draws, counted from 0; -1: the processor itself</source>
+        <translation>Qué dispositivo OpenCL dibuja, contado desde 0; -1: el propio procesador</translation>
+    </message>
+    <message>
+        <source>Rays look at every step of every longest run, so that a gap between two walls in one line is found too; without it, they look at what neighbouring bins leave in doubt</source>
+        <translation>Los rayos comprueban cada paso de cada intervalo más largo, de modo que también se encuentra un hueco entre dos muros alineados; sin ello, comprueban lo que las direcciones vecinas dejan en duda</translation>
+    </message>
+    <message>
+        <source>Gross shadow</source>
+        <translation>Sombra total</translation>
+    </message>
+    <message>
+        <source>minutes in shadow a day</source>
+        <translation>minutos en sombra al día</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>Puntuación de sombra</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Sombra</translation>
+    </message>
+    <message>
+        <source>Verdicts on windows</source>
+        <translation>Veredictos de las ventanas</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>después</translation>
+    </message>
+    <message>
+        <source>Change of verdicts</source>
+        <translation>Cambio de los veredictos</translation>
+    </message>
+    <message>
+        <source>from before to after</source>
+        <translation>de antes a después</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>cumple</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>en el límite</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>no cumple</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>no aplicable</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>peor</translation>
+    </message>
+    <message>
+        <source>better</source>
+        <translation>mejor</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>igual</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>sin comparar</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>Parte del tiempo con sol</translation>
+    </message>
+    <message>
+        <source>% in the sun</source>
+        <translation>% al sol</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>Cambio de sol por lugar</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>minutos de sol al día</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> min al día</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source> h a day</source>
+        <translation> h al día</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>no contada</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>si difiere la cota de los vecinos</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>siempre</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>nunca (suelo llano)</translation>
+    </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>según encajen sus bases en el terreno</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>cada uno apoyado en el terreno</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>a las cotas del archivo</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>según sus saltos en los contornos</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>el suelo desnudo</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>una superficie con edificios</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>CityGML, CityJSON: level of detail (default: the highest)</source>
+        <translation>CityGML, CityJSON: nivel de detalle (por defecto: el más alto)</translation>
+    </message>
+    <message>
+        <source>Sun to indigo</source>
+        <translation>Sol a índigo</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Magma</source>
+        <translation>Magma</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Green to red</source>
+        <translation>Verde a rojo</translation>
+    </message>
+    <message>
+        <source>Orange to violet</source>
+        <translation>Naranja a violeta</translation>
+    </message>
+    <message>
+        <source>Green-blue to brown</source>
+        <translation>Verde azulado a marrón</translation>
+    </message>
+    <message>
+        <source>Orange to purple</source>
+        <translation>Naranja a púrpura</translation>
+    </message>
+    <message>
+        <source>Blue to red</source>
+        <translation>Azul a rojo</translation>
+    </message>
+    <message>
+        <source>Green to red, pale in the middle</source>
+        <translation>Verde a rojo, pálido en el centro</translation>
+    </message>
+    <message>
+        <source>Gross shadow of a cell</source>
+        <translation>Sombra bruta de una celda</translation>
+    </message>
+    <message>
+        <source>Longest shadow of a cell</source>
+        <translation>Sombra más larga de una celda</translation>
+    </message>
+    <message>
+        <source>Shadow of a cell in a month</source>
+        <translation>Sombra de una celda en un mes</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow of a cell</source>
+        <translation>Cambio de la sombra bruta de una celda</translation>
+    </message>
+    <message>
+        <source>Change of the longest shadow of a cell</source>
+        <translation>Cambio de la sombra más larga de una celda</translation>
+    </message>
+    <message>
+        <source>Score of a cell</source>
+        <translation>Puntuación de una celda</translation>
+    </message>
+    <message>
+        <source>Weighted shade</source>
+        <translation>Sombra ponderada</translation>
+    </message>
+    <message>
+        <source>Least and most sun of a place, at a cell</source>
+        <translation>Menos y más sol de un lugar, en una celda</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place</source>
+        <translation>Sol medio de un lugar</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place in a month</source>
+        <translation>Sol medio de un lugar en un mes</translation>
+    </message>
+    <message>
+        <source>Share of a place with enough sun</source>
+        <translation>Parte de un lugar con sol suficiente</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place on a date</source>
+        <translation>Sol medio de un lugar en una fecha</translation>
+    </message>
+    <message>
+        <source>Share of a place with less than enough sun on a date</source>
+        <translation>Parte de un lugar con sol insuficiente en una fecha</translation>
+    </message>
+    <message>
+        <source>Change of the mean sun of a place</source>
+        <translation>Cambio del sol medio de un lugar</translation>
+    </message>
+    <message>
+        <source>Largest loss and gain of a place, at a cell</source>
+        <translation>Mayor pérdida y ganancia de un lugar, en una celda</translation>
+    </message>
+    <message>
+        <source>Share of a place that loses sun</source>
+        <translation>Parte de un lugar que pierde sol</translation>
+    </message>
+    <message>
+        <source>%1, with 99 % certainty within %2</source>
+        <translation>%1, con un 99 % de certeza dentro de %2</translation>
+    </message>
+    <message>
+        <source>%1 in the mean, 99 of 100 within %2, at most %3</source>
+        <translation>%1 de media, 99 de cada 100 dentro de %2, como máximo %3</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>en el suelo</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>en las cubiertas</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>en el suelo y las cubiertas</translation>
+    </message>
+    <message>
+        <source>%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot.</source>
+        <translation>%1 quita más de un minuto de sol al día a %2 lugares, como máximo %3 en un punto.</translation>
+    </message>
+    <message>
+        <source>buildings stand on all of it</source>
+        <translation>hay edificios en toda su superficie</translation>
+    </message>
+    <message>
+        <source>no cell has its centre on its open ground</source>
+        <translation>ninguna celda tiene su centro en su suelo libre</translation>
+    </message>
+    <message>
+        <source>beyond the terrain: the nearest elevation is taken</source>
+        <translation>fuera del terreno: se toma la elevación más próxima</translation>
+    </message>
+    <message>
+        <source>mostly on water: measured at its surface</source>
+        <translation>en su mayor parte sobre agua: medido en su superficie</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>cotas</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>sobre el terreno</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>en fachadas</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>en ventanas de un archivo</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>en un plano horizontal</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>en líneas alrededor de una parcela</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>en puntos concretos</translation>
+    </message>
+    <message>
+        <source>Floor plate</source>
+        <translation>Planta tipo</translation>
+    </message>
+    <message>
+        <source>Gross floor area</source>
+        <translation>Superficie construida total</translation>
+    </message>
+    <message>
+        <source>Floor area ratio (FAR)</source>
+        <translation>Edificabilidad</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -4151,8 +4332,12 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Atribuyendo la sombra de %1</translation>
     </message>
     <message>
-        <source>A saved result holds what buildings take from its whole region, if that was asked for. For a place, show the study again.</source>
-        <translation>Un resultado guardado contiene lo que los edificios quitan a toda su región, si se pidió. Para un lugar, vuelva a mostrar el estudio.</translation>
+        <source>Choose a place of the table, or click one in the view, to see which buildings shade it.</source>
+        <translation>Elija un lugar de la tabla, o haga clic en uno en la vista, para ver qué edificios le dan sombra.</translation>
+    </message>
+    <message>
+        <source>A saved result holds what buildings take from its whole region, if that was asked for. Of places it holds those that were attributed before it was saved.</source>
+        <translation>Un resultado guardado contiene lo que los edificios quitan a toda su región, si se pidió. De lugares contiene los que se atribuyeron antes de guardarlo.</translation>
     </message>
 </context>
 <context>
@@ -5097,6 +5282,10 @@ La sombra continua sigue en minutos: de ella no se deduce el tramo más largo al
         <source>A difference has its range beside the legend; a score is fitted</source>
         <translation>Una diferencia tiene su intervalo junto a la leyenda; una puntuación se ajusta</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::LegendStrip</name>
@@ -5436,6 +5625,26 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
 o escriba la longitud de un lado y pulse Intro.
 Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</translation>
     </message>
+    <message>
+        <source>Target</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Edit tower</source>
+        <translation>Editar torre</translation>
+    </message>
+    <message>
+        <source>Designs the tower on this lot further, with the values it was built with</source>
+        <translation>Sigue diseñando la torre de esta parcela, con los valores con que se construyó</translation>
+    </message>
+    <message>
+        <source>Takes the nearest value with which the tower can be built</source>
+        <translation>Toma el valor más próximo con el que se puede construir la torre</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Usar %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MeshPlacing</name>
@@ -5691,6 +5900,17 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <source>Open alone</source>
         <translation>Abrir solo</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 far building(s) left aside.</source>
+        <translation>
+            <numerusform>%1 edificio lejano dejado aparte.</numerusform>
+            <numerusform>%1 edificios lejanos dejados aparte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Zoom to all</source>
+        <translation>Ver todo</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -5910,10 +6130,6 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>&amp;Lugares</translation>
     </message>
     <message>
-        <source>Shows outlines and names of places</source>
-        <translation>Muestra contornos y nombres de los lugares</translation>
-    </message>
-    <message>
         <source>Reading places</source>
         <translation>Leyendo lugares</translation>
     </message>
@@ -5932,6 +6148,26 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>Place from b&amp;uilding outline</source>
         <translation>Lugar desde el contorno de un &amp;edificio</translation>
+    </message>
+    <message>
+        <source>Read s&amp;treets</source>
+        <translation>Leer c&amp;alles</translation>
+    </message>
+    <message>
+        <source>Streets from OpenStreetMap as places, cut at their junctions, carriageway and sidewalks apart</source>
+        <translation>Calles de OpenStreetMap como lugares, cortadas en los cruces, calzada y aceras por separado</translation>
+    </message>
+    <message>
+        <source>Shows names of places</source>
+        <translation>Muestra los nombres de los lugares</translation>
+    </message>
+    <message>
+        <source>Outlines of all places</source>
+        <translation>Contornos de todos los lugares</translation>
+    </message>
+    <message>
+        <source>Without it, the outline of the chosen place is shown, and of the one under the cursor</source>
+        <translation>Sin ello se muestran el contorno del lugar elegido y el del que está bajo el cursor</translation>
     </message>
 </context>
 <context>
@@ -6031,6 +6267,10 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>%1 (here: %2 h)</source>
         <translation>%1 (aquí: %2 h)</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Observaciones</translation>
     </message>
 </context>
 <context>
@@ -6132,6 +6372,22 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <source>Places with less sun a day than this are violet, others orange, unless the legend has other colours</source>
         <translation>Los lugares con menos sol al día son violetas, los demás naranjas, salvo que la leyenda tenga otros colores</translation>
     </message>
+    <message>
+        <source>Who shades it</source>
+        <translation>Quién le da sombra</translation>
+    </message>
+    <message>
+        <source>Shows which buildings take sun from the chosen place, and how much. Or double-click its row</source>
+        <translation>Muestra qué edificios quitan sol al lugar elegido, y cuánto. O haga doble clic en su fila</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1</source>
+        <translation>Error medido frente a rayos: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 de %3</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesForm</name>
@@ -6174,6 +6430,14 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>Own regions %1</source>
         <translation>Regiones propias %1</translation>
+    </message>
+    <message>
+        <source>Read streets</source>
+        <translation>Leer calles</translation>
+    </message>
+    <message>
+        <source>Adds the streets of the city&apos;s OpenStreetMap file, cut at their junctions, carriageway and sidewalks apart</source>
+        <translation>Añade las calles del archivo OpenStreetMap de la ciudad, cortadas en los cruces, calzada y aceras por separado</translation>
     </message>
 </context>
 <context>
@@ -7217,6 +7481,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <source>Displayed: %1</source>
         <translation>Mostrado: %1</translation>
     </message>
+    <message>
+        <source>%1 (not where the site is)</source>
+        <translation>%1 (no donde está el emplazamiento)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RunForecast</name>
@@ -7360,6 +7628,25 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Saved as %1</source>
         <translation>Guardado como %1</translation>
+    </message>
+    <message>
+        <source>&amp;Export buildings...</source>
+        <translation>&amp;Exportar edificios...</translation>
+    </message>
+    <message>
+        <source>Writes the buildings that the displayed scenario proposes as glTF, OBJ, DXF or GeoPackage; of the existing city all buildings</source>
+        <translation>Escribe los edificios que propone el escenario mostrado como glTF, OBJ, DXF o GeoPackage; de la ciudad existente, todos los edificios</translation>
+    </message>
+    <message>
+        <source>Export buildings</source>
+        <translation>Exportar edificios</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s) saved as %2</source>
+        <translation>
+            <numerusform>%1 edificio guardado como %2</numerusform>
+            <numerusform>%1 edificios guardados como %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7835,6 +8122,14 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <source>Adds a building from a file (%1), placed by a click on the ground</source>
         <translation>Añade un edificio de un archivo (%1), colocado con un clic en el suelo</translation>
     </message>
+    <message>
+        <source>Edit tower</source>
+        <translation>Editar torre</translation>
+    </message>
+    <message>
+        <source>Designs the tower further, with the values it was built with</source>
+        <translation>Sigue diseñando la torre, con los valores con que se construyó</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SetbackTable</name>
@@ -7979,6 +8274,22 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Cancelled. Any change lays the sheets out again.</source>
         <translation>Cancelado. Cualquier cambio vuelve a componer las láminas.</translation>
+    </message>
+    <message>
+        <source>With the project</source>
+        <translation>Con el proyecto</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Abrir carpeta</translation>
+    </message>
+    <message>
+        <source>Shows the written files</source>
+        <translation>Muestra los archivos escritos</translation>
+    </message>
+    <message>
+        <source>Puts a copy of the project&apos;s file into the folder, so that the report can be verified from there</source>
+        <translation>Pone una copia del archivo del proyecto en la carpeta, para que el informe se pueda verificar desde allí</translation>
     </message>
 </context>
 <context>
@@ -8214,6 +8525,45 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     </message>
 </context>
 <context>
+    <name>noonmark::TargetRow</name>
+    <message>
+        <source>Floor area</source>
+        <translation>Superficie construida</translation>
+    </message>
+    <message>
+        <source>FAR</source>
+        <translation>FAR</translation>
+    </message>
+    <message>
+        <source>Gross floor area, or floor area ratio: gross floor area divided by the lot&apos;s area</source>
+        <translation>Superficie bruta, o edificabilidad: superficie bruta dividida por la de la parcela</translation>
+    </message>
+    <message>
+        <source>What the tower shall have; press a button below to reach it</source>
+        <translation>Lo que debe tener la torre; pulse un botón de abajo para alcanzarlo</translation>
+    </message>
+    <message>
+        <source>Fit storeys</source>
+        <translation>Ajustar plantas</translation>
+    </message>
+    <message>
+        <source>The most storeys that stay within it</source>
+        <translation>El mayor número de plantas que no lo supera</translation>
+    </message>
+    <message>
+        <source>Fit plate</source>
+        <translation>Ajustar planta tipo</translation>
+    </message>
+    <message>
+        <source>The floor plate with which these storeys reach it</source>
+        <translation>La planta tipo con la que estas plantas lo alcanzan</translation>
+    </message>
+    <message>
+        <source> sq ft</source>
+        <translation> ft²</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::ThemeMenu</name>
     <message>
         <source>As the &amp;system</source>
@@ -8331,6 +8681,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>period</source>
         <translation>periodo</translation>
+    </message>
+    <message>
+        <source>It is night there now, so this is noon: %1</source>
+        <translation>Allí es de noche ahora, así que esto es el mediodía: %1</translation>
     </message>
 </context>
 <context>
@@ -9101,189 +9455,6 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
-    </message>
-</context>
-<context>
-    <name>std</name>
-    <message>
-        <source>if neighbours&apos; ground heights differ</source>
-        <translation>si difiere la cota de los vecinos</translation>
-    </message>
-    <message>
-        <source>always</source>
-        <translation>siempre</translation>
-    </message>
-    <message>
-        <source>never (flat ground)</source>
-        <translation>nunca (suelo llano)</translation>
-    </message>
-    <message>
-        <source>as their bases fit the terrain</source>
-        <translation>según encajen sus bases en el terreno</translation>
-    </message>
-    <message>
-        <source>each set down on the terrain</source>
-        <translation>cada uno apoyado en el terreno</translation>
-    </message>
-    <message>
-        <source>at the elevations in the file</source>
-        <translation>a las cotas del archivo</translation>
-    </message>
-    <message>
-        <source>found by its steps at outlines</source>
-        <translation>según sus saltos en los contornos</translation>
-    </message>
-    <message>
-        <source>the bare ground</source>
-        <translation>el suelo desnudo</translation>
-    </message>
-    <message>
-        <source>a surface with buildings</source>
-        <translation>una superficie con edificios</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automático</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Z</source>
-        <translation>Z</translation>
-    </message>
-    <message>
-        <source>on the ground</source>
-        <translation>en el suelo</translation>
-    </message>
-    <message>
-        <source>on roofs</source>
-        <translation>en las cubiertas</translation>
-    </message>
-    <message>
-        <source>on the ground and roofs</source>
-        <translation>en el suelo y las cubiertas</translation>
-    </message>
-    <message>
-        <source>elevations</source>
-        <translation>cotas</translation>
-    </message>
-    <message>
-        <source>above the ground</source>
-        <translation>sobre el terreno</translation>
-    </message>
-    <message>
-        <source>on facades</source>
-        <translation>en fachadas</translation>
-    </message>
-    <message>
-        <source>at windows of a file</source>
-        <translation>en ventanas de un archivo</translation>
-    </message>
-    <message>
-        <source>on a level plane</source>
-        <translation>en un plano horizontal</translation>
-    </message>
-    <message>
-        <source>on lines around a parcel</source>
-        <translation>en líneas alrededor de una parcela</translation>
-    </message>
-    <message>
-        <source>at single points</source>
-        <translation>en puntos concretos</translation>
-    </message>
-    <message>
-        <source> min</source>
-        <translation> min</translation>
-    </message>
-    <message>
-        <source> min a day</source>
-        <translation> min al día</translation>
-    </message>
-    <message>
-        <source> h</source>
-        <translation> h</translation>
-    </message>
-    <message>
-        <source> h a day</source>
-        <translation> h al día</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>not counted</source>
-        <translation>no contada</translation>
-    </message>
-    <message>
-        <source>Sun to indigo</source>
-        <translation>Sol a índigo</translation>
-    </message>
-    <message>
-        <source>Viridis</source>
-        <translation>Viridis</translation>
-    </message>
-    <message>
-        <source>Cividis</source>
-        <translation>Cividis</translation>
-    </message>
-    <message>
-        <source>Magma</source>
-        <translation>Magma</translation>
-    </message>
-    <message>
-        <source>Grey</source>
-        <translation>Gris</translation>
-    </message>
-    <message>
-        <source>Green to red</source>
-        <translation>Verde a rojo</translation>
-    </message>
-    <message>
-        <source>Shadow</source>
-        <translation>Sombra</translation>
-    </message>
-    <message>
-        <source>Sun</source>
-        <translation>Sol</translation>
-    </message>
-    <message>
-        <source>Share of the sunlit time</source>
-        <translation>Parte del tiempo con sol</translation>
-    </message>
-    <message>
-        <source>Orange to violet</source>
-        <translation>Naranja a violeta</translation>
-    </message>
-    <message>
-        <source>Green-blue to brown</source>
-        <translation>Verde azulado a marrón</translation>
-    </message>
-    <message>
-        <source>Orange to purple</source>
-        <translation>Naranja a púrpura</translation>
-    </message>
-    <message>
-        <source>Blue to red</source>
-        <translation>Azul a rojo</translation>
-    </message>
-    <message>
-        <source>Green to red, pale in the middle</source>
-        <translation>Verde a rojo, pálido en el centro</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day by month</source>
-        <translation>Horas de sol al día por mes</translation>
-    </message>
-    <message>
-        <source>buildings stand on all of it</source>
-        <translation>hay edificios en toda su superficie</translation>
-    </message>
-    <message>
-        <source>no cell has its centre on its open ground</source>
-        <translation>ninguna celda tiene su centro en su suelo libre</translation>
     </message>
 </context>
 </TS>

@@ -2,185 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
 <context>
-    <name>Engine</name>
-    <message>
-        <source>Ray reference</source>
-        <translation>レイ基準</translation>
-    </message>
-    <message>
-        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
-        <translation>測定点とステップごとに Embree で追跡するレイ 1 本: 他を測る基準</translation>
-    </message>
-    <message>
-        <source>Projected shadows</source>
-        <translation>投影した影</translation>
-    </message>
-    <message>
-        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
-        <translation>各ステップで各建物の影を多角形として塗る: 平らな地面で厳密かつ高速</translation>
-    </message>
-    <message>
-        <source>Horizon sweep</source>
-        <translation>地平線掃引</translation>
-    </message>
-    <message>
-        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
-        <translation>各測定点の地平線の傾きを方位ごとに: 1 年も短時間、地形や屋根でも</translation>
-    </message>
-    <message>
-        <source>Shadow accrual map</source>
-        <translation>影累積マップ</translation>
-    </message>
-    <message>
-        <source>A depth map of each step of an hour, drawn from a city placed once; hours that look alike computed once</source>
-        <translation>1 時間の各ステップの深度マップを一度置いた都市から描く。似た時刻は 1 回だけ計算</translation>
-    </message>
-    <message>
-        <source>Inverse accrual map</source>
-        <translation>逆累積マップ</translation>
-    </message>
-    <message>
-        <source>Occluders at both ends of each hour, their shadows moved along straight lines between; hours that look alike computed once</source>
-        <translation>各時間の両端の遮蔽物を求め、その間は影を直線で動かす。似た時刻は 1 回だけ計算</translation>
-    </message>
-    <message>
-        <source>Ray reference through the direction graph</source>
-        <translation>方向グラフによるレイ基準</translation>
-    </message>
-    <message>
-        <source>Rays, with hours that look alike traced once: what the graph alone does to the error</source>
-        <translation>似た時刻を 1 回だけ追跡するレイ: グラフだけによる誤差</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自動</translation>
-    </message>
-    <message>
-        <source>Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result says which and why</source>
-        <translation>投影した影、地平線掃引、レイのうち、短時間で済む所では厳密なもの。結果にどれか理由とともに示します</translation>
-    </message>
-    <message>
-        <source>Shadow maps (OpenGL)</source>
-        <translation>シャドウマップ (OpenGL)</translation>
-    </message>
-    <message>
-        <source>Draws one depth map per step and tests every cell against it: the method that the paper compares accrual maps with</source>
-        <translation>ステップごとに深度マップを描き全セルを調べる: 論文の比較対象の方法</translation>
-    </message>
-    <message>
-        <source>Shadow accrual map (OpenGL)</source>
-        <translation>影累積マップ (OpenGL)</translation>
-    </message>
-    <message>
-        <source>One draw on the graphics device fills the depth maps of all steps of an hour</source>
-        <translation>1 回の描画で 1 時間の全ステップの深度マップを作る</translation>
-    </message>
-    <message>
-        <source>Error target</source>
-        <translation>目標誤差</translation>
-    </message>
-    <message>
-        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
-        <translation>セルの累計日影の平均誤差 (期間に対する割合): 方位の刻みはこれが許す幅になります。半分にすると時間は 2 倍</translation>
-    </message>
-    <message>
-        <source>Azimuth bin</source>
-        <translation>方位の刻み</translation>
-    </message>
-    <message>
-        <source>Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks</source>
-        <translation>方位差がこれより小さい太陽は同じ地平線を使う。0: 目標誤差に従う</translation>
-    </message>
-    <message>
-        <source>Continuous shadow</source>
-        <translation>連続日影</translation>
-    </message>
-    <message>
-        <source>The longest unbroken shadow is counted too; without it, gross shadow only, in about half the time</source>
-        <translation>途切れない最長の影も数える。なしなら累計日影だけで約半分の時間</translation>
-    </message>
-    <message>
-        <source>Check runs</source>
-        <translation>連続の検査</translation>
-    </message>
-    <message>
-        <source>Map size</source>
-        <translation>マップの大きさ</translation>
-    </message>
-    <message>
-        <source>Texels along a side of the depth map that is stretched over the region; no more than cells are used</source>
-        <translation>範囲に広げる深度マップの一辺のテクセル数。セル数を超えない</translation>
-    </message>
-    <message>
-        <source>Bias</source>
-        <translation>バイアス</translation>
-    </message>
-    <message>
-        <source>How high above the ground something must be to shade it</source>
-        <translation>地面より何 m 高いと影を落とすとみなすか</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>区間</translation>
-    </message>
-    <message>
-        <source>How long the sun is taken to move in a straight line</source>
-        <translation>太陽が直線で動くとみなす時間</translation>
-    </message>
-    <message>
-        <source>Direction bound</source>
-        <translation>方向の許容差</translation>
-    </message>
-    <message>
-        <source>Hours whose sun is less than this apart are computed once</source>
-        <translation>太陽の差がこれより小さい時刻は 1 回だけ計算</translation>
-    </message>
-    <message>
-        <source>Source levels</source>
-        <translation>遮蔽物の段数</translation>
-    </message>
-    <message>
-        <source>How many occluders, nearest first, are followed from each cell</source>
-        <translation>各セルから近い順に追う遮蔽物の数</translation>
-    </message>
-    <message>
-        <source>Sources by rays</source>
-        <translation>レイで遮蔽物を探す</translation>
-    </message>
-    <message>
-        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
-        <translation>区間の両端の遮蔽物を Embree で探す。なしなら多角形の塗りで、より速い</translation>
-    </message>
-    <message>
-        <source>Nearest hit</source>
-        <translation>最短の命中</translation>
-    </message>
-    <message>
-        <source>Occluders nearer to a cell than this are left out (the paper: 1 m)</source>
-        <translation>これよりセルに近い遮蔽物は除く (論文: 1 m)</translation>
-    </message>
-    <message>
-        <source>OpenCL device</source>
-        <translation>OpenCL デバイス</translation>
-    </message>
-    <message>
-        <source>Which OpenCL device draws, counted from 0; -1: the processor itself</source>
-        <translation>描画する OpenCL デバイス (0 から数える)。-1: プロセッサ</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>はい</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>いいえ</translation>
-    </message>
-    <message>
-        <source>Rays look at every step of every longest run, so that a gap between two walls in one line is found too; without it, they look at what neighbouring bins leave in doubt</source>
-        <translation>光線は最長の連続時間のすべてのステップを調べるため、一直線に並ぶ二つの壁の隙間も見つかります。使わない場合は、隣り合う方位で判定できない部分だけを調べます</translation>
-    </message>
-</context>
-<context>
     <name>Error</name>
     <message>
         <source>No city is open</source>
@@ -495,169 +316,6 @@
     </message>
 </context>
 <context>
-    <name>Legend</name>
-    <message>
-        <source>Gross shadow</source>
-        <translation>累計日影</translation>
-    </message>
-    <message>
-        <source>Continuous shadow</source>
-        <translation>連続日影</translation>
-    </message>
-    <message>
-        <source>minutes in shadow a day</source>
-        <translation>1 日の日影の分</translation>
-    </message>
-    <message>
-        <source>longest run, minutes</source>
-        <translation>最長連続、分</translation>
-    </message>
-    <message>
-        <source>Change of gross shadow</source>
-        <translation>累計日影の変化</translation>
-    </message>
-    <message>
-        <source>Change of continuous shadow</source>
-        <translation>連続日影の変化</translation>
-    </message>
-    <message>
-        <source>min a day</source>
-        <translation>分/日</translation>
-    </message>
-    <message>
-        <source>min</source>
-        <translation>分</translation>
-    </message>
-    <message>
-        <source>scale fitted to this difference</source>
-        <translation>この差分に合わせた目盛</translation>
-    </message>
-    <message>
-        <source>Shadow score</source>
-        <translation>日影スコア</translation>
-    </message>
-    <message>
-        <source>weight × share of time</source>
-        <translation>重み × 時間の割合</translation>
-    </message>
-    <message>
-        <source>built over</source>
-        <translation>建物になった</translation>
-    </message>
-    <message>
-        <source>now ground</source>
-        <translation>地面になった</translation>
-    </message>
-    <message>
-        <source>in the sun</source>
-        <translation>日なた</translation>
-    </message>
-    <message>
-        <source>in shadow</source>
-        <translation>日影</translation>
-    </message>
-    <message>
-        <source>Shadow</source>
-        <translation>日影</translation>
-    </message>
-    <message>
-        <source>at this moment</source>
-        <translation>この時刻</translation>
-    </message>
-    <message>
-        <source>scale locked: %1</source>
-        <translation>目盛固定: %1</translation>
-    </message>
-    <message>
-        <source>largest %1</source>
-        <translation>最大 %1</translation>
-    </message>
-    <message>
-        <source>Verdicts on windows</source>
-        <translation>窓の判定</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>前</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>後</translation>
-    </message>
-    <message>
-        <source>Change of verdicts</source>
-        <translation>判定の変化</translation>
-    </message>
-    <message>
-        <source>from before to after</source>
-        <translation>前から後へ</translation>
-    </message>
-    <message>
-        <source>pass</source>
-        <translation>適合</translation>
-    </message>
-    <message>
-        <source>borderline</source>
-        <translation>境界</translation>
-    </message>
-    <message>
-        <source>fail</source>
-        <translation>不適合</translation>
-    </message>
-    <message>
-        <source>not applicable</source>
-        <translation>対象外</translation>
-    </message>
-    <message>
-        <source>worse</source>
-        <translation>悪化</translation>
-    </message>
-    <message>
-        <source>better</source>
-        <translation>改善</translation>
-    </message>
-    <message>
-        <source>the same</source>
-        <translation>変化なし</translation>
-    </message>
-    <message>
-        <source>not compared</source>
-        <translation>比較なし</translation>
-    </message>
-    <message>
-        <source>Hours of sun</source>
-        <translation>日照時間</translation>
-    </message>
-    <message>
-        <source>hours of sun a day</source>
-        <translation>1 日の日照時間</translation>
-    </message>
-    <message>
-        <source>Share of the sunlit time</source>
-        <translation>可照時間に占める割合</translation>
-    </message>
-    <message>
-        <source>% in the sun</source>
-        <translation>% 日なた</translation>
-    </message>
-    <message>
-        <source>Change of sun</source>
-        <translation>日照の変化</translation>
-    </message>
-    <message>
-        <source>Sun by place</source>
-        <translation>場所別の日照</translation>
-    </message>
-    <message>
-        <source>Change of sun by place</source>
-        <translation>場所別の日照の変化</translation>
-    </message>
-    <message>
-        <source>minutes of sun a day</source>
-        <translation>1 日の日照の分数</translation>
-    </message>
-</context>
-<context>
     <name>QObject</name>
     <message>
         <source>Read &amp;places into this project</source>
@@ -954,10 +612,6 @@
     <message>
         <source>Storeys</source>
         <translation>階数</translation>
-    </message>
-    <message>
-        <source>Lot</source>
-        <translation>敷地</translation>
     </message>
     <message>
         <source>Buildings demolished</source>
@@ -1398,10 +1052,6 @@ cells of %2 m</source>
     <message>
         <source>plaza</source>
         <translation>広場</translation>
-    </message>
-    <message>
-        <source>greenstreet</source>
-        <translation>緑道</translation>
     </message>
     <message>
         <source>cemetery</source>
@@ -2270,10 +1920,6 @@ The study: %2</source>
         <translation>%1-%2 %</translation>
     </message>
     <message>
-        <source>Error of cells against rays: %1 % mean, %2 % largest</source>
-        <translation>レイに対するセルの誤差: 平均 %1 %、最大 %2 %</translation>
-    </message>
-    <message>
         <source>%1, %</source>
         <translation>%1、%</translation>
     </message>
@@ -2386,10 +2032,6 @@ The study: %2</source>
         <translation>広場</translation>
     </message>
     <message>
-        <source>Greenstreets</source>
-        <translation>緑道</translation>
-    </message>
-    <message>
         <source>Cemeteries</source>
         <translation>墓地</translation>
     </message>
@@ -2416,6 +2058,52 @@ The study: %2</source>
     <message>
         <source>Contribution of this new building alone: ground that loses over %1 min of sun a day by it</source>
         <translation>この新しい建物だけの寄与：それによって 1 日 %1 分を超える日照を失う地面</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>はい</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>いいえ</translation>
+    </message>
+    <message>
+        <source>Export buildings</source>
+        <translation>建物を書き出す</translation>
+    </message>
+    <message>
+        <source>Attributed by: %1</source>
+        <translation>寄与の算出：%1</translation>
+    </message>
+    <message>
+        <source>– figures only</source>
+        <translation>– 数値のみ</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>誤差：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Against the ray reference, of a sample of %1 value(s)</source>
+        <translation>
+            <numerusform>光線基準との比較、%1 個の値の標本</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>lawn or bed</source>
+        <translation>芝生または花壇</translation>
+    </message>
+    <message>
+        <source>Lawns and beds</source>
+        <translation>芝生と花壇</translation>
+    </message>
+    <message>
+        <source>the whole lot</source>
+        <translation>敷地全体</translation>
+    </message>
+    <message>
+        <source> (top: %1)</source>
+        <translation>（最上階：%1）</translation>
     </message>
 </context>
 <context>
@@ -2642,10 +2330,6 @@ The study: %2</source>
     <message>
         <source>Level of detail</source>
         <translation>詳細度</translation>
-    </message>
-    <message>
-        <source>CityJSON: level of detail (default: the highest)</source>
-        <translation>CityJSON：詳細度（既定：最も高いもの）</translation>
     </message>
     <message>
         <source>the highest</source>
@@ -3484,10 +3168,6 @@ The study: %2</source>
         <translation>面積の平均で %1（太陽が出ている 1 日 %2 のうち）。</translation>
     </message>
     <message>
-        <source>%1 takes sun from %2 places, at most %3 a day at one spot.</source>
-        <translation>%1 は %2 か所の日照を減らし、最大の地点で 1 日 %3。</translation>
-    </message>
-    <message>
         <source>Hours of sun a day by month</source>
         <translation>月別の 1 日の日照時間</translation>
     </message>
@@ -3811,6 +3491,506 @@ The study: %2</source>
         <source>Size of the cells of places with fewer than 25 cells, m; as large as the others or larger: the same</source>
         <translation>25 セル未満の場所のセルの大きさ、m。ほかと同じかそれ以上なら同じ</translation>
     </message>
+    <message>
+        <source>Ray reference</source>
+        <translation>レイ基準</translation>
+    </message>
+    <message>
+        <source>One ray per receiver and step, traced by Embree: the truth that others are measured against</source>
+        <translation>測定点とステップごとに Embree で追跡するレイ 1 本: 他を測る基準</translation>
+    </message>
+    <message>
+        <source>Projected shadows</source>
+        <translation>投影した影</translation>
+    </message>
+    <message>
+        <source>Each building&apos;s shadow filled as polygons at every step: exact and fast on flat ground</source>
+        <translation>各ステップで各建物の影を多角形として塗る: 平らな地面で厳密かつ高速</translation>
+    </message>
+    <message>
+        <source>Horizon sweep</source>
+        <translation>地平線掃引</translation>
+    </message>
+    <message>
+        <source>The slope of each receiver&apos;s horizon, azimuth by azimuth: a year in moments, on terrain and roofs too</source>
+        <translation>各測定点の地平線の傾きを方位ごとに: 1 年も短時間、地形や屋根でも</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map</source>
+        <translation>影累積マップ</translation>
+    </message>
+    <message>
+        <source>A depth map of each step of an hour, drawn from a city placed once; hours that look alike computed once</source>
+        <translation>1 時間の各ステップの深度マップを一度置いた都市から描く。似た時刻は 1 回だけ計算</translation>
+    </message>
+    <message>
+        <source>Inverse accrual map</source>
+        <translation>逆累積マップ</translation>
+    </message>
+    <message>
+        <source>Occluders at both ends of each hour, their shadows moved along straight lines between; hours that look alike computed once</source>
+        <translation>各時間の両端の遮蔽物を求め、その間は影を直線で動かす。似た時刻は 1 回だけ計算</translation>
+    </message>
+    <message>
+        <source>Ray reference through the direction graph</source>
+        <translation>方向グラフによるレイ基準</translation>
+    </message>
+    <message>
+        <source>Rays, with hours that look alike traced once: what the graph alone does to the error</source>
+        <translation>似た時刻を 1 回だけ追跡するレイ: グラフだけによる誤差</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result says which and why</source>
+        <translation>投影した影、地平線掃引、レイのうち、短時間で済む所では厳密なもの。結果にどれか理由とともに示します</translation>
+    </message>
+    <message>
+        <source>Error target</source>
+        <translation>目標誤差</translation>
+    </message>
+    <message>
+        <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
+        <translation>セルの累計日影の平均誤差 (期間に対する割合): 方位の刻みはこれが許す幅になります。半分にすると時間は 2 倍</translation>
+    </message>
+    <message>
+        <source>Azimuth bin</source>
+        <translation>方位の刻み</translation>
+    </message>
+    <message>
+        <source>Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks</source>
+        <translation>方位差がこれより小さい太陽は同じ地平線を使う。0: 目標誤差に従う</translation>
+    </message>
+    <message>
+        <source>Continuous shadow</source>
+        <translation>連続日影</translation>
+    </message>
+    <message>
+        <source>The longest unbroken shadow is counted too; without it, gross shadow only, in about half the time</source>
+        <translation>途切れない最長の影も数える。なしなら累計日影だけで約半分の時間</translation>
+    </message>
+    <message>
+        <source>Check runs</source>
+        <translation>連続の検査</translation>
+    </message>
+    <message>
+        <source>Map size</source>
+        <translation>マップの大きさ</translation>
+    </message>
+    <message>
+        <source>Texels along a side of the depth map that is stretched over the region; no more than cells are used</source>
+        <translation>範囲に広げる深度マップの一辺のテクセル数。セル数を超えない</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>バイアス</translation>
+    </message>
+    <message>
+        <source>How high above the ground something must be to shade it</source>
+        <translation>地面より何 m 高いと影を落とすとみなすか</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>区間</translation>
+    </message>
+    <message>
+        <source>How long the sun is taken to move in a straight line</source>
+        <translation>太陽が直線で動くとみなす時間</translation>
+    </message>
+    <message>
+        <source>Direction bound</source>
+        <translation>方向の許容差</translation>
+    </message>
+    <message>
+        <source>Hours whose sun is less than this apart are computed once</source>
+        <translation>太陽の差がこれより小さい時刻は 1 回だけ計算</translation>
+    </message>
+    <message>
+        <source>Source levels</source>
+        <translation>遮蔽物の段数</translation>
+    </message>
+    <message>
+        <source>How many occluders, nearest first, are followed from each cell</source>
+        <translation>各セルから近い順に追う遮蔽物の数</translation>
+    </message>
+    <message>
+        <source>Sources by rays</source>
+        <translation>レイで遮蔽物を探す</translation>
+    </message>
+    <message>
+        <source>Embree finds the occluders at an interval&apos;s ends; otherwise filled polygons do, which is faster</source>
+        <translation>区間の両端の遮蔽物を Embree で探す。なしなら多角形の塗りで、より速い</translation>
+    </message>
+    <message>
+        <source>Nearest hit</source>
+        <translation>最短の命中</translation>
+    </message>
+    <message>
+        <source>Occluders nearer to a cell than this are left out (the paper: 1 m)</source>
+        <translation>これよりセルに近い遮蔽物は除く (論文: 1 m)</translation>
+    </message>
+    <message>
+        <source>OpenCL device</source>
+        <translation>OpenCL デバイス</translation>
+    </message>
+    <message>
+        <source>Which OpenCL device draws, counted from 0; -1: the processor itself</source>
+        <translation>描画する OpenCL デバイス (0 から数える)。-1: プロセッサ</translation>
+    </message>
+    <message>
+        <source>Rays look at every step of every longest run, so that a gap between two walls in one line is found too; without it, they look at what neighbouring bins leave in doubt</source>
+        <translation>光線は最長の連続時間のすべてのステップを調べるため、一直線に並ぶ二つの壁の隙間も見つかります。使わない場合は、隣り合う方位で判定できない部分だけを調べます</translation>
+    </message>
+    <message>
+        <source>Gross shadow</source>
+        <translation>累計日影</translation>
+    </message>
+    <message>
+        <source>minutes in shadow a day</source>
+        <translation>1 日の日影の分</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>日影スコア</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>日影</translation>
+    </message>
+    <message>
+        <source>Verdicts on windows</source>
+        <translation>窓の判定</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>後</translation>
+    </message>
+    <message>
+        <source>Change of verdicts</source>
+        <translation>判定の変化</translation>
+    </message>
+    <message>
+        <source>from before to after</source>
+        <translation>前から後へ</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>適合</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>境界</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>不適合</translation>
+    </message>
+    <message>
+        <source>not applicable</source>
+        <translation>対象外</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>悪化</translation>
+    </message>
+    <message>
+        <source>better</source>
+        <translation>改善</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>変化なし</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>比較なし</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>可照時間に占める割合</translation>
+    </message>
+    <message>
+        <source>% in the sun</source>
+        <translation>% 日なた</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>場所別の日照の変化</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>1 日の日照の分数</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> 分/日</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> 時間</translation>
+    </message>
+    <message>
+        <source> h a day</source>
+        <translation> 時間/日</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>未集計</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>隣接する地盤高が異なる場合</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>常に</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>しない (平らな地面)</translation>
+    </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>基部と地形の合い方に応じて</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>それぞれを地形に載せる</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>ファイルの標高のまま</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>輪郭での段差から判定</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>地表面のみ</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>建物を含む表面</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>CityGML, CityJSON: level of detail (default: the highest)</source>
+        <translation>CityGML、CityJSON：詳細度（既定：最も高いもの）</translation>
+    </message>
+    <message>
+        <source>Sun to indigo</source>
+        <translation>日なた色から藍色</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Magma</source>
+        <translation>Magma</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>グレー</translation>
+    </message>
+    <message>
+        <source>Green to red</source>
+        <translation>緑から赤</translation>
+    </message>
+    <message>
+        <source>Orange to violet</source>
+        <translation>橙から紫</translation>
+    </message>
+    <message>
+        <source>Green-blue to brown</source>
+        <translation>青緑から茶</translation>
+    </message>
+    <message>
+        <source>Orange to purple</source>
+        <translation>橙から赤紫</translation>
+    </message>
+    <message>
+        <source>Blue to red</source>
+        <translation>青から赤</translation>
+    </message>
+    <message>
+        <source>Green to red, pale in the middle</source>
+        <translation>緑から赤、中央は淡い色</translation>
+    </message>
+    <message>
+        <source>Gross shadow of a cell</source>
+        <translation>セルの総日影</translation>
+    </message>
+    <message>
+        <source>Longest shadow of a cell</source>
+        <translation>セルの最長連続日影</translation>
+    </message>
+    <message>
+        <source>Shadow of a cell in a month</source>
+        <translation>セルの月別の日影</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow of a cell</source>
+        <translation>セルの総日影の変化</translation>
+    </message>
+    <message>
+        <source>Change of the longest shadow of a cell</source>
+        <translation>セルの最長連続日影の変化</translation>
+    </message>
+    <message>
+        <source>Score of a cell</source>
+        <translation>セルの得点</translation>
+    </message>
+    <message>
+        <source>Weighted shade</source>
+        <translation>重み付きの日陰</translation>
+    </message>
+    <message>
+        <source>Least and most sun of a place, at a cell</source>
+        <translation>場所の最小・最大の日照（セル）</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place</source>
+        <translation>場所の平均日照</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place in a month</source>
+        <translation>場所の月別平均日照</translation>
+    </message>
+    <message>
+        <source>Share of a place with enough sun</source>
+        <translation>十分な日照がある場所の割合</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place on a date</source>
+        <translation>場所の指定日の平均日照</translation>
+    </message>
+    <message>
+        <source>Share of a place with less than enough sun on a date</source>
+        <translation>指定日に日照が不足する場所の割合</translation>
+    </message>
+    <message>
+        <source>Change of the mean sun of a place</source>
+        <translation>場所の平均日照の変化</translation>
+    </message>
+    <message>
+        <source>Largest loss and gain of a place, at a cell</source>
+        <translation>場所の最大の減少と増加（セル）</translation>
+    </message>
+    <message>
+        <source>Share of a place that loses sun</source>
+        <translation>日照が減る場所の割合</translation>
+    </message>
+    <message>
+        <source>%1, with 99 % certainty within %2</source>
+        <translation>%1、99 % の確からしさで %2 以内</translation>
+    </message>
+    <message>
+        <source>%1 in the mean, 99 of 100 within %2, at most %3</source>
+        <translation>平均 %1、100 のうち 99 は %2 以内、最大 %3</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>屋根</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>地面と屋根</translation>
+    </message>
+    <message>
+        <source>%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot.</source>
+        <translation>%1 は %2 か所で 1 日 1 分を超える日照を奪い、1 地点では最大 %3 です。</translation>
+    </message>
+    <message>
+        <source>buildings stand on all of it</source>
+        <translation>全体に建物が建っています</translation>
+    </message>
+    <message>
+        <source>no cell has its centre on its open ground</source>
+        <translation>空地に中心を持つセルがありません</translation>
+    </message>
+    <message>
+        <source>beyond the terrain: the nearest elevation is taken</source>
+        <translation>地形の範囲外：最も近い標高を使用</translation>
+    </message>
+    <message>
+        <source>mostly on water: measured at its surface</source>
+        <translation>大部分が水面上：水面で計測</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>標高</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>地盤からの高さ</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>ファサード</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>ファイルの窓</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>水平面</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>敷地まわりの線上</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>個別の点</translation>
+    </message>
+    <message>
+        <source>Floor plate</source>
+        <translation>基準階面積</translation>
+    </message>
+    <message>
+        <source>Gross floor area</source>
+        <translation>延べ面積</translation>
+    </message>
+    <message>
+        <source>Floor area ratio (FAR)</source>
+        <translation>容積率</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>調整</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -4125,8 +4305,12 @@ as published. Approximate: the legend states the measured error</source>
         <translation>%1 の影を配分しています</translation>
     </message>
     <message>
-        <source>A saved result holds what buildings take from its whole region, if that was asked for. For a place, show the study again.</source>
-        <translation>保存した結果には、求めた場合、領域全体から建物が奪う分が含まれます。場所については検討を再表示してください。</translation>
+        <source>Choose a place of the table, or click one in the view, to see which buildings shade it.</source>
+        <translation>表から場所を選ぶか、ビューで場所をクリックすると、どの建物が影を落とすかが分かります。</translation>
+    </message>
+    <message>
+        <source>A saved result holds what buildings take from its whole region, if that was asked for. Of places it holds those that were attributed before it was saved.</source>
+        <translation>保存した結果には、求められていれば領域全体から建物が奪う量が含まれます。場所については、保存前に算出したものが含まれます。</translation>
     </message>
 </context>
 <context>
@@ -5067,6 +5251,10 @@ Continuous shadow stays in minutes: the longest run in the sun does not follow f
         <source>A difference has its range beside the legend; a score is fitted</source>
         <translation>差の範囲は凡例の横にあります。得点は自動で合わせます</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::LegendStrip</name>
@@ -5406,6 +5594,26 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
 辺の長さを入力して Enter を押します。
 ダブルクリック、Enter または右クリックで完了、Backspace で最後の角を取り消します。</translation>
     </message>
+    <message>
+        <source>Target</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>Edit tower</source>
+        <translation>タワーを編集</translation>
+    </message>
+    <message>
+        <source>Designs the tower on this lot further, with the values it was built with</source>
+        <translation>この敷地のタワーを、建てたときの値から引き続き設計します</translation>
+    </message>
+    <message>
+        <source>Takes the nearest value with which the tower can be built</source>
+        <translation>タワーを建てられる最も近い値を使います</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>%1 を使う</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MeshPlacing</name>
@@ -5659,6 +5867,16 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <source>Open alone</source>
         <translation>単独で開く</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 far building(s) left aside.</source>
+        <translation>
+            <numerusform>遠くの建物 %1 棟を除外しています。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Zoom to all</source>
+        <translation>全体を表示</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -5877,10 +6095,6 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>場所(&amp;L)</translation>
     </message>
     <message>
-        <source>Shows outlines and names of places</source>
-        <translation>場所の外形と名称を表示</translation>
-    </message>
-    <message>
         <source>Reading places</source>
         <translation>場所を読み込み中</translation>
     </message>
@@ -5899,6 +6113,26 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>Place from b&amp;uilding outline</source>
         <translation>建物外形から場所(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Read s&amp;treets</source>
+        <translation>道路を読み込む(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Streets from OpenStreetMap as places, cut at their junctions, carriageway and sidewalks apart</source>
+        <translation>OpenStreetMap の道路を場所として読み込みます。交差点で区切り、車道と歩道を分けます</translation>
+    </message>
+    <message>
+        <source>Shows names of places</source>
+        <translation>場所の名前を表示します</translation>
+    </message>
+    <message>
+        <source>Outlines of all places</source>
+        <translation>すべての場所の輪郭</translation>
+    </message>
+    <message>
+        <source>Without it, the outline of the chosen place is shown, and of the one under the cursor</source>
+        <translation>オフの場合、選択した場所とカーソル下の場所の輪郭だけを表示します</translation>
     </message>
 </context>
 <context>
@@ -5997,6 +6231,10 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>%1 (here: %2 h)</source>
         <translation>%1（ここでは %2 h）</translation>
     </message>
+    <message>
+        <source>Remarks</source>
+        <translation>備考</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesDock</name>
@@ -6094,6 +6332,22 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>Places with less sun a day than this are violet, others orange, unless the legend has other colours</source>
         <translation>1 日の日照がこれより少ない場所は紫、ほかは橙です（凡例に別の色がない場合）</translation>
     </message>
+    <message>
+        <source>Who shades it</source>
+        <translation>影を落とす建物</translation>
+    </message>
+    <message>
+        <source>Shows which buildings take sun from the chosen place, and how much. Or double-click its row</source>
+        <translation>選択した場所の日照を奪う建物とその量を表示します。行のダブルクリックでも表示します</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1</source>
+        <translation>光線に対する計測誤差：%1</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1：%3 中 %2</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesForm</name>
@@ -6136,6 +6390,14 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>Own regions %1</source>
         <translation>自分の領域 %1</translation>
+    </message>
+    <message>
+        <source>Read streets</source>
+        <translation>道路を読み込む</translation>
+    </message>
+    <message>
+        <source>Adds the streets of the city&apos;s OpenStreetMap file, cut at their junctions, carriageway and sidewalks apart</source>
+        <translation>都市の OpenStreetMap ファイルの道路を追加します。交差点で区切り、車道と歩道を分けます</translation>
     </message>
 </context>
 <context>
@@ -7177,6 +7439,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Displayed: %1</source>
         <translation>表示中: %1</translation>
     </message>
+    <message>
+        <source>%1 (not where the site is)</source>
+        <translation>%1（敷地の国のものではない）</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::RunForecast</name>
@@ -7320,6 +7586,24 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Saved as %1</source>
         <translation>%1 として保存しました</translation>
+    </message>
+    <message>
+        <source>&amp;Export buildings...</source>
+        <translation>建物を書き出す(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>Writes the buildings that the displayed scenario proposes as glTF, OBJ, DXF or GeoPackage; of the existing city all buildings</source>
+        <translation>表示中のシナリオが提案する建物を glTF、OBJ、DXF、GeoPackage で書き出します。現況の都市ではすべての建物を書き出します</translation>
+    </message>
+    <message>
+        <source>Export buildings</source>
+        <translation>建物を書き出す</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s) saved as %2</source>
+        <translation>
+            <numerusform>%1 棟の建物を %2 として保存しました</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7795,6 +8079,14 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Adds a building from a file (%1), placed by a click on the ground</source>
         <translation>ファイル（%1）から建物を追加します。地面をクリックして配置します</translation>
     </message>
+    <message>
+        <source>Edit tower</source>
+        <translation>タワーを編集</translation>
+    </message>
+    <message>
+        <source>Designs the tower further, with the values it was built with</source>
+        <translation>タワーを、建てたときの値から引き続き設計します</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SetbackTable</name>
@@ -7939,6 +8231,22 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Cancelled. Any change lays the sheets out again.</source>
         <translation>中止しました。変更すると配置し直します。</translation>
+    </message>
+    <message>
+        <source>With the project</source>
+        <translation>プロジェクトも含める</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>フォルダーを開く</translation>
+    </message>
+    <message>
+        <source>Shows the written files</source>
+        <translation>書き出したファイルを表示します</translation>
+    </message>
+    <message>
+        <source>Puts a copy of the project&apos;s file into the folder, so that the report can be verified from there</source>
+        <translation>報告書をその場で検証できるように、プロジェクトファイルのコピーをフォルダーに入れます</translation>
     </message>
 </context>
 <context>
@@ -8174,6 +8482,45 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     </message>
 </context>
 <context>
+    <name>noonmark::TargetRow</name>
+    <message>
+        <source>Floor area</source>
+        <translation>床面積</translation>
+    </message>
+    <message>
+        <source>FAR</source>
+        <translation>容積率</translation>
+    </message>
+    <message>
+        <source>Gross floor area, or floor area ratio: gross floor area divided by the lot&apos;s area</source>
+        <translation>延床面積、または容積率：延床面積を敷地面積で割った値</translation>
+    </message>
+    <message>
+        <source>What the tower shall have; press a button below to reach it</source>
+        <translation>タワーの目標値。下のボタンで達成します</translation>
+    </message>
+    <message>
+        <source>Fit storeys</source>
+        <translation>階数を合わせる</translation>
+    </message>
+    <message>
+        <source>The most storeys that stay within it</source>
+        <translation>それを超えない最大の階数</translation>
+    </message>
+    <message>
+        <source>Fit plate</source>
+        <translation>基準階を合わせる</translation>
+    </message>
+    <message>
+        <source>The floor plate with which these storeys reach it</source>
+        <translation>この階数で達成する基準階の大きさ</translation>
+    </message>
+    <message>
+        <source> sq ft</source>
+        <translation> 平方フィート</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::ThemeMenu</name>
     <message>
         <source>As the &amp;system</source>
@@ -8291,6 +8638,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>period</source>
         <translation>期間</translation>
+    </message>
+    <message>
+        <source>It is night there now, so this is noon: %1</source>
+        <translation>現地は今夜なので、正午を表示しています：%1</translation>
     </message>
 </context>
 <context>
@@ -9061,189 +9412,6 @@ Click a building first.</source>
     <message>
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
-    </message>
-</context>
-<context>
-    <name>std</name>
-    <message>
-        <source>if neighbours&apos; ground heights differ</source>
-        <translation>隣接する地盤高が異なる場合</translation>
-    </message>
-    <message>
-        <source>always</source>
-        <translation>常に</translation>
-    </message>
-    <message>
-        <source>never (flat ground)</source>
-        <translation>しない (平らな地面)</translation>
-    </message>
-    <message>
-        <source>as their bases fit the terrain</source>
-        <translation>基部と地形の合い方に応じて</translation>
-    </message>
-    <message>
-        <source>each set down on the terrain</source>
-        <translation>それぞれを地形に載せる</translation>
-    </message>
-    <message>
-        <source>at the elevations in the file</source>
-        <translation>ファイルの標高のまま</translation>
-    </message>
-    <message>
-        <source>found by its steps at outlines</source>
-        <translation>輪郭での段差から判定</translation>
-    </message>
-    <message>
-        <source>the bare ground</source>
-        <translation>地表面のみ</translation>
-    </message>
-    <message>
-        <source>a surface with buildings</source>
-        <translation>建物を含む表面</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自動</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Z</source>
-        <translation>Z</translation>
-    </message>
-    <message>
-        <source>on the ground</source>
-        <translation>地面</translation>
-    </message>
-    <message>
-        <source>on roofs</source>
-        <translation>屋根</translation>
-    </message>
-    <message>
-        <source>on the ground and roofs</source>
-        <translation>地面と屋根</translation>
-    </message>
-    <message>
-        <source>elevations</source>
-        <translation>標高</translation>
-    </message>
-    <message>
-        <source>above the ground</source>
-        <translation>地盤からの高さ</translation>
-    </message>
-    <message>
-        <source>on facades</source>
-        <translation>ファサード</translation>
-    </message>
-    <message>
-        <source>at windows of a file</source>
-        <translation>ファイルの窓</translation>
-    </message>
-    <message>
-        <source>on a level plane</source>
-        <translation>水平面</translation>
-    </message>
-    <message>
-        <source>on lines around a parcel</source>
-        <translation>敷地まわりの線上</translation>
-    </message>
-    <message>
-        <source>at single points</source>
-        <translation>個別の点</translation>
-    </message>
-    <message>
-        <source> min</source>
-        <translation> 分</translation>
-    </message>
-    <message>
-        <source> min a day</source>
-        <translation> 分/日</translation>
-    </message>
-    <message>
-        <source> h</source>
-        <translation> 時間</translation>
-    </message>
-    <message>
-        <source> h a day</source>
-        <translation> 時間/日</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>not counted</source>
-        <translation>未集計</translation>
-    </message>
-    <message>
-        <source>Sun to indigo</source>
-        <translation>日なた色から藍色</translation>
-    </message>
-    <message>
-        <source>Viridis</source>
-        <translation>Viridis</translation>
-    </message>
-    <message>
-        <source>Cividis</source>
-        <translation>Cividis</translation>
-    </message>
-    <message>
-        <source>Magma</source>
-        <translation>Magma</translation>
-    </message>
-    <message>
-        <source>Grey</source>
-        <translation>グレー</translation>
-    </message>
-    <message>
-        <source>Green to red</source>
-        <translation>緑から赤</translation>
-    </message>
-    <message>
-        <source>Shadow</source>
-        <translation>日影</translation>
-    </message>
-    <message>
-        <source>Sun</source>
-        <translation>日照</translation>
-    </message>
-    <message>
-        <source>Share of the sunlit time</source>
-        <translation>可照時間に占める割合</translation>
-    </message>
-    <message>
-        <source>Orange to violet</source>
-        <translation>橙から紫</translation>
-    </message>
-    <message>
-        <source>Green-blue to brown</source>
-        <translation>青緑から茶</translation>
-    </message>
-    <message>
-        <source>Orange to purple</source>
-        <translation>橙から赤紫</translation>
-    </message>
-    <message>
-        <source>Blue to red</source>
-        <translation>青から赤</translation>
-    </message>
-    <message>
-        <source>Green to red, pale in the middle</source>
-        <translation>緑から赤、中央は淡い色</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day by month</source>
-        <translation>月別の 1 日の日照時間</translation>
-    </message>
-    <message>
-        <source>buildings stand on all of it</source>
-        <translation>全体に建物が建っています</translation>
-    </message>
-    <message>
-        <source>no cell has its centre on its open ground</source>
-        <translation>空地に中心を持つセルがありません</translation>
     </message>
 </context>
 </TS>

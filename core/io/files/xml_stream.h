@@ -24,7 +24,7 @@ class XmlListener {
 public:
     virtual ~XmlListener() = default;
     virtual Result<void> begin(const XmlElement& element) = 0;
-    /// `text`: what stands between this end and the begin or end before it; all text of an element without
+    /// `text`: the text between this end and the begin or end before it; all text of an element without
     /// others inside.
     virtual Result<void> end(std::string_view name, std::string_view text) = 0;
     /// Whether the text after the element that began or ended last is wanted; else end() gets none.

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/describe/command_flags.h"
 #include "core/io/settings/read_fields.h"
 #include "core/study/provenance/command_words.h"
+#include "core/study/study_fields.h"
 #include "core/study/text/height_words.h"
+#include "core/sun/period_fields.h"
 
 namespace noonmark {
 
@@ -36,6 +39,10 @@ private:
     std::vector<CommandOption> options_;
 };
 
+std::string_view flagOf(std::span<const Field> rows, std::string_view key) {
+    return std::ranges::find(rows, key, &Field::key)->flag;
+}
+
 // 500 m around the middle of the buildings, or all of them where that is less.
 std::string firstRegion(const City& city) {
     constexpr double halfM = 250;
@@ -63,10 +70,11 @@ std::vector<NextStep> listNextSteps(const CityRead& read, const std::vector<std:
     if (!read.city.terrain)
         steps.push_back({"the ground is flat, since there is no terrain",
                          writer.write("noonmark-cli info", {}, "TERRAIN.tif")});
-    steps.push_back(
-        {"a day around its middle",
-         writer.write("noonmark-cli study", fmt::format("--start 2026-06-21 --region={} --out first-study",
-                                                        firstRegion(read.city)))});
+    steps.push_back({"a day around its middle",
+                     writer.write("noonmark-cli study", fmt::format("{} 2026-06-21 {}={} {} first-study",
+                                                                    flagOf(periodFields().rows(), "start"),
+                                                                    flagOf(regionFields().rows(), "region"),
+                                                                    firstRegion(read.city), flags::out))});
     steps.push_back(writer.hasOptions()
                         ? NextStep{"a project, which opens in the window",
                                    writer.write("noonmark-cli project new city.noonmark.gpkg", {})}
