@@ -39,7 +39,7 @@ private:
     std::vector<CommandOption> options_;
 };
 
-std::string_view flagOf(std::span<const Field> rows, std::string_view key) {
+std::string_view nameFlag(std::span<const Field> rows, std::string_view key) {
     return std::ranges::find(rows, key, &Field::key)->flag;
 }
 
@@ -70,11 +70,13 @@ std::vector<NextStep> listNextSteps(const CityRead& read, const std::vector<std:
     if (!read.city.terrain)
         steps.push_back({"the ground is flat, since there is no terrain",
                          writer.write("noonmark-cli info", {}, "TERRAIN.tif")});
-    steps.push_back({"a day around its middle",
-                     writer.write("noonmark-cli study", fmt::format("{} 2026-06-21 {}={} {} first-study",
-                                                                    flagOf(periodFields().rows(), "start"),
-                                                                    flagOf(regionFields().rows(), "region"),
-                                                                    firstRegion(read.city), flags::out))});
+    steps.push_back(
+        {"a day around its middle",
+         writer.write(
+             "noonmark-cli study",
+             fmt::format("{} 2026-06-21 {} sunrise..sunset {}={} {} first-study",
+                         nameFlag(periodFields().rows(), "start"), nameFlag(periodFields().rows(), "window"),
+                         nameFlag(studyFields().rows(), "region"), firstRegion(read.city), flags::out))});
     steps.push_back(writer.hasOptions()
                         ? NextStep{"a project, which opens in the window",
                                    writer.write("noonmark-cli project new city.noonmark.gpkg", {})}

@@ -128,6 +128,7 @@ TEST(NextSteps, NameTheFieldTheTerrainAndAFirstStudy) {
     ASSERT_EQ(steps.size(), 3U);
     EXPECT_EQ(steps[0].command, "noonmark-cli info 'my town.shp' TERRAIN.tif --crs EPSG:2263");
     EXPECT_EQ(steps[1].command.find("noonmark-cli study 'my town.shp' --crs EPSG:2263 --start"), 0U);
+    EXPECT_NE(steps[1].command.find(" --window sunrise..sunset "), std::string::npos) << "needs no zone";
     EXPECT_EQ(steps[2].command, "noonmark-cli project new city.noonmark.gpkg 'my town.shp' --crs EPSG:2263");
     EXPECT_EQ(listNextSteps(read, {"town.gml"}, {})[2].command, "noonmark town.gml");
     EXPECT_TRUE(listNextSteps({}, {"a"}, {}).empty());
