@@ -93,9 +93,10 @@ void ResultLayer::setTime(const std::shared_ptr<const TimeAnswer>& answer) {
     if (mode_ != ViewMode::exploration) show();
 }
 
-void ResultLayer::setMoment(const QString& words) {
-    if (words == moment_) return;
+void ResultLayer::setMoment(const QString& words, bool coversTiles) {
+    if (words == moment_ && coversTiles == momentCovers_) return;
     moment_ = words;
+    momentCovers_ = coversTiles;
     show();
 }
 
@@ -174,7 +175,7 @@ void ResultLayer::showElements() {
     strip_.setNote(ofRuns ? elements_->runNote : elements_->note, elements_->marked);
 }
 
-bool ResultLayer::showsTiles() const { return tiles_ && !live_ && moment_.isEmpty(); }
+bool ResultLayer::showsTiles() const { return tiles_ && !live_ && (moment_.isEmpty() || !momentCovers_); }
 
 void ResultLayer::showTiles() {
     view_.clearPicture();
@@ -275,11 +276,11 @@ void ResultLayer::showMoment() {
 }
 
 QString ResultLayer::minutesAt(const Pick& pick) const {
-    if (!moment_.isEmpty() && !live_ && !time_) return {};
     if (showsTiles()) {
         const auto tile = tileAt(pick.position);
         return tile ? tiles_->describe(*tile) : QString();
     }
+    if (!moment_.isEmpty() && !live_ && !time_) return {};
     if (mode_ == ViewMode::exploration && !live_) {
         const auto point = explored_ ? explored_->view.pointAt(pick.position) : std::nullopt;
         if (!point) return {};

@@ -51,8 +51,8 @@ public:
     /// A day or moment of the study, displayed instead of it; null: none, shows the study again.
     void setTime(const std::shared_ptr<const TimeAnswer>& answer);
     /// Sun and shadow of a moment are shown, in these words: only a study's cells of that moment are shown
-    /// with them. Empty: no moment is shown.
-    void setMoment(const QString& words);
+    /// with them, and tiles unless it covers them. Empty: no moment is shown.
+    void setMoment(const QString& words, bool coversTiles = true);
     void setExplored(std::shared_ptr<const ViewAnswer> answer);  ///< null: none
 
     /// The live shadow, displayed in any mode until it is none.
@@ -104,6 +104,7 @@ private:
     std::optional<GroundAnswer> live_;
     std::optional<ElementView> facades_;  ///< with live_
     QString moment_;
+    bool momentCovers_ = true;  ///< tiles, too
     std::shared_ptr<const ViewAnswer> explored_;
 };
 

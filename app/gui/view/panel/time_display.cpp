@@ -122,12 +122,14 @@ void TimeDisplay::leavePresent() {
     panel_.time().choose(look);
 }
 
+bool TimeDisplay::showsPresent() const { return present_ && present_->look == panel_.time().look(); }
+
 QString TimeDisplay::moment() const {
     if (!showsMoment()) return {};
     const TimeLook& look = panel_.time().look();
     const QString words = tr("%1. %2").arg(describe(look), describe(sun_));
-    const bool night = present_ && present_->isNight && present_->look == look;
-    return night ? tr("It is night there now, so this is noon: %1").arg(words) : words;
+    return showsPresent() && present_->isNight ? tr("It is night there now, so this is noon: %1").arg(words)
+                                               : words;
 }
 
 void TimeDisplay::offer() {
@@ -165,7 +167,8 @@ void TimeDisplay::showSun() {
     sun_ = *sun;
     strip.setSun(sun_);
     const bool moment = showsMoment(), visible = moment && sun_.towards.z > lowestSunZ;
-    panel_.results().setMoment(this->moment());
+    // What is asked for lies over the moment that the window began with, not over one that was chosen.
+    panel_.results().setMoment(this->moment(), !showsPresent());
     rest_->stop();
     CityView& view = panel_.view();
     Q_EMIT sunChanged();

@@ -57,6 +57,7 @@ private:
     void makeActions();
     void look(const TimeLook& look);
     void leavePresent();
+    [[nodiscard]] bool showsPresent() const;
     void show();
     void showSun();
     void drawShadow();
