@@ -181,7 +181,7 @@ TEST(Score, ItsErrorsAreHowFarItIsOffRays) {
     const Score truth = scored(settings, makeMonthlyWeights());
     EXPECT_TRUE(truth.errors.empty()) << "rays computed it";
     settings.engine = "horizon";
-    settings.engineSettings["bin"] = 4;
+    settings.engineSettings["bin"] = 2;
     const Score score = scored(settings, makeMonthlyWeights());
     double off = 0, largest = 0, cells = 0;
     for (std::size_t i = 0; i < score.score.size(); ++i) {

@@ -219,8 +219,8 @@ TEST(RunStudy, MonthsHaveAnErrorOfTheirOwn) {
     EXPECT_GE(study->monthError->largest, study->monthError->mean);
     EXPECT_LE(study->monthError->largest, 60);
     std::vector<std::string> quantities;
-    for (const auto& error : nlohmann::json::parse(studyJson(*study))["errors"])
-        quantities.push_back(error["quantity"]);
+    const auto json = nlohmann::json::parse(studyJson(*study));
+    for (const auto& error : json["errors"]) quantities.push_back(error["quantity"]);
     EXPECT_EQ(quantities, (std::vector<std::string>{"cell_gross", "cell_continuous", "cell_month"}));
     settings.errorSample.receivers = 0;
     EXPECT_FALSE(run(settings)->monthError);

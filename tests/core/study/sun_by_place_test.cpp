@@ -174,7 +174,8 @@ TEST(SunByPlace, APlaceWithoutCellsIsListedWithTheReason) {
 // The terrain ends 100 m east of the tower.
 TEST(SunByPlace, APlaceBeyondTheTerrainIsListedAndMeasured) {
     City city = tower();
-    city.terrain = std::make_shared<const Terrain>(Terrain{{-1000, -1000, 1100, 2, 2}, {0, 0, 0, 0}});
+    city.terrain =
+        std::make_shared<const Terrain>(Terrain{{-1100, -1100, 60, 20, 20}, std::vector<float>(400, 0)});
     const SunByPlace sun =
         measured(city, {namedPlace("Park", -30, 20, 50, 60), namedPlace("Far", 150, 0, 190, 40)}, ofDays(3));
     expectListed(sun, 1, "beyond the terrain: the nearest elevation is taken", "beyond_terrain");
@@ -263,7 +264,7 @@ TEST(SunByPlace, TheErrorOfAMeanIsHowFarItIsOffRays) {
     SunByPlaceSettings settings = ofDays(20);
     settings.smallCellM = 2;
     settings.study.engine = "horizon";
-    settings.study.engineSettings["bin"] = 4;
+    settings.study.engineSettings["bin"] = 2;
     const SunByPlace sun = measured(tower(), {corner}, settings);
     StudySettings byRays = ofDays(20).study;
     byRays.region = {"Corner", corner.polygons};
