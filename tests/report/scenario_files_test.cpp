@@ -121,7 +121,7 @@ TEST(ScenarioBook, ShowsAllScenariosOnItsFirstPageWithHeightAndFloorArea) {
     for (const bool landscape : {false, true}) {
         const Book book = makeScenarioBook(two, {{Paper::a4, landscape}, {}, {}});
         const QString text = tests::textOfPage(book, 0);
-        for (const char* part : {"Existing", "Tower", "42 m high", "floor area 2,400 m²"})
+        for (const char* part : {"Existing", "Tower", "42.0 m high", "floor area 2,400 m²"})
             EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part << ": " << text.toStdString();
         for (std::size_t i = 0; i < book.pages.size(); ++i)
             EXPECT_THAT(tests::listMeetings(tests::textsOfPage(book, i)), testing::IsEmpty()) << "page " << i;
