@@ -9,17 +9,17 @@
 namespace noonmark {
 namespace {
 
-using Rgb = std::array<double, 3>;  // linear light
+using LinearRgb = std::array<double, 3>;  // linear light
 
 double decoded(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
-Rgb linearOf(const QColor& colour) {
+LinearRgb linearOf(const QColor& colour) {
     return {decoded(colour.red() / 255.0), decoded(colour.green() / 255.0), decoded(colour.blue() / 255.0)};
 }
 
 double labCurve(double t) { return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116; }
 
-std::array<double, 3> labOf(const Rgb& rgb) {
+std::array<double, 3> labOf(const LinearRgb& rgb) {
     const double x = (0.4124564 * rgb[0] + 0.3575761 * rgb[1] + 0.1804375 * rgb[2]) / 0.95047;
     const double y = 0.2126729 * rgb[0] + 0.7151522 * rgb[1] + 0.0721750 * rgb[2];
     const double z = (0.0193339 * rgb[0] + 0.1191920 * rgb[1] + 0.9503041 * rgb[2]) / 1.08883;
@@ -27,14 +27,14 @@ std::array<double, 3> labOf(const Rgb& rgb) {
 }
 
 /// Complete deuteranopia: Machado, Oliveira and Fernandes (2009), severity 1, on linear light.
-Rgb deuteranope(const Rgb& c) {
+LinearRgb deuteranope(const LinearRgb& c) {
     return {0.367322 * c[0] + 0.860646 * c[1] - 0.227968 * c[2],
             0.280085 * c[0] + 0.672501 * c[1] + 0.047413 * c[2],
             -0.011820 * c[0] + 0.042940 * c[1] + 0.968881 * c[2]};
 }
 
 /// Complete protanopia, the same source.
-Rgb protanope(const Rgb& c) {
+LinearRgb protanope(const LinearRgb& c) {
     return {0.152286 * c[0] + 1.052583 * c[1] - 0.204868 * c[2],
             0.114503 * c[0] + 0.786281 * c[1] + 0.099216 * c[2],
             -0.003882 * c[0] - 0.048116 * c[1] + 1.051998 * c[2]};
@@ -54,8 +54,8 @@ TEST(ShadowPalette, LightnessFallsEvenly) {
 
 TEST(ShadowPalette, NeighbouringTicksStayApartForTheColourBlind) {
     for (int i = 0; i < 8; ++i) {
-        const Rgb here = linearOf(shadowColour(i / 8.0));
-        const Rgb next = linearOf(shadowColour((i + 1) / 8.0));
+        const LinearRgb here = linearOf(shadowColour(i / 8.0));
+        const LinearRgb next = linearOf(shadowColour((i + 1) / 8.0));
         EXPECT_GT(difference(labOf(deuteranope(here)), labOf(deuteranope(next))), 7) << i;
         EXPECT_GT(difference(labOf(protanope(here)), labOf(protanope(next))), 7) << i;
     }
@@ -78,8 +78,8 @@ TEST(ShadowPalette, SharesOutsideAreClamped) {
 
 TEST(ImpactPalette, BothSidesAreEquallyDarkAndApart) {
     for (const double share : {0.25, 0.5, 1.0}) {
-        const Rgb less = linearOf(impactColour(-share));
-        const Rgb more = linearOf(impactColour(share));
+        const LinearRgb less = linearOf(impactColour(-share));
+        const LinearRgb more = linearOf(impactColour(share));
         EXPECT_NEAR(labOf(less)[0], labOf(more)[0], 1.5) << share;
         EXPECT_GT(difference(labOf(deuteranope(less)), labOf(deuteranope(more))), 12) << share;
     }

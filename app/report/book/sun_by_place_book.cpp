@@ -153,7 +153,7 @@ BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageS
                   QStringLiteral("Map"),
                   0,
                   {}};
-    const QSizeF size(content.width(), content.height() - captionPt(textScale(settings.setup)));
+    const QSizeF size(content.width(), content.height() - captionPt(textScale(setup)));
     page.items.push_back(
         {content, PagePicture{paintMap(sun, colours, size),
                               {QStringLiteral("Places by their mean hours of sun a day"),

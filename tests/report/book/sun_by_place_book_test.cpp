@@ -31,7 +31,7 @@ SunOfCities twoPlaces() {
     return {sun, {}};
 }
 
-std::string textOf(const Book& book) {
+std::string wordsOf(const Book& book) {
     QString all;
     for (const BookPage& page : book.pages)
         for (const PageItem& item : page.items)
@@ -49,13 +49,13 @@ QImage mapOf(const Book& book) {
 }
 
 TEST(SunByPlaceBook, StatesTheCommandThatRepeatsIt) {
-    EXPECT_THAT(textOf(makeSunByPlaceBook(twoPlaces(), {})),
+    EXPECT_THAT(wordsOf(makeSunByPlaceBook(twoPlaces(), {})),
                 HasSubstr("noonmark-cli by-place town.noonmark.gpkg"));
-    EXPECT_THAT(textOf(makeSunByPlaceBook(twoPlaces(), {}, {{.ramp = Ramp::viridis}, 3.0})),
+    EXPECT_THAT(wordsOf(makeSunByPlaceBook(twoPlaces(), {}, {{.ramp = Ramp::viridis}, 3.0})),
                 HasSubstr("--threshold 3"));
     SunOfCities unknown = twoPlaces();
     unknown.baseline.asked.reset();
-    EXPECT_THAT(textOf(makeSunByPlaceBook(unknown, {})), HasSubstr("how its places were chosen"));
+    EXPECT_THAT(wordsOf(makeSunByPlaceBook(unknown, {})), HasSubstr("how its places were chosen"));
 }
 
 TEST(SunByPlaceBook, ItsMapIsDrawnWithTheLegendOfTheWindow) {
