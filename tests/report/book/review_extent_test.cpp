@@ -64,7 +64,7 @@ TEST(ReviewBook, OfManyPlacesHasAtMostThirtyPages) {
 
 TEST(ReviewBook, ListsSmallPiecesUnderThePlaceThatTheyLieIn) {
     const ReviewedPark park = reviewOfMany("four-days", 28);
-    const PlaceList list = listPlaces(park.source(), {}, true);
+    const ListedPlaces list = listPlaces(park.source(), {}, true);
     EXPECT_THAT(namesOf(list.rows), testing::Contains("Elm Park: pieces of less than 100 m²"));
     EXPECT_THAT(namesOf(list.rows), testing::Not(testing::Contains(testing::HasSubstr("greenstreet"))));
     BookSettings settings;
@@ -75,7 +75,7 @@ TEST(ReviewBook, ListsSmallPiecesUnderThePlaceThatTheyLieIn) {
 
 TEST(ReviewBook, ListsEveryPlaceOnceAndNumbersItAlikeEverywhere) {
     const ReviewedPark park = reviewOfMany("ceqr", 112);
-    const PlaceList list = listPlaces(park.source(), {}, true);
+    const ListedPlaces list = listPlaces(park.source(), {}, true);
     std::vector<int> listed(park.places.size(), 0);
     for (const auto* rows : {&list.rows, &list.others})
         for (const PlaceRow& row : *rows)

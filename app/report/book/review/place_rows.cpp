@@ -40,7 +40,7 @@ public:
         }
     }
 
-    PlaceList sort() {
+    ListedPlaces sort() {
         for (const std::size_t i : worstFirst(source_.study)) take(i);
         for (PlaceRow& row : together_) {
             if (row.reviews.size() == 1) row.name = plainText(reviewOf(row.reviews.front()).name);
@@ -132,13 +132,13 @@ private:
     bool hasProposal_;
     std::vector<double> areas_;
     std::vector<Box2> bounds_;
-    PlaceList list_;
+    ListedPlaces list_;
     std::vector<PlaceRow> together_;
 };
 
 }  // namespace
 
-PlaceList listPlaces(const ReviewBookSource& source, const BookSettings& settings, bool hasProposal) {
+ListedPlaces listPlaces(const ReviewBookSource& source, const BookSettings& settings, bool hasProposal) {
     return PlaceSorter(source, settings, hasProposal).sort();
 }
 

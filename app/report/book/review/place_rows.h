@@ -12,7 +12,7 @@ struct PlaceRow {
 };
 
 /// How the sheets of a review list its places.
-struct PlaceList {
+struct ListedPlaces {
     /// What the proposal changes, fails or is borderline; the worst first. Without a proposal: every place.
     std::vector<PlaceRow> rows;
     std::vector<PlaceRow> others;      ///< places with a name of their own that are in no row
@@ -23,7 +23,7 @@ struct PlaceList {
 /// Lists the places as BookSettings says: all of them one by one, or at most `maxPlaceRows` places one by
 /// one, with those that are smaller than `leastPlaceM2` and have no name listed together. A place that lies
 /// in a larger one goes under its name. `hasProposal`: the scenario differs from the baseline.
-PlaceList listPlaces(const ReviewBookSource& source, const BookSettings& settings, bool hasProposal);
+ListedPlaces listPlaces(const ReviewBookSource& source, const BookSettings& settings, bool hasProposal);
 inline constexpr std::size_t maxPlaceRows = 60;
 
 /// "12 Elm Park": a place of the sheets in a table.

@@ -25,7 +25,7 @@ struct ReviewScene {
     Observer observer;
     RuleSun sun;                           ///< all days of the rule
     std::vector<DiagramMoment> moments{};  ///< in time order
-    PlaceList list{};
+    ListedPlaces list{};
     double keyPt = 0;  ///< height of the key below the diagrams of a page; 0: no place has a number
 };
 
