@@ -3574,6 +3574,22 @@ Die Untersuchung: %2</translation>
         <translation>Projizierte Schatten, Horizontverfahren oder Strahlen: das genaue, wo es schnell ist; das Ergebnis nennt welches und warum</translation>
     </message>
     <message>
+        <source>Shadow maps (OpenGL)</source>
+        <translation>Schattenkarten (OpenGL)</translation>
+    </message>
+    <message>
+        <source>Draws one depth map per step and tests every cell against it: the method that the paper compares accrual maps with</source>
+        <translation>Zeichnet eine Tiefenkarte je Schritt und prüft jede Zelle daran: das Verfahren, mit dem der Artikel vergleicht</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map (OpenGL)</source>
+        <translation>Schattenakkumulationskarte (OpenGL)</translation>
+    </message>
+    <message>
+        <source>One draw on the graphics device fills the depth maps of all steps of an hour</source>
+        <translation>Ein Zeichenvorgang der Grafikkarte füllt die Tiefenkarten aller Schritte einer Stunde</translation>
+    </message>
+    <message>
         <source>Error target</source>
         <translation>Zielfehler</translation>
     </message>
@@ -3678,12 +3694,60 @@ Die Untersuchung: %2</translation>
         <translation>Minuten im Schatten am Tag</translation>
     </message>
     <message>
+        <source>longest run, minutes</source>
+        <translation>längste Dauer, Minuten</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow</source>
+        <translation>Änderung des Gesamtschattens</translation>
+    </message>
+    <message>
+        <source>Change of continuous shadow</source>
+        <translation>Änderung des Dauerschattens</translation>
+    </message>
+    <message>
+        <source>min a day</source>
+        <translation>min am Tag</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>scale fitted to this difference</source>
+        <translation>Skala dieser Differenz angepasst</translation>
+    </message>
+    <message>
         <source>Shadow score</source>
         <translation>Schattenbewertung</translation>
     </message>
     <message>
+        <source>weight × share of time</source>
+        <translation>Gewicht × Zeitanteil</translation>
+    </message>
+    <message>
+        <source>built over</source>
+        <translation>überbaut</translation>
+    </message>
+    <message>
+        <source>now ground</source>
+        <translation>jetzt Boden</translation>
+    </message>
+    <message>
         <source>Shadow</source>
         <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>at this moment</source>
+        <translation>zu diesem Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>scale locked: %1</source>
+        <translation>Skala fest: %1</translation>
+    </message>
+    <message>
+        <source>largest %1</source>
+        <translation>größte %1</translation>
     </message>
     <message>
         <source>Verdicts on windows</source>
@@ -3744,6 +3808,10 @@ Die Untersuchung: %2</translation>
     <message>
         <source>% in the sun</source>
         <translation>% in der Sonne</translation>
+    </message>
+    <message>
+        <source>Change of sun</source>
+        <translation>Änderung der Sonne</translation>
     </message>
     <message>
         <source>Change of sun by place</source>
@@ -6151,7 +6219,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     </message>
     <message>
         <source>Read s&amp;treets</source>
-        <translation>S&amp;traßen einlesen</translation>
+        <translation>Straßen einlesen</translation>
     </message>
     <message>
         <source>Streets from OpenStreetMap as places, cut at their junctions, carriageway and sidewalks apart</source>

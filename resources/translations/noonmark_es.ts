@@ -3574,6 +3574,22 @@ El estudio: %2</translation>
         <translation>Sombras proyectadas, barrido de horizontes o rayos: el exacto donde es rápido, y el resultado dice cuál y por qué</translation>
     </message>
     <message>
+        <source>Shadow maps (OpenGL)</source>
+        <translation>Mapas de sombra (OpenGL)</translation>
+    </message>
+    <message>
+        <source>Draws one depth map per step and tests every cell against it: the method that the paper compares accrual maps with</source>
+        <translation>Dibuja un mapa de profundidad por paso y comprueba cada celda: el método con que compara el artículo</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map (OpenGL)</source>
+        <translation>Mapa de acumulación de sombra (OpenGL)</translation>
+    </message>
+    <message>
+        <source>One draw on the graphics device fills the depth maps of all steps of an hour</source>
+        <translation>Un solo dibujo en la tarjeta gráfica llena los mapas de profundidad de todos los pasos de una hora</translation>
+    </message>
+    <message>
         <source>Error target</source>
         <translation>Error objetivo</translation>
     </message>
@@ -3678,12 +3694,60 @@ El estudio: %2</translation>
         <translation>minutos en sombra al día</translation>
     </message>
     <message>
+        <source>longest run, minutes</source>
+        <translation>tramo más largo, minutos</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow</source>
+        <translation>Cambio de sombra total</translation>
+    </message>
+    <message>
+        <source>Change of continuous shadow</source>
+        <translation>Cambio de sombra continua</translation>
+    </message>
+    <message>
+        <source>min a day</source>
+        <translation>min al día</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>scale fitted to this difference</source>
+        <translation>escala ajustada a esta diferencia</translation>
+    </message>
+    <message>
         <source>Shadow score</source>
         <translation>Puntuación de sombra</translation>
     </message>
     <message>
+        <source>weight × share of time</source>
+        <translation>peso × parte del tiempo</translation>
+    </message>
+    <message>
+        <source>built over</source>
+        <translation>edificado</translation>
+    </message>
+    <message>
+        <source>now ground</source>
+        <translation>ahora suelo</translation>
+    </message>
+    <message>
         <source>Shadow</source>
         <translation>Sombra</translation>
+    </message>
+    <message>
+        <source>at this moment</source>
+        <translation>en este momento</translation>
+    </message>
+    <message>
+        <source>scale locked: %1</source>
+        <translation>escala fija: %1</translation>
+    </message>
+    <message>
+        <source>largest %1</source>
+        <translation>mayor %1</translation>
     </message>
     <message>
         <source>Verdicts on windows</source>
@@ -3744,6 +3808,10 @@ El estudio: %2</translation>
     <message>
         <source>% in the sun</source>
         <translation>% al sol</translation>
+    </message>
+    <message>
+        <source>Change of sun</source>
+        <translation>Cambio de sol</translation>
     </message>
     <message>
         <source>Change of sun by place</source>

@@ -3548,6 +3548,22 @@ The study: %2</source>
         <translation>投影した影、地平線掃引、レイのうち、短時間で済む所では厳密なもの。結果にどれか理由とともに示します</translation>
     </message>
     <message>
+        <source>Shadow maps (OpenGL)</source>
+        <translation>シャドウマップ (OpenGL)</translation>
+    </message>
+    <message>
+        <source>Draws one depth map per step and tests every cell against it: the method that the paper compares accrual maps with</source>
+        <translation>ステップごとに深度マップを描き全セルを調べる: 論文の比較対象の方法</translation>
+    </message>
+    <message>
+        <source>Shadow accrual map (OpenGL)</source>
+        <translation>影累積マップ (OpenGL)</translation>
+    </message>
+    <message>
+        <source>One draw on the graphics device fills the depth maps of all steps of an hour</source>
+        <translation>1 回の描画で 1 時間の全ステップの深度マップを作る</translation>
+    </message>
+    <message>
         <source>Error target</source>
         <translation>目標誤差</translation>
     </message>
@@ -3652,12 +3668,60 @@ The study: %2</source>
         <translation>1 日の日影の分</translation>
     </message>
     <message>
+        <source>longest run, minutes</source>
+        <translation>最長連続、分</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow</source>
+        <translation>累計日影の変化</translation>
+    </message>
+    <message>
+        <source>Change of continuous shadow</source>
+        <translation>連続日影の変化</translation>
+    </message>
+    <message>
+        <source>min a day</source>
+        <translation>分/日</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>分</translation>
+    </message>
+    <message>
+        <source>scale fitted to this difference</source>
+        <translation>この差分に合わせた目盛</translation>
+    </message>
+    <message>
         <source>Shadow score</source>
         <translation>日影スコア</translation>
     </message>
     <message>
+        <source>weight × share of time</source>
+        <translation>重み × 時間の割合</translation>
+    </message>
+    <message>
+        <source>built over</source>
+        <translation>建物になった</translation>
+    </message>
+    <message>
+        <source>now ground</source>
+        <translation>地面になった</translation>
+    </message>
+    <message>
         <source>Shadow</source>
         <translation>日影</translation>
+    </message>
+    <message>
+        <source>at this moment</source>
+        <translation>この時刻</translation>
+    </message>
+    <message>
+        <source>scale locked: %1</source>
+        <translation>目盛固定: %1</translation>
+    </message>
+    <message>
+        <source>largest %1</source>
+        <translation>最大 %1</translation>
     </message>
     <message>
         <source>Verdicts on windows</source>
@@ -3718,6 +3782,10 @@ The study: %2</source>
     <message>
         <source>% in the sun</source>
         <translation>% 日なた</translation>
+    </message>
+    <message>
+        <source>Change of sun</source>
+        <translation>日照の変化</translation>
     </message>
     <message>
         <source>Change of sun by place</source>

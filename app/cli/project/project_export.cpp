@@ -4,6 +4,7 @@
 
 #include "app/cli/base/change_project.h"
 #include "app/cli/base/command.h"
+#include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/save_city.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/project/drawn_times.h"
@@ -40,6 +41,7 @@ Result<std::set<std::string>> listProposed(const Project& project, const std::st
 }
 
 int runExport(const ExportOptions& options, const Console& console) {
+    const OffscreenQt qt;  // finds the library that writes glTF and OBJ
     const auto disk = ProjectFile::open(options.file);
     if (!disk) return fail(console, disk.error(), exitUsage);
     const OutputRules rules = outputRules({options.file}, disk->project().inputs, options.overwrite);
