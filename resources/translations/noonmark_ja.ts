@@ -2103,7 +2103,7 @@ The study: %2</source>
     </message>
     <message>
         <source> (top: %1)</source>
-        <translation>（最上階：%1）</translation>
+        <translation> （最上階：%1）</translation>
     </message>
 </context>
 <context>
