@@ -281,7 +281,7 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
             "a region of the project; may be repeated")
         ->allow_extra_args(false)
         ->type_name("W,S,E,N|FILE|NAME");
-    options->place.settings.sidewalkM = PlaceSettings::usualSidewalkM;
+    options->place.settings.sidewalkM = PlaceSettings::defaultSidewalkM;
     addPlaceOptions(*command, options->place);
     addFieldOptions(*command, sunByPlaceFields().of(options->settings));
     addCellOptions(*command, study.settings);

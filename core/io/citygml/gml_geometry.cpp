@@ -33,8 +33,8 @@ void GmlGeometryReader::open(const XmlElement& property) {
     geometry_ = {};
     loose_.clear();
     open_.clear();
-    constexpr int usualDimension = 3;
-    open_.push_back({"", members_.size(), usualDimension, false});
+    constexpr int defaultDimension = 3;
+    open_.push_back({"", members_.size(), defaultDimension, false});
     solidDepth_ = polygonDepth_ = ringDepth_ = shellDepth_ = implicitDepth_ = 0;
     wantsText_ = false;
     if (const auto target = property.attribute("href"); !target.empty()) addReference(target, false);

@@ -26,7 +26,7 @@ struct PlaceSettings {
     /// Beside the carriageways of streets, strips of this width on both sides as places of their own; 0:
     /// none.
     double sidewalkM = 0;
-    static constexpr double maxSidewalkM = 20, usualSidewalkM = 4;
+    static constexpr double maxSidewalkM = 20, defaultSidewalkM = 4;
     bool unnamed = true;      ///< also places without a name
     double minAreaM2 = 0;     ///< smaller places are left out
     double farAwayM = 60000;  ///< features farther from the frame's origin are left out, with a warning

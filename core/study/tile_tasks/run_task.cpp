@@ -80,13 +80,13 @@ std::vector<std::vector<PlannedTile>> findMissing(const std::vector<PlannedTile>
     return windows;
 }
 
-TileCount countTiles(const std::vector<PlannedTile>& tiles, const TilePlan& plan) {
-    TileCount count;
+TileTotals countTiles(const std::vector<PlannedTile>& tiles, const TilePlan& plan) {
+    TileTotals count;
     for (const PlannedTile& tile : tiles) count.add(plan.tile(tile.number));
     return count;
 }
 
-TilesLeft makeTilesLeft(const std::vector<PlannedTile>& window, TileCount done, TileCount later) {
+TilesLeft makeTilesLeft(const std::vector<PlannedTile>& window, TileTotals done, TileTotals later) {
     TilesLeft left{.missing = {}, .done = done, .later = later};
     for (const PlannedTile& tile : window) left.missing.push_back({tile.number, tile.contentHash});
     return left;
@@ -149,7 +149,7 @@ private:
         report_.readSeconds += watch.seconds();
         if (auto fits = checkTileMemory(*city, district_.tiles, question_.settings, engines_); !fits)
             return fits;
-        const TileCount count = countTiles(window, district_.tiles);
+        const TileTotals count = countTiles(window, district_.tiles);
         later_.subtract(count);
         return compute(makeTilesLeft(window, done_, later_), *city, progress, stop).map([&] {
             done_.add(count);
@@ -189,7 +189,7 @@ private:
     TileJournal& journal_;
     const EngineList& engines_;
     TaskReport report_;
-    TileCount done_, later_;
+    TileTotals done_, later_;
     std::shared_ptr<const Terrain> terrain_;  ///< of the district, once the first window was read
     std::optional<PlacesOfTiles> places_;     ///< of timelines, else none
 };

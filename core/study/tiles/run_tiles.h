@@ -10,16 +10,16 @@ struct MissingTile {
     std::string contentHash{};
 };
 
-struct TileCount {
+struct TileTotals {
     std::size_t tiles = 0;
     double cells = 0;
 
-    void add(const Grid& tile) { add(TileCount{1, double(tile.size())}); }
-    void add(const TileCount& other) {
+    void add(const Grid& tile) { add(TileTotals{1, double(tile.size())}); }
+    void add(const TileTotals& other) {
         tiles += other.tiles;
         cells += other.cells;
     }
-    void subtract(const TileCount& other) {
+    void subtract(const TileTotals& other) {
         tiles -= other.tiles;
         cells -= other.cells;
     }
@@ -28,8 +28,8 @@ struct TileCount {
 /// What is left of the tiles of a study, or of a task.
 struct TilesLeft {
     std::vector<MissingTile> missing;
-    TileCount done;   ///< before
-    TileCount later;  ///< that another call computes: they count in the remaining time
+    TileTotals done;   ///< before
+    TileTotals later;  ///< that another call computes: they count in the remaining time
 };
 
 /// Computes the missing tiles one after the other. Reports progress as "tile 12 of 96" with the remaining

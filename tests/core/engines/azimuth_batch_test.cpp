@@ -151,7 +151,7 @@ TEST(BlockSums, CountEachSquareHoweverItsLinesRun) {
     const Receivers receivers = receiversOver(city, 0, 0, 40, 20);
     const ReceiverBlocks blocks(receivers, {0, 0, receivers.grid.columns, receivers.grid.rows});
     const HorizonCode suns[] = {-30'000, -20'000, -20'000};
-    const std::vector<SunChange> changes = findSunChanges(suns, {});
+    const std::vector<CountChange> changes = findSunChanges(suns, {});
     std::vector<HorizonCode> codes(ReceiverBlocks::cells, noHorizon);
     codes[3 * ReceiverBlocks::side + 7] = -25'000;  // hides one sun
     codes[7 * ReceiverBlocks::side + 3] = 0;        // hides all

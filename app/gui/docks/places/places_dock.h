@@ -24,7 +24,7 @@ class PlacesDock final : public QWidget {
 public:
     explicit PlacesDock(QWidget* parent = nullptr);
 
-    /// Null: none. `note`: what is said beside the legend instead of the error; `outdated`: as a warning.
+    /// Null: none. `note`: stands beside the legend instead of the error; `outdated`: as a warning.
     void show(std::shared_ptr<const SunOfCities> sun, const QString& note, bool outdated);
     void setColours(const LegendChoice& choice);  ///< those that the user chose for legends
     void select(std::size_t place);               ///< without wanted(); a filter that hides it is emptied

@@ -152,7 +152,7 @@ void PlaceActions::readStreets() {
     read(files.isEmpty() ? askForPlaces(&window_) : files, {.kinds = {PlaceKind::street},
                                                             .streets = true,
                                                             .wholeStreets = false,
-                                                            .sidewalkM = PlaceSettings::usualSidewalkM});
+                                                            .sidewalkM = PlaceSettings::defaultSidewalkM});
 }
 
 void PlaceActions::read(const QStringList& files, const PlaceSettings& settings) {

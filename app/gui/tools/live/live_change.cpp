@@ -53,9 +53,9 @@ bool changesAtEdge(const Receivers& receivers, const Impact& impact) {
     return false;
 }
 
-std::vector<PlaceChange> measurePlaces(const Impact& impact, const std::vector<PlaceCells>& places) {
+std::vector<PlaceChange> measurePlaces(const Impact& impact, const std::vector<GridPlace>& places) {
     std::vector<PlaceChange> changes;
-    for (const PlaceCells& place : places) {
+    for (const GridPlace& place : places) {
         PlaceChange change{place.name, place.whole,
                            computeFigures(impact, place.cells, defaultThresholdsMin.front())};
         if (change.figures.gross.touchedM2 > 0) changes.push_back(std::move(change));
@@ -73,20 +73,20 @@ bool isInside(const Box2& box, const Grid& grid) {
 
 }  // namespace
 
-std::vector<PlaceCells> findPlaceCells(const std::vector<Place>& places, const Grid& grid) {
-    std::vector<PlaceCells> found;
+std::vector<GridPlace> findPlaceCells(const std::vector<Place>& places, const Grid& grid) {
+    std::vector<GridPlace> found;
     for (const Place& place : places) {
         Box2 box;
         for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
         if (!overlaps(box, grid)) continue;
-        PlaceCells cells{place.name, collectCells(place.polygons, grid), isInside(box, grid)};
+        GridPlace cells{place.name, collectCells(place.polygons, grid), isInside(box, grid)};
         if (!cells.cells.empty()) found.push_back(std::move(cells));
     }
     return found;
 }
 
 LiveChange computeLiveChange(const Receivers& before, const ShadowField& fieldBefore, const Receivers& after,
-                             const ShadowField& fieldAfter, const std::vector<PlaceCells>& places) {
+                             const ShadowField& fieldAfter, const std::vector<GridPlace>& places) {
     std::vector<CellChange> kinds(before.kind.size());
     std::ranges::transform(before.kind, after.kind, kinds.begin(), compareKinds);
     LiveChange change{.impact = computeDifference(fieldBefore, fieldAfter, std::move(kinds))};

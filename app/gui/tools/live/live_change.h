@@ -12,14 +12,14 @@
 namespace noonmark {
 
 /// The cells of a place on the grid of a live shadow.
-struct PlaceCells {
+struct GridPlace {
     std::string name;
     std::vector<std::uint32_t> cells;  ///< ascending, at least one
     bool whole = true;                 ///< false: the place reaches beyond the grid
 };
 
 /// The places with cells on the grid, in their order. O(places + their cells).
-std::vector<PlaceCells> findPlaceCells(const std::vector<Place>& places, const Grid& grid);
+std::vector<GridPlace> findPlaceCells(const std::vector<Place>& places, const Grid& grid);
 
 /// How a shape changes the shadow on a place.
 struct PlaceChange {
@@ -43,6 +43,6 @@ struct LiveChange {
 
 /// Fields on the same grid, each with its receivers. Receivers on roofs are left out. O(cells).
 LiveChange computeLiveChange(const Receivers& before, const ShadowField& fieldBefore, const Receivers& after,
-                             const ShadowField& fieldAfter, const std::vector<PlaceCells>& places);
+                             const ShadowField& fieldAfter, const std::vector<GridPlace>& places);
 
 }  // namespace noonmark

@@ -106,7 +106,7 @@ private:
     std::shared_ptr<SharedHorizonCache> horizons_;
     std::optional<Baseline> baseline_;
     std::mutex baselineField_;  // of its field, which the next call may read while a cancelled one ends
-    std::vector<PlaceCells> placeCells_;
+    std::vector<GridPlace> placeCells_;
     std::optional<ShadowCache> shadows_;  // if the method caches polygons
     LiveEngine engine_ = LiveEngine::shadows;
     std::size_t counted_ = 0;

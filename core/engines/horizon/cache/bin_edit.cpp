@@ -24,7 +24,7 @@ void forEachPlace(const ReceiverBlocks::Masks& masks, const auto& visit) {
 }  // namespace
 
 std::span<const CodeChange> BinEdit::run(const TileEdit& edit, glm::dvec2 away, CachedBin& bin,
-                                         std::span<const SunChange> suns, TileSteps& steps) {
+                                         std::span<const CountChange> suns, TileSteps& steps) {
     bin_ = &bin;
     suns_ = suns;
     steps_ = &steps;
@@ -208,7 +208,7 @@ void BinEdit::count(const TileEdit& edit, std::size_t block, const BlockCodes& c
     ReceiverBlocks::Masks counted = edit.blocks.masks(block, false);
     for (std::size_t row = 0; row < counted.size(); ++row) counted[row] &= differ[row];
     unsigned rows = 0;
-    for (const SunChange& suns : suns_)
+    for (const CountChange& suns : suns_)
         rows |= suns.addDifference(now, codes.values, counted, steps_->more.data() + first);
     for (; rows != 0; rows &= rows - 1)
         steps_->parts[(first + std::uint32_t(std::countr_zero(rows) * side)) / lanesPerPart] = 1;

@@ -48,7 +48,7 @@ public:
     /// hidden suns. If there are overhangs, returns the code changes of receivers, each number once; valid
     /// until the next call. Incomplete if stopped.
     std::span<const CodeChange> run(const TileEdit& edit, glm::dvec2 away, CachedBin& bin,
-                                    std::span<const SunChange> suns, TileSteps& steps);
+                                    std::span<const CountChange> suns, TileSteps& steps);
 
 private:
     struct Lost {
@@ -72,7 +72,7 @@ private:
                const ReceiverBlocks::Masks& differ);
 
     CachedBin* bin_ = nullptr;
-    std::span<const SunChange> suns_;
+    std::span<const CountChange> suns_;
     TileSteps* steps_ = nullptr;
     glm::dvec2 away_{};
     ShadowAxes axes_{{0, 1}};

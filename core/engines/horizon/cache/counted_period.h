@@ -10,7 +10,7 @@ namespace noonmark {
 
 /// A period's bins by number: null or empty if the period does not visit the bin.
 using HiddenByNumber = std::vector<const HiddenSuns*>;
-using SunsByNumber = std::vector<std::vector<SunChange>>;  ///< changes from an empty period
+using SunsByNumber = std::vector<std::vector<CountChange>>;  ///< changes from an empty period
 
 /// A period prepared for counting with cached horizons. Data that not every count needs is created on first
 /// use. Not thread-safe.

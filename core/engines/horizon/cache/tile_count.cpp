@@ -93,7 +93,7 @@ void TileCount::addHidden(const ReceiverBlocks& blocks, std::span<const CachedBi
         TileShortSums sums(first, lines, hidden_.data());
         for (const BinChange& change : changes) {
             if (stop.stop_requested()) return;
-            for (const SunChange& some : change.changes) sums.add(some, bins[change.number].codes.data());
+            for (const CountChange& some : change.changes) sums.add(some, bins[change.number].codes.data());
             for (const HiddenSuns& hidden : change.hidden)
                 addGaps(bins[change.number], hidden, first, first + numbersATask);
         }

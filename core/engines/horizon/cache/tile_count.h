@@ -38,7 +38,7 @@ private:
     using Suns = std::vector<HorizonCode>;
     struct BinChange {
         std::uint32_t number;
-        std::vector<SunChange> changes;
+        std::vector<CountChange> changes;
         std::vector<HiddenSuns> hidden;  ///< the same for gaps, if the bin has any
     };
     std::vector<BinChange> changesFor(const ReceiverBlocks& blocks, std::span<const CachedBin> bins,

@@ -15,10 +15,10 @@ void BlockSums::begin(std::size_t blockCount) {
 }
 
 void BlockSums::add(std::size_t blockIndex, bool swapped, const HorizonCode* codes,
-                    std::span<const SunChange> suns) {
+                    std::span<const CountChange> suns) {
     if (codes == nullptr) return;
     if (!short_ || blockIndex != at_ || swapped != atSwapped_) moveTo(blockIndex, swapped);
-    for (const SunChange& change : suns) short_->add(change, codes);
+    for (const CountChange& change : suns) short_->add(change, codes);
 }
 
 void BlockSums::add(std::size_t blockIndex, std::size_t cell, std::uint32_t steps) {

@@ -20,7 +20,8 @@ public:
     [[nodiscard]] bool begun() const { return blockCount_ > 0; }
 
     /// Counts the suns that the codes of a block hide; null: none. Fastest if called block by block.
-    void add(std::size_t blockIndex, bool swapped, const HorizonCode* codes, std::span<const SunChange> suns);
+    void add(std::size_t blockIndex, bool swapped, const HorizonCode* codes,
+             std::span<const CountChange> suns);
 
     /// Adds steps to one cell of a block: 16 x row + column.
     void add(std::size_t blockIndex, std::size_t cell, std::uint32_t steps);

@@ -73,14 +73,14 @@ public:
     PeriodCount(const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts);
 
     /// The suns of a bin, for looking up many horizons.
-    [[nodiscard]] std::span<const SunChange> suns(std::size_t bin) const { return suns_[bin]; }
+    [[nodiscard]] std::span<const CountChange> suns(std::size_t bin) const { return suns_[bin]; }
 
     /// Null if runs are not wanted.
     [[nodiscard]] const RunCount* runs() const { return runs_ ? &*runs_ : nullptr; }
 
 private:
     std::optional<RunCount> runs_;
-    std::vector<std::vector<SunChange>> suns_;
+    std::vector<std::vector<CountChange>> suns_;
 };
 
 /// Bit k: the number 64 part + k is a receiver.

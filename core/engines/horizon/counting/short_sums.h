@@ -20,7 +20,7 @@ public:
     ShortSums(std::size_t first, std::span<const NumberRange> lines, std::uint32_t* all)
         : first_(first), lines_(lines), all_(all) {}
 
-    void add(const SunChange& change, const HorizonCode* horizons) {
+    void add(const CountChange& change, const HorizonCode* horizons) {
         constexpr int maxShort = std::numeric_limits<std::int16_t>::max();
         if (most_ + change.most() > maxShort) flush();
         most_ += change.most();

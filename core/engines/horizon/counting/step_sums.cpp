@@ -30,7 +30,7 @@ void StepSums::begin(std::size_t sets, std::size_t numbers, std::size_t building
 void StepSums::add(const SetTables& tables, std::span<const HorizonCode> codes) {
     constexpr int maxShort = std::numeric_limits<std::int16_t>::max();
     for (const SetTable& table : tables)
-        for (const SunChange& suns : table.suns) {
+        for (const CountChange& suns : table.suns) {
             ShortCells& some = short_[table.set];
             if (some.most + suns.most() > maxShort) flush(table.set);
             some.most += suns.most();

@@ -17,7 +17,7 @@ namespace noonmark {
 struct SetTable {
     std::size_t set;
     HiddenSuns hidden;
-    std::vector<SunChange> suns;  ///< the same for many horizons at once
+    std::vector<CountChange> suns;  ///< the same for many horizons at once
 };
 using SetTables = std::vector<SetTable>;
 

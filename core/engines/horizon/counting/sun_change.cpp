@@ -16,13 +16,13 @@ std::vector<HorizonCode> lacking(std::span<const HorizonCode> from, std::span<co
 }
 
 std::span<const HorizonCode> some(const std::vector<HorizonCode>& suns, std::size_t turn) {
-    const std::size_t first = std::min(suns.size(), turn * SunChange::maxSuns);
-    return std::span(suns).subspan(first, std::min(suns.size() - first, SunChange::maxSuns));
+    const std::size_t first = std::min(suns.size(), turn * CountChange::maxSuns);
+    return std::span(suns).subspan(first, std::min(suns.size() - first, CountChange::maxSuns));
 }
 
 }  // namespace
 
-SunChange::SunChange(std::span<const HorizonCode> come, std::span<const HorizonCode> gone) {
+CountChange::CountChange(std::span<const HorizonCode> come, std::span<const HorizonCode> gone) {
     int low = steepnessLevels, high = -steepnessLevels;
     for (const auto& suns : {come, gone})
         if (!suns.empty()) {
@@ -38,7 +38,7 @@ SunChange::SunChange(std::span<const HorizonCode> come, std::span<const HorizonC
 }
 
 // Fills the counts range by range, between one sun and the next.
-void SunChange::fill(std::span<const HorizonCode> come, std::span<const HorizonCode> gone) {
+void CountChange::fill(std::span<const HorizonCode> come, std::span<const HorizonCode> gone) {
     std::int16_t count = 0;
     auto from = counts_.begin();
     for (auto a = come.begin(), b = gone.begin(); a != come.end() || b != gone.end();) {
@@ -52,20 +52,20 @@ void SunChange::fill(std::span<const HorizonCode> come, std::span<const HorizonC
     std::fill(from, counts_.end(), count);
 }
 
-std::uint16_t SunChange::addDifference(const HorizonCode* before, const HorizonCode* after,
-                                       const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const {
+std::uint16_t CountChange::addDifference(const HorizonCode* before, const HorizonCode* after,
+                                         const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const {
     return addDifferences({counts_.data(), lowest_, last_}, before, after, masks, sums);
 }
 
-void SunChange::addTo(const HorizonCode* horizons, std::size_t count, std::int16_t* sums) const {
+void CountChange::addTo(const HorizonCode* horizons, std::size_t count, std::int16_t* sums) const {
     addCounts({counts_.data(), lowest_, last_}, horizons, count, sums);
 }
 
-std::vector<SunChange> findSunChanges(std::span<const HorizonCode> suns,
-                                      std::span<const HorizonCode> before) {
+std::vector<CountChange> findSunChanges(std::span<const HorizonCode> suns,
+                                        std::span<const HorizonCode> before) {
     const std::vector<HorizonCode> come = lacking(suns, before), gone = lacking(before, suns);
-    std::vector<SunChange> changes;
-    for (std::size_t turn = 0; turn * SunChange::maxSuns < std::max(come.size(), gone.size()); ++turn)
+    std::vector<CountChange> changes;
+    for (std::size_t turn = 0; turn * CountChange::maxSuns < std::max(come.size(), gone.size()); ++turn)
         changes.emplace_back(some(come, turn), some(gone, turn));
     return changes;
 }

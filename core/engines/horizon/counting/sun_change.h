@@ -13,12 +13,12 @@ namespace noonmark {
 /// A lookup table for how many more suns of one bin a horizon hides in one period than in another. Suns
 /// common to both periods need no entries, so the table is short if only the hours at the ends of a day
 /// change.
-class SunChange {
+class CountChange {
 public:
     static constexpr std::size_t maxSuns = 32'767;  ///< limit for added suns, and for removed suns
 
     /// Both ascending, at most maxSuns each; no sun is in both.
-    SunChange(std::span<const HorizonCode> come, std::span<const HorizonCode> gone);
+    CountChange(std::span<const HorizonCode> come, std::span<const HorizonCode> gone);
 
     /// Largest absolute change of any horizon.
     [[nodiscard]] int most() const { return most_; }
@@ -41,6 +41,7 @@ private:
 
 /// The differences between the suns of a bin and those it had before; empty if they are the same. Both
 /// ascending.
-std::vector<SunChange> findSunChanges(std::span<const HorizonCode> suns, std::span<const HorizonCode> before);
+std::vector<CountChange> findSunChanges(std::span<const HorizonCode> suns,
+                                        std::span<const HorizonCode> before);
 
 }  // namespace noonmark

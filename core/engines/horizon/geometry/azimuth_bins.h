@@ -40,7 +40,7 @@ struct NumberRange {
     std::uint32_t first, end;
 };
 
-/// A lookup table for how many of a set of suns a horizon hides; for many horizons see SunChange.
+/// A lookup table for how many of a set of suns a horizon hides; for many horizons see CountChange.
 class HiddenSuns {
 public:
     /// `suns`: ascending; may be empty. 4 bytes per level between the lowest and the highest.

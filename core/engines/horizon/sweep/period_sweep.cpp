@@ -198,7 +198,7 @@ PeriodSweep::Sums PeriodSweep::hiddenByCached(Tile& tile, const Turns& turns) co
         for (std::size_t batch = 0; batch < batches_.size() && !stop_.stop_requested(); ++batch)
             for (std::size_t bin = batches_[batch].first; bin < batches_[batch].end && turns.have(batch);
                  ++bin)
-                for (const SunChange& suns : count_.suns(bin)) some.add(suns, tile.horizons.of(bin).data());
+                for (const CountChange& suns : count_.suns(bin)) some.add(suns, tile.horizons.of(bin).data());
         some.flush();
     });
     for (std::size_t bin = 0; bin < tile.gaps.size(); ++bin)

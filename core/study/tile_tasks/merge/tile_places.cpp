@@ -57,7 +57,7 @@ Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, 
                 if (!read) return tl::make_unexpected(read.error());
                 bands = *std::move(read);
             }
-            PlaceShadow& shadow = shadows[places[i].name];
+            TiledPlace& shadow = shadows[places[i].name];
             shadow.cellAreaM2 = tile.cellAreaM2();
             for (const Footprint& polygon : places[i].polygons) {
                 const ShadowSums sums = sumOver(polygon, tile, bands, tiles.firstBand);

@@ -13,13 +13,13 @@
 namespace noonmark {
 
 /// Shadow on a place, from tiles; over districts its sums are added.
-struct PlaceShadow {
+struct TiledPlace {
     PlaceKind kind = PlaceKind::other;
     ShadowSums sums;
     double sunlitMinutes = 0;  ///< sum over the receivers of the sunlit minutes of a mean day
     double cellAreaM2 = 1;
 };
-using PlaceShadows = std::map<std::string, PlaceShadow>;  ///< by name
+using PlaceShadows = std::map<std::string, TiledPlace>;  ///< by name
 
 /// The tiles of a map with gross and continuous shadow, or their change.
 struct PlaceTiles {
