@@ -47,6 +47,14 @@ std::map<std::string, ProposedTower> findProposedTowers(std::span<const Edit> ed
     return std::move(work).take();
 }
 
+Result<std::set<std::string>> listProposed(const std::vector<Scenario>& scenarios, const std::string& name) {
+    return collectEdits(scenarios, name).map([](const std::vector<Edit>& edits) {
+        std::set<std::string> ids;
+        for (const auto& [id, tower] : findProposedTowers(edits)) ids.insert(id);
+        return ids;
+    });
+}
+
 namespace {
 
 bool isUpright(const MassingSettings& settings) {

@@ -2,12 +2,14 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 
 #include "core/city/city.h"
 #include "scenarios/edits/edit.h"
 #include "scenarios/massing/massing.h"
+#include "scenarios/scenario.h"
 
 namespace noonmark {
 
@@ -27,6 +29,10 @@ struct ProposedTower {
     bool changed = false;      ///< since it was built: moved, turned, or made higher or lower
     double heightM = 0;        ///< after the last change of its height, above its ground; 0: as designed
 };
+
+/// The ids of the buildings that a scenario proposes; none of the existing city. Error: as of
+/// collectEdits().
+Result<std::set<std::string>> listProposed(const std::vector<Scenario>& scenarios, const std::string& name);
 
 /// The figures of a tower's design at its present height; none: it has no design, or one that tells nothing
 /// of its floors any more: its walls lean, which a change of height stretches, or a setback is cut off. Some

@@ -1,6 +1,5 @@
 #include <map>
 #include <memory>
-#include <set>
 
 #include "app/cli/base/change_project.h"
 #include "app/cli/base/command.h"
@@ -31,15 +30,6 @@ struct ExportOptions {
 const std::map<std::string, WrittenBuildings> buildingNames{{"all", WrittenBuildings::all},
                                                             {"proposed", WrittenBuildings::proposed}};
 
-Result<std::set<std::string>> listProposed(const Project& project, const std::string& scenario) {
-    std::set<std::string> ids;
-    if (scenario == existingCity) return ids;
-    const auto edits = collectEdits(project.scenarios, scenario);
-    if (!edits) return tl::make_unexpected(edits.error());
-    for (const auto& [id, tower] : findProposedTowers(*edits)) ids.insert(id);
-    return ids;
-}
-
 int runExport(const ExportOptions& options, const Console& console) {
     const OffscreenQt qt;  // finds the library that writes glTF and OBJ
     const auto disk = ProjectFile::open(options.file);
@@ -49,7 +39,7 @@ int runExport(const ExportOptions& options, const Console& console) {
         return fail(console, may.error(), exitUsage);
     const auto city = cityOf(disk->project(), options.scenario);
     if (!city) return fail(console, city.error(), exitUsage);
-    const auto proposed = listProposed(disk->project(), options.scenario);
+    const auto proposed = listProposed(disk->project().scenarios, options.scenario);
     if (!proposed) return fail(console, proposed.error(), exitUsage);
     auto written = writeBodies(options.out, city->city, *proposed, options.bodies);
     if (!written) return fail(console, written.error(), exitUsage);

@@ -5,7 +5,7 @@
 
 namespace noonmark {
 
-/// The scale of a study of cells: up to the sunlit minutes of a day, or the largest value if that is larger.
+/// The legend of points: up to the sunlit minutes of a day, or the largest value if that is larger.
 Legend makeLegend(const ElementMap& map, ShadowMeasure measure, const LegendChoice& choice = {});
 
 /// The legend of sheets, which state hours of sun, or its share where that is chosen.

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
-#include <set>
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/make_action.h"
@@ -132,15 +131,14 @@ void ScenarioActions::saveBuildings(const QString& file) {
     if (const auto may = checkOutput(path, detectOutputKind(path), workbench_.exportRules()); !may)
         return Q_EMIT workbench_.failed(may.error());
     const ProjectSession& session = workbench_.session();
-    std::set<std::string> proposed;
-    if (const auto edits = collectEdits(session.project().scenarios, session.scenario()))
-        for (const auto& [id, tower] : findProposedTowers(*edits)) proposed.insert(id);
+    const auto proposed = listProposed(session.project().scenarios, session.scenario());
+    if (!proposed) return Q_EMIT workbench_.failed(proposed.error());
     const bool existing = session.scenario() == existingCity;
     const auto city = session.city();
     workbench_.writing().start<WrittenBodies>(
         tr("Export buildings"),
-        [=](Progress&, const std::stop_token&) {
-            return writeBodies(path, *city, proposed,
+        [=, ids = *proposed](Progress&, const std::stop_token&) {
+            return writeBodies(path, *city, ids,
                                {.which = existing ? WrittenBuildings::all : WrittenBuildings::proposed});
         },
         [this, file](const Result<WrittenBodies>& written) {
