@@ -49,6 +49,14 @@ TEST(ImpactSheet, IsZoomedOnTheChangeAndNamesTheTowerWithItsHeight) {
     EXPECT_EQ(sheet.figures.back().value, QStringLiteral("Mill Tower, 62 m high"));
 }
 
+TEST(ImpactSheet, ShowsTheChangeWhereNoCellReachesTheThreshold) {
+    ComparedTower tower;
+    const Box2 all = shownGround(makeSheet(tower.answer, {tower.after}, {}).map.scene);
+    tower.answer.thresholdsMin = {1000};
+    const Box2 shown = shownGround(makeSheet(tower.answer, {tower.after}, {}).map.scene);
+    EXPECT_NEAR(shown.high.y, all.high.y, 100) << "the shadow north of the tower, too";
+}
+
 TEST(ImpactSheet, StatesItsFindingInASentenceAndShowsTheHeightOnTheMap) {
     const ComparedTower tower;
     const Sheet sheet = makeSheet(tower.answer, {tower.after}, {});

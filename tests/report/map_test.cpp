@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <QBuffer>
 #include <QImage>
+#include <QPdfWriter>
 
 #include "app/report/maps/field_image.h"
 #include "app/report/maps/legend_painter.h"
@@ -57,6 +59,46 @@ TEST(Map, EdgesOfCellsAreExact) {
     EXPECT_EQ(colourAt(image, study, 60.2, 20.5), shadowColour(0.5));
     EXPECT_EQ(colourAt(image, study, 100.5, 39.8), shadowColour(0.5));
     EXPECT_EQ(colourAt(image, study, 100.5, 40.2), shadowColour(1));
+}
+
+/// The study's map without lines, zoomed on a square around a place.
+MapScene zoomedOn(Study& study, glm::vec2 middle, float halfM) {
+    study.settings.region.polygons.clear();
+    study.city.buildings.clear();
+    MapScene scene = makeMapScene(study, ShadowMeasure::gross);
+    scene.shown = Box2{middle - halfM, middle + halfM};
+    return scene;
+}
+
+TEST(Map, EdgesOfCellsAreExactHoweverFarItIsZoomed) {
+    Study study = tests::syntheticStudy();
+    QImage image({800, 800}, QImage::Format_RGB32);
+    const auto colourAround = [&](glm::vec2 middle, glm::dvec2 at) {
+        const MapScene scene = zoomedOn(study, middle, 1);
+        const MapView view = makeMapView(scene, QRectF(image.rect()));
+        QPainter painter(&image);
+        paintMap({painter, 2}, view, scene);
+        return image.pixelColor(view.at(at).toPoint());
+    };
+    EXPECT_EQ(colourAround({60, 20}, {59.98, 20.02}), QColor(Qt::white));
+    EXPECT_EQ(colourAround({60, 20}, {60.02, 20.02}), shadowColour(0.5));
+    EXPECT_EQ(colourAround({100, 40}, {100.02, 39.98}), shadowColour(0.5));
+    EXPECT_EQ(colourAround({100, 40}, {100.02, 40.02}), shadowColour(1));
+}
+
+TEST(Map, ZoomedFarIsPrintedWithoutThePictureOfAllCells) {
+    Study study = tests::syntheticStudy();
+    const MapScene scene = zoomedOn(study, {100, 40}, 0.1F);  // the whole field would be 5 million units wide
+    QBuffer pdf;
+    pdf.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter writer(&pdf);
+        writer.setResolution(1200);
+        QPainter painter(&writer);
+        paintMap({painter, 1200.0 / 72}, makeMapView(scene, QRectF(0, 0, 8000, 8000)), scene);
+    }
+    EXPECT_TRUE(pdf.data().contains("/Subtype /Image"));
+    EXPECT_LT(pdf.size(), 1'000'000);
 }
 
 TEST(FieldImage, LargeGridsAreReducedByMeans) {

@@ -52,16 +52,36 @@ QImage crisp(const QImage& image, const QPainter& painter, int wanted) {
     return image.scaled(image.width() * times, image.height() * times);
 }
 
+/// The pixels of a picture at `place` that lie in `shown`, in whole pixels.
+QRect pixelsIn(const QRectF& shown, const QRectF& place, const QSize& picture) {
+    const double width = place.width() / picture.width(), height = place.height() / picture.height();
+    const QRectF part = shown.translated(-place.topLeft());
+    return QRectF(part.left() / width, part.top() / height, part.width() / width, part.height() / height)
+        .toAlignedRect()
+        .intersected(QRect(QPoint(0, 0), picture));
+}
+
+/// The part of the field that a map shows: the whole one may be larger than any picture, scaled to its pixels.
+void cutTo(const QRectF& shown, QImage& picture, QRectF& place) {
+    const QRect pixels = pixelsIn(shown, place, picture.size());
+    if (pixels.size() == picture.size()) return;
+    const double width = place.width() / picture.width(), height = place.height() / picture.height();
+    place = {place.left() + pixels.left() * width, place.top() + pixels.top() * height,
+             pixels.width() * width, pixels.height() * height};
+    picture = picture.copy(pixels);
+}
+
 void paintField(const Canvas& canvas, const MapView& view, const MapScene& scene) {
     const QRectF grid = view.rectOf(scene.grid);
-    const int wanted = wantedPixels(canvas, grid);
-    const FieldImage field = scene.image(wanted);
-    const QRectF place = placeOf(field, grid, scene.grid.cellM * view.unitsPerM());
+    FieldImage field = scene.image(wantedPixels(canvas, grid));
+    QRectF place = placeOf(field, grid, scene.grid.cellM * view.unitsPerM());
+    if (field.image.isNull() || !place.intersects(view.target())) return;
+    cutTo(view.target(), field.image, place);
     canvas.painter.save();
-    canvas.painter.setClipRect(grid, Qt::IntersectClip);
+    canvas.painter.setClipRect(grid.intersected(view.target()), Qt::IntersectClip);
     canvas.painter.setRenderHint(QPainter::LosslessImageRendering);
     canvas.painter.setRenderHint(QPainter::SmoothPixmapTransform, field.image.width() > place.width());
-    canvas.painter.drawImage(place, crisp(field.image, canvas.painter, wanted));
+    canvas.painter.drawImage(place, crisp(field.image, canvas.painter, wantedPixels(canvas, place)));
     canvas.painter.restore();
 }
 

@@ -85,12 +85,20 @@ Box2 changedGround(const Impact& impact, const City& proposal, double thresholdM
     return box;
 }
 
+/// A change that belongs on the map. Where no cell reaches the question's threshold, the largest ones do.
+double mappedChangeMin(const ImpactAnswer& answer) {
+    double largest = 0;
+    for (const float change : answer.study.total.grossMin)
+        if (!std::isnan(change)) largest = std::max(largest, std::abs(double(change)));
+    const double threshold = answer.thresholdsMin.empty() ? 0 : answer.thresholdsMin.front();
+    return std::min(threshold, largest / 10);
+}
+
 /// What the map shows where the change is in a small part of the region; none: all of it.
 std::optional<Box2> zoomOf(const ImpactAnswer& answer, const MapScene& scene) {
     constexpr float leastM = 60, aroundM = 15;
     constexpr double mostOfMap = 0.6;  // a larger change needs no closer view
-    const double threshold = answer.thresholdsMin.empty() ? 0 : answer.thresholdsMin.front();
-    const Box2 changed = changedGround(answer.study.total, answer.proposal, threshold);
+    const Box2 changed = changedGround(answer.study.total, answer.proposal, mappedChangeMin(answer));
     if (changed.empty()) return std::nullopt;
     const Box2 all = shownGround(scene);
     const glm::vec2 middle = (changed.low + changed.high) / 2.0F;
