@@ -33,7 +33,7 @@ struct AnswerFiles {
     std::optional<double> thresholdHours{};     ///< of the colours of places; none: the hours that are enough
     int pictureWidth = noonmark::pictureWidth;  ///< pixels
     bool cells = false;                         ///< of a study, a table of all cells
-    bool sheets = false;                        ///< of a comparison or score, a book of sheets
+    bool sheets = false;                        ///< a book of sheets
     BookSettings book{};                        ///< of that, and of the pages of points
     std::vector<Region> regions{};              ///< of the project: a saved result may be of one of them
     OutputRules rules{};                        ///< which files may be replaced
@@ -96,6 +96,9 @@ public:
     [[nodiscard]] virtual SavedResult toSave(const Project& project) const = 0;
     /// All that write() may write: whether region.geojson is among it is known only then.
     [[nodiscard]] virtual std::vector<std::string> fileNames(const AnswerFiles& how) const = 0;
+    /// The pages that write() files where `how.sheets`; none: it files no pages. They refer to the answer and to
+    /// `city`, that of its scenario.
+    [[nodiscard]] virtual std::optional<Book> makeBook(const City&, const AnswerFiles&) const { return {}; }
     /// `city`: of its scenario. All files or none. Needs a QGuiApplication (the `offscreen` platform
     /// suffices).
     [[nodiscard]] virtual Result<std::vector<std::filesystem::path>> write(

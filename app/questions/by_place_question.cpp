@@ -100,6 +100,9 @@ public:
         }
         return std::move(files).result();
     }
+    [[nodiscard]] std::optional<Book> makeBook(const City&, const AnswerFiles& how) const override {
+        return makeSunByPlaceBook(content(), bookOf(how), {how.legend, how.thresholdHours});
+    }
 
 private:
     StudySettings asked_;

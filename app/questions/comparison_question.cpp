@@ -1,5 +1,6 @@
 #include "app/input/all_engines.h"
 #include "app/questions/saved_question.h"
+#include "app/report/book/answer_book.h"
 #include "app/report/files/answer_files.h"
 #include "app/report/sheets/impact_report.h"
 #include "core/base/stopwatch.h"
@@ -65,6 +66,9 @@ public:
                                                                    const AnswerFiles& how) const override {
         return writeImpactFiles(content(), {city}, how.scale, folder, how.rules,
                                 how.sheets ? &how.book : nullptr, how.pictureWidth, how.legend);
+    }
+    [[nodiscard]] std::optional<Book> makeBook(const City& city, const AnswerFiles& how) const override {
+        return makeImpactBook(content(), {city}, how.scale, how.book, how.legend);
     }
 
 private:

@@ -1,4 +1,5 @@
 #include "app/questions/saved_question.h"
+#include "app/report/book/element_book.h"
 #include "app/report/files/element_files.h"
 #include "core/describe/text.h"
 #include "core/study/elements/element_map.h"
@@ -58,6 +59,9 @@ public:
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
         return writeElementFiles(content().study, bookOf(how), folder, how.rules);
+    }
+    [[nodiscard]] std::optional<Book> makeBook(const City&, const AnswerFiles& how) const override {
+        return makeElementBook(content().study, content().map, bookOf(how));
     }
 
 private:

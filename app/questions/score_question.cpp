@@ -1,5 +1,6 @@
 #include "app/input/all_engines.h"
 #include "app/questions/saved_question.h"
+#include "app/report/book/answer_book.h"
 #include "app/report/files/answer_files.h"
 #include "core/base/progress_share.h"
 #include "core/base/stopwatch.h"
@@ -64,6 +65,9 @@ public:
                                                                    const AnswerFiles& how) const override {
         return writeScoreFiles(content(), {city}, folder, how.rules, how.sheets ? &how.book : nullptr,
                                how.pictureWidth, how.legend);
+    }
+    [[nodiscard]] std::optional<Book> makeBook(const City& city, const AnswerFiles& how) const override {
+        return makeScoreBook(content(), {city}, how.book, how.legend);
     }
 
 private:

@@ -1,5 +1,6 @@
 #include "app/input/all_engines.h"
 #include "app/questions/saved_question.h"
+#include "app/report/book/answer_book.h"
 #include "app/report/files/study_files.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
@@ -74,6 +75,9 @@ public:
                                                                    const AnswerFiles& how) const override {
         return writeStudyFiles(content(), folder, optionsOf(how));
     }
+    [[nodiscard]] std::optional<Book> makeBook(const City&, const AnswerFiles& how) const override {
+        return makeStudyBook(content(), bookOf(how));
+    }
 
 private:
     [[nodiscard]] StudyFileOptions optionsOf(const AnswerFiles& how) const {
@@ -81,6 +85,7 @@ private:
                 .rules = how.rules,
                 .pictureWidth = how.pictureWidth,
                 .legend = how.legend,
+                .book = how.sheets ? std::optional(bookOf(how)) : std::nullopt,
                 .ofPlaces = ofPlaces_};
     }
 

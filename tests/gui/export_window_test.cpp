@@ -1,11 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QFile>
 #include <QGuiApplication>
 #include <QImage>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -17,6 +19,7 @@
 #include "app/gui/docks/export/export_dialog.h"
 #include "app/gui/docks/export/movie_dialog.h"
 #include "app/gui/docks/export/table_text.h"
+#include "app/gui/docks/sheets/book_view.h"
 #include "tests/gui/answers_window.h"
 
 namespace noonmark {
@@ -115,6 +118,36 @@ TEST_F(ExportWindow, MeasuredScenariosAreExportedSideBySide) {
     EXPECT_TRUE(lines[2].startsWith("Tower,1,")) << "one change: the new tower";
     EXPECT_TRUE(contentOfFile(inFolder("scenarios.pdf")).startsWith("%PDF"));
     EXPECT_FALSE(contentOfFile(inFolder("scenarios.tif")).isEmpty());
+}
+
+TEST_F(ExportWindow, SheetsAreShownBeforeTheyAreFiledWithTheProjectBeside) {
+    study();
+    auto* dialog = openDialog<ExportDialog>("Ctrl+E");
+    ASSERT_NE(dialog, nullptr);
+    ASSERT_TRUE(waitFor([&] { return !dialog->busy(); }));
+    EXPECT_FALSE(dialog->pages().isVisible()) << "none are asked for";
+    fieldOf<QCheckBox>(*dialog, "exportSheets")->setChecked(true);
+    ASSERT_TRUE(waitFor([&] { return !dialog->busy() && !dialog->pages().picture().isNull(); }));
+    EXPECT_TRUE(dialog->pages().isVisible());
+    EXPECT_FALSE(fieldOf<QPushButton>(*dialog, "exportOpenFolder")->isEnabled()) << "nothing is written";
+    fieldOf<QCheckBox>(*dialog, "exportWithProject")->setChecked(true);
+    write(*dialog);
+    EXPECT_TRUE(contentOfFile(inFolder("sheets.pdf")).startsWith("%PDF")) << message();
+    EXPECT_TRUE(QFile::exists(inFolder("small.noonmark.gpkg"))) << "the project";
+    EXPECT_TRUE(fieldOf<QPushButton>(*dialog, "exportOpenFolder")->isEnabled());
+    EXPECT_TRUE(dialog->isVisible()) << "for a look at the files, or another export";
+}
+
+TEST_F(ExportWindow, FollowsWhatIsShown) {
+    study();
+    auto* dialog = openDialog<ExportDialog>("Ctrl+E");
+    ASSERT_NE(dialog, nullptr);
+    const QString before = fieldOf<QComboBox>(*dialog, "exportSubject")->currentText();
+    keep("June");
+    showSaved("June");
+    ASSERT_TRUE(waitFor(
+        [&] { return fieldOf<QComboBox>(*dialog, "exportSubject")->currentText() != before; }));
+    EXPECT_THAT(fieldOf<QLabel>(*dialog, "exportFiles")->text().toStdString(), HasSubstr("result.json"));
 }
 
 TEST_F(ExportWindow, AMovieOfADayIsWritten) {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/report/book/answer_book.h"
 #include "app/report/files/cells_csv.h"
 #include "app/report/sheets/study_report.h"
 #include "tests/report/synthetic_study.h"
@@ -105,6 +106,23 @@ TEST(CellsCsv, SaysWhenTheDeviceIsFull) {
     if (!full.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
         GTEST_SKIP() << "there is no /dev/full here";
     EXPECT_FALSE(writeCellsCsv(study.field, study.city.frame, full));
+}
+
+TEST(StudyFiles, HaveABookOfSheetsOnRequest) {
+    const QTemporaryDir folder;
+    BookSettings book;
+    book.titleBlock.author = "A. Planner";
+    const auto files =
+        writeStudyFiles(tests::syntheticStudy(), folder.path().toStdString(), {.book = book});
+    ASSERT_TRUE(files) << files.error().text();
+    QFile pdf(folder.filePath("sheets.pdf"));
+    ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(pdf.readAll().startsWith("%PDF"));
+    const Study study = tests::syntheticStudy();
+    const Book pages = makeStudyBook(study, book);
+    EXPECT_EQ(pages.titleBlock.author, "A. Planner");
+    EXPECT_EQ(pages.pages.front().title, QStringLiteral("Shadow study: Four quarters"));
+    EXPECT_EQ(pages.pages.back().title, QStringLiteral("Method and sources"));
 }
 
 TEST(StudyFiles, AreAllThere) {

@@ -20,27 +20,48 @@ namespace noonmark::cli {
 
 namespace {
 
-tl::expected<Study, Failure> computed(const StudyOptions& options, const Console& console) {
+/// A study, and the book that is wanted of it.
+struct Answered {
+    Study study;
+    std::optional<BookSettings> book;
+};
+
+Result<std::optional<BookSettings>> bookOf(const StudyOptions& options, const SheetOptions& sheets,
+                                           const StudyRequest& request) {
+    if (!sheets.wanted) return std::nullopt;
+    return bookSettingsOf(sheets, sheetsOf(request)).map([&](BookSettings book) {
+        book.legend = options.legend;
+        return std::optional(std::move(book));
+    });
+}
+
+tl::expected<Answered, Failure> computed(const StudyOptions& options, const SheetOptions& sheets,
+                                         const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
+    StudyFileOptions files{.cellsCsv = options.cellsCsv};
+    if (sheets.wanted) files.book.emplace();
     auto request =
-        parseStudyRequest(options, studyFileNames(options.settings, {.cellsCsv = options.cellsCsv}), progress,
-                          interrupt.token());
+        parseStudyRequest(options, studyFileNames(options.settings, files), progress, interrupt.token());
     if (!request) return tl::make_unexpected(request.error());
+    auto book = orCode(bookOf(options, sheets, *request), exitUsage);
+    if (!book) return tl::make_unexpected(book.error());
     auto study = orCode(runStudy(request->loaded.read.city, request->settings, progress, interrupt.token(),
                                  enginesWith(request->settings.engine)),
                         exitFailed);
-    if (study) addSource(*study, *request);
-    return study;
+    if (!study) return tl::make_unexpected(study.error());
+    addSource(*study, *request);
+    return Answered{*std::move(study), *std::move(book)};
 }
 
-Result<std::vector<std::filesystem::path>> writeFiles(const Study& study, const StudyOptions& options) {
+Result<std::vector<std::filesystem::path>> writeFiles(const Answered& answered, const StudyOptions& options) {
     const OffscreenQt qt;
-    return writeStudyFiles(study, options.out,
+    return writeStudyFiles(answered.study, options.out,
                            {.cellsCsv = options.cellsCsv,
-                            .rules = outputRulesOf(options, study.provenance.inputs),
+                            .rules = outputRulesOf(options, answered.study.provenance.inputs),
                             .pictureWidth = options.pictureWidth,
-                            .legend = options.legend});
+                            .legend = options.legend,
+                            .book = answered.book});
 }
 
 // As it was written: its times of writing are not known before.
@@ -49,16 +70,21 @@ void printFile(const std::filesystem::path& folder, const char* name, std::ostre
 }
 
 int runStudyCommand(const StudyOptions& options, const SheetOptions& layout, const Console& console) {
+    if (options.points && layout.wanted)
+        return fail(console,
+                    {"A study of points has its sheets always", "--sheets",
+                     "Leave it out: elements.pdf is the book of sheets"},
+                    exitUsage);
     if (options.points) return runElements(options, layout, console);
     if (const auto ok = checkElementOptions(options); !ok) return fail(console, ok.error(), exitUsage);
-    const auto study = computed(options, console);
-    if (!study) return fail(console, study.error().error, study.error().code);
-    const auto files = writeFiles(*study, options);
+    const auto answered = computed(options, layout, console);
+    if (!answered) return fail(console, answered.error().error, answered.error().code);
+    const auto files = writeFiles(*answered, options);
     if (!files) return fail(console, files.error(), exitFailed);
     if (options.json)
         printFile(options.out, "study.json", console.out);
     else
-        printStudy(*study, *files, console.out);
+        printStudy(answered->study, *files, console.out);
     return exitOk;
 }
 
@@ -72,6 +98,7 @@ void addStudyCommand(CLI::App& app, Run& run) {
     addStudyOptions(*command, *options, ReceiverChoice::cellsAndPoints);
     addElementOptions(*command, *options);
     addElevationSheetOptions(*command, *layout);
+    addSheetSwitch(*command, *layout);
     addPieceOptions(*command, *options);
     addLegendOptions(*command, options->legend);
     command->footer(

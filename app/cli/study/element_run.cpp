@@ -28,8 +28,15 @@ void addSource(ElementStudy& study, const StudyRequest& request) {
     study.seconds["total"] += loaded.seconds;
 }
 
+/// What was measured, and the book of it.
+struct Measured {
+    ElementStudy study;
+    BookSettings book;
+};
+
 // The file of windows is described before the computation, so that its hash is that of what was read.
-tl::expected<ElementStudy, Failure> measureElements(const StudyOptions& options, const Console& console) {
+tl::expected<Measured, Failure> measureElements(const StudyOptions& options, const SheetOptions& layout,
+                                                const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
     if (auto ok = orCode(checkElementOptions(options), exitUsage); !ok)
@@ -42,6 +49,9 @@ tl::expected<ElementStudy, Failure> measureElements(const StudyOptions& options,
     }
     auto request = parseStudyRequest(options, elementFileNames(*options.points), progress, interrupt.token());
     if (!request) return tl::make_unexpected(request.error());
+    auto book = orCode(bookSettingsOf(layout, sheetsOf(*request)), exitUsage);
+    if (!book) return tl::make_unexpected(book.error());
+    book->legend = options.legend;
     auto study = runElementStudy(request->loaded.read.city, request->settings, request->elements, progress,
                                  interrupt.token());
     if (!study)
@@ -49,7 +59,7 @@ tl::expected<ElementStudy, Failure> measureElements(const StudyOptions& options,
             Failure{study.error(), study.error().kind == ErrorKind::input ? exitUsage : exitFailed});
     study->glazingInput = windows;
     addSource(*study, *request);
-    return *std::move(study);
+    return Measured{*std::move(study), *std::move(book)};
 }
 
 std::string errorText(const ElementStudy& study) {
@@ -82,16 +92,14 @@ void printElements(const ElementStudy& study, const std::vector<std::filesystem:
 
 int runElements(const StudyOptions& options, const SheetOptions& layout, const Console& console) {
     const OffscreenQt qt;
-    auto sheets = bookSettingsOf(layout, {});
-    if (!sheets) return fail(console, sheets.error(), exitUsage);
-    sheets->legend = options.legend;
-    const auto study = measureElements(options, console);
-    if (!study) return fail(console, study.error().error, study.error().code);
-    const auto files =
-        writeElementFiles(*study, *sheets, options.out, outputRulesOf(options, study->provenance.inputs));
+    const auto measured = measureElements(options, layout, console);
+    if (!measured) return fail(console, measured.error().error, measured.error().code);
+    const ElementStudy& study = measured->study;
+    const auto files = writeElementFiles(study, measured->book, options.out,
+                                         outputRulesOf(options, study.provenance.inputs));
     if (!files) return fail(console, files.error(), exitFailed);
     if (!options.json)
-        printElements(*study, *files, console.out);
+        printElements(study, *files, console.out);
     else if (std::ifstream file(std::filesystem::path(options.out) / "study.json"); file)
         console.out << file.rdbuf() << '\n';
     return exitOk;

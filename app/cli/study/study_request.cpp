@@ -138,6 +138,10 @@ bool needsRegionFile(const StudyRequest& request) {
 
 }  // namespace
 
+SheetSettings sheetsOf(const StudyRequest& request) {
+    return request.project ? request.project->project().sheets : SheetSettings();
+}
+
 OutputRules outputRulesOf(const StudyOptions& options, const std::vector<InputFile>& inputs) {
     OutputRules rules = outputRules(options.read.files, inputs, options.overwrite);
     addPlace(rules, options.region);

@@ -37,6 +37,9 @@ struct StudyRequest {
 
 Provenance provenanceOf(const StudyRequest& request);
 
+/// Units and title block of its project; those of none where it has no project.
+SheetSettings sheetsOf(const StudyRequest& request);
+
 /// Adds the time and warnings of reading, and the provenance of the city.
 void addSource(Study& study, const StudyRequest& request);
 

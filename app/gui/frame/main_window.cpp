@@ -367,6 +367,8 @@ void MainWindow::connectPreferences() {
     const auto usePaper = [this] { results_.usePaper(readPageSetup(settings_)); };
     connect(&help_, &HelpActions::tourWanted, &tours_, &TourActions::start);
     connect(&preferences_, &PreferencesActions::paperChosen, this, usePaper);
+    connect(&results_, &ResultActions::setupChosen, this,
+            [this](const PageSetup& setup) { savePageSetup(setup, settings_); });
     usePaper();
 }
 

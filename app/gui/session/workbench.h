@@ -127,6 +127,8 @@ public:
     /// Names of the files that exportShown() writes, and of those of them that the folder has already.
     /// region.geojson is always named, since whether it is written is known only then.
     [[nodiscard]] QStringList filesOf(const ExportChoice& choice);
+    /// What makes the sheets among those files; empty: there are none.
+    [[nodiscard]] MakeSheets sheetsOf(const ExportChoice& choice);
     [[nodiscard]] QStringList filesInTheWay(const std::filesystem::path& folder,
                                             const ExportChoice& choice = {});
     /// What an export of all scenarios states beside their studies, asked for when it begins.
@@ -184,6 +186,7 @@ Q_SIGNALS:
     void openFailed(noonmark::Error error);          ///< or cancelled: the current project stays
     void recovered(std::filesystem::path recovery);  ///< recover() has finished
     void noted(QString text);
+    void exported(QString folder);
     void commandFound(QString command);
 
 private:
@@ -231,6 +234,7 @@ private:
     using Write = std::function<Files(const std::filesystem::path& folder)>;
     [[nodiscard]] Write whatToWrite(const ExportChoice& choice) const;
     [[nodiscard]] Write placeToWrite() const;
+    [[nodiscard]] ScenarioStudies scenariosToShow();
     [[nodiscard]] Write scenariosToWrite(const ExportChoice& choice);
     [[nodiscard]] AnswerFiles withProject(AnswerFiles files) const;
     void report(const Error& error);

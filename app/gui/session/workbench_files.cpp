@@ -4,8 +4,10 @@
 #include "app/gui/session/answers/answer_origin.h"
 #include "app/gui/session/workbench.h"
 #include "app/input/output_rules.h"
+#include "app/questions/review_question.h"
 #include "app/questions/saved_question.h"
 #include "app/report/files/contribution_files.h"
+#include "app/report/scenarios/scenario_book.h"
 #include "app/report/scenarios/scenario_files.h"
 #include "core/study/provenance/command_words.h"
 #include "scenarios/project/results/save_result.h"
@@ -48,7 +50,7 @@ std::vector<std::string> Workbench::measuredScenarios() {
     return names;
 }
 
-Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
+ScenarioStudies Workbench::scenariosToShow() {
     const auto known = studies();
     auto answers = scenarioAnswers_ ? scenarioAnswers_() : std::map<std::string, ScenarioAnswers>();
     ScenarioStudies measured;
@@ -56,7 +58,11 @@ Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
         measured.push_back(makeScenarioStudy(session_.project().scenarios, name, known.at(name)));
         measured.back().answers = std::move(answers[name]);
     }
-    return [measured, origin = AnswerOrigin(session_), how = withProject(choice)](const auto& folder) {
+    return measured;
+}
+
+Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
+    return [measured = scenariosToShow(), origin = AnswerOrigin(session_), how = withProject(choice)](const auto& folder) {
         ScenarioStudies stated = measured;
         for (ScenarioStudy& one : stated) one.study = origin.stated(*one.study, one.name);
         return writeScenarioFiles(stated, bookOf(how), folder, how.rules);
@@ -89,6 +95,33 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
     return list;
 }
 
+// Pages refer to what they are made of.
+MakeSheets Workbench::sheetsOf(const ExportChoice& choice) {
+    if (choice.subject == ExportChoice::Subject::scenarios)
+        return [measured = std::make_shared<const ScenarioStudies>(scenariosToShow()),
+                book = bookOf(withProject(choice))]() -> std::shared_ptr<const Book> {
+            auto held = std::make_shared<std::pair<std::shared_ptr<const ScenarioStudies>, Book>>(
+                measured, makeScenarioBook(*measured, book));
+            return {held, &held->second};
+        };
+    ExportChoice other = choice;
+    other.sheets = !other.sheets;
+    const bool areFiled = choice.sheets || filesOf(choice) == filesOf(other);
+    if (choice.subject != ExportChoice::Subject::shown || !answer() || !areFiled) return {};
+    return [answer = answer(), city = session_.city(),
+            how = withProject(choice)]() -> std::shared_ptr<const Book> {
+        std::optional<Book> book = answer->makeBook(*city, how);
+        if (!book) return nullptr;
+        struct Held {
+            std::shared_ptr<const Answer> answer;
+            std::shared_ptr<const City> city;
+            Book book;
+        };
+        auto held = std::make_shared<Held>(Held{answer, city, *std::move(book)});
+        return {held, &held->book};
+    };
+}
+
 QStringList Workbench::filesInTheWay(const std::filesystem::path& folder, const ExportChoice& choice) {
     std::vector<std::string> names;
     for (const QString& name : filesOf(choice)) names.push_back(name.toStdString());
@@ -106,13 +139,21 @@ void Workbench::exportShown(const std::filesystem::path& folder, const ExportCho
         [write = scenarios ? scenariosToWrite(choice)
                  : place   ? placeToWrite()
                            : whatToWrite(choice),
-         folder](Progress&, std::stop_token) { return write(folder); },
+         project = choice.withProject ? session_.file() : std::nullopt,
+         folder](Progress&, std::stop_token) -> Result<WrittenPaths> {
+            if (!project) return write(folder);
+            if (const auto may = checkCopy(*project, folder); !may) return tl::make_unexpected(may.error());
+            auto paths = write(folder);
+            if (!paths) return paths;
+            return copyProject(*project, folder).map([&] { return *std::move(paths); });
+        },
         [this, folder](Result<WrittenPaths> paths) {
             if (!paths) return report(paths.error());
             QStringList names;
             for (const auto& path : *paths) names << QString::fromStdString(path.filename().string());
             Q_EMIT noted(
                 tr("Exported to %1: %2").arg(QString::fromStdString(folder.string()), names.join(tr(", "))));
+            Q_EMIT exported(QString::fromStdString(folder.string()));
         });
 }
 

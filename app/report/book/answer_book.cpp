@@ -6,8 +6,11 @@
 #include "app/report/sheets/impact_report.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/score_report.h"
+#include "app/report/sheets/study_report.h"
 #include "core/describe/figure_text.h"
 #include "core/measures/shadow_figures.h"
+#include "core/study/provenance/repeat_command.h"
+#include "core/study/text/breakdown_text.h"
 #include "scenarios/impact/impact_figure_tables.h"
 #include "scenarios/settings_json.h"
 #include "scenarios/weights/score_figures.h"
@@ -61,15 +64,20 @@ void appendPages(Book& book, std::vector<BookPage> pages) {
     std::move(pages.begin(), pages.end(), std::back_inserter(book.pages));
 }
 
-/// The sections of a sheet end with the command, which is repeated here in lines that fit a column.
-void addText(Book& book, const Sheet& sheet, const TextBlocks& repeat) {
+/// `repeat`: the command, in lines that fit a column.
+void addText(Book& book, const Sheet& sheet, std::span<const TextBlocks> sections, const TextBlocks& repeat) {
     TextBlocks blocks{heading(QStringLiteral("Definitions"))};
     const auto add = [&](const TextBlocks& more) { blocks.insert(blocks.end(), more.begin(), more.end()); };
     add(sheet.definitions);
-    for (std::size_t i = 0; i + 1 < sheet.sections.size(); ++i) add(sheet.sections[i]);
+    for (const TextBlocks& section : sections) add(section);
     add(repeat);
     const QString title = QStringLiteral("Method and sources");
     appendPages(book, makeTextPages(book.setup, {title, {}, title, 0, {}}, blocks));
+}
+
+/// The sections of a comparison or score end with the command in lines of another length.
+std::span<const TextBlocks> withoutCommand(const Sheet& sheet) {
+    return std::span(sheet.sections).first(sheet.sections.size() - 1);
 }
 
 void addMaps(Book& book, const Sheet& sheet) {
@@ -141,6 +149,17 @@ std::vector<BookPage> contributionPages(const ImpactAnswer& answer, const BookSe
                           {{QStringLiteral("Sole contribution of each new building"), {}, std::move(table)}});
 }
 
+BookPage sunByMonthPage(const Bars& months, const BookSettings& settings) {
+    const QString title = QStringLiteral("Months");
+    BookPage page{title, {}, title, 0, {}};
+    QRectF area = contentArea(settings.setup);
+    area.setHeight(std::min(area.height(), area.width() / 2));
+    BarChart chart = makeBarChart(months, FigureUnit::hours, settings.units, QStringLiteral("h"));
+    chart.series.front().colour = shade::sun;
+    page.items.push_back({area, PageChart{std::move(chart), {plainText(months.title), {}}}});
+    return page;
+}
+
 QString monthText(std::chrono::year_month month) {
     return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
 }
@@ -198,6 +217,19 @@ std::vector<BookPage> intervalPages(const ScoreAnswer& answer, const BookSetting
 
 }  // namespace
 
+Book makeStudyBook(const Study& study, const BookSettings& settings) {
+    const Sheet sheet = makeSheet(study, settings.legend);
+    Book book = beginBook(settings, plainText(sheet.headline.what), study.provenance.attribution);
+    book.record = sheet.record;
+    addMaps(book, sheet);
+    if (const Bars months = makeMonthBars(study); !months.groups.empty())
+        book.pages.push_back(sunByMonthPage(months, settings));
+    addText(book, sheet, sheet.sections,
+            repeatBlocks(makeRepeatCommand(study, commandLetters), needsRegionFile(study.provenance),
+                         listLegendOptions(settings.legend, false), commandLetters));
+    return book;
+}
+
 Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
                     const BookSettings& settings, const LegendChoice& legend) {
     const Sheet sheet = makeSheet(answer, source, scale, legend);
@@ -206,7 +238,7 @@ Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, cons
     addMaps(book, sheet);
     book.pages.push_back(sideBySide(answer, source, settings.setup, legend));
     appendPages(book, contributionPages(answer, settings, legend.show));
-    addText(book, sheet,
+    addText(book, sheet, withoutCommand(sheet),
             repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance),
                          drawnOptions(scale, legend), commandLetters));
     return book;
@@ -220,7 +252,7 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
     addMaps(book, sheet);
     if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings, legend.show));
     appendPages(book, intervalPages(answer, settings, legend.show));
-    addText(book, sheet,
+    addText(book, sheet, withoutCommand(sheet),
             repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance),
                          listLegendOptions(legend, true), commandLetters));
     return book;

@@ -11,6 +11,9 @@ namespace noonmark {
 
 // Books of results with maps. The arguments must outlive the book, whose maps refer to them.
 
+/// The book of a study of cells: its maps, sun by month where it was measured, method and sources.
+Book makeStudyBook(const Study& study, const BookSettings& settings);
+
 /// The book of a comparison: maps of the change, both scenarios side by side on one scale, sole contributions
 /// of new buildings where they were measured, method and sources.
 Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,

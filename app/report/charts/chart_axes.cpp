@@ -132,6 +132,7 @@ void paintKeys(const Canvas& canvas, const QRectF& plot, const std::vector<Chart
     constexpr double apartPt = 12;
     double at = 0;
     for (const ChartKey& key : keys) {
+        if (key.text.isEmpty()) continue;  // the only series of a chart, whose title names it
         const QRectF box = keyBox(canvas, plot, at, keyBoxPt);
         const QColor colour = readableOn(canvas.inks.paper, key.colour);
         if (key.line) {

@@ -2,6 +2,7 @@
 
 #include <QGuiApplication>
 
+#include "app/report/book/answer_book.h"
 #include "app/report/book/contribution_book.h"
 #include "app/report/book/print_book.h"
 #include "app/report/files/cells_csv.h"
@@ -49,6 +50,7 @@ Result<void> writeContributions(const Study& study, const std::filesystem::path&
 
 std::vector<std::string> studyFileNames(const StudySettings& settings, const StudyFileOptions& options) {
     std::vector<std::string> names{"shadow.tif", "shadow.qml", "shadow.png", "report.pdf", "study.json"};
+    if (options.book) names.emplace_back("sheets.pdf");
     if (settings.byMonth) names.insert(names.end(), {"by_month.tif", "by_month.qml", "by_month.csv"});
     if (settings.contributions)
         names.insert(names.end(), {"contributions.csv", "contributions.gpkg", "contributions.pdf"});
@@ -81,6 +83,11 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     });
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
+    if (options.book) {
+        const auto pdf = printBook(makeStudyBook(study, *options.book));
+        if (!pdf) return tl::make_unexpected(pdf.error());
+        files.add("sheets.pdf", textContent(pdf->toStdString()));
+    }
     if (study.breakdown && study.settings.byMonth) {
         files.add("by_month.tif",
                   [&](const std::filesystem::path& file) { return writeMonths(study, file); });

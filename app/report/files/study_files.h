@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/report/sheets/sheet.h"
+#include "app/report/book/book.h"
 #include "core/io/files/check_output.h"
 #include "core/study/contributions/place_contributions.h"
 #include "core/study/study.h"
@@ -20,6 +20,7 @@ struct StudyFileOptions {
     OutputRules rules{};                        ///< which files may be replaced
     int pictureWidth = noonmark::pictureWidth;  ///< of shadow.png, pixels
     LegendChoice legend{};                      ///< of pictures, pages and styles
+    std::optional<BookSettings> book{};         ///< also sheets.pdf, a book so laid out
     std::vector<KeptContributions> ofPlaces{};  ///< of single places: a table, and a part of study.json
 };
 
@@ -28,7 +29,7 @@ std::vector<std::string> studyFileNames(const StudySettings& settings, const Stu
 
 /// Writes all outputs of a study into a folder, which is created if missing: shadow.tif
 /// with its style for QGIS shadow.qml, shadow.png,
-/// report.pdf, study.json; region.geojson where the region is not a lon/lat box; cells.csv on request;
+/// report.pdf, study.json; sheets.pdf on request; region.geojson where the region is not a lon/lat box; cells.csv on request;
 /// by_month.tif, .qml and .csv, contributions.csv, .gpkg and .pdf where the study has them. The window and
 /// the command line write the same files. Returns the paths written; a file is written completely or not at
 /// all. Needs a QGuiApplication (the `offscreen` platform suffices).

@@ -2,7 +2,9 @@
 
 #include "app/report/sheets/report_sections.h"
 #include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/provenance/command_words.h"
+#include "core/study/text/region_text.h"
 
 namespace noonmark {
 
@@ -30,6 +32,9 @@ Sheet makeSheet(const Study& study, const LegendChoice& legend) {
                 .credit = describeData(study),
                 .record = {QStringLiteral("study.json"),
                            extendRepeat(studyJson(study), listLegendOptions(legend, false))}};
+    const AnswerPage page =
+        makePage(study.field, study.statistics, nameOf(study.settings.region), legend.show);
+    if (!page.headline.source.empty()) sheet.finding = QString::fromStdString(formatText(page.headline)) + u'.';
     if (!isInstant(study.field) && hasRuns(study.statistics))
         sheet.smallMap.emplace(mapOf(study, ShadowMeasure::continuous, legend));
     return sheet;

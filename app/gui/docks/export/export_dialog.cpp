@@ -2,17 +2,26 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QSignalBlocker>
 #include <QSpinBox>
+#include <QUrl>
 
 #include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/push_button.h"
+#include "app/gui/docks/sheets/book_view.h"
+#include "app/gui/docks/sheets/page_settings.h"
+#include "app/gui/docks/sheets/sheet_form.h"
+#include "app/gui/session/project/project_session.h"
 
 namespace noonmark {
 
@@ -22,6 +31,9 @@ struct OfferedWidth {
     const char* name;
     int pixels;
 };
+constexpr int waitMs = 400;  // after an edit, before the sheets are laid out again
+constexpr int formWidth = 380;
+
 constexpr OfferedWidth offeredWidths[] = {
     {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "Screen"), pictureWidth},
     {QT_TRANSLATE_NOOP("noonmark::ExportDialog", "Large screen"), 3840},
@@ -48,29 +60,65 @@ QWidget* makeRow(std::initializer_list<QWidget*> fields) {
 
 }  // namespace
 
-ExportDialog::ExportDialog(const std::vector<Subject>& subjects, const ExportChoice& first,
-                           const QString& folder, ListFiles listFiles, QWidget* parent)
-    : QDialog(parent), first_(first), listFiles_(std::move(listFiles)), subject_(new QComboBox) {
+ExportDialog::ExportDialog(const ExportChoice& first, const QString& folder, Source source,
+                           ProjectSession& session, QWidget* parent)
+    : QDialog(parent),
+      first_(first),
+      shown_(first.book),
+      source_(std::move(source)),
+      session_(session),
+      subject_(new QComboBox),
+      form_(new SheetForm(SheetForm::Of::answer)),
+      pages_(new BookView),
+      folder_(new QLineEdit(folder)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Export"));
-    subject_->setObjectName(QStringLiteral("exportSubject"));
-    for (const Subject& subject : subjects) subject_->addItem(subject.name, int(subject.key));
-    auto* form = new QFormLayout(this);
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    form->addRow(tr("What"), subject_);
-    makeFields(*form);
-    makeFolder(*form, folder);
-    makeButtons(*form);
+    auto* body = new QHBoxLayout;
+    body->addLayout(makeFields());
+    body->addWidget(pages_, 1);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(body, 1);
+    column->addLayout(makeFoot());
+    pages_->hide();
+    // Enter in a field ends its editing, and presses no button.
+    for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(false);
+    soon_.setSingleShot(true);
+    soon_.setInterval(waitMs);
+    connect(&soon_, &QTimer::timeout, this, &ExportDialog::layOut);
     connect(subject_, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
-    connect(width_, &QComboBox::currentIndexChanged, this, [this](int index) {
-        if (offeredWidths[index].pixels > 0) pixels_->setValue(offeredWidths[index].pixels);
-    });
+    connect(folder_, &QLineEdit::textChanged, this, &ExportDialog::update);
+    connect(form_, &SheetForm::edited, this, &ExportDialog::takeForm);
+    connect(form_, &SheetForm::failed, this, &ExportDialog::showError);
+    connect(&session_, &ProjectSession::changed, this, &ExportDialog::showProject);
     for (QCheckBox* box : {cells_, sheets_}) connect(box, &QCheckBox::toggled, this, &ExportDialog::update);
-    update();
-    setMinimumWidth(460);
+    showProject();
 }
 
-void ExportDialog::makeFields(QFormLayout& form) {
+QLayout* ExportDialog::makeFields() {
+    subject_->setObjectName(QStringLiteral("exportSubject"));
+    auto* form = new QFormLayout;
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->addRow(tr("What"), subject_);
+    makePicture(*form);
+    cells_ = makeCheck(tr("Table of all cells"), "exportCells",
+                       tr("A line of text for each cell: large for a large region"), first_.cells);
+    sheets_ = makeCheck(tr("Sheets with a title block"), "exportSheets",
+                        tr("A PDF with maps, figures, charts and method on several pages"), first_.sheets);
+    form->addRow(QString(), cells_);
+    form->addRow(QString(), sheets_);
+    makeFolder(*form, folder_->text());
+    auto* sheets = new QScrollArea;
+    sheets->setWidget(form_);
+    sheets->setWidgetResizable(true);
+    sheets->setFrameShape(QFrame::NoFrame);
+    sheets->setFixedWidth(formWidth);
+    auto* column = new QVBoxLayout;
+    column->addLayout(form);
+    column->addWidget(sheets, 1);
+    return column;
+}
+
+void ExportDialog::makePicture(QFormLayout& form) {
     width_ = new QComboBox;
     width_->setObjectName(QStringLiteral("exportWidth"));
     for (const OfferedWidth& width : offeredWidths) width_->addItem(tr(width.name));
@@ -79,49 +127,69 @@ void ExportDialog::makeFields(QFormLayout& form) {
     pixels_->setRange(minPictureWidth, maxPictureWidth);
     pixels_->setSuffix(tr(" pixels wide"));
     pixels_->setValue(first_.pictureWidth);
+    connect(width_, &QComboBox::currentIndexChanged, this, [this](int index) {
+        if (offeredWidths[index].pixels > 0) pixels_->setValue(offeredWidths[index].pixels);
+    });
     form.addRow(tr("Picture"), makeRow({width_, pixels_}));
-    cells_ = makeCheck(tr("Table of all cells"), "exportCells",
-                       tr("A line of text for each cell: large for a large region"), first_.cells);
-    sheets_ = makeCheck(tr("Sheets with a title block"), "exportSheets",
-                        tr("A PDF with maps, figures, charts and method on several pages"), first_.sheets);
-    paper_ = new QComboBox;
-    for (const Paper paper : papers) {
-        const std::string_view name = nameOf(paper);
-        paper_->addItem(QString::fromUtf8(name.data(), qsizetype(name.size())), int(paper));
-    }
-    paper_->setCurrentIndex(paper_->findData(int(first_.book.setup.paper)));
-    landscape_ = makeCheck(tr("Landscape"), "exportLandscape", {}, first_.book.setup.landscape);
-    form.addRow(QString(), cells_);
-    form.addRow(QString(), sheets_);
-    form.addRow(tr("Paper"), makeRow({paper_, landscape_}));
 }
 
 void ExportDialog::makeFolder(QFormLayout& form, const QString& folder) {
     files_ = new QLabel;
     files_->setObjectName(QStringLiteral("exportFiles"));
     files_->setWordWrap(true);
-    folder_ = new QLineEdit(folder);
+    folder_->setText(folder);
     folder_->setObjectName(QStringLiteral("exportFolder"));
     folder_->setPlaceholderText(tr("a folder; it is created if missing"));
     auto* browse = pushButton(tr("Browse..."), "exportBrowse", tr("Choose a folder"));
-    browse->setAutoDefault(false);
     connect(browse, &QPushButton::clicked, this, [this] {
         const QString asked = askForFolder(this, tr("Export to folder"));
         if (!asked.isEmpty()) folder_->setText(asked);
     });
-    connect(folder_, &QLineEdit::textChanged, this, &ExportDialog::update);
     form.addRow(tr("Files"), files_);
     form.addRow(tr("Folder"), makeRow({folder_, browse}));
 }
 
-void ExportDialog::makeButtons(QFormLayout& form) {
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+QLayout* ExportDialog::makeFoot() {
+    message_ = new QLabel;
+    message_->setObjectName(QStringLiteral("exportMessage"));
+    message_->setWordWrap(true);
+    withProject_ = makeCheck(tr("With the project"), "exportWithProject",
+                             tr("Puts a copy of the project's file into the folder, so that the result can be "
+                                "verified from there"),
+                             first_.withProject);
     write_ = pushButton(tr("Export"), "exportWrite", {});
-    buttons->addButton(write_, QDialogButtonBox::AcceptRole);
-    form.addRow(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::take);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    openFolder_ = pushButton(tr("Open folder"), "exportOpenFolder", tr("Shows the written files"));
+    openFolder_->setEnabled(false);
+    auto* close = pushButton(tr("Close"), "exportClose", {});
+    connect(write_, &QPushButton::clicked, this, &ExportDialog::write);
+    connect(openFolder_, &QPushButton::clicked, this,
+            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(writtenTo_)); });
+    connect(close, &QPushButton::clicked, this, &QDialog::close);
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(message_, 1);
+    for (QWidget* field : std::initializer_list<QWidget*>{withProject_, write_, openFolder_, close})
+        foot->addWidget(field);
+    return foot;
 }
+
+void ExportDialog::offer(const std::vector<Subject>& subjects) {
+    const QVariant before = subject_->currentData();
+    {
+        const QSignalBlocker quiet(subject_);
+        subject_->clear();
+        for (const Subject& subject : subjects) subject_->addItem(subject.name, int(subject.key));
+        subject_->setCurrentIndex(std::max(0, subject_->findData(before)));
+    }
+    update();
+}
+
+void ExportDialog::showWritten(const QString& folder) {
+    message_->setText(tr("Written to %1").arg(folder));
+    writtenTo_ = folder;
+    openFolder_->setEnabled(true);
+}
+
+void ExportDialog::showError(const Error& error) { message_->setText(describeError(error)); }
 
 ExportChoice ExportDialog::choice() const {
     ExportChoice choice = first_;
@@ -129,7 +197,8 @@ ExportChoice ExportDialog::choice() const {
     choice.pictureWidth = pixels_->value();
     choice.cells = cells_->isChecked();
     choice.sheets = sheets_->isChecked();
-    choice.book.setup = {Paper(paper_->currentData().toInt()), landscape_->isChecked()};
+    choice.book = shown_;
+    choice.withProject = withProject_->isEnabled() && withProject_->isChecked();
     return choice;
 }
 
@@ -139,28 +208,77 @@ QString ExportDialog::folder() const { return QDir::cleanPath(folder_->text().tr
 void ExportDialog::update() {
     const ExportChoice now = choice();
     const bool isReview = now.subject == ExportChoice::Subject::review;
-    const QStringList names = listFiles_(now);
+    const QStringList names = source_.files(now);
     const auto differs = [&](bool ExportChoice::*field) {
         ExportChoice other = now;
         other.*field = !(other.*field);
-        return listFiles_(other) != names;
+        return source_.files(other) != names;
     };
     files_->setText(isReview ? tr("The sheets are shown first") : names.join(QStringLiteral(", ")));
     cells_->setEnabled(differs(&ExportChoice::cells));
     sheets_->setEnabled(differs(&ExportChoice::sheets));
-    const bool hasBook =
-        now.subject == ExportChoice::Subject::scenarios || (sheets_->isEnabled() && now.sheets);
-    for (QWidget* field : std::initializer_list<QWidget*>{paper_, landscape_}) field->setEnabled(hasBook);
     const bool hasPicture = names.join(QLatin1Char(' ')).contains(QStringLiteral(".png"));
     for (QWidget* field : std::initializer_list<QWidget*>{width_, pixels_}) field->setEnabled(hasPicture);
     folder_->setEnabled(!isReview);
+    withProject_->setEnabled(!isReview && session_.file().has_value());
     write_->setText(isReview ? tr("Show the sheets") : tr("Export"));
     write_->setEnabled(isReview || !folder_->text().trimmed().isEmpty());
+    soon_.start();
 }
 
-void ExportDialog::take() {
+void ExportDialog::takeForm() {
+    BookSettings chosen = form_->settings();
+    chosen.legend = shown_.legend;
+    if (chosen == shown_) return;
+    if (!(chosen.setup == shown_.setup)) Q_EMIT setupChosen(chosen.setup);
+    shown_ = chosen;
+    saveTitleBlock(chosen, session_);
+    soon_.start();
+}
+
+void ExportDialog::showProject() {
+    const SheetSettings& sheets = session_.project().sheets;
+    shown_.titleBlock = sheets.titleBlock;
+    shown_.units = sheets.units;
+    form_->show(shown_);
+    soon_.start();
+}
+
+void ExportDialog::layOut() {
+    const MakeSheets make = source_.sheets(choice());
+    if (!make) {
+        laying_.drop();
+        return showSheets(nullptr);
+    }
+    using Sheets = std::shared_ptr<const Book>;
+    laying_.start<Sheets>(
+        tr("Laying out the sheets"),
+        [make](Progress&, const std::stop_token&) -> Result<Sheets> { return make(); },
+        [this](const Result<Sheets>& sheets) { showSheets(sheets.value_or(nullptr)); });
+}
+
+void ExportDialog::showSheets(const std::shared_ptr<const Book>& book) {
+    const bool wasShown = pages_->isVisibleTo(this);
+    form_->setEnabled(book != nullptr);
+    pages_->setVisible(book != nullptr);
+    pages_->show(book);
+    if (book && !wasShown) growTo({1120, 720});
+    if (!book && wasShown) adjustSize();
+}
+
+// Without leaving the screen.
+void ExportDialog::growTo(const QSize& size) {
+    const QRect free = screen()->availableGeometry();
+    QRect now = geometry();
+    now.setSize(now.size().expandedTo(size).boundedTo(free.size()));
+    now.moveLeft(std::clamp(now.left(), free.left(), free.right() + 1 - now.width()));
+    now.moveTop(std::clamp(now.top(), free.top(), free.bottom() + 1 - now.height()));
+    setGeometry(now);
+}
+
+void ExportDialog::write() {
+    message_->clear();
     Q_EMIT chosen(choice(), folder());
-    accept();
 }
 
 }  // namespace noonmark

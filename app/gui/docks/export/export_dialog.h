@@ -1,21 +1,30 @@
 #pragma once
 
 #include <QDialog>
+#include <QTimer>
 #include <functional>
 
+#include "app/gui/base/jobs/job_slot.h"
 #include "app/gui/session/answers/export_choice.h"
 
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QLayout;
 class QLineEdit;
 class QPushButton;
 class QSpinBox;
 
 namespace noonmark {
 
-/// Asks what to export, how, and to which folder; lists the files that will be written. Not modal.
+class BookView;
+class ProjectSession;
+class SheetForm;
+
+/// Asks what to export, how, and to which folder; lists the files that will be written and shows the sheets
+/// among them. Title block and units of sheets are the project's: to change them is an undo step. Stays open,
+/// so that the written files can be looked at. Not modal.
 class ExportDialog final : public QDialog {
     Q_OBJECT
 public:
@@ -23,38 +32,66 @@ public:
         ExportChoice::Subject key;
         QString name;  ///< "Study of Existing"
     };
-    /// The names of the files that a choice writes.
-    using ListFiles = std::function<QStringList(const ExportChoice&)>;
+    /// What the dialog asks of the window.
+    struct Source {
+        /// The names of the files that a choice writes.
+        std::function<QStringList(const ExportChoice&)> files;
+        /// What makes the sheets that a choice writes, on any thread; empty: it writes none.
+        std::function<MakeSheets(const ExportChoice&)> sheets;
+    };
 
-    /// `subjects`: at least one; the first is chosen. `first`: what the fields begin with.
-    ExportDialog(const std::vector<Subject>& subjects, const ExportChoice& first, const QString& folder,
-                 ListFiles listFiles, QWidget* parent);
+    /// `first`: what the fields begin with. `session` must outlive the dialog.
+    ExportDialog(const ExportChoice& first, const QString& folder, Source source, ProjectSession& session,
+                 QWidget* parent);
+
+    /// At least one. The chosen one stays chosen if it is among them; at first it is the first.
+    void offer(const std::vector<Subject>& subjects);
+    void showWritten(const QString& folder);
+    void showError(const Error& error);
 
     [[nodiscard]] ExportChoice choice() const;
     [[nodiscard]] QString folder() const;
+    [[nodiscard]] BookView& pages() { return *pages_; }
+    /// The sheets are being laid out, or soon will be.
+    [[nodiscard]] bool busy() const { return soon_.isActive() || laying_.busy(); }
 
 Q_SIGNALS:
     void chosen(noonmark::ExportChoice choice, QString folder);
+    void setupChosen(const noonmark::PageSetup& setup);
 
 private:
-    void makeFields(QFormLayout& form);
+    QLayout* makeFields();
+    void makePicture(QFormLayout& form);
     void makeFolder(QFormLayout& form, const QString& folder);
-    void makeButtons(QFormLayout& form);
+    QLayout* makeFoot();
     void update();
-    void take();
+    void takeForm();
+    void showProject();
+    void layOut();
+    void showSheets(const std::shared_ptr<const Book>& book);
+    void growTo(const QSize& size);
+    void write();
 
     ExportChoice first_;
-    ListFiles listFiles_;
+    BookSettings shown_;  // the form's
+    Source source_;
+    ProjectSession& session_;
     QComboBox* subject_;
     QComboBox* width_;
     QSpinBox* pixels_;
     QCheckBox* cells_;
     QCheckBox* sheets_;
-    QComboBox* paper_;
-    QCheckBox* landscape_;
+    SheetForm* form_;
+    BookView* pages_;
     QLabel* files_;
     QLineEdit* folder_;
+    QLabel* message_;
+    QCheckBox* withProject_;
     QPushButton* write_;
+    QPushButton* openFolder_;  // the one that was written last
+    QString writtenTo_;
+    QTimer soon_;
+    JobSlot laying_;
 };
 
 }  // namespace noonmark

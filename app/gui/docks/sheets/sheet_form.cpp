@@ -33,8 +33,9 @@ QString nameIn(std::string_view name) { return QString::fromUtf8(name.data(), qs
 
 }  // namespace
 
-SheetForm::SheetForm(QWidget* parent)
+SheetForm::SheetForm(Of of, QWidget* parent)
     : QWidget(parent),
+      of_(of),
       title_(new FieldRows(titleFields().rows(), this)),
       extent_(new FieldRows(extentFields().rows(), this)) {
     auto* column = new QVBoxLayout(this);
@@ -71,7 +72,7 @@ void SheetForm::makePaper(QFormLayout& form) {
     units_ = addList(form, tr("Units"), "sheetUnits", tr("Of areas, lengths and heights"));
     for (const KeyedLabel& choice : std::ranges::find(sheetFields().rows(), "--units", &Field::flag)->choices)
         units_->addItem(translated(choice.label), int(*parseUnitSystem(choice.key)));
-    extent_->addRows(form, {"--all-pages", "--least-place"});
+    if (of_ == Of::review) extent_->addRows(form, {"--all-pages", "--least-place"});
     connect(extent_, &FieldRows::edited, this, &SheetForm::edited);
 }
 
@@ -120,7 +121,7 @@ void SheetForm::show(const BookSettings& settings) {
     scale_->setCurrentText(settings.scale ? scaleText(*settings.scale) : scale_->itemText(0));
     units_->setCurrentIndex(units_->findData(int(settings.units)));
     title_->show(titleFields().of(settings.titleBlock));
-    extent_->show(extentFields().of(settings));
+    if (of_ == Of::review) extent_->show(extentFields().of(settings));
     logo_ = settings.titleBlock.logo;
     showLogo();
 }
@@ -134,7 +135,7 @@ BookSettings SheetForm::settings() const {
     if (isNumber) settings.scale = std::clamp(scale, BookSettings::minScale, BookSettings::maxScale);
     settings.units = UnitSystem(units_->currentData().toInt());
     title_->take(titleFields().of(settings.titleBlock));
-    extent_->take(extentFields().of(settings));
+    if (of_ == Of::review) extent_->take(extentFields().of(settings));
     settings.titleBlock.logo = logo_;
     return settings;
 }

@@ -17,7 +17,11 @@ class FieldRows;
 class SheetForm final : public QWidget {
     Q_OBJECT
 public:
-    explicit SheetForm(QWidget* parent = nullptr);
+    enum class Of {
+        answer,
+        review,  ///< its book may have many pages: what it holds is asked for, too
+    };
+    explicit SheetForm(Of of, QWidget* parent = nullptr);
 
     void show(const BookSettings& settings);  ///< without a signal
     /// The fields' values; an empty date stays empty.
@@ -38,6 +42,7 @@ private:
     void askForLogo();
     void showLogo();
 
+    Of of_;
     QComboBox *paper_, *orientation_, *scale_, *units_;
     FieldRows* title_;
     FieldRows* extent_;

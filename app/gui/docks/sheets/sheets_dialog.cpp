@@ -13,6 +13,7 @@
 #include "app/gui/base/widgets/progress_strip.h"
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/sheets/book_view.h"
+#include "app/gui/docks/sheets/page_settings.h"
 #include "app/gui/docks/sheets/sheet_form.h"
 #include "app/gui/session/project/project_session.h"
 #include "app/report/files/review_files.h"
@@ -32,7 +33,7 @@ SheetsDialog::SheetsDialog(std::shared_ptr<const ReviewAnswer> answer, ReviewSou
       answer_(std::move(answer)),
       source_(std::move(source)),
       session_(session),
-      form_(new SheetForm),
+      form_(new SheetForm(SheetForm::Of::review)),
       pages_(new BookView),
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       message_(new QLabel),
@@ -106,11 +107,8 @@ void SheetsDialog::takeForm() {
     if (chosen == shown_) return;
     if (!(chosen.setup == shown_.setup)) Q_EMIT setupChosen(chosen.setup);
     shown_ = chosen;
-    Project next = session_.project();
-    const SheetSettings sheets{chosen.titleBlock, chosen.units};
-    if (next.sheets == sheets) return soon_.start();
-    next.sheets = sheets;
-    if (session_.change(std::move(next), tr("Title block"))) soon_.start();
+    saveTitleBlock(chosen, session_);
+    soon_.start();
 }
 
 void SheetsDialog::showProject() {

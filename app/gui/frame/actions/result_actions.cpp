@@ -6,7 +6,6 @@
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/docks/export/export_dialog.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
@@ -84,8 +83,7 @@ void ResultActions::takePicture(std::function<void(const QImage&)> done) {
     panel_.takePicture(title, when, std::move(done));
 }
 
-// Without anything to export there is nothing to ask for: the workbench refuses and says why.
-void ResultActions::askForExport() {
+std::vector<ExportDialog::Subject> ResultActions::exportSubjects() const {
     using Subject = ExportChoice::Subject;
     std::vector<ExportDialog::Subject> subjects;
     if (workbench_.answer()) subjects.push_back({Subject::shown, shownText()});
@@ -97,18 +95,50 @@ void ResultActions::askForExport() {
                                      .arg(formatCount(measured.size()))});
     if (glazingReview_.applies() ? glazingReview_.finished().has_value() : review_.finished().has_value())
         subjects.push_back({Subject::review, tr("Review: sheets, tables and drawings")});
-    if (subjects.empty()) return workbench_.exportShown({}, {});
-    last_.scale = panel_.legend().changeScale();
-    last_.legend = panel_.legend().choice();
-    last_.thresholdHours = panel_.results().thresholdHours();
-    auto* dialog = new ExportDialog(
-        subjects, last_, lastFolder_,
-        [this](const ExportChoice& choice) { return workbench_.filesOf(choice); }, &window_);
-    connect(dialog, &ExportDialog::chosen, this, &ResultActions::exportTo);
-    dialog->open();
+    return subjects;
 }
 
-void ResultActions::exportTo(const ExportChoice& choice, const QString& folder) {
+// Without anything to export there is nothing to ask for: the workbench refuses and says why.
+void ResultActions::askForExport() {
+    const auto subjects = exportSubjects();
+    if (subjects.empty()) return workbench_.exportShown({}, {});
+    if (!dialog_) makeExportDialog();
+    dialog_->offer(subjects);
+    dialog_->show();
+    dialog_->raise();
+    dialog_->activateWindow();
+}
+
+void ResultActions::makeExportDialog() {
+    dialog_ = new ExportDialog(
+        last_, lastFolder_,
+        {[this](const ExportChoice& choice) { return workbench_.filesOf(drawn(choice)); },
+         [this](const ExportChoice& choice) { return workbench_.sheetsOf(drawn(choice)); }},
+        workbench_.session(), &window_);
+    connect(dialog_, &ExportDialog::chosen, this, &ResultActions::exportTo);
+    connect(dialog_, &ExportDialog::setupChosen, this, &ResultActions::setupChosen);
+    connect(&workbench_, &Workbench::exported, dialog_, &ExportDialog::showWritten);
+    connect(&workbench_, &Workbench::failed, dialog_, &ExportDialog::showError);
+    connect(&display_, &ResultDisplay::updated, dialog_, [this] { offerSubjects(); });
+}
+
+// What is shown may have changed since the dialog was opened.
+void ResultActions::offerSubjects() {
+    const auto subjects = exportSubjects();
+    if (subjects.empty()) return dialog_->close(), void();
+    dialog_->offer(subjects);
+}
+
+/// With the colours that the view has.
+ExportChoice ResultActions::drawn(ExportChoice choice) const {
+    choice.scale = panel_.legend().changeScale();
+    choice.legend = panel_.legend().choice();
+    choice.thresholdHours = panel_.results().thresholdHours();
+    return choice;
+}
+
+void ResultActions::exportTo(const ExportChoice& chosen, const QString& folder) {
+    const ExportChoice choice = drawn(chosen);
     last_ = choice;
     if (choice.subject == ExportChoice::Subject::review) return Q_EMIT sheetsWanted();
     lastFolder_ = folder;

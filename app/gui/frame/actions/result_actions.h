@@ -2,9 +2,10 @@
 
 #include <QImage>
 #include <QObject>
+#include <QPointer>
 #include <functional>
 
-#include "app/gui/session/answers/export_choice.h"
+#include "app/gui/docks/export/export_dialog.h"
 
 class QAction;
 class QWidget;
@@ -12,7 +13,6 @@ class QWidget;
 namespace noonmark {
 
 class ModeSwitch;
-class ExportDialog;
 class ProjectDock;
 class ReviewSession;
 class GlazingSession;
@@ -42,14 +42,19 @@ public:
 
 Q_SIGNALS:
     void sheetsWanted();  ///< of the review
+    void setupChosen(const noonmark::PageSetup& setup);
 
 private:
     void takePicture(std::function<void(const QImage&)> done);
     void askForExport();
+    void makeExportDialog();
     void exportTo(const ExportChoice& choice, const QString& folder);
     void saveInProject();
     void nameExport();
     [[nodiscard]] QString shownText() const;
+    [[nodiscard]] std::vector<ExportDialog::Subject> exportSubjects() const;
+    void offerSubjects();
+    [[nodiscard]] ExportChoice drawn(ExportChoice choice) const;
 
     Workbench& workbench_;
     const ModeSwitch& mode_;
@@ -63,6 +68,7 @@ private:
     GlazingSession& glazingReview_;
     ExportChoice last_;
     QString lastFolder_;
+    QPointer<ExportDialog> dialog_;
 };
 
 }  // namespace noonmark

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "app/questions/answer.h"
 
 namespace noonmark {
@@ -15,6 +17,10 @@ struct ExportChoice : AnswerFiles {
         review,     ///< the sheets of the review, which have their own dialog
     };
     Subject subject = Subject::shown;
+    bool withProject = false;  ///< a copy of the project's file beside the files, for `verify`
 };
+
+/// Makes the sheets of an export, on any thread. Null: they have no pages.
+using MakeSheets = std::function<std::shared_ptr<const Book>()>;
 
 }  // namespace noonmark
