@@ -221,10 +221,29 @@ std::vector<Footprint> keepUncovered(const Geos& geos, std::vector<Footprint> tr
     return triangles;
 }
 
+// The union of triangles that meet edge to edge, as the roof of a closed mesh does: by cancelling shared
+// edges, which is several times faster than an overlay. Null where they overlap: the area then differs from
+// the sum, since what lies under an even number of triangles is missing.
+Geometry joinEdgeToEdge(const Geos& geos, const std::vector<Footprint>& triangles) {
+    constexpr double tolerance = 1e-9;
+    double sum = 0;
+    for (const Footprint& triangle : triangles) sum += area(triangle);
+    const Geometry all = collection(geos, triangles);
+    const Geometry joined = geos.owned(all ? GEOSCoverageUnion_r(geos, all.get()) : nullptr);
+    if (std::abs(computeArea(geos, joined) - sum) > tolerance * sum) return geos.owned(nullptr);
+    if (!joined || GEOSisValid_r(geos, joined.get()) != 1) return geos.owned(nullptr);
+    return geos.owned(GEOSTopologyPreserveSimplify_r(geos, joined.get(), overlayGridM));
+}
+
+Geometry joinTriangles(const Geos& geos, const std::vector<Footprint>& triangles) {
+    Geometry joined = joinEdgeToEdge(geos, triangles);
+    return joined ? std::move(joined) : uniteGeometry(geos, collection(geos, triangles));
+}
+
 // In one piece if possible.
 std::vector<Footprint> unionOfTriangles(const Geos& geos, const std::vector<Footprint>& triangles) {
     constexpr double gapM = 0.005;
-    Geometry joined = uniteGeometry(geos, collection(geos, triangles));
+    Geometry joined = joinTriangles(geos, triangles);
     if (joined && GEOSGetNumGeometries_r(geos, joined.get()) > 1)
         joined = uniteGeometry(geos, withoutGaps(geos, std::move(joined), gapM));
     return toPolygons(geos, joined);

@@ -1,11 +1,14 @@
 #include "core/io/meshes/mesh_buildings.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <memory>
 
+#include "core/base/stop_scope.h"
 #include "core/city/meshes/mesh_parts.h"
 #include "core/city/meshes/mesh_sheets.h"
 #include "core/city/meshes/mesh_topology.h"
@@ -25,18 +28,34 @@ public:
         std::vector<std::size_t> ofObject(objects_.size());
         for (const MeshUnit& unit : units) ++ofObject[unit.object];
         std::vector<std::size_t> number(objects_.size());
-        for (std::size_t i = 0; i < units.size() && !stop.stop_requested(); ++i) {
-            const std::string& name = objects_[units[i].object].name;
+        std::vector<std::string> ids;
+        for (const MeshUnit& unit : units) {
+            const std::string& name = objects_[unit.object].name;
             const std::string id = name.empty() ? "mesh" : name;
-            const std::size_t n = ++number[units[i].object];
-            progress.report(double(i) / double(units.size()), "finding the buildings");
-            add(units[i].mesh, name, ofObject[units[i].object] == 1 ? id : fmt::format("{} {}", id, n));
+            const std::size_t n = ++number[unit.object];
+            ids.push_back(ofObject[unit.object] == 1 ? id : fmt::format("{} {}", id, n));
         }
+        std::vector<MeshParts> made = makeParts(units, ids, progress, stop);
+        for (std::size_t i = 0; i < units.size() && !stop.stop_requested(); ++i)
+            add(std::move(made[i]), objects_[units[i].object].name, ids[i]);
     }
 
 private:
-    void add(const TriangleMesh& mesh, const std::string& name, const std::string& id) {
-        MeshParts made = partsOf(mesh, id, file_ + ": " + id);
+    [[nodiscard]] std::vector<MeshParts> makeParts(const std::vector<MeshUnit>& units,
+                                                   const std::vector<std::string>& ids, Progress& progress,
+                                                   const std::stop_token& stop) const {
+        std::vector<MeshParts> made(units.size());
+        std::atomic<std::size_t> done = 0;
+        tbb::parallel_for(std::size_t{0}, units.size(), [&](std::size_t i) {
+            const StopScope scope(stop);
+            if (StopScope::isStopped()) return;
+            made[i] = partsOf(units[i].mesh, ids[i], file_ + ": " + ids[i]);
+            progress.report(double(++done) / double(units.size()), "finding the buildings");
+        });
+        return made;
+    }
+
+    void add(MeshParts made, const std::string& name, const std::string& id) {
         std::ranges::move(made.warnings, std::back_inserter(piece_.warnings));
         if (made.parts.empty()) return;
         markOverhangs(made.parts, [](glm::dvec2) { return 0.0F; });

@@ -1,6 +1,7 @@
 #include "core/io/meshes/mesh_units.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <limits>
 #include <map>
 
+#include "core/base/stop_scope.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_parts.h"
@@ -89,9 +91,21 @@ private:
     float lowestM_ = std::numeric_limits<float>::max();
 };
 
+// The outlines of the pieces that may overlap another one; empty for the others.
+std::vector<std::vector<Footprint>> coverWhatMayOverlap(const std::vector<TriangleMesh>& pieces) {
+    std::vector<Box2> boxes;
+    for (const TriangleMesh& piece : pieces) {
+        const Box3 box = computeBox(piece);
+        boxes.push_back({glm::vec2(box.low), glm::vec2(box.high)});
+    }
+    std::vector<std::vector<Footprint>> outlines(pieces.size());
+    for (const auto& [a, b] : findMeetingBoxes(boxes, boxes))
+        if (a != b && outlines[a].empty()) outlines[a] = computeCover(pieces[a]);
+    return outlines;
+}
+
 std::vector<TriangleMesh> joinedByOverlap(const std::vector<TriangleMesh>& pieces) {
-    std::vector<std::vector<Footprint>> outlines;
-    for (const TriangleMesh& piece : pieces) outlines.push_back(computeCover(piece));
+    const std::vector<std::vector<Footprint>> outlines = coverWhatMayOverlap(pieces);
     const Indices groups = groupOverlapping(outlines);
     std::vector<TriangleMesh> meshes;
     for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -132,6 +146,12 @@ void takeOwnWalls(ObjectPieces& pieces, std::size_t object) {
     pieces.walls.clear();
     for (MeshUnit& unit : units) pieces.buildings.push_back(std::move(unit.mesh));
     for (const MeshUnit& wall : left) pieces.walls.push_back(wall.mesh);
+}
+
+ObjectPieces makePieces(const NamedMesh& object, std::size_t index, const GroundFinder& ground) {
+    ObjectPieces pieces = splitIntoPieces(object, ground);
+    takeOwnWalls(pieces, index);
+    return pieces;
 }
 
 void warn(const ObjectPieces& pieces, const std::string& where, Warnings& warnings) {
@@ -178,10 +198,14 @@ std::vector<MeshUnit> detectUnits(const std::vector<NamedMesh>& objects, const s
                                   Warnings& warnings, const std::stop_token& stop) {
     const GroundFinder ground(objects);
     std::vector<MeshUnit> units, walls;
-    for (std::size_t i = 0; i < objects.size() && !stop.stop_requested(); ++i) {
-        ObjectPieces pieces = splitIntoPieces(objects[i], ground);
+    std::vector<ObjectPieces> all(objects.size());
+    tbb::parallel_for(std::size_t{0}, objects.size(), [&](std::size_t i) {
+        const StopScope scope(stop);
+        if (!StopScope::isStopped()) all[i] = makePieces(objects[i], i, ground);
+    });
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        ObjectPieces& pieces = all[i];
         warn(pieces, file + ": " + objects[i].name, warnings);
-        takeOwnWalls(pieces, i);
         for (TriangleMesh& mesh : pieces.buildings) units.push_back({std::move(mesh), i});
         for (TriangleMesh& mesh : pieces.walls) walls.push_back({std::move(mesh), i});
     }
