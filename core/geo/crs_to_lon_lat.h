@@ -2,6 +2,7 @@
 
 #include <glm/vec2.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ public:
     /// `elevationUnitIsStated` is false and the unit is the horizontal one if that is a length, else 1 m.
     [[nodiscard]] double metresPerElevationUnit() const;
     [[nodiscard]] bool elevationUnitIsStated() const;
+
+    /// Metres per unit of easting and northing; nothing where they are degrees.
+    [[nodiscard]] std::optional<double> metresPerUnit() const;
 
     [[nodiscard]] std::string name() const;  ///< "Amersfoort / RD New + NAP height"
 

@@ -109,6 +109,10 @@ bool CrsToLonLat::isPlausible(LonLat place) const {
 
 double CrsToLonLat::metresPerElevationUnit() const { return parts_->metresPerElevationUnit; }
 bool CrsToLonLat::elevationUnitIsStated() const { return parts_->elevationUnitIsStated; }
+std::optional<double> CrsToLonLat::metresPerUnit() const {
+    if (parts_->system.IsProjected() == 0) return std::nullopt;
+    return parts_->system.GetLinearUnits();
+}
 std::string CrsToLonLat::name() const {
     return parts_->system.GetName() != nullptr ? parts_->system.GetName() : "";
 }

@@ -131,7 +131,6 @@ Formats coreFormats() {
          .marks = {{"<", "<ifcXML"}},
          .instead = "Export it as an IFC text file (.ifc)"},
         {.name = "FBX", .marks = {{"Kaydara FBX"}, {"; FBX"}}, .instead = toObj},
-        {.name = "Collada (DAE)", .marks = {{"<", "<COLLADA"}}, .instead = toObj},
         {.name = "Blender", .marks = {{"BLENDER"}}, .instead = "Export it from Blender as glTF or OBJ"},
         {.name = "USD", .marks = {{"PXR-USDC"}, {"#usda"}}, .instead = toObj},
         {.name = "VRML", .marks = {{"#VRML"}}, .instead = toObj},
@@ -171,7 +170,6 @@ Formats coreFormats() {
         {.name = "PDF",
          .marks = {{"%PDF"}},
          .instead = "Export the drawing as DXF, or the buildings as footprints or a mesh"},
-        {.name = "STL", .begins = beginsStl, .instead = toObj},
 
         // Read: maps
         {.name = "GeoPackage",
@@ -241,6 +239,8 @@ Formats coreFormats() {
          .json = JsonKind::gltf,
          .companions = {".bin"}},
         {.name = "GLB", .reader = meshes, .endings = {".glb"}, .marks = {{"glTF"}}, .reported = "glTF"},
+        {.name = "STL", .reader = meshes, .endings = {".stl"}, .begins = beginsStl},
+        {.name = "COLLADA", .reader = meshes, .endings = {".dae"}, .marks = {{"<", "<COLLADA"}}},
         {.name = "IFC", .reader = meshes, .endings = {".ifc"}, .begins = beginsIfcFile},
         {.name = "DXF", .reader = meshes, .endings = {".dxf"}, .begins = beginsDxfFile},
         // terrain

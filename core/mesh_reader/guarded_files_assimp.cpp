@@ -2,6 +2,7 @@
 #include <assimp/IOSystem.hpp>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/mesh_reader/guarded_files.h"
@@ -17,12 +18,8 @@ constexpr std::size_t maxTimesOver =
 
 class GuardedStream final : public Assimp::IOStream {
 public:
-    explicit GuardedStream(const char* path) : stream_(path, std::ios::binary) {
-        std::error_code error;
-        size_ = std::size_t(std::filesystem::file_size(path, error));
-        if (error) size_ = 0;
-    }
-    [[nodiscard]] bool isOpen() const { return stream_.is_open(); }
+    GuardedStream(std::unique_ptr<std::istream> stream, std::size_t size)
+        : source_(std::move(stream)), stream_(*source_), size_(size) {}
 
     size_t Read(void* buffer, size_t size, size_t count) override {
         stream_.clear();
@@ -41,9 +38,7 @@ public:
         stream_.seekg(std::streamoff(offset), from);
         return stream_ ? aiReturn_SUCCESS : aiReturn_FAILURE;
     }
-    [[nodiscard]] size_t Tell() const override {
-        return std::size_t(const_cast<std::ifstream&>(stream_).tellg());
-    }
+    [[nodiscard]] size_t Tell() const override { return std::size_t(stream_.tellg()); }
     [[nodiscard]] size_t FileSize() const override { return size_; }
     void Flush() override {}
 
@@ -55,7 +50,8 @@ private:
         if (readsInCircles) throw std::runtime_error("the file ends early");
     }
 
-    std::ifstream stream_;
+    std::unique_ptr<std::istream> source_;
+    std::istream& stream_;
     std::size_t size_ = 0;
     std::size_t readInAll_ = 0;
     std::size_t readsAtEnd_ = 0;
@@ -63,26 +59,33 @@ private:
 
 class GuardedFiles final : public Assimp::IOSystem {
 public:
-    explicit GuardedFiles(std::filesystem::path mesh) : mesh_(std::move(mesh)) {}
+    GuardedFiles(std::filesystem::path mesh, std::string content)
+        : mesh_(std::move(mesh)), content_(std::move(content)) {}
     bool Exists(const char* path) const override { return path == mesh_ || isPlainFileBeside(path, mesh_); }
     [[nodiscard]] char getOsSeparator() const override {
         return char(std::filesystem::path::preferred_separator);
     }
     Assimp::IOStream* Open(const char* path, const char*) override {
         if (!Exists(path)) return nullptr;
-        auto stream = std::make_unique<GuardedStream>(path);
-        return stream->isOpen() ? stream.release() : nullptr;
+        if (path == mesh_ && !content_.empty())
+            return new GuardedStream(std::make_unique<std::istringstream>(content_), content_.size());
+        auto stream = std::make_unique<std::ifstream>(path, std::ios::binary);
+        if (!stream->is_open()) return nullptr;
+        std::error_code error;
+        const auto size = std::filesystem::file_size(path, error);
+        return new GuardedStream(std::move(stream), error ? 0 : std::size_t(size));
     }
     void Close(Assimp::IOStream* stream) override { delete stream; }
 
 private:
     std::filesystem::path mesh_;
+    std::string content_;
 };
 
 }  // namespace
 
-std::unique_ptr<Assimp::IOSystem> guardedFiles(const std::filesystem::path& mesh) {
-    return std::make_unique<GuardedFiles>(mesh);
+std::unique_ptr<Assimp::IOSystem> guardedFiles(const std::filesystem::path& mesh, std::string content) {
+    return std::make_unique<GuardedFiles>(mesh, std::move(content));
 }
 
 }  // namespace noonmark

@@ -148,7 +148,7 @@ private:
             piece.cornerCounts.push_back(std::uint32_t(polygon.size()));
             for (const glm::dvec3 corner : polygon) {
                 piece.corners.push_back(std::uint32_t(piece.points.size()));
-                piece.points.emplace_back(glm::vec3(place * glm::dvec4(corner, 1)));
+                addPoint(piece, glm::dvec3(place * glm::dvec4(corner, 1)));
             }
             ++count_;
         }

@@ -1,4 +1,5 @@
 #include <assimp/BaseImporter.h>
+#include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -7,11 +8,16 @@
 #include <array>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat4x4.hpp>
+#include <limits>
 #include <memory>
 #include <string_view>
 
 #include "core/mesh_reader/guarded_files.h"
 #include "core/mesh_reader/ifc_objects.h"
+#include "core/mesh_reader/near_points.h"
 #include "core/mesh_reader/read_scene.h"
 
 namespace noonmark {
@@ -19,9 +25,12 @@ namespace noonmark {
 namespace {
 
 // Names as in the library. It supports some fifty more formats, which a file could select by its content.
-constexpr std::array<std::string_view, 4> allowedImporters{
-    "Wavefront Object Importer", "Stanford Polygon Library (PLY) Importer", "glTF2 Importer",
-    "Industry Foundation Classes (IFC) Importer"};
+constexpr std::array<std::string_view, 6> allowedImporters{"Wavefront Object Importer",
+                                                           "Stanford Polygon Library (PLY) Importer",
+                                                           "glTF2 Importer",
+                                                           "Stereolithography (STL) Importer",
+                                                           "Collada Importer",
+                                                           "Industry Foundation Classes (IFC) Importer"};
 
 void keepAllowedImporters(Assimp::Importer& importer) {
     std::vector<Assimp::BaseImporter*> others;
@@ -37,15 +46,35 @@ void keepAllowedImporters(Assimp::Importer& importer) {
     }
 }
 
+// Nodes lift their meshes into map coordinates, which float32 would round.
+glm::dmat4 inDouble(const aiMatrix4x4& matrix) {
+    glm::dmat4 result;
+    for (unsigned row = 0; row < 4; ++row)
+        for (unsigned column = 0; column < 4; ++column)
+            result[int(column)][int(row)] = double(matrix[row][column]);
+    return result;
+}
+
+// The distance of float32 numbers at the mesh's farthest point, in its unit; 0 near its origin.
+double roundingOf(const aiMesh& mesh) {
+    constexpr float farUnits = 10'000;
+    float most = 0;
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i)
+        for (unsigned axis = 0; axis < 3; ++axis) most = std::max(most, std::abs(mesh.mVertices[i][axis]));
+    const bool isFar = most > farUnits && std::isfinite(most);
+    return isFar ? double(std::nextafter(most, std::numeric_limits<float>::max()) - most) : 0;
+}
+
 // Polygons are not triangulated here: Assimp's own step crashes on some broken files.
-MeshPiece pieceOf(const aiMesh& mesh, const aiMatrix4x4& toScene) {
+MeshPiece pieceOf(const aiMesh& mesh, const glm::dmat4& toScene) {
     MeshPiece piece;
     piece.points.reserve(mesh.mNumVertices);
+    piece.rounding = roundingOf(mesh);
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-        const aiVector3D point = toScene * mesh.mVertices[i];
-        piece.points.emplace_back(point.x, point.y, point.z);
+        const aiVector3D& point = mesh.mVertices[i];
+        addPoint(piece, glm::dvec3(toScene * glm::dvec4(point.x, point.y, point.z, 1)));
     }
-    const bool mirrored = toScene.Determinant() < 0;
+    const bool mirrored = glm::determinant(toScene) < 0;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
         if (face.mNumIndices < 3 || face.mIndices == nullptr) continue;  // points and lines are not surfaces
@@ -61,8 +90,8 @@ struct SceneWalk {
     std::function<void(MeshObject, const std::string& building)> take;
 
     // `building`: the node of an IfcBuilding above; empty for none.
-    void visit(const aiNode& node, const aiMatrix4x4& parent, const std::string& building = {}) const {
-        const aiMatrix4x4 toScene = parent * node.mTransformation;
+    void visit(const aiNode& node, const glm::dmat4& parent, const std::string& building = {}) const {
+        const glm::dmat4 toScene = parent * inDouble(node.mTransformation);
         // The root is named after the file.
         const bool isNested = node.mParent != nullptr && node.mParent->mParent != nullptr;
         MeshObject object{node.mName.C_Str(), {}, isNested ? node.mParent->mName.C_Str() : ""};
@@ -79,7 +108,7 @@ Result<void> takeIfc(const aiScene& scene, const std::function<void(const MeshOb
     IfcObjects objects;
     SceneWalk{scene, [&](MeshObject object,
                          const std::string& building) { objects.add(std::move(object), building); }}
-        .visit(*scene.mRootNode, aiMatrix4x4());
+        .visit(*scene.mRootNode, glm::dmat4(1));
     for (const MeshObject& object : objects.take()) take(object);
     return {};
 }
@@ -90,7 +119,9 @@ Result<void> readScene(const std::filesystem::path& file,
                        const std::function<void(const MeshObject&)>& take) try {
     Assimp::Importer importer;
     keepAllowedImporters(importer);
-    importer.SetIOHandler(guardedFiles(file).release());  // the importer owns it
+    NearPoints near = movePointsNear(file);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);    // not their ids
+    importer.SetIOHandler(guardedFiles(file, std::move(near.content)).release());  // the importer owns it
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr)
         return failure(
@@ -100,7 +131,7 @@ Result<void> readScene(const std::filesystem::path& file,
         return failure("The file holds no triangles", file.string(), trianglesAdvice);
     if (isIfc(file.string())) return takeIfc(*scene, take);
     SceneWalk{*scene, [&](const MeshObject& object, const std::string&) { take(object); }}.visit(
-        *scene->mRootNode, aiMatrix4x4());
+        *scene->mRootNode, glm::translate(glm::dmat4(1), near.origin));
     return {};
 } catch (const std::exception& exception) {
     return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),

@@ -21,11 +21,11 @@ struct MeshReaderLimits {
 /// time: the library takes a minute and more for an OBJ of 200,000 objects.
 MeshReaderLimits meshReaderLimits(std::uintmax_t fileBytes);
 
-/// Reads a mesh file (OBJ, PLY, glTF 2, IFC, DXF) in a separate process, since the mesh library can crash or
-/// run out of memory on an untrusted file. The program noonmark-mesh-reader is looked for beside the running
-/// program and where both are installed (../libexec/noonmark, seen from the program). The Error says how the
-/// process failed: out of memory, crashed, took too long. A stop request ends the process within 0.1 s. Costs
-/// about 10 ms beyond the reading. Backend: mesh_reader_process_posix.cpp.
+/// Reads a mesh file (OBJ, PLY, glTF 2, STL, COLLADA, IFC, DXF) in a separate process, since the mesh library
+/// can crash or run out of memory on an untrusted file. The program noonmark-mesh-reader is looked for beside
+/// the running program and where both are installed (../libexec/noonmark, seen from the program). The Error
+/// says how the process failed: out of memory, crashed, took too long. A stop request ends the process within
+/// 0.1 s. Costs about 10 ms beyond the reading. Backend: mesh_reader_process_posix.cpp.
 Result<MeshScene> readMeshScene(const std::filesystem::path& file, const MeshReaderLimits& limits,
                                 const std::stop_token& stop);
 

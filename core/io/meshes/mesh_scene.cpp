@@ -1,12 +1,15 @@
 #include "core/io/meshes/mesh_scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 
 namespace noonmark {
 
 namespace {
 
-constexpr std::string_view sceneHead = "noonmark mesh 3\n";
+constexpr std::string_view sceneHead = "noonmark mesh 4\n";
 constexpr char objectTag = 'o';
 constexpr char endTag = 'z';
 constexpr char errorTag = 'e';
@@ -17,6 +20,11 @@ template <class Item>
 void appendItems(std::string& bytes, const Item* items, std::uint64_t count) {
     bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
     bytes.append(reinterpret_cast<const char*>(items), count * sizeof(Item));
+}
+
+template <class Value>
+void appendValue(std::string& bytes, const Value& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
 template <class Items>
@@ -57,6 +65,11 @@ public:
         items.resize(count);
         if (!bytes.empty()) std::memcpy(items.data(), bytes.data(), bytes.size());
     }
+    template <class Value>
+    void takeValue(Value& value) {
+        const std::string_view bytes = take(sizeof value);
+        if (!bytes.empty()) std::memcpy(&value, bytes.data(), bytes.size());
+    }
     void refuse() { good_ = false; }
 
 private:
@@ -78,6 +91,8 @@ MeshPiece takePiece(SceneBytes& bytes) {
     bytes.takeList(piece.points);
     bytes.takeList(piece.cornerCounts);
     bytes.takeList(piece.corners);
+    bytes.takeValue(piece.origin);
+    bytes.takeValue(piece.rounding);
     if (!cornersAddUp(piece)) bytes.refuse();
     return piece;
 }
@@ -85,7 +100,8 @@ MeshPiece takePiece(SceneBytes& bytes) {
 MeshObject takeObject(SceneBytes& bytes) {
     MeshObject object;
     bytes.takeList(object.name);
-    constexpr std::size_t fewestPieceBytes = 3 * sizeof(std::uint64_t);
+    constexpr std::size_t fewestPieceBytes =
+        3 * sizeof(std::uint64_t) + sizeof(MeshPiece::origin) + sizeof(MeshPiece::rounding);
     const std::size_t pieces = bytes.takeCount(fewestPieceBytes);
     for (std::size_t i = 0; i < pieces && bytes.good(); ++i) object.pieces.push_back(takePiece(bytes));
     bytes.takeList(object.parent);
@@ -102,7 +118,19 @@ Error takeError(SceneBytes& bytes) {
     return error;
 }
 
+// Whole, so that adding it again loses nothing.
+glm::dvec3 originNear(glm::dvec3 point) {
+    constexpr double farUnits = 10'000, mostUnits = 1e12;
+    const double most = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+    return most > farUnits && most < mostUnits ? glm::round(point) : glm::dvec3(0);
+}
+
 }  // namespace
+
+void addPoint(MeshPiece& piece, glm::dvec3 point) {
+    if (piece.points.empty()) piece.origin = originNear(point);
+    piece.points.emplace_back(point - piece.origin);
+}
 
 void appendSceneHead(std::string& bytes) { bytes += sceneHead; }
 
@@ -115,6 +143,8 @@ void appendObject(std::string& bytes, const MeshObject& object) {
         appendList(bytes, piece.points);
         appendList(bytes, piece.cornerCounts);
         appendList(bytes, piece.corners);
+        appendValue(bytes, piece.origin);
+        appendValue(bytes, piece.rounding);
     }
     appendList(bytes, object.parent);
     appendList(bytes, object.note);

@@ -16,8 +16,17 @@ struct MeshPiece {
     std::vector<std::uint32_t> cornerCounts;  ///< per polygon, at least three
     /// Of all polygons, one after the other; in broken files indices may exceed `points`
     std::vector<std::uint32_t> corners;
+    /// What all points are counted from, so that those in map coordinates keep their precision as float32.
+    glm::dvec3 origin{0};
+    /// The file stores its points rounded to about this, in its own unit; 0 where they are exact to a
+    /// millimetre in a thousand kilometres.
+    double rounding = 0;
     bool operator==(const MeshPiece&) const = default;
 };
+
+/// Adds a point, of which the file's own numbers are given. The first one decides the piece's origin: near it
+/// if it lies farther than 10,000 units from zero, where float32 rounds to a thousandth.
+void addPoint(MeshPiece& piece, glm::dvec3 point);
 
 /// One object of a mesh file; the transformations in the file's tree of objects are applied to its pieces.
 struct MeshObject {

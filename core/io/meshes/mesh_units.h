@@ -1,10 +1,10 @@
 #pragma once
 
-// The folder core/io/meshes reads mesh files (OBJ, PLY, glTF 2, IFC, DXF). read_mesh.cpp runs the steps:
-// mesh_reader_process.h starts the process that parses the file (core/mesh_reader) and returns a MeshScene
-// (mesh_scene.h); mesh_units.h (this file) divides its objects into buildings by separate_roofs.h,
-// assign_walls.h and join_storeys.h, with surface_names.h reading the objects' names; mesh_buildings.h makes
-// parts from them by core/city/meshes.
+// The folder core/io/meshes reads mesh files (OBJ, PLY, glTF 2, STL, COLLADA, IFC, DXF). read_mesh.cpp runs
+// the steps: mesh_reader_process.h starts the process that parses the file (core/mesh_reader) and returns a
+// MeshScene (mesh_scene.h); mesh_placement.h says where it lies; mesh_units.h (this file) divides its objects
+// into buildings by separate_roofs.h, assign_walls.h and join_storeys.h, with surface_names.h reading the
+// objects' names; mesh_buildings.h makes parts from them by core/city/meshes.
 
 #include <cstddef>
 #include <stop_token>

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
-#include <numbers>
 
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/meshes/surface_mesher.h"
@@ -13,9 +12,9 @@
 #include "core/io/heights/height_text.h"
 #include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/mesh_buildings.h"
+#include "core/io/meshes/mesh_placement.h"
 #include "core/io/meshes/mesh_reader_process.h"
 #include "core/io/meshes/stated_axes.h"
-#include "core/io/meshes/up_axis.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/settings/place_advice.h"
 #include "core/io/settings/read_fields.h"
@@ -25,36 +24,6 @@ namespace noonmark {
 namespace {
 
 constexpr const char* ifcFormat = "IFC";
-constexpr const char* gltfFormat = "glTF";
-
-// Transforms the mesh's axes and unit to metres east, north and up of its origin.
-class Placement {
-public:
-    Placement(const ReadSettings& settings, const std::optional<StatedAxes>& stated, glm::dvec2 origin)
-        : metres_(metresPer(settings.meshUnit)), yUp_(settings.upAxis == UpAxis::y), origin_(origin) {
-        if (stated) yUp_ = stated->yUp;
-        if (stated) metres_ = stated->metresPerUnit.value_or(metres_);
-        metres_ *= settings.meshScale;
-        const double north = settings.meshNorthDeg * std::numbers::pi / 180;
-        sin_ = std::sin(north);
-        cos_ = std::cos(north);
-    }
-    // The mesh's north axis points along its azimuth (sin, cos), its east axis is a right angle clockwise of
-    // it.
-    [[nodiscard]] glm::dvec3 local(glm::vec3 point) const {
-        const double x = double(point.x) * metres_;
-        const double y = (yUp_ ? -double(point.z) : double(point.y)) * metres_;
-        const double z = double(yUp_ ? point.y : point.z) * metres_;
-        return {origin_.x + x * cos_ + y * sin_, origin_.y - x * sin_ + y * cos_, z};
-    }
-
-private:
-    double metres_;
-    bool yUp_;
-    glm::dvec2 origin_;
-    double sin_ = 0;
-    double cos_ = 1;
-};
 
 struct FaceCounts {
     std::size_t broken = 0;  // corners with invalid indices, as in broken files; Assimp does not always check
@@ -81,7 +50,7 @@ FaceCounts addFaces(const MeshPiece& piece, SurfaceMesher& mesher) {
 }
 
 struct SceneReader {
-    const Placement& placement;
+    const MeshPlacement& placement;
     std::string file;
     bool ifc = false;
     std::vector<NamedMesh> objects;
@@ -100,9 +69,7 @@ struct SceneReader {
     }
 
     void addPiece(const MeshPiece& piece, NamedMesh& object) {
-        std::vector<glm::dvec3> points;
-        points.reserve(piece.points.size());
-        for (const glm::vec3 point : piece.points) points.push_back(placement.local(point));
+        const std::vector<glm::dvec3> points = placement.local(piece);
         SurfaceMesher mesher(points);
         const FaceCounts counts = addFaces(piece, mesher);
         append(object.mesh, mesher.mesh());
@@ -116,17 +83,11 @@ struct SceneReader {
     }
 };
 
-// The position of the mesh's origin: as stated, else the project's origin.
-Result<Frame> frameFor(const std::filesystem::path& file, const ReadSettings& settings) {
-    if (settings.frame) return *settings.frame;
-    if (settings.meshAnchor) return Frame(*settings.meshAnchor);
-    return failure("The mesh has no position", file.string(), anchorAdvice());
-}
-
-// A mesh in map coordinates has lost its precision: its numbers are float32.
+// Most of a mesh lies near its own origin; of one in map coordinates near the middle of the other files.
 Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::filesystem::path& file,
-                           glm::dvec2 origin, double farAwayM) {
+                           const MeshPlacement& placement, double farAwayM) {
     std::vector<double> distances;
+    const glm::dvec2 origin = placement.origin();
     for (const NamedMesh& object : objects)
         for (const glm::vec3 vertex : object.mesh.vertices)
             distances.push_back(std::hypot(double(vertex.x) - origin.x, double(vertex.y) - origin.y));
@@ -135,9 +96,14 @@ Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::fil
     const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
     std::nth_element(distances.begin(), middle, distances.end());
     if (*middle <= farAwayM) return {};
-    return failure(
-        fmt::format("The mesh lies {:.0f} km from its own origin", *middle / 1000), file.string(),
-        "Check its unit; if its coordinates are those of a map, export it with an origin near the buildings");
+    if (placement.isOnMap())
+        return failure(fmt::format("The mesh lies {:.0f} km from the other files", *middle / 1000),
+                       file.string(),
+                       fmt::format("Check its coordinate reference system ({})", readOption("crs")));
+    return failure(fmt::format("The mesh lies {:.0f} km from its own origin", *middle / 1000), file.string(),
+                   fmt::format("Check its unit; if its coordinates are those of a map, state their "
+                               "coordinate reference system ({})",
+                               readOption("crs", "EPSG:number")));
 }
 
 // Drops triangles with a corner beyond the range of a Frame, as in broken files.
@@ -162,24 +128,6 @@ std::string formatOf(const std::filesystem::path& file) {
     return isMesh ? std::string((*format)->nameInResults()) : "mesh";
 }
 
-// Settings with a decided axis. glTF has y up; other meshes that state none are judged by their shape.
-ReadSettings withUpAxis(const ReadSettings& settings, const MeshScene& scene,
-                        const std::filesystem::path& file, const std::string& format, bool stated,
-                        Warnings& warnings) {
-    ReadSettings decided = settings;
-    if (settings.upAxis != UpAxis::automatic || stated) return decided;
-    decided.upAxis = UpAxis::y;
-    if (format == gltfFormat) return decided;
-    const UpAxisGuess guess = guessUpAxis(scene);
-    decided.upAxis = guess.axis;
-    warnings.push_back({WarningKind::assumed,
-                        fmt::format("the file does not state which axis is up; {} was taken, since {} "
-                                    "({} states it)",
-                                    guess.axis == UpAxis::z ? "z" : "y", guess.why, readOption("up")),
-                        file.filename().string()});
-    return decided;
-}
-
 void warnOfUnusedPlace(const std::filesystem::path& file, SceneReader& reader, const std::stop_token& stop) {
     if (const std::string words = describe(readIfcSite(file, stop)); !words.empty())
         reader.warnings.push_back({WarningKind::leftOut,
@@ -199,29 +147,26 @@ Warning describeUnit(const StatedAxes& stated, const std::string& file) {
 Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesystem::path& file,
                                      const ReadSettings& settings, Progress& progress,
                                      const std::stop_token& stop) {
-    const Result<Frame> frame = frameFor(file, settings);
-    if (!frame) return tl::make_unexpected(frame.error());
-    const glm::dvec2 origin =
-        settings.meshAnchor ? frame->localFromLonLat(*settings.meshAnchor) : glm::dvec2(0);
     const auto stated = findStatedAxes(file);
     Warnings assumed;
     const std::string format = formatOf(file);
-    const Placement placement(withUpAxis(settings, scene, file, format, stated.has_value(), assumed), stated,
-                              origin);
-    SceneReader reader{placement, file.filename().string(), format == ifcFormat, {}, std::move(assumed)};
+    const auto placement = MeshPlacement::of(scene, {file.string(), file.filename().string(), format, stated},
+                                             settings, assumed);
+    if (!placement) return tl::make_unexpected(placement.error());
+    SceneReader reader{*placement, file.filename().string(), format == ifcFormat, {}, std::move(assumed)};
     if (stated) reader.warnings.push_back(describeUnit(*stated, reader.file));
     if (reader.ifc) warnOfUnusedPlace(file, reader, stop);
     for (const MeshObject& object : scene) {
         if (stop.stop_requested()) return cancelled();
         reader.add(object);
     }
-    if (const auto near = checkDistance(reader.objects, file, origin, settings.farAwayM); !near)
+    if (const auto near = checkDistance(reader.objects, file, *placement, settings.farAwayM); !near)
         return tl::make_unexpected(near.error());
     dropFarTriangles(reader);
     FilePiece result{
         .warnings = std::move(reader.warnings), .format = format, .features = reader.objects.size()};
-    if (!settings.frame) result.frame = *frame;
-    if (!settings.meshAnchor)
+    if (!settings.frame) result.frame = placement->frame();
+    if (!settings.meshAnchor && !placement->isOnMap())
         result.warnings.push_back({WarningKind::assumed, std::string(originAsAnchor), reader.file});
     if (!addBuildings(reader.objects, reader.file, result, progress, stop)) return cancelled();
     if (result.buildings.empty())
@@ -243,7 +188,7 @@ std::string placeAdvice(const std::filesystem::path& file, const std::stop_token
 
 Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
                            Progress& progress, std::stop_token stop) try {
-    if (!settings.frame && !settings.meshAnchor)
+    if (!settings.frame && !settings.meshAnchor && !settings.crs)
         return failure("The mesh has no position", file.string(), placeAdvice(file, stop));
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(file, error);

@@ -80,6 +80,8 @@ std::optional<StatedAxes> findStatedAxes(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     stream.read(head.data(), std::streamsize(head.size()));
     head.resize(std::size_t(stream.gcount()));
+    if (head.starts_with('<') && head.find("<COLLADA") != head.npos)
+        return StatedAxes{true, 1, "the file's own unit"};
     if (beginsIfc(head)) return StatedAxes{true, 1, "the file's own unit"};
     if (beginsDxf(head)) return axesOfDxf(file);
     return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/io/meshes/mesh_scene.h"
@@ -13,10 +14,15 @@ struct UpAxisGuess {
     std::string why;
 };
 
-/// From the shape of a mesh whose format does not state it, in its own unit. In this order: a city is flat,
-/// less than half as high as it is wide either way, and 100 units or more wide; a tower is higher than one
+/// From the shape of a mesh whose format does not state it. In this order: a city is flat,
+/// less than half as high as it is wide either way, and 100 m or more wide; a tower is higher than one
 /// and a half times its width; buildings have most of their points at their feet; a flat bottom is at 0; the
 /// lower one; y, which is usual. O(points).
-UpAxisGuess guessUpAxis(const MeshScene& scene);
+/// `metresPerUnit`: of the mesh's coordinates.
+UpAxisGuess guessUpAxis(const MeshScene& scene, double metresPerUnit = 1);
+
+/// Of a mesh in map coordinates: the axis along which its numbers are small, as heights are, and no
+/// coordinates of a map. Nothing where y and z are alike. O(points).
+std::optional<UpAxisGuess> guessUpAxisOnMap(const MeshScene& scene, double metresPerUnit = 1);
 
 }  // namespace noonmark

@@ -10,6 +10,7 @@ std::string crsAdvice() {
 
 std::string anchorAdvice() {
     return "State the longitude and latitude of the mesh's origin (" + readOption("mesh_anchor", "LON,LAT") +
+           "), or the coordinate reference system of its coordinates (" + readOption("crs", "EPSG:number") +
            "), or open it together with a file that has a position";
 }
 

@@ -19,21 +19,12 @@ struct Foreign {
     const char* remedy;
 };
 
-std::string binaryStl(std::uint32_t triangles) {
-    std::string bytes(80, ' ');
-    bytes.append(reinterpret_cast<const char*>(&triangles), sizeof triangles);
-    return bytes + std::string(50 * triangles, '\1');
-}
-
 TEST(ForeignFormat, IsRefusedByItsNameWithWhatToDo) {
-    const std::string stl = binaryStl(3);
     const Foreign files[] = {
         {"a.epw", "LOCATION,Chicago Ohare Intl Ap,IL,USA,TMY3,725300,41.98,-87.92,-6.0,201.0\n", "EPW",
          "needs no weather"},
         {"a.las", "LASF\0\0"sv, "LAS or LAZ", "PDAL"},
         {"a.laz", "LASF\0\0"sv, "LAS or LAZ", "GeoTIFF"},
-        {"a.stl", "solid tower\n facet normal 0 0 1\n", "STL", "OBJ"},
-        {"b.stl", stl, "STL", "OBJ"},
         {"a.parquet", "PAR1\x15\4"sv, "Parquet", "GeoPackage"},
         {"a.tab", "!table\n!version 300\n", "MapInfo", "GeoPackage"},
         {"a.mif", "Version 300\nCharset \"Neutral\"\nColumns 1\n", "MapInfo", "GeoPackage"},

@@ -165,16 +165,12 @@ TEST(HostileMesh, PipesAndFoldersAreNoMeshes) {
     EXPECT_NE(meshError("/dev/zero"), "");
 }
 
-// Formats that the library supports but Noonmark does not, by content or name: COLLADA, STL, a zip.
+// Formats that the library supports but Noonmark does not, by content or name: OFF, AC3D, VRML.
 TEST(HostileMesh, OtherFormatsOfTheLibraryAreNotRead) {
     const tests::TemporaryFolder folder;
-    const std::string stl =
-        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 "
-        "9\nendloop\nendfacet\n"
-        "endsolid a\n";
-    const std::string dae = "<?xml version=\"1.0\"?><COLLADA version=\"1.4.1\"></COLLADA>";
-    for (const auto& [name, content] :
-         {std::pair("a.stl", stl), std::pair("a.dae", dae), std::pair("a", stl)})
+    const std::string off = "OFF\n3 1 0\n0 0 0\n9 0 0\n0 9 9\n3 0 1 2\n";
+    for (const auto& [name, content] : {std::pair("a.off", off), std::pair("a.ac", std::string("AC3Db\n")),
+                                        std::pair("a.wrl", std::string("#VRML V2.0 utf8\n"))})
         EXPECT_NE(meshError(folder.file(name, content)).find("The mesh cannot be read ("), std::string::npos);
 }
 

@@ -1,0 +1,206 @@
+#include "core/io/meshes/mesh_placement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/io/meshes/up_axis.h"
+#include "core/io/settings/place_advice.h"
+#include "core/io/settings/read_fields.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr const char* gltfFormat = "glTF";
+constexpr double nearOriginM = 10'000;
+
+// Metres per unit that the file or the user states; nothing where neither does.
+std::optional<double> statedUnit(const MeshFile& file, const ReadSettings& settings) {
+    if (file.stated && file.stated->metresPerUnit) return file.stated->metresPerUnit;
+    if (settings.meshUnit == LengthUnit::metres) return std::nullopt;
+    return metresPer(settings.meshUnit);
+}
+
+// The finite points of a mesh, thinned out to some thousand, in its own axes and unit.
+std::vector<glm::dvec3> somePoints(const MeshScene& scene) {
+    constexpr std::size_t about = 4096;
+    std::size_t all = 0, next = 0;
+    for (const MeshObject& object : scene)
+        for (const MeshPiece& piece : object.pieces) all += piece.points.size();
+    const std::size_t step = 1 + all / about;
+    std::vector<glm::dvec3> points;
+    for (const MeshObject& object : scene)
+        for (const MeshPiece& piece : object.pieces)
+            for (const glm::vec3 own : piece.points) {
+                const glm::dvec3 point = piece.origin + glm::dvec3(own);
+                if (next++ % step == 0 && std::isfinite(point.x + point.y + point.z)) points.push_back(point);
+            }
+    return points;
+}
+
+double middleOf(const std::vector<glm::dvec3>& points, int axis) {
+    std::vector<double> values;
+    for (const glm::dvec3& point : points) values.push_back(point[axis]);
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// glTF has y up; other meshes that state none are judged by their numbers and
+// their shape.
+UpAxis decideUpAxis(const MeshScene& scene, const MeshFile& file, const ReadSettings& settings, bool onMap,
+                    Warnings& warnings) {
+    if (file.stated) return file.stated->yUp ? UpAxis::y : UpAxis::z;
+    if (settings.upAxis != UpAxis::automatic) return settings.upAxis;
+    const double metres = statedUnit(file, settings).value_or(1) * settings.meshScale;
+    std::optional<UpAxisGuess> guess = onMap ? guessUpAxisOnMap(scene, metres) : std::nullopt;
+    if (file.format == gltfFormat && (!guess || guess->axis == UpAxis::y)) return UpAxis::y;
+    if (!guess) guess = guessUpAxis(scene, metres);
+    const bool states = file.format == gltfFormat;
+    warnings.push_back(
+        {WarningKind::assumed,
+         fmt::format("{}; {} was taken, since {} ({} states it)",
+                     states ? "y should be up in glTF" : "the file does not state which axis is up",
+                     guess->axis == UpAxis::z ? "z" : "y", guess->why, readOption("up")),
+         file.name});
+    return guess->axis;
+}
+
+bool isNearOrigin(const std::vector<glm::dvec3>& points, double metresPerUnit) {
+    double mostM = 0;
+    for (const int axis : {0, 1, 2})
+        mostM = std::max(mostM, std::abs(middleOf(points, axis)) * metresPerUnit);
+    return mostM < nearOriginM;
+}
+
+void warnOfRounding(const MeshScene& scene, double metresPerUnit, const MeshFile& file, Warnings& warnings) {
+    constexpr double mattersM = 0.01;
+    double rounding = 0;
+    for (const MeshObject& object : scene)
+        for (const MeshPiece& piece : object.pieces) rounding = std::max(rounding, piece.rounding);
+    if (rounding * metresPerUnit < mattersM) return;
+    warnings.push_back(
+        {WarningKind::assumed,
+         fmt::format("the file stores its points as float32, which rounds them to {:.2g} m so far from zero; "
+                     "export it with an origin near the buildings, or with the offset in its node",
+                     rounding * metresPerUnit),
+         file.name});
+}
+
+}  // namespace
+
+Result<MeshPlacement> MeshPlacement::of(const MeshScene& scene, const MeshFile& file,
+                                        const ReadSettings& settings, Warnings& warnings) {
+    MeshPlacement placement;
+    const std::vector<glm::dvec3> points = somePoints(scene);
+    const double metres = statedUnit(file, settings).value_or(1) * settings.meshScale;
+    if (points.empty()) return failure("The file holds no triangles", file.path, trianglesAdvice);
+    std::optional<CrsToLonLat> crs;
+    if (settings.crs && !settings.meshAnchor) {
+        auto system = CrsToLonLat::of(*settings.crs);
+        if (!system) return failure(system.error().what, file.path, system.error().advice);
+        const auto unit = system->metresPerUnit();
+        const bool isLocal = unit && isNearOrigin(points, statedUnit(file, settings).value_or(*unit));
+        if (isLocal && !settings.frame)
+            return failure("The mesh lies near its own origin, and not in map coordinates", file.path,
+                           anchorAdvice());
+        if (!isLocal) crs = *std::move(system);
+    }
+    placement.yUp_ = decideUpAxis(scene, file, settings, crs.has_value(), warnings) == UpAxis::y;
+    placement.across_ = placement.up_ = metres;
+    if (settings.frame) placement.frame_ = *settings.frame;
+    if (crs) {
+        placement.crs_ = std::make_shared<const CrsToLonLat>(*std::move(crs));
+        if (const auto placed = placement.placeOnMap(scene, file, settings, warnings); !placed)
+            return tl::make_unexpected(placed.error());
+        return placement;
+    }
+    if (!settings.frame && !settings.meshAnchor)
+        return failure("The mesh has no position", file.path, anchorAdvice());
+    placement.placeAboutOrigin(settings);
+    return placement;
+}
+
+void MeshPlacement::placeAboutOrigin(const ReadSettings& settings) {
+    if (!settings.frame) frame_ = Frame(*settings.meshAnchor);
+    if (settings.meshAnchor) origin_ = frame_.localFromLonLat(*settings.meshAnchor);
+    const double north = settings.meshNorthDeg * std::numbers::pi / 180;
+    sin_ = std::sin(north);
+    cos_ = std::cos(north);
+}
+
+// Feet of a map are those of its system, whichever feet a drawing names: 0.6 m in a million.
+Result<void> MeshPlacement::placeOnMap(const MeshScene& scene, const MeshFile& file,
+                                       const ReadSettings& settings, Warnings& warnings) {
+    constexpr double sameUnit = 1e-5;
+    const auto stated = statedUnit(file, settings);
+    const auto unit = crs_->metresPerUnit();
+    const double ratio = stated && unit ? *stated / *unit : 1;
+    const bool isUnitOfMap = std::abs(ratio - 1) < sameUnit;
+    across_ = isUnitOfMap ? 1 : ratio;
+    std::optional<LonLat> middle = middleOnMap(scene);
+    const bool takesUnitOfMap = !isUnitOfMap && !(middle && crs_->isPlausible(*middle));
+    if (takesUnitOfMap) across_ = 1, middle = middleOnMap(scene);
+    if (!middle || !crs_->isPlausible(*middle))
+        return failure(fmt::format("The coordinates cannot belong to {}", crs_->name()), file.path,
+                       fmt::format("Check which coordinate reference system ({}) and which unit ({}) they "
+                                   "are in",
+                                   readOption("crs"), readOption("mesh_unit")));
+    const bool ownUnit = stated && !isUnitOfMap && !takesUnitOfMap;
+    up_ = ownUnit ? *stated : crs_->metresPerElevationUnit();
+    across_ *= settings.meshScale;
+    up_ *= settings.meshScale;
+    if (takesUnitOfMap)
+        warnings.push_back(
+            {WarningKind::assumed,
+             fmt::format("the stated unit puts the mesh outside of {}; its own unit is taken", crs_->name()),
+             file.name});
+    else if (!stated)
+        warnings.push_back(
+            {WarningKind::assumed,
+             fmt::format("the coordinates are taken in the unit of {}, {:.8g} m, heights in {:.8g} m",
+                         crs_->name(), unit.value_or(0), up_),
+             file.name});
+    warnOfRounding(scene, unit ? across_ * *unit : 0, file, warnings);
+    if (!settings.frame) frame_ = Frame(*middle);
+    return {};
+}
+
+std::optional<LonLat> MeshPlacement::middleOnMap(const MeshScene& scene) const {
+    std::vector<glm::dvec3> points;
+    for (const glm::dvec3& point : somePoints(scene)) {
+        const double north = yUp_ ? -point.z : point.y;
+        points.emplace_back(point.x * across_, north * across_, 0);
+    }
+    const glm::dvec2 middle(middleOf(points, 0), middleOf(points, 1));
+    const LonLat place = crs_->lonLat(std::vector{middle}).front();
+    return std::isfinite(place.lonDeg + place.latDeg) ? std::optional(place) : std::nullopt;
+}
+
+glm::dvec3 MeshPlacement::turned(const MeshPiece& piece, glm::vec3 own) const {
+    const glm::dvec3 point = piece.origin + glm::dvec3(own);
+    return {point.x * across_, (yUp_ ? -point.z : point.y) * across_, (yUp_ ? point.y : point.z) * up_};
+}
+
+std::vector<glm::dvec3> MeshPlacement::local(const MeshPiece& piece) const {
+    std::vector<glm::dvec3> points;
+    points.reserve(piece.points.size());
+    for (const glm::vec3 own : piece.points) points.push_back(turned(piece, own));
+    if (!crs_) {
+        // The mesh's north axis points along its azimuth (sin, cos), its east axis a right angle clockwise of
+        // it.
+        for (glm::dvec3& point : points)
+            point = {origin_.x + point.x * cos_ + point.y * sin_, origin_.y - point.x * sin_ + point.y * cos_,
+                     point.z};
+        return points;
+    }
+    const std::vector<LonLat> places = crs_->lonLat(std::vector<glm::dvec2>(points.begin(), points.end()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = {frame_.localFromLonLat(places[i]), points[i].z};
+    return points;
+}
+
+}  // namespace noonmark
