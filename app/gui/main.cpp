@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
     noonmark::MainWindow window(settings);
     window.show();
     window.open(filesOf(arguments));
-    if (arguments.files.empty() && noonmark::readShowStart(settings)) window.help().showStart();
+    if (arguments.files.empty() && noonmark::readShowStart(settings)) window.help().showStart(false);
     return QApplication::exec();
 }
 

@@ -9,7 +9,6 @@
 
 #include "app/gui/frame/help/about_text.h"
 #include "app/gui/frame/help/guide_window.h"
-#include "app/gui/frame/help/start_dialog.h"
 #include "core/simd/instruction_set.h"
 #include "tests/gui/project_window.h"
 
@@ -63,16 +62,6 @@ TEST_F(ProjectWindow, AboutNamesTheVersionAndTheInstructionSet) {
     EXPECT_THAT(text, testing::HasSubstr(std::string(nameOf(instructionSetInUse()))));
     window->help().about()->trigger();
     EXPECT_NE(window->findChild<QMessageBox*>(QStringLiteral("about")), nullptr);
-}
-
-TEST_F(ProjectWindow, TheStartPageOpensASample) {
-    window->help().start()->trigger();
-    auto* start = window->findChild<StartDialog*>();
-    ASSERT_NE(start, nullptr);
-    EXPECT_NE(start->findChild<QPushButton*>(QStringLiteral("startRecent")), nullptr) << "this project";
-    const auto before = workbench().city();
-    start->findChild<QPushButton*>(QStringLiteral("startGrid"))->click();
-    EXPECT_TRUE(waitFor([&] { return workbench().city() != before; })) << message().toStdString();
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "app/gui/frame/help/start_dialog.h"
+#include "app/gui/frame/help/start_page.h"
 #include "app/gui/frame/tour/tour_actions.h"
 #include "app/gui/frame/tour/tour_bubble.h"
 #include "tests/gui/project_window.h"
@@ -106,7 +106,7 @@ TEST_F(TourWindow, EveryControlIsFoundAndEveryTourIsOnTheStartPage) {
             EXPECT_TRUE(TourControl(*window, step, [] {}).found()) << plan.key << ": " << step.control;
     EXPECT_EQ(listTours().size(), 3U) << "one for each user";
     EXPECT_EQ(window->tours().actions().size(), 3);
-    const StartDialog start(RecentFiles(settings), window.get());
+    const StartPage start(RecentFiles(settings), true, *window, window->panel());
     EXPECT_EQ(start.findChildren<QPushButton*>(QStringLiteral("startTour")).size(), 3);
 }
 

@@ -47,6 +47,7 @@ constexpr int frameWidth = 10;  // upper bound for the window frame on common de
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;
 constexpr int cameraRestMs = 150;
+constexpr int settledMs = 2500;  // after opening, until the first picture is complete
 
 QString unsavedFolder(const QSettings& settings) {
     const QString usual = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -107,7 +108,7 @@ MainWindow::MainWindow(QSettings& settings)
       towers_(settings_, tools_),
       camera_(workbench_, *panel_, exploration_, *docks_.project),
       search_(workbench_, tools_, *panel_),
-      help_(opening_, settings_, *this),
+      help_(opening_, settings_, *this, *panel_),
       time_(workbench_, mode_, *panel_, horizons_),
       dome_(settings_, workbench_, *panel_, time_, points_),
       presets_(*panel_, time_),
@@ -235,6 +236,12 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::cityShown, this, &MainWindow::showCity);
     connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::showProject);
     connect(&workbench_, &Workbench::failed, &panel_->messages(), &MessageBar::showError);
+    auto* settled = new QTimer(this);
+    settled->setSingleShot(true);
+    settled->setInterval(settledMs);
+    connect(settled, &QTimer::timeout, this, &MainWindow::keepPicture);
+    connect(&opening_, &OpeningActions::opened, settled, qOverload<>(&QTimer::start));
+    connect(&saving_, &SavingActions::saved, settled, qOverload<>(&QTimer::start));
     connect(&answers_, &LatestAnswers::failed, &panel_->messages(), &MessageBar::showError);
     connect(&opening_, &OpeningActions::wholeCityWanted, &panel_->navigator(), &ViewNavigator::showWholeCity);
     connect(&workbench_, &Workbench::noted, &panel_->messages(), &MessageBar::showNote);
@@ -366,6 +373,7 @@ void MainWindow::connectModes() {
 void MainWindow::connectPreferences() {
     const auto usePaper = [this] { results_.usePaper(readPageSetup(settings_)); };
     connect(&help_, &HelpActions::tourWanted, &tours_, &TourActions::start);
+    connect(&help_, &HelpActions::questionAsked, this, &MainWindow::answerCard);
     connect(&preferences_, &PreferencesActions::paperChosen, this, usePaper);
     connect(&results_, &ResultActions::setupChosen, this,
             [this](const PageSetup& setup) { savePageSetup(setup, settings_); });
@@ -382,6 +390,31 @@ void MainWindow::explore() {
 // A moment has its own shadows, which cost nothing while the camera moves.
 void MainWindow::activateExploration() {
     exploration_.setActive(mode_.mode() == ViewMode::exploration && !time_.showsMoment());
+}
+
+// The panel of a card of the start page, with its question chosen.
+void MainWindow::answerCard(StartQuestion question) {
+    StudyDock& form = *docks_.study;
+    showDock(docks_.study);
+    if (question == StartQuestion::tower) return showDock(tools_.massingDock());
+    if (question == StartQuestion::places) return form.choose(StudyKind::places);
+    if (question == StartQuestion::review) return form.choose(StudyKind::review);
+    if (question == StartQuestion::score) {
+        form.choose(StudyKind::score);
+        return showDock(docks_.weights);
+    }
+    form.choose(StudyKind::shadow);
+    workbench_.document().change(workbench_.document().settings(), ElementSettings(), tr("receivers"));
+}
+
+// Some time after it was opened, when the first picture is complete.
+void MainWindow::keepPicture() {
+    const QString entry = opening_.recentEntry();
+    if (!workbench_.city() || entry.isEmpty() || !panel_->view().isExposed()) return;
+    QPointer<MainWindow> alive = this;
+    panel_->view().capture([alive, entry](const QImage& image) {
+        if (alive) alive->opening_.keepPicture(entry, image);
+    });
 }
 
 // Raises the dock among its tabs. A dock that the user closed stays closed.

@@ -117,6 +117,8 @@ private:
     void connectPreferences();
     void activateExploration();
     void explore();
+    void answerCard(StartQuestion question);
+    void keepPicture();
     void chooseKind(StudyKind kind);
     void raiseDock(const QWidget* content);
     void showDock(const QWidget* content);

@@ -112,11 +112,7 @@ void StudyDock::connectForms() {
             [this](const ElementSettings& elements, const QString& field) {
                 document_.change(document_.settings(), elements, field);
             });
-    connect(what_, &WhatForm::kindChosen, this, [this](StudyKind kind) {
-        Q_EMIT kindChosen(kind);
-        usePeriodOf(kind);
-        showDocument();
-    });
+    connect(what_, &WhatForm::kindChosen, this, &StudyDock::takeKind);
     connect(places_, &PlacesForm::streetsWanted, this, &StudyDock::streetsWanted);
     connect(places_, &PlacesForm::edited, this, &StudyDock::showDocument);
     connect(when_, &WhenForm::edited, this, [this](const Period& period, const QString& field) {
@@ -139,6 +135,17 @@ void StudyDock::connectRegion() {
     connect(where_, &WhereForm::wholeCityRequested, this, &StudyDock::wholeCityRequested);
     connect(where_, &WhereForm::surroundingsRequested, this, &StudyDock::surroundingsRequested);
     connect(where_, &WhereForm::named, this, &StudyDock::regionNamed);
+}
+
+void StudyDock::takeKind(StudyKind kind) {
+    Q_EMIT kindChosen(kind);
+    usePeriodOf(kind);
+    showDocument();
+}
+
+void StudyDock::choose(StudyKind kind) {
+    what_->show(kind, document_.settings().receivers.places, document_.elements());
+    takeKind(kind);
 }
 
 // Scores and reviews have panels of their own, with their own buttons.

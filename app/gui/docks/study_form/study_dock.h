@@ -52,7 +52,8 @@ public:
     void setComparing(bool comparing);  ///< run() compares the scenario with a baseline
     /// The kind of study that is chosen.
     [[nodiscard]] StudyKind kind() const { return what_->kind(); }
-    void run();  ///< as the button does
+    void choose(StudyKind kind);  ///< as the user does in the list
+    void run();                   ///< as the button does
     /// Wide enough for the forms without scrolling sideways.
     [[nodiscard]] QSize sizeHint() const override;
 
@@ -74,6 +75,7 @@ private:
     void connectForms();
     void connectRegion();
     void runByPlace();
+    void takeKind(StudyKind kind);
     void usePeriodOf(StudyKind kind);
     void showDocument();
     void showKind();

@@ -1,9 +1,11 @@
 #include "app/gui/frame/actions/opening_actions.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <algorithm>
 
 #include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/files/file_endings.h"
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/base/widgets/message_bar.h"
 #include "app/gui/base/widgets/number_words.h"
@@ -98,6 +100,28 @@ void OpeningActions::openWith(const QStringList& files, const ReadSettings& read
     replaceBy(files, reading);
 }
 
+void OpeningActions::openFolder() {
+    if (const QString folder = askForFolder(&window_, tr("Open a folder of city files")); !folder.isEmpty())
+        openFilesOf(folder);
+}
+
+// A folder may be one data set (a file geodatabase, shapefiles); of any other its buildings are opened. A
+// terrain may be that of roofs: the user adds it, and says what it is.
+void OpeningActions::openFilesOf(const QString& folder) {
+    const auto kind = detectFileKind(folder.toStdString());
+    if (kind && *kind != FileKind::terrain) return open({folder});
+    QStringList patterns;
+    for (const QString& ending : endingsOf({FileKind::footprints, FileKind::cityJson, FileKind::mesh}))
+        patterns << QStringLiteral("*.") + ending;
+    QStringList files;
+    for (const QFileInfo& file : QDir(folder).entryInfoList(patterns, QDir::Files, QDir::Name))
+        files << file.absoluteFilePath();
+    if (files.isEmpty())
+        return messages_.showError({"The folder holds no buildings", folder.toStdString(),
+                                    "Choose a folder of footprints, city models or meshes"});
+    open(files);
+}
+
 // A terrain has no buildings: alone it would take the place of the city that it was meant for.
 void OpeningActions::askAboutTerrain(const QStringList& files, const ReadSettings& reading) {
     messages_.showHelp(
@@ -115,6 +139,7 @@ void OpeningActions::askAboutTerrain(const QStringList& files, const ReadSetting
 void OpeningActions::replaceBy(const QStringList& files, const ReadSettings& reading) {
     saving_.whenSafe([this, files, reading] {
         messages_.hide();  // its buttons refer to the previous files
+        Q_EMIT begun();
         workbench_.open(files, reading);
     });
 }
@@ -123,6 +148,7 @@ void OpeningActions::takeProject() {
     options_->setMiddle(findMiddle(workbench_.city()->city()));
     const Workbench::Source& source = workbench_.source();
     if (!source.files.isEmpty()) recent_.add(source.files, source.reading);
+    Q_EMIT opened();
 }
 
 void OpeningActions::showGuesses() {

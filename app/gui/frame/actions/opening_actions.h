@@ -29,11 +29,19 @@ public:
 
     /// Asks first if there is unsaved work, and whether a terrain alone belongs to the city that is open.
     void open(const QStringList& files);
+    void openFolder();  ///< asks for one: its city files, or what it is itself
+    void openFilesOf(const QString& folder);
     void openWith(const QStringList& files, const ReadSettings& reading);
     void takeProject();  ///< another project is open: adds it to the recent files
     void showGuesses();  ///< reports what is assumed because the files do not state it: heights, time zone
 
+    /// The entry of the recent files that is open, and a picture of the view to keep with it.
+    [[nodiscard]] QString recentEntry() const { return recent_.newest(); }
+    void keepPicture(const QString& entry, const QImage& picture) { recent_.setPicture(entry, picture); }
+
 Q_SIGNALS:
+    void begun();            ///< files are being opened, and nothing is left to ask
+    void opened();           ///< another project is open
     void wholeCityWanted();  ///< to see buildings that the first view leaves aside
 
 private:

@@ -14,6 +14,8 @@ class RecentMenu final : public QObject {
 public:
     RecentMenu(QMenu& menu, QSettings& settings);  ///< both must outlive it
     void add(const QStringList& files, const ReadSettings& reading = {});
+    [[nodiscard]] QString newest() const { return recent_.entries().value(0); }
+    void setPicture(const QString& entry, const QImage& picture) { recent_.setPicture(entry, picture); }
 
 Q_SIGNALS:
     void chosen(QStringList files, noonmark::ReadSettings reading);

@@ -1,9 +1,9 @@
 #pragma once
 
 // Help without a network. GuideWindow shows the user guide that is built into the program (docs/user),
-// AboutText what the program is made of, StartDialog what to open first; FieldHelp explains fields (What's
-// this), guide_place.h knows which page is about which part of the window, and the folder tour has the guided
-// tours. HelpActions are the menu entries.
+// AboutText what the program is made of, StartPage what to open and to ask first; FieldHelp explains fields
+// (What's this), guide_place.h knows which page is about which part of the window, and the folder tour has
+// the guided tours. HelpActions are the menu entries.
 
 #include <QDialog>
 

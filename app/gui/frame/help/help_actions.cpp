@@ -4,42 +4,66 @@
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QWhatsThis>
+#include <utility>
 
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/frame/actions/opening_actions.h"
 #include "app/gui/frame/help/about_text.h"
 #include "app/gui/frame/help/guide_window.h"
-#include "app/gui/frame/help/start_dialog.h"
 
 namespace noonmark {
 
-HelpActions::HelpActions(OpeningActions& opening, QSettings& settings, QMainWindow& window)
+HelpActions::HelpActions(OpeningActions& opening, QSettings& settings, QMainWindow& window, QWidget& view)
     : opening_(opening),
       settings_(settings),
       window_(window),
+      view_(view),
       fields_([this](const GuidePlace& place) { showGuide(place); }),
       guide_(makeAction(this, tr("User &guide"), QKeySequence::HelpContents,
                         tr("The guide, at the page about the panel in use"), "help")),
       whatsThis_(makeAction(this, tr("&What's this?"), QKeySequence::WhatsThis,
                             tr("Explains the field that is clicked next; in a field, Shift+F1"), "help")),
-      start_(makeAction(this, tr("&Start page"), {}, tr("Samples and recent projects"), "open")),
+      start_(makeAction(this, tr("&Start page"), {}, tr("Recent projects, samples and questions"), "open")),
       about_(makeAction(this, tr("&About Noonmark"), {}, tr("Version, libraries and processor"), "about")) {
     connect(guide_, &QAction::triggered, this,
             [this] { showGuide(findGuidePlace(QApplication::focusWidget())); });
     connect(whatsThis_, &QAction::triggered, this, [] { QWhatsThis::enterWhatsThisMode(); });
-    connect(start_, &QAction::triggered, this, &HelpActions::showStart);
+    connect(start_, &QAction::triggered, this, [this] { showStart(); });
     connect(about_, &QAction::triggered, this, &HelpActions::showAbout);
+    connect(&opening_, &OpeningActions::begun, this, [this] {
+        waiting_ = startPage_ ? startPage_->waiting() : std::nullopt;
+        if (startPage_) startPage_->close();
+    });
+    connect(
+        &opening_, &OpeningActions::opened, this,
+        [this] {
+            if (const auto question = std::exchange(waiting_, std::nullopt)) Q_EMIT questionAsked(*question);
+        },
+        Qt::QueuedConnection);
 }
 
-void HelpActions::showStart() {
-    auto* dialog = new StartDialog(RecentFiles(settings_), &window_);
-    connect(dialog, &StartDialog::chosen, &opening_, &OpeningActions::openWith);
-    connect(dialog, &StartDialog::openRequested, opening_.openAction(), &QAction::trigger);
-    connect(dialog, &StartDialog::guideRequested, this, [this] {
-        showGuide({QStringLiteral("window"), {}});
+// The page follows the window, and must not outlast what it follows.
+HelpActions::~HelpActions() { delete startPage_; }
+
+void HelpActions::showStart(bool cityChosen) {
+    delete startPage_;
+    startPage_ = new StartPage(RecentFiles(settings_), cityChosen, window_, view_);
+    connectStart(*startPage_);
+    startPage_->show();
+    startPage_->raise();
+    startPage_->setFocus();
+}
+
+void HelpActions::connectStart(StartPage& page) {
+    connect(&page, &StartPage::chosen, &opening_, &OpeningActions::openWith);
+    connect(&page, &StartPage::openRequested, opening_.openAction(), &QAction::trigger);
+    connect(&page, &StartPage::folderRequested, &opening_, &OpeningActions::openFolder);
+    connect(&page, &StartPage::guideRequested, this, [this] { showGuide({QStringLiteral("window"), {}}); });
+    connect(&page, &StartPage::tourRequested, this, &HelpActions::tourWanted);
+    connect(&page, &StartPage::asked, this, [this, &page](StartQuestion question) {
+        page.close();
+        Q_EMIT questionAsked(question);
     });
-    connect(dialog, &StartDialog::tourRequested, this, &HelpActions::tourWanted);
-    dialog->show();
 }
 
 // Above a modal dialog, which would keep the mouse from a guide that belongs to the window.

@@ -5,6 +5,7 @@
 
 #include "app/gui/frame/help/field_help.h"
 #include "app/gui/frame/help/guide_place.h"
+#include "app/gui/frame/help/start_page.h"
 
 class QAction;
 class QMainWindow;
@@ -20,27 +21,37 @@ class OpeningActions;
 class HelpActions final : public QObject {
     Q_OBJECT
 public:
-    /// The window owns the dialogs. All must outlive this object.
-    HelpActions(OpeningActions& opening, QSettings& settings, QMainWindow& window);
+    /// The window owns the dialogs; `view` is what the start page leaves in sight. All must outlive this
+    /// object.
+    HelpActions(OpeningActions& opening, QSettings& settings, QMainWindow& window, QWidget& view);
+
+    ~HelpActions() override;
 
     [[nodiscard]] QAction* guide() const { return guide_; }
     [[nodiscard]] QAction* whatsThis() const { return whatsThis_; }
     [[nodiscard]] QAction* start() const { return start_; }
     [[nodiscard]] QAction* about() const { return about_; }
 
-    void showStart();  ///< what to open first
+    /// What to open, and what to ask. `cityChosen`: the user has a city open, not only the first sample.
+    void showStart(bool cityChosen = true);
     GuideWindow& showGuide(const GuidePlace& place);
 
 Q_SIGNALS:
     void tourWanted(std::size_t tour);  ///< an index of listTours(), from the start page
+    /// A card of the start page was chosen, and its city is there.
+    void questionAsked(noonmark::StartQuestion question);
 
 private:
     void showAbout();
+    void connectStart(StartPage& page);
 
     OpeningActions& opening_;
     QSettings& settings_;
     QMainWindow& window_;
+    QWidget& view_;
     QPointer<GuideWindow> shown_;
+    QPointer<StartPage> startPage_;
+    std::optional<StartQuestion> waiting_;  ///< for the city that is being opened
     FieldHelp fields_;
     QAction* guide_;
     QAction* whatsThis_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QImage>
 #include <QStringList>
 
 #include "core/io/read_city.h"
@@ -23,10 +24,19 @@ public:
     [[nodiscard]] ReadSettings readingOf(const QString& entry) const;
     [[nodiscard]] QString readingTextOf(const QString& entry) const;
 
+    /// A small picture of the view of an entry, no wider than pictureSize; null: none was taken.
+    [[nodiscard]] QImage pictureOf(const QString& entry) const;
+    /// Keeps it with the entry, scaled down; nothing if the entry is no longer in the list.
+    void setPicture(const QString& entry, const QImage& picture);
+    static constexpr QSize pictureSize{192, 128};
+
+    static bool isThere(const QString& entry);  ///< all its files exist; samples always do
+    static bool isSampleEntry(const QString& entry);
     static QStringList filesOf(const QString& entry);
     static QString nameOf(const QString& entry);  ///< menu text: the file's name, "and 2 more"
 
 private:
+    void keepPictures(const QStringList& entries);
     void keepReading(const QStringList& entries, const QString& newest, const ReadSettings& reading);
 
     QSettings& settings_;
