@@ -1,5 +1,6 @@
 #include "app/questions/answer.h"
 
+#include "app/questions/saved_question.h"
 #include "core/study/elements/place_elements.h"
 
 namespace noonmark {
@@ -12,6 +13,8 @@ bool isSame(const T* a, const T* b) {
 }
 
 }  // namespace
+
+bool Answer::isSaved() const { return &question() == &savedQuestion(); }
 
 const std::vector<KeptContributions>& Answer::ofPlaces() const {
     static const std::vector<KeptContributions> none;

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <typeinfo>
@@ -37,6 +38,8 @@ struct AnswerFiles {
     BookSettings book{};                        ///< of that, and of the pages of points
     std::vector<Region> regions{};              ///< of the project: a saved result may be of one of them
     OutputRules rules{};                        ///< which files may be replaced
+    Progress* progress = nullptr;               ///< of the job that writes; null: nobody watches it
+    std::stop_token stop{};
 };
 
 /// How its book looks, with the legend of its maps.
@@ -52,7 +55,9 @@ public:
     virtual ~Answer() = default;
 
     [[nodiscard]] virtual const Question& question() const = 0;
-    /// Null: of a saved result, whose settings are text.
+    /// It was saved in a project and is shown as it was then: its question is not asked again.
+    [[nodiscard]] bool isSaved() const;
+    /// Null: of a review, which asks by a rule, and of a saved result, whose settings are text.
     [[nodiscard]] virtual const StudySettings* settings() const = 0;
     /// Where points were measured; null: cells.
     [[nodiscard]] virtual const ElementSettings* points() const { return nullptr; }
@@ -104,7 +109,8 @@ public:
     [[nodiscard]] virtual Result<std::vector<std::filesystem::path>> write(
         const City& city, const std::filesystem::path& folder, const AnswerFiles& how) const = 0;
 
-    /// Its content, if it is a T: Study, ImpactAnswer, ScoreAnswer, ElementAnswer.
+    /// Its content, if it is a T: Study, ImpactAnswer, ScoreAnswer, ElementAnswer, SunOfCities,
+    /// ReviewAnswer, GlazingAnswer.
     template <class T>
     [[nodiscard]] const T* as() const {
         return static_cast<const T*>(contentOf(typeid(T)));

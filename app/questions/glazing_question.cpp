@@ -1,7 +1,13 @@
 #include "app/questions/glazing_question.h"
 
+#include "app/questions/saved_question.h"
 #include "app/report/files/glazing_files.h"
 #include "core/base/memory_guard.h"
+#include "core/describe/text.h"
+#include "core/study/glazing/glazing_text.h"
+#include "core/study/review_figures.h"
+#include "core/study/text/warnings_json.h"
+#include "scenarios/project/results/save_result.h"
 
 namespace noonmark {
 
@@ -15,7 +21,117 @@ std::vector<CommandOption> repeatOptions(const GlazingQuestion& question, const 
     return options;
 }
 
+/// The verdicts of a rule on windows.
+class GlazingVerdictsAnswer final : public AnswerOf<GlazingAnswer> {
+public:
+    GlazingVerdictsAnswer(std::shared_ptr<const GlazingAnswer> review,
+                          std::shared_ptr<const ReviewSource> source)
+        : AnswerOf(std::move(review)), source_(std::move(source)) {}
+
+    [[nodiscard]] const Question& question() const override { return glazingQuestion(); }
+    [[nodiscard]] const StudySettings* settings() const override { return nullptr; }
+    [[nodiscard]] MeasuredPart part() const override { return {asked().to, asked().from, {}, {}}; }
+    [[nodiscard]] const Warnings& warnings() const override { return content().study.warnings; }
+    [[nodiscard]] double seconds() const override { return content().study.seconds.at("total"); }
+    [[nodiscard]] bool asksSameAs(const Answer& other) const override {
+        const auto* review = other.as<GlazingAnswer>();
+        return review && Answer::asksSameAs(other) && isSameRule(asked().rule, review->question.rule) &&
+               asked().settings.elements == review->question.settings.elements &&
+               asked().settings.zone == review->question.settings.zone &&
+               asked().settings.year == review->question.settings.year;
+    }
+
+    /// It names its cities itself, whatever is displayed.
+    [[nodiscard]] std::shared_ptr<const Answer> updated(const Project&, const std::string&,
+                                                        const std::string&) const override {
+        return nullptr;
+    }
+    [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance provenance) const override {
+        auto source = std::make_shared<ReviewSource>(*source_);
+        source->stated = std::move(provenance);
+        return std::make_shared<GlazingVerdictsAnswer>(shared(), std::move(source));
+    }
+
+    [[nodiscard]] AnswerPage page(ShownAs) const override {
+        const GlazingStudy& study = content().study;
+        return makeGlazingPage(study.windowChanges, study.rule.name, asked().from, asked().to);
+    }
+    [[nodiscard]] std::vector<FigureLine> figures() const override {
+        return listLines(glazingVerdictFigures().of(content().study.windowChanges));
+    }
+    [[nodiscard]] Result<std::string> command() const override {
+        return makeRepeatCommand(content().study, makeLabels());
+    }
+    [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
+        return makeRepeatOptions(bookOf(how));
+    }
+    [[nodiscard]] std::string json() const override {
+        return toJsonText(glazingReviewJson(content().study, makeLabels()));
+    }
+    /// Without its single windows, of which a city has a hundred thousand.
+    [[nodiscard]] SavedResult toSave(const Project& project) const override {
+        nlohmann::ordered_json json = glazingReviewJson(content().study, makeLabels());
+        json.erase("windows");
+        json.update(figuresJson(glazingVerdictFigures().of(content().study.windowChanges)));
+        json["engine_settings"] = content().study.engine;
+        json["region"] = asked().settings.region.name;
+        return makeSavedResult(project, std::string(question().key), asked().to, asked().from,
+                               std::move(json));
+    }
+    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
+        return glazingFileNames();
+    }
+    [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
+                                                                   const std::filesystem::path& folder,
+                                                                   const AnswerFiles& how) const override {
+        ReviewSource source = *source_;
+        source.outputs = how.rules;
+        NoProgress quiet;
+        return writeGlazingReview(content(), source, bookOf(how), folder, false,
+                                  how.progress ? *how.progress : quiet, how.stop)
+            .map([](WrittenGlazing written) { return std::move(written.files); });
+    }
+
+private:
+    [[nodiscard]] const GlazingQuestion& asked() const { return content().question; }
+    [[nodiscard]] ReviewLabels makeLabels() const {
+        return {asked().from, asked().to, provenanceOf(*source_, asked()), {}, repeatOptions(asked(), {})};
+    }
+
+    std::shared_ptr<const ReviewSource> source_;
+};
+
+Result<std::shared_ptr<const Answer>> computeGlazing(const Asked& asked, Progress& progress,
+                                                     const std::stop_token& stop) {
+    return computeGlazingReview(*asked.glazing, progress, stop)
+        .map([&](GlazingAnswer review) -> std::shared_ptr<const Answer> {
+            return std::make_shared<GlazingVerdictsAnswer>(
+                std::make_shared<const GlazingAnswer>(std::move(review)), asked.reviewSource);
+        });
+}
+
+AnswerPage pageOfSavedGlazing(const SavedContent& saved, ShownAs) {
+    const auto json = nlohmann::ordered_json::parse(saved.result->settings);
+    const auto countOf = [&](const char* key) { return json.at(key).get<std::size_t>(); };
+    VerdictChanges changes;
+    changes.after = {countOf("windows_passing"), countOf("windows_borderline"), countOf("windows_failing")};
+    changes.worse = countOf("windows_worse");
+    changes.better = countOf("windows_better");
+    return makeGlazingPage(changes, json.at("rule_name"), saved.result->baseline, saved.result->scenario);
+}
+
 }  // namespace
+
+const Question& glazingQuestion() {
+    static const Question question{.key = "glazing-review",
+                                   .label = NM_TEXT("Review of windows"),
+                                   .ofRun = false,
+                                   .ofBaseline = false,
+                                   .compute = computeGlazing,
+                                   .saved = SavedForm{.page = pageOfSavedGlazing},
+                                   .figures = glazingVerdictFigures().rows()};
+    return question;
+}
 
 bool isSame(const GlazingQuestion& a, const GlazingQuestion& b) {
     return isOfSameCase(a, b) && a.settings.zone == b.settings.zone && a.settings.year == b.settings.year &&

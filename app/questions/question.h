@@ -12,6 +12,10 @@
 
 namespace noonmark {
 
+struct ReviewQuestion;
+struct GlazingQuestion;
+struct ReviewSource;
+
 /// What a user asks: of which city, where, when and how.
 struct Asked {
     LoadedCity loaded;                   ///< the city of the scenario, with the warnings of reading
@@ -28,6 +32,9 @@ struct Asked {
     std::vector<NamedCity> others{};
     /// Likewise: takes the seconds that the sweeps are expected to last, before they begin.
     std::function<void(double)> forecast{};
+    std::shared_ptr<const ReviewQuestion> review{};      ///< of a review of places only: all of it
+    std::shared_ptr<const GlazingQuestion> glazing{};    ///< of a review of windows only: all of it
+    std::shared_ptr<const ReviewSource> reviewSource{};  ///< of both: what their files state
     bool byBuilding = false;              ///< a comparison: the contribution of each new building, too
     std::vector<double> thresholdsMin{};  ///< a comparison: of the change, minutes a day
     Provenance provenance{};  ///< what the cities were made from; empty: stated later (Answer::stated)
@@ -38,12 +45,14 @@ struct SavedSource;
 
 /// What is shown and written of a question's results that were saved in a project.
 struct SavedForm {
-    std::vector<std::string> fileNames;
-    /// Of what savedKinds() reads for the question's key (scenarios/project/results/saved_answer.h).
-    std::function<AnswerPage(const SavedContent&, ShownAs)> page;
+    std::vector<std::string> fileNames{};  ///< empty: those of the figures
+    /// Of what savedKinds() reads for the question's key (scenarios/project/results/saved_answer.h), else of
+    /// its figures.
+    std::function<AnswerPage(const SavedContent&, ShownAs)> page{};
+    /// None: it writes its figures.
     std::function<Result<std::vector<std::filesystem::path>>(
         const SavedContent&, const SavedSource&, const std::filesystem::path& folder, const AnswerFiles&)>
-        write;
+        write{};
     /// The options that its command needs to draw the same; none: it draws nothing that can be chosen.
     std::function<std::vector<CommandOption>(const AnswerFiles&)> drawnOptions{};
 };
@@ -57,11 +66,13 @@ struct Question {
     /// Whether Run asks it again; else it is asked by a command of its own, and shown in front until the user
     /// returns to the study.
     bool ofRun = true;
+    /// What it compares with is the baseline chosen in the window; else the user names both cities for it.
+    bool ofBaseline = true;
     std::function<Result<std::shared_ptr<const Answer>>(const Asked&, Progress&, const std::stop_token&)>
         compute;
-    /// None: its saved results come back as the numbers of `figures`.
+    /// None: its saved results come back as the numbers of `figures`, without a page.
     std::optional<SavedForm> saved{};
-    std::span<const Figure> figures{};
+    std::span<const Figure> figures{};  ///< of a kind that savedKinds() lacks
 };
 
 /// What can be asked, in one list: it reads saved results back.
@@ -73,6 +84,8 @@ const Question& comparisonQuestion();
 const Question& scoreQuestion();
 const Question& pointsQuestion();
 const Question& byPlaceQuestion();
+const Question& reviewQuestion();
+const Question& glazingQuestion();
 
 /// The files that its answers write.
 std::vector<std::string> byPlaceFileNames(bool withSheets);

@@ -2,14 +2,19 @@
 
 #include <algorithm>
 
+#include "app/questions/saved_question.h"
 #include "app/report/files/review_files.h"
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
 #include "core/base/stopwatch.h"
+#include "core/describe/text.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
 #include "core/study/provenance/provenance.h"
+#include "core/study/review_figures.h"
+#include "core/study/text/review_text.h"
 #include "scenarios/project/project_provenance.h"
+#include "scenarios/project/results/save_result.h"
 #include "scenarios/project/rule_parcels.h"
 
 namespace noonmark {
@@ -45,9 +50,121 @@ ReviewBookSource bookSourceOf(const ReviewQuestion& question, const ReviewSource
             placesOfKind(source.project, PlaceKind::street)};
 }
 
+/// The verdicts of a rule on places.
+class PlacesAnswer final : public AnswerOf<ReviewAnswer> {
+public:
+    PlacesAnswer(std::shared_ptr<const ReviewAnswer> review, std::shared_ptr<const ReviewSource> source)
+        : AnswerOf(std::move(review)), source_(std::move(source)) {}
+
+    [[nodiscard]] const Question& question() const override { return reviewQuestion(); }
+    [[nodiscard]] const StudySettings* settings() const override { return nullptr; }
+    [[nodiscard]] MeasuredPart part() const override { return {asked().to, asked().from, {}, {}}; }
+    [[nodiscard]] const Warnings& warnings() const override { return content().study.warnings; }
+    [[nodiscard]] double seconds() const override { return content().seconds; }
+    [[nodiscard]] bool asksSameAs(const Answer& other) const override {
+        const auto* review = other.as<ReviewAnswer>();
+        return review && Answer::asksSameAs(other) && isSameRule(asked().rule, review->question.rule) &&
+               asked().places == review->question.places &&
+               asked().settings.zone == review->question.settings.zone &&
+               asked().settings.year == review->question.settings.year;
+    }
+
+    /// It names its cities itself, whatever is displayed.
+    [[nodiscard]] std::shared_ptr<const Answer> updated(const Project&, const std::string&,
+                                                        const std::string&) const override {
+        return nullptr;
+    }
+    [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance provenance) const override {
+        auto source = std::make_shared<ReviewSource>(*source_);
+        source->stated = std::move(provenance);
+        return std::make_shared<PlacesAnswer>(shared(), std::move(source));
+    }
+
+    [[nodiscard]] AnswerPage page(ShownAs) const override {
+        const ReviewStudy& study = content().study;
+        return makeReviewPage(countVerdicts(study), study.rule.name, asked().to, listDoubtful(study));
+    }
+    [[nodiscard]] std::vector<FigureLine> figures() const override {
+        return listLines(placeVerdictFigures().of(countVerdicts(content().study)));
+    }
+    [[nodiscard]] Result<std::string> command() const override {
+        return makeRepeatCommand(content().study, labelsOf(asked(), *source_, {}));
+    }
+    [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
+        return makeRepeatOptions(bookOf(how));
+    }
+    [[nodiscard]] std::string json() const override { return toJsonText(makeJson()); }
+    [[nodiscard]] SavedResult toSave(const Project& project) const override {
+        nlohmann::ordered_json json = makeJson();
+        json.update(figuresJson(placeVerdictFigures().of(countVerdicts(content().study))));
+        json["engine_settings"] = content().study.engine;
+        json["region"] = "places";
+        return makeSavedResult(project, std::string(question().key), asked().to, asked().from,
+                               std::move(json));
+    }
+    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
+        return reviewFileNames();
+    }
+    [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
+                                                                   const std::filesystem::path& folder,
+                                                                   const AnswerFiles& how) const override {
+        ReviewSource source = *source_;
+        source.outputs = how.rules;
+        NoProgress quiet;
+        Progress& progress = how.progress ? *how.progress : quiet;
+        ProgressShare layingOut(progress, 0, 2), writing(progress, 1, 2);
+        if (const auto may = checkOutputs(folder, reviewFileNames(), how.rules); !may)
+            return tl::make_unexpected(may.error());
+        const auto sheets = layOutReview(asked(), source, nullptr, bookOf(how), layingOut, how.stop);
+        if (!sheets) return tl::make_unexpected(sheets.error());
+        return writeReview(asked(), source, **sheets, folder, false, writing, how.stop);
+    }
+
+private:
+    [[nodiscard]] const ReviewQuestion& asked() const { return content().question; }
+    [[nodiscard]] nlohmann::ordered_json makeJson() const {
+        return reviewJson(content().study, labelsOf(asked(), *source_, {}));
+    }
+
+    std::shared_ptr<const ReviewSource> source_;
+};
+
+Result<std::shared_ptr<const Answer>> computePlaces(const Asked& asked, Progress& progress,
+                                                    const std::stop_token& stop) {
+    return computeReview(*asked.review, progress, stop)
+        .map([&](ReviewAnswer review) -> std::shared_ptr<const Answer> {
+            return std::make_shared<PlacesAnswer>(std::make_shared<const ReviewAnswer>(std::move(review)),
+                                                  asked.reviewSource);
+        });
+}
+
+// Its JSON is that of review.json, with the counts of verdicts.
+AnswerPage pageOfSavedReview(const SavedContent& saved, ShownAs) {
+    const auto json = nlohmann::ordered_json::parse(saved.result->settings);
+    std::vector<DoubtfulPlace> doubtful;
+    for (const Verdict verdict : {Verdict::fail, Verdict::borderline})
+        for (const auto& place : json.at("places"))
+            if (place.at("verdict") == nameOf(verdict))
+                doubtful.push_back({place.at("name"), place.at("reason")});
+    return makeReviewPage(readFigures(placeVerdictFigures(), json), json.at("rule_name"),
+                          saved.result->scenario, doubtful);
+}
+
 }  // namespace
 
+const Question& reviewQuestion() {
+    static const Question question{.key = "review",
+                                   .label = NM_TEXT("Review"),
+                                   .ofRun = false,
+                                   .ofBaseline = false,
+                                   .compute = computePlaces,
+                                   .saved = SavedForm{.page = pageOfSavedReview},
+                                   .figures = placeVerdictFigures().rows()};
+    return question;
+}
+
 Provenance provenanceOf(const ReviewSource& source, const ReviewedCities& cities) {
+    if (source.stated) return *source.stated;
     if (source.loaded) return provenanceOf(*source.loaded);
     return provenanceOf(source.project, source.file ? &*source.file : nullptr,
                         {cities.to, cities.from, {}, {}});

@@ -1,14 +1,14 @@
 #pragma once
 
 // The reviews by the rules of boards, which command line and window only ask and show: of places (this file),
-// and of windows (glazing_question.h).
+// and of windows (glazing_question.h). Both are questions of the list in question.h.
 
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "app/input/load_city.h"
+#include "app/questions/question.h"
 #include "app/report/book/review/review_book.h"
 #include "core/io/files/check_output.h"
 #include "core/measures/place_screening.h"
@@ -29,9 +29,10 @@ struct ReviewSource {
     std::optional<LoadedCity> loaded;  ///< that city, of which `project` is made
     Warnings ofRules;                  ///< of reading the library of rules
     OutputRules outputs;               ///< which files may be replaced
+    std::optional<Provenance> stated{};  ///< what provenanceOf() returns; none: it has yet to be found
 };
 
-/// What the cities of a review were made from. Costs hashes (project_provenance.h).
+/// What the cities of a review were made from. Costs hashes (project_provenance.h) unless it is stated.
 Provenance provenanceOf(const ReviewSource& source, const ReviewedCities& cities);
 /// Puts the warnings of reading the city before those of a review, and those of the rules behind them.
 void addWarnings(Warnings& warnings, const ReviewSource& source);
@@ -47,11 +48,13 @@ struct ReviewQuestion : ReviewedCities {
     std::vector<CommandOption> repeat{};  ///< further options of the command that asks the same
 };
 
+/// Whether both are the same rule with the same choices.
+inline bool isSameRule(const Rule& a, const Rule& b) { return a.key == b.key && a.chosen == b.chosen; }
+
 /// Whether two reviews ask the same rule, with the same choices, about the same buildings.
-template <class Question>
-bool isOfSameCase(const Question& a, const Question& b) {
-    return a.rule.key == b.rule.key && a.rule.chosen == b.rule.chosen && a.before == b.before &&
-           a.after == b.after;
+template <class Asked>
+bool isOfSameCase(const Asked& a, const Asked& b) {
+    return isSameRule(a.rule, b.rule) && a.before == b.before && a.after == b.after;
 }
 
 /// Whether both have the same answer.
@@ -66,7 +69,7 @@ struct ReviewAnswer {
     [[nodiscard]] const Place& placeOf(std::size_t review) const;
 };
 
-/// Errors of runReview().
+/// What reviewQuestion() computes, for use without an Answer. Errors of runReview().
 Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& progress, std::stop_token stop);
 
 /// Which places the shadow of the proposal reaches, tested as if it stood alone, by the days and hours of the

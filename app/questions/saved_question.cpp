@@ -59,7 +59,7 @@ public:
     }
 
     [[nodiscard]] AnswerPage page(ShownAs show) const override {
-        return of_.saved ? of_.saved->page(content(), show) : AnswerPage{};
+        return of_.saved && of_.saved->page ? of_.saved->page(content(), show) : AnswerPage{};
     }
     [[nodiscard]] std::vector<FigureLine> figures() const override {
         const auto* lines = content().as<SavedFigureLines>();
@@ -77,18 +77,20 @@ public:
     [[nodiscard]] std::string json() const override { return content().result->settings; }
     [[nodiscard]] SavedResult toSave(const Project&) const override { return *content().result; }
     [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
-        return of_.saved ? of_.saved->fileNames : savedFigureNames();
+        return writesItself() ? of_.saved->fileNames : savedFigureNames();
     }
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City& city,
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
         const SavedSource source{city, listChanges(content()), how.regions};
-        if (of_.saved) return of_.saved->write(content(), source, folder, how);
+        if (writesItself()) return of_.saved->write(content(), source, folder, how);
         return writeSavedFigures(*content().result, content().answer.origin, source, figures(), folder,
                                  how.book, how.rules);
     }
 
 private:
+    [[nodiscard]] bool writesItself() const { return of_.saved && of_.saved->write; }
+
     const Question& of_;
 };
 
@@ -112,8 +114,9 @@ SavedKind kindOf(const Question& question) {
 }  // namespace
 
 Questions allQuestions() {
-    static const std::array all{&studyQuestion(), &comparisonQuestion(), &scoreQuestion(), &pointsQuestion(),
-                                &byPlaceQuestion()};
+    static const std::array all{&studyQuestion(),  &comparisonQuestion(), &scoreQuestion(),
+                                &pointsQuestion(), &byPlaceQuestion(),    &reviewQuestion(),
+                                &glazingQuestion()};
     return all;
 }
 

@@ -63,9 +63,9 @@ struct SavedLayer {
 /// A result saved in the project, with everything it is based on.
 struct SavedResult {
     std::string name;      ///< unique in a project
-    std::string kind;      ///< "study", "impact", "score", "elements" or "by-place"
+    std::string kind;      ///< key of its question (app/questions): "study", "impact", "score"...
     std::string scenario;  ///< whose city was measured
-    std::string baseline;  ///< impact: the scenario compared with; else empty
+    std::string baseline;  ///< the scenario compared with; empty: none
     std::string settings;  ///< JSON: engine, period, region and figures, as in study.json
     std::string inputs;    ///< JSON: path, bytes and sha256 of every file from which the city was read
     Grid grid;             ///< of a study at points one cell, which means nothing

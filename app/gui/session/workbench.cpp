@@ -130,7 +130,7 @@ void Workbench::forgetAnswers() {
 // Answers are forgotten at once: a run started before the city is displayed already uses the new city. A
 // saved result is not about the displayed buildings, so it does not become outdated with them.
 void Workbench::follow() {
-    if (const SharedAnswer shown = front_ && front_->settings() ? front_ : base_) past_ = shown;
+    if (const SharedAnswer shown = front_ && !front_->isSaved() ? front_ : base_) past_ = shown;
     forgetAnswers();
     if (!city_) return;
     following_.start<OpenCity>(

@@ -25,8 +25,9 @@ struct PlaceContributions;
 /// The state behind the window: one project, the city of the displayed scenario, the study settings and the
 /// answer that is displayed. Long work runs in jobs on other threads. Knows no widgets.
 ///
-/// The answer displayed is the one in front: the points, the score or the saved result that was asked for
-/// last; without one, that to the document's question: the comparison with the baseline, or the study.
+/// The answer displayed is the one in front: the points, the score, the review or the saved result that was
+/// asked for last; without one, that to the document's question: the comparison with the baseline, or the
+/// study.
 class Workbench final : public QObject {
     Q_OBJECT
 public:
@@ -57,6 +58,13 @@ public:
     /// is chosen: also in all other scenarios if they are wanted. The study of `settings` is the document's,
     /// without its region.
     void runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings, bool allScenarios = false);
+    struct Adopting {
+        bool isWork = true;   ///< the user asked for it: it is unsaved work
+        bool isShown = true;  ///< displayed, too, unless its buildings have changed
+    };
+    /// Takes an answer to a question that was asked elsewhere, by a dock that has more to say about it: it is
+    /// listed, saved and exported as all others.
+    void adopt(const KnownAnswer& known, const Adopting& how);
     /// Starts the run announced by longRun(): with the chosen engine, or with the automatic engine.
     void runAnyway();
     void runQuicker();
@@ -65,6 +73,8 @@ public:
 
     /// The displayed answer; null if there is none since the buildings last changed.
     [[nodiscard]] std::shared_ptr<const Answer> answer() const { return front_ ? front_ : base_; }
+    /// The one that returns when the display of that in front ends; null: none.
+    [[nodiscard]] std::shared_ptr<const Answer> behind() const { return base_; }
     /// Its content, if it is a T: Study, ImpactAnswer, ScoreAnswer, ElementAnswer, SavedContent; else null.
     template <class T>
     [[nodiscard]] std::shared_ptr<const T> answerAs() const {
@@ -200,12 +210,13 @@ private:
     void updateAnswers();
     void putInFront(SharedAnswer answer);
     [[nodiscard]] std::string freeMeasuredName(const QString& name) const;
-    void remember(const KnownAnswer& known);
+    void remember(const KnownAnswer& known, bool isWork);
     [[nodiscard]] std::string savedNameOf(const std::shared_ptr<const MeasuredAnswer>& measured) const;
     void showResult(const std::shared_ptr<const SavedResult>& result);
     void findOutdated();
     [[nodiscard]] bool isThere(const std::string& scenario, const std::shared_ptr<const City>& city);
     [[nodiscard]] std::string scenarioOf(const std::shared_ptr<const City>& city);
+    void showByItself(const KnownAnswer& known);
     void showPast(SharedAnswer answer);
     void findBase();
     [[nodiscard]] bool isCompared();
@@ -231,7 +242,8 @@ private:
     void adoptStudy(const KnownAnswer& study);
     std::vector<KnownAnswer> listUnmeasured();
     using Files = Result<std::vector<std::filesystem::path>>;
-    using Write = std::function<Files(const std::filesystem::path& folder)>;
+    using Write =
+        std::function<Files(const std::filesystem::path& folder, Progress&, const std::stop_token&)>;
     [[nodiscard]] Write whatToWrite(const ExportChoice& choice) const;
     [[nodiscard]] Write placeToWrite() const;
     [[nodiscard]] ScenarioStudies scenariosToShow();

@@ -210,7 +210,7 @@ void Workbench::adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer) {
     const Question& question = (*answer)->question();
     if (question.ofRun) answerSeconds_ = (*answer)->seconds();
     known.answer = *std::move(answer);
-    remember(known);
+    remember(known, !again_);
     if (&question != &comparisonQuestion()) return putInFront(std::move(known.answer));
     comparison_ = std::move(known);
     putInFront(nullptr);
@@ -253,7 +253,7 @@ void Workbench::adoptStudies(Result<std::vector<Measured>> made) {
     for (const auto& [study, error] : *made) {
         if (error) continue;
         adoptStudy(study);
-        remember(study);
+        remember(study, !again_);
         answerSeconds_ = study.answer->seconds();
     }
     putInFront(nullptr);
@@ -390,15 +390,22 @@ std::string Workbench::freeMeasuredName(const QString& name) const {
     return free;
 }
 
-// In place of the last answer to the same question.
-void Workbench::remember(const KnownAnswer& known) {
+void Workbench::adopt(const KnownAnswer& known, const Adopting& how) {
+    remember(known, how.isWork);
+    const MeasuredPart part = known.answer->part();
+    if (how.isShown && isThere(part.scenario, known.city) && isThere(part.baseline, known.before))
+        putInFront(known.answer);
+}
+
+// In place of the last answer to the same question. `isWork`: the user asked for it.
+void Workbench::remember(const KnownAnswer& known, bool isWork) {
     const Answer& answer = *known.answer;
     const auto replaced =
         std::erase_if(measured_, [&](const auto& one) { return one->isReplacedBy(answer); });
     if (measured_.size() == maxMeasured) measured_.erase(measured_.begin());
     measured_.push_back(
         std::make_shared<const MeasuredAnswer>(known, session_, freeMeasuredName(listedName(answer))));
-    if (replaced == 0 && !again_) session_.noteAnswer();
+    if (replaced == 0 && isWork) session_.noteAnswer();
 }
 
 MeasuredAnswers Workbench::measured() const {
@@ -482,6 +489,7 @@ std::string Workbench::scenarioOf(const std::shared_ptr<const City>& city) {
 void Workbench::showMeasured(const MeasuredAnswer& measured) {
     const KnownAnswer known = measured.known();
     if (!known.answer) return showResult(measured.toSave());
+    if (!known.answer->question().ofBaseline) return showByItself(known);
     const std::string scenario = scenarioOf(known.city);
     const std::string baseline = known.before ? scenarioOf(known.before) : session_.baseline();
     if (scenario.empty() || (known.before && baseline.empty())) return showPast(known.answer);
@@ -492,6 +500,14 @@ void Workbench::showMeasured(const MeasuredAnswer& measured) {
     session_.compareWith({});
     adoptStudy(known);
     putInFront(nullptr);
+}
+
+// Of two cities that it names itself.
+void Workbench::showByItself(const KnownAnswer& known) {
+    const std::string scenario = scenarioOf(known.city);
+    if (scenario.empty() || scenarioOf(known.before).empty()) return showPast(known.answer);
+    session_.goTo(scenario);
+    putInFront(known.answer);
 }
 
 void Workbench::showPast(SharedAnswer answer) {

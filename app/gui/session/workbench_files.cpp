@@ -35,8 +35,11 @@ AnswerFiles Workbench::withProject(AnswerFiles files) const {
 // Captures the displayed answer, since another may be displayed by the time of writing.
 Workbench::Write Workbench::whatToWrite(const ExportChoice& choice) const {
     return [answer = answer(), origin = AnswerOrigin(session_), city = session_.city(),
-            how = withProject(choice)](const auto& folder) {
-        return origin.stated(answer)->write(*city, folder, how);
+            how = withProject(choice)](const auto& folder, Progress& progress, const std::stop_token& stop) {
+        AnswerFiles watched = how;
+        watched.progress = &progress;
+        watched.stop = stop;
+        return origin.stated(answer)->write(*city, folder, watched);
     };
 }
 
@@ -62,7 +65,8 @@ ScenarioStudies Workbench::scenariosToShow() {
 }
 
 Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
-    return [measured = scenariosToShow(), origin = AnswerOrigin(session_), how = withProject(choice)](const auto& folder) {
+    return [measured = scenariosToShow(), origin = AnswerOrigin(session_),
+            how = withProject(choice)](const auto& folder, auto&&...) {
         ScenarioStudies stated = measured;
         for (ScenarioStudy& one : stated) one.study = origin.stated(*one.study, one.name);
         return writeScenarioFiles(stated, bookOf(how), folder, how.rules);
@@ -71,7 +75,7 @@ Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
 
 Workbench::Write Workbench::placeToWrite() const {
     return [study = study_, place = placeShown(), origin = AnswerOrigin(session_),
-            scenario = session_.scenario(), rules = exportRules()](const auto& folder) {
+            scenario = session_.scenario(), rules = exportRules()](const auto& folder, auto&&...) {
         return writeContributionFiles(*origin.stated(*study, scenario), *place, folder, rules);
     };
 }
@@ -140,10 +144,10 @@ void Workbench::exportShown(const std::filesystem::path& folder, const ExportCho
                  : place   ? placeToWrite()
                            : whatToWrite(choice),
          project = choice.withProject ? session_.file() : std::nullopt,
-         folder](Progress&, std::stop_token) -> Result<WrittenPaths> {
-            if (!project) return write(folder);
+         folder](Progress& progress, const std::stop_token& stop) -> Result<WrittenPaths> {
+            if (!project) return write(folder, progress, stop);
             if (const auto may = checkCopy(*project, folder); !may) return tl::make_unexpected(may.error());
-            auto paths = write(folder);
+            auto paths = write(folder, progress, stop);
             if (!paths) return paths;
             return copyProject(*project, folder).map([&] { return *std::move(paths); });
         },

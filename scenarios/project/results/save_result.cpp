@@ -185,6 +185,13 @@ SavedResult makeSavedResult(const Project& project, const SunOfCities& sun, std:
             {}};
 }
 
+SavedResult makeSavedResult(const Project& project, const std::string& kind, const std::string& scenario,
+                            const std::string& baseline, Json json, std::chrono::sys_seconds at) {
+    json["kept"] = {{"at", formatText(at)}, {"city_sha256", hashOf(project, scenario)}};
+    if (!baseline.empty()) json["kept"]["baseline_sha256"] = hashOf(project, baseline);
+    return {{}, kind, scenario, baseline, toJsonText(json), inputsOf(project), {0, 0, 1, 1, 1}, {}};
+}
+
 Project addResult(Project project, SavedResult result) {
     std::erase_if(project.results, [&](const auto& old) { return old->name == result.name; });
     project.results.push_back(std::make_shared<const SavedResult>(std::move(result)));

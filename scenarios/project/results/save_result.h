@@ -5,6 +5,7 @@
 // changed_cells_json.h parse its JSON, and write_results.cpp writes it into the tables.
 
 #include <chrono>
+#include <nlohmann/json_fwd.hpp>
 
 #include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/element_map.h"
@@ -33,6 +34,12 @@ SavedResult makeSavedResult(const Project& project, const ScoreAnswer& answer,
 /// Sun by place: with the outlines of the places in `kept`, and without cells. `sun` is of the project's
 /// cities under the names of their scenarios; at most one is compared.
 SavedResult makeSavedResult(const Project& project, const SunOfCities& sun,
+                            std::chrono::sys_seconds at = timeNow());
+
+/// An answer of figures alone, such as a review. `json`: an object with its figures by key, its engine as
+/// `engine_settings`, and the name of its `region`. Empty `baseline`: it compares with none.
+SavedResult makeSavedResult(const Project& project, const std::string& kind, const std::string& scenario,
+                            const std::string& baseline, nlohmann::ordered_json json,
                             std::chrono::sys_seconds at = timeNow());
 
 /// Adds a result to the project; a result of the same name is replaced.

@@ -75,13 +75,11 @@ void ResultDisplay::showAnswered() {
 void ResultDisplay::show() {
     const auto answer = workbench_.answer();
     if (!answer) return showPast();
-    showLayer(viewerOf(*answer).layer(answer), contentOf<Study>(answer) != nullptr);
+    showInView(viewerOf(*answer).layer ? answer : workbench_.behind());
     showFigures(*answer);
     anyShown_ = anyShown_ || answer->question().ofRun;
-    if (const StudySettings* settings = answer->settings()) {
-        settings_ = *settings;
-        places_.warnings.show(answer->warnings());
-    }
+    if (const StudySettings* settings = answer->settings()) settings_ = *settings;
+    if (!answer->isSaved()) places_.warnings.show(answer->warnings());
     update();
 }
 
@@ -93,9 +91,15 @@ void ResultDisplay::showPast() {
         places_.figures.setWarningCount(0);
         return places_.figures.show({}, {});
     }
-    showLayer(outdated(viewerOf(*past).layer(past)), false);
+    const auto layerOf = viewerOf(*past).layer;
+    showLayer(layerOf ? outdated(layerOf(past)) : std::nullopt, false);
     showFigures(*past);
     showOutdated();
+}
+
+void ResultDisplay::showInView(const std::shared_ptr<const Answer>& answer) {
+    if (!answer) return showLayer(std::nullopt, false);
+    showLayer(viewerOf(*answer).layer(answer), contentOf<Study>(answer) != nullptr);
 }
 
 void ResultDisplay::showLayer(const std::optional<AnswerLayer>& layer, bool isStudy) {
@@ -180,6 +184,7 @@ QString ResultDisplay::whyOutdated() const {
             .arg(workbench_.running().busy() ? tr("new figures are being computed")
                                              : tr("run again (Ctrl+R)"));
     const auto answer = workbench_.answer();
+    if (answer && !answer->settings()) return {};
     const StudyDocument& document = workbench_.document();
     const bool samePoints = !answer || !answer->points() || document.elements() == *answer->points();
     if (document.settings() != settings_ || !samePoints)

@@ -53,6 +53,7 @@ private:
     void showAnswered();
     void show();
     void showPast();
+    void showInView(const std::shared_ptr<const Answer>& answer);
     void showLayer(const std::optional<AnswerLayer>& layer, bool isStudy);
     void showFigures(const Answer& answer);
     void followLegend();

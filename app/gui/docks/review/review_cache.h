@@ -22,11 +22,10 @@ class ReviewCache {
 public:
     using Shared = std::shared_ptr<const Answer>;
 
-    Shared add(Answer answer) {
-        std::erase_if(all_, [&](const Shared& old) { return isOfSameCase(old->question, answer.question); });
-        all_.push_back(std::make_shared<const Answer>(std::move(answer)));
+    void add(const Shared& answer) {
+        std::erase_if(all_, [&](const Shared& old) { return isOfSameCase(old->question, answer->question); });
+        all_.push_back(answer);
         if (all_.size() > most) all_.erase(all_.begin());
-        return all_.back();
     }
     void clear() { all_.clear(); }
     [[nodiscard]] bool empty() const { return all_.empty(); }

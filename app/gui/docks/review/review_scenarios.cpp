@@ -68,20 +68,26 @@ void ReviewSession::recall() {
 void ReviewSession::runAll() {
     std::vector<std::string> lacking = comparedScenarios();
     std::erase_if(lacking, [known = latest()](const std::string& name) { return known.contains(name); });
-    auto asked =
-        askAbout<ReviewQuestion>(lacking, [this](const std::string& name) { return questionOf(name); });
+    auto asked = askAbout<Asked>(lacking, [this](const std::string& name) {
+        return questionOf(name).map([this](ReviewQuestion one) { return makeAsked(std::move(one)); });
+    });
     if (asked.questions.empty() && !asked.refused.empty()) return reportAll(asked.refused, asked.count());
-    using Made = std::vector<Result<ReviewAnswer>>;
+    using Shared = std::shared_ptr<const Answer>;
+    using Made = std::vector<Result<Shared>>;
     runningAll_.start<Made>(
         tr("All reviews"),
         [asked](Progress& progress, const std::stop_token& stop) -> Result<Made> {
-            return computeEach<ReviewAnswer>(asked.questions, computeReview, progress, stop);
+            return computeEach<Shared>(asked.questions, reviewQuestion().compute, progress, stop);
         },
         [this, asked](Result<Made> answers) {
             if (!answers) return tell(answers.error());
             const ScenarioErrors errors =
-                adoptEach(*std::move(answers), asked,
-                          [this](ReviewAnswer answer, std::size_t) { cached_.add(std::move(answer)); });
+                adoptEach(*std::move(answers), asked, [this](const Shared& answer, std::size_t) {
+                    const auto review = contentOf<ReviewAnswer>(answer);
+                    cached_.add(review);
+                    workbench_.adopt({review->question.after, review->question.before, answer},
+                                     {.isShown = false});
+                });
             recall();
             Q_EMIT answered();
             reportAll(errors, asked.count());

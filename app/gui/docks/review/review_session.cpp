@@ -33,6 +33,7 @@ ReviewSession::ReviewSession(Workbench& workbench, QObject* parent) : QObject(pa
     });
     connect(&session, &ProjectSession::renamed, this, &ReviewSession::rename);
     connect(&workbench_, &Workbench::cityShown, this, &ReviewSession::cityChanged);
+    connect(&workbench_, &Workbench::answered, this, &ReviewSession::adoptShown);
     connect(&workbench_.document(), &StudyDocument::changed, this, &ReviewSession::answered);
 }
 
@@ -123,20 +124,38 @@ Result<ReviewQuestion> ReviewSession::questionOf(const std::string& scenario) {
                           std::move(places->moved)};
 }
 
-void ReviewSession::run() {
+Asked ReviewSession::makeAsked(ReviewQuestion question) const {
+    return {.review = std::make_shared<const ReviewQuestion>(std::move(question)),
+            .reviewSource = std::make_shared<const ReviewSource>(source())};
+}
+
+// Without being asked by the user, its answer takes the place of an earlier review only.
+void ReviewSession::ask(bool byUser) {
     const auto question = this->question();
     if (!question) return tell(question.error());
-    running_.start<ReviewAnswer>(
+    running_.start<std::shared_ptr<const Answer>>(
         tr("Review"),
-        [question = *question](Progress& progress, std::stop_token stop) {
-            return computeReview(question, progress, std::move(stop));
+        [asked = makeAsked(*question)](Progress& progress, const std::stop_token& stop) {
+            return reviewQuestion().compute(asked, progress, stop);
         },
-        [this](Result<ReviewAnswer> answer) {
+        [this, byUser](Result<std::shared_ptr<const Answer>> answer) {
             if (!answer) return tell(answer.error());
-            answer_ = cached_.add(*std::move(answer));
+            answer_ = contentOf<ReviewAnswer>(*answer);
+            cached_.add(answer_);
             if (!proposed_) live_.reset();
+            const bool isShown = byUser || !workbench_.answer() || workbench_.answerAs<ReviewAnswer>();
+            workbench_.adopt({answer_->question.after, answer_->question.before, *answer}, {byUser, isShown});
             Q_EMIT answered();
         });
+}
+
+// One that was chosen in the list of answers.
+void ReviewSession::adoptShown() {
+    const auto shown = workbench_.answerAs<ReviewAnswer>();
+    if (!shown || shown == answer_) return;
+    answer_ = shown;
+    cached_.add(shown);
+    Q_EMIT answered();
 }
 
 void ReviewSession::estimate() {
@@ -274,7 +293,7 @@ void ReviewSession::cityChanged() {
     Q_EMIT answered();
     if (!answer_ || !following_ || proposed_ || answer_->seconds > quickSeconds) return;
     const auto now = question();
-    if (now && hasFewDays(now->rule) && !isSame(*now, answer_->question)) run();
+    if (now && hasFewDays(now->rule) && !isSame(*now, answer_->question)) ask(false);
 }
 
 QString ReviewSession::whyOutdated() {

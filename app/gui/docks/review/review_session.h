@@ -1,11 +1,11 @@
 #pragma once
 
 // The review of places by the rule of a board (app/questions/review_question.h). ReviewSession holds what is
-// chosen and the latest answer, and runs the jobs; review_choice is the choice as it is saved, review_days
-// what charts of days show.
-// ReviewDock shows it: RuleForm and PlaceList choose, VerdictTable lists verdicts and the numbers behind
-// them, DayPanel and RangePanel draw charts on a ChartWidget. verdict_words has the words and colours of
-// verdicts.
+// chosen, asks for it and hands the answer to the workbench, which shows, lists and saves it as all others;
+// it keeps the latest one for the dock, and the answer for a building that is being shaped. review_choice is
+// the choice as it is saved, review_days what charts of days show. ReviewDock shows it: RuleForm and
+// PlaceList choose, VerdictTable lists verdicts and the numbers behind them, DayPanel and RangePanel draw
+// charts on a ChartWidget. verdict_words has the words and colours of verdicts.
 
 #include <QObject>
 
@@ -48,7 +48,7 @@ public:
     /// The scenarios whose buildings differ from the baseline's.
     [[nodiscard]] std::vector<std::string> comparedScenarios();
 
-    void run();
+    void run() { ask(true); }
     /// Reviews every scenario that latest() lacks.
     void runAll();
     /// By scenario, its latest answer for the chosen rule, baseline and places, where none of them nor the
@@ -92,6 +92,9 @@ Q_SIGNALS:
     void scenarioFailed(std::string scenario, noonmark::Error error);
 
 private:
+    void ask(bool byUser);
+    void adoptShown();
+    [[nodiscard]] Asked makeAsked(ReviewQuestion question) const;
     void reportAll(const ScenarioErrors& errors, std::size_t asked);
     void follow();
     [[nodiscard]] bool isKnownAsQuick() const;

@@ -7,6 +7,7 @@
 #include "app/gui/docks/weights/weights_model.h"
 #include "app/gui/session/workbench.h"
 #include "core/study/provenance/study_hash.h"
+#include "core/study/review_figures.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/scenario_list.h"
 #include "scenarios/weights/score_text.h"
@@ -18,9 +19,7 @@ namespace {
 constexpr std::size_t maxKnown = 192;  // figures, of three kinds; each holds the list of its city's buildings
 
 ScenarioVerdicts countVerdicts(const ReviewAnswer& answer) {
-    ScenarioVerdicts verdicts{answer.question.rule.name, answer.question.from, {}};
-    for (const PlaceReview& place : answer.study.places) verdicts.counts.add(place.verdict);
-    return verdicts;
+    return {answer.question.rule.name, answer.question.from, countVerdicts(answer.study)};
 }
 
 ScenarioVerdicts countVerdicts(const GlazingAnswer& answer) {

@@ -162,7 +162,9 @@ void ResultActions::saveInProject() {
     const auto answer = workbench_.answer();
     const auto nameOf = answer ? viewerOf(*answer).name : nullptr;
     const QString name = nameOf ? nameOf(*answer) : shownText();
-    workbench_.saveAnswer(tr("%1, %2").arg(name, text(formatText(display_.settings().period.start))));
+    const bool hasPeriod = !answer || answer->settings();
+    workbench_.saveAnswer(
+        hasPeriod ? tr("%1, %2").arg(name, text(formatText(display_.settings().period.start))) : name);
 }
 
 }  // namespace noonmark

@@ -67,7 +67,8 @@ void StudyActions::compare() {
 void StudyActions::runAgainIfQuick() {
     if (!display_.anyShown() || mode_.mode() == ViewMode::exploration) return;
     if (workbench_.isAnswered()) return;
-    if (const auto answer = workbench_.answer(); answer && !answer->settings()) return;  // a saved result
+    if (const auto answer = workbench_.answer(); answer && !answer->settings())
+        return;  // a review, or a saved result
     if (workbench_.reading().busy()) return;
     if (workbench_.running().busy()) return;  // the running study already uses the change
     if (workbench_.answerSeconds() < quickSeconds) workbench_.runAgain();

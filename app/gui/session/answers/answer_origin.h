@@ -15,7 +15,7 @@ public:
     [[nodiscard]] const Project& project() const { return project_; }
     /// A saved result states its own origin and stays as it is.
     [[nodiscard]] std::shared_ptr<const Answer> stated(const std::shared_ptr<const Answer>& answer) const {
-        return answer->settings() ? answer->stated(of(answer->part())) : answer;
+        return answer->isSaved() ? answer : answer->stated(of(answer->part()));
     }
     [[nodiscard]] std::shared_ptr<const Study> stated(Study study, const std::string& scenario) const {
         study.provenance = of({scenario, {}, study.settings.region, {}});

@@ -38,8 +38,8 @@ QString listedName(const Answer& answer) {
 const AnswerViewer& viewerOf(const Answer& answer) { return viewerOf(answer.question().key); }
 
 const AnswerViewer& viewerOf(std::string_view question) {
-    static const std::array all{&studyViewer(),  &comparisonViewer(), &scoreViewer(),
-                                &pointsViewer(), &byPlaceViewer(),    &savedViewer()};
+    static const std::array all{&studyViewer(),   &comparisonViewer(), &scoreViewer(),   &pointsViewer(),
+                                &byPlaceViewer(), &reviewViewer(),     &glazingViewer(), &savedViewer()};
     const auto found = std::ranges::find(all, question, &AnswerViewer::question);
     return found == all.end() ? anyViewer : **found;
 }

@@ -21,8 +21,9 @@ struct AnswerNote {
 /// How the window shows the answers to a question. A row of a list; questions that are not in it are shown by
 /// Answer::figures() and field().
 struct AnswerViewer {
-    std::string_view question;                                                  ///< its key; empty: any
-    std::optional<AnswerLayer> (*layer)(const std::shared_ptr<const Answer>&);  ///< none: nothing in the view
+    std::string_view question;  ///< its key; empty: any
+    /// None: nothing in the view. Null: the view shows the answer behind it (Workbench::behind).
+    std::optional<AnswerLayer> (*layer)(const std::shared_ptr<const Answer>&);
     std::vector<ResultRow> (*rows)(const Answer&, ShownAs);
     QString (*title)(const Answer&);  ///< "Tower compared with Existing city"
     /// The name that it is saved under, with its first day; null: the title.
@@ -48,6 +49,8 @@ const AnswerViewer& comparisonViewer();
 const AnswerViewer& scoreViewer();
 const AnswerViewer& pointsViewer();
 const AnswerViewer& byPlaceViewer();
+const AnswerViewer& reviewViewer();
+const AnswerViewer& glazingViewer();
 const AnswerViewer& savedViewer();
 
 }  // namespace noonmark

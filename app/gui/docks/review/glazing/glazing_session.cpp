@@ -11,6 +11,8 @@ namespace noonmark {
 
 namespace {
 
+using Shared = std::shared_ptr<const Answer>;
+
 QString describeForecast(const GlazingForecast& forecast) {
     return QObject::tr("%1 window(s): %2", "", pluralNumber(forecast.windows))
         .arg(formatCount(forecast.windows), describeAbout(forecast.seconds));
@@ -27,6 +29,21 @@ GlazingSession::GlazingSession(Workbench& workbench, ReviewSession& review, QObj
         answer_.reset();
         Q_EMIT answered();
     });
+    connect(&workbench_, &Workbench::answered, this, &GlazingSession::adoptShown);
+}
+
+// One that was chosen in the list of answers.
+void GlazingSession::adoptShown() {
+    const auto shown = workbench_.answerAs<GlazingAnswer>();
+    if (!shown || shown == answer_) return;
+    answer_ = shown;
+    cached_.add(shown);
+    Q_EMIT answered();
+}
+
+Asked GlazingSession::makeAsked(GlazingQuestion question) const {
+    return {.glazing = std::make_shared<const GlazingQuestion>(std::move(question)),
+            .reviewSource = std::make_shared<const ReviewSource>(review_.source())};
 }
 
 bool GlazingSession::applies() const {
@@ -60,14 +77,16 @@ Result<GlazingQuestion> GlazingSession::questionOf(const Result<ReviewedCities>&
 void GlazingSession::run() {
     const auto question = this->question();
     if (!question) return tell(question.error());
-    running_.start<GlazingAnswer>(
+    running_.start<Shared>(
         tr("Review"),
-        [question = *question](Progress& progress, const std::stop_token& stop) {
-            return computeGlazingReview(question, progress, stop);
+        [asked = makeAsked(*question)](Progress& progress, const std::stop_token& stop) {
+            return glazingQuestion().compute(asked, progress, stop);
         },
-        [this](Result<GlazingAnswer> answer) {
+        [this](Result<Shared> answer) {
             if (!answer) return tell(answer.error());
-            answer_ = cached_.add(*std::move(answer));
+            answer_ = contentOf<GlazingAnswer>(*answer);
+            cached_.add(answer_);
+            workbench_.adopt({answer_->question.after, answer_->question.before, *answer}, {});
             Q_EMIT answered();
         });
 }
@@ -87,25 +106,27 @@ std::map<std::string, std::shared_ptr<const GlazingAnswer>> GlazingSession::late
 void GlazingSession::runAll() {
     std::vector<std::string> lacking = review_.comparedScenarios();
     std::erase_if(lacking, [known = latest()](const std::string& name) { return known.contains(name); });
-    auto asked = askAbout<GlazingQuestion>(
-        lacking, [this](const std::string& name) { return questionOf(review_.comparedCities(name)); });
+    auto asked = askAbout<Asked>(lacking, [this](const std::string& name) {
+        return questionOf(review_.comparedCities(name)).map([this](GlazingQuestion one) {
+            return makeAsked(std::move(one));
+        });
+    });
     if (asked.questions.empty() && !asked.refused.empty()) return reportAll(asked.refused, asked.count());
-    using Made = std::vector<Result<GlazingAnswer>>;
+    using Made = std::vector<Result<Shared>>;
     runningAll_.start<Made>(
         tr("All reviews"),
         [asked](Progress& progress, const std::stop_token& stop) -> Result<Made> {
-            return computeEach<GlazingAnswer>(
-                asked.questions,
-                [](const GlazingQuestion& one, Progress& share, const std::stop_token& stopped) {
-                    return computeGlazingReview(one, share, stopped);
-                },
-                progress, stop);
+            return computeEach<Shared>(asked.questions, glazingQuestion().compute, progress, stop);
         },
         [this, asked](Result<Made> answers) {
             if (!answers) return tell(answers.error());
             const ScenarioErrors errors =
-                adoptEach(*std::move(answers), asked,
-                          [this](GlazingAnswer answer, std::size_t) { cached_.add(std::move(answer)); });
+                adoptEach(*std::move(answers), asked, [this](const Shared& answer, std::size_t) {
+                    const auto review = contentOf<GlazingAnswer>(answer);
+                    cached_.add(review);
+                    workbench_.adopt({review->question.after, review->question.before, answer},
+                                     {.isShown = false});
+                });
             Q_EMIT answered();
             reportAll(errors, asked.count());
         });

@@ -52,6 +52,8 @@ Q_SIGNALS:
     void scenarioFailed(std::string scenario, noonmark::Error error);
 
 private:
+    void adoptShown();
+    [[nodiscard]] Asked makeAsked(GlazingQuestion question) const;
     void reportAll(const ScenarioErrors& errors, std::size_t asked);
     void tell(const Error& error);
     [[nodiscard]] Result<GlazingQuestion> questionOf(const Result<ReviewedCities>& cities);

@@ -28,7 +28,8 @@ void VerdictLinks::connectTable() {
 
 // What the user computed or chose last is in front.
 void VerdictLinks::connectOtherResults(Workbench& workbench, ReviewSession& review) {
-    connect(&workbench, &Workbench::answered, &table_, &GlazingPanel::putAway);
+    connect(&workbench, &Workbench::answered, &table_,
+            [this, &workbench] { workbench.answerAs<GlazingAnswer>() ? takeAnswer() : table_.putAway(); });
     connect(&workbench.running(), &JobSlot::started, &table_, &GlazingPanel::putAway);
     for (auto changed : {&ReviewSession::changed, &ReviewSession::answered})
         connect(&review, changed, this, &VerdictLinks::show);
