@@ -21,6 +21,11 @@ const std::vector<KeptContributions>& Answer::ofPlaces() const {
     return none;
 }
 
+Result<std::shared_ptr<const Book>> Answer::layOut(const std::shared_ptr<const City>&,
+                                                   const AnswerFiles&) const {
+    return nullptr;
+}
+
 bool Answer::asksSameAs(const Answer& other) const {
     const MeasuredPart mine = part(), theirs = other.part();
     return &question() == &other.question() && isSame(settings(), other.settings()) &&

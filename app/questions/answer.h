@@ -10,6 +10,7 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <typeinfo>
 #include <vector>
 
@@ -41,6 +42,17 @@ struct AnswerFiles {
     Progress* progress = nullptr;               ///< of the job that writes; null: nobody watches it
     std::stop_token stop{};
 };
+
+/// A book with the values that its pages refer to, which live as long.
+template <class... T>
+std::shared_ptr<const Book> keepWith(Book book, std::shared_ptr<const T>... referredTo) {
+    struct Kept {
+        Book book;
+        std::tuple<std::shared_ptr<const T>...> referredTo;
+    };
+    const auto kept = std::make_shared<const Kept>(Kept{std::move(book), {std::move(referredTo)...}});
+    return {kept, &kept->book};
+}
 
 /// How its book looks, with the legend of its maps.
 inline BookSettings bookOf(const AnswerFiles& how) {
@@ -101,9 +113,10 @@ public:
     [[nodiscard]] virtual SavedResult toSave(const Project& project) const = 0;
     /// All that write() may write: whether region.geojson is among it is known only then.
     [[nodiscard]] virtual std::vector<std::string> fileNames(const AnswerFiles& how) const = 0;
-    /// The pages that write() files where `how.sheets`; none: it files no pages. They refer to the answer and to
-    /// `city`, that of its scenario.
-    [[nodiscard]] virtual std::optional<Book> makeBook(const City&, const AnswerFiles&) const { return {}; }
+    /// The pages that write() files, always or where `how.sheets`, with what they refer to; null: none.
+    /// `city`: of its scenario. Errors of laying out; cancelled().
+    [[nodiscard]] virtual Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>& city,
+                                                                     const AnswerFiles& how) const;
     /// `city`: of its scenario. All files or none. Needs a QGuiApplication (the `offscreen` platform
     /// suffices).
     [[nodiscard]] virtual Result<std::vector<std::filesystem::path>> write(

@@ -100,8 +100,10 @@ public:
         }
         return std::move(files).result();
     }
-    [[nodiscard]] std::optional<Book> makeBook(const City&, const AnswerFiles& how) const override {
-        return makeSunByPlaceBook(content(), bookOf(how), {how.legend, how.thresholdHours});
+    [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
+                                                             const AnswerFiles& how) const override {
+        return keepWith(makeSunByPlaceBook(content(), bookOf(how), {how.legend, how.thresholdHours}),
+                        shared());
     }
 
 private:

@@ -67,8 +67,9 @@ public:
         return writeImpactFiles(content(), {city}, how.scale, folder, how.rules,
                                 how.sheets ? &how.book : nullptr, how.pictureWidth, how.legend);
     }
-    [[nodiscard]] std::optional<Book> makeBook(const City& city, const AnswerFiles& how) const override {
-        return makeImpactBook(content(), {city}, how.scale, how.book, how.legend);
+    [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>& city,
+                                                             const AnswerFiles& how) const override {
+        return keepWith(makeImpactBook(content(), {*city}, how.scale, how.book, how.legend), shared(), city);
     }
 
 private:

@@ -133,6 +133,11 @@ const Question& glazingQuestion() {
     return question;
 }
 
+std::shared_ptr<const Answer> makeAnswer(std::shared_ptr<const GlazingAnswer> review,
+                                         std::shared_ptr<const ReviewSource> source) {
+    return std::make_shared<GlazingVerdictsAnswer>(std::move(review), std::move(source));
+}
+
 bool isSame(const GlazingQuestion& a, const GlazingQuestion& b) {
     return isOfSameCase(a, b) && a.settings.zone == b.settings.zone && a.settings.year == b.settings.year &&
            a.settings.elements == b.settings.elements;

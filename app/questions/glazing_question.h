@@ -21,6 +21,10 @@ struct GlazingAnswer {
     GlazingStudy study;
 };
 
+/// The same as an answer that is shown, listed and exported.
+std::shared_ptr<const Answer> makeAnswer(std::shared_ptr<const GlazingAnswer> review,
+                                         std::shared_ptr<const ReviewSource> source);
+
 /// The file of windows is hashed as it is read. `announce`: see runGlazingReview(). Errors of
 /// runGlazingReview() and of reading.
 Result<GlazingAnswer> computeGlazingReview(const GlazingQuestion& question, Progress& progress,

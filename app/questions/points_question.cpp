@@ -60,8 +60,9 @@ public:
                                                                    const AnswerFiles& how) const override {
         return writeElementFiles(content().study, bookOf(how), folder, how.rules);
     }
-    [[nodiscard]] std::optional<Book> makeBook(const City&, const AnswerFiles& how) const override {
-        return makeElementBook(content().study, content().map, bookOf(how));
+    [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
+                                                             const AnswerFiles& how) const override {
+        return keepWith(makeElementBook(content().study, content().map, bookOf(how)), shared());
     }
 
 private:

@@ -1,6 +1,7 @@
 #include "app/questions/review_question.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "app/questions/saved_question.h"
 #include "app/report/files/review_files.h"
@@ -13,6 +14,7 @@
 #include "core/study/provenance/provenance.h"
 #include "core/study/review_figures.h"
 #include "core/study/text/review_text.h"
+#include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_provenance.h"
 #include "scenarios/project/results/save_result.h"
 #include "scenarios/project/rule_parcels.h"
@@ -77,7 +79,9 @@ public:
     [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance provenance) const override {
         auto source = std::make_shared<ReviewSource>(*source_);
         source->stated = std::move(provenance);
-        return std::make_shared<PlacesAnswer>(shared(), std::move(source));
+        auto answer = std::make_shared<PlacesAnswer>(shared(), std::move(source));
+        answer->forFiles_ = forFiles_;
+        return answer;
     }
 
     [[nodiscard]] AnswerPage page(ShownAs) const override {
@@ -115,18 +119,41 @@ public:
         ProgressShare layingOut(progress, 0, 2), writing(progress, 1, 2);
         if (const auto may = checkOutputs(folder, reviewFileNames(), how.rules); !may)
             return tl::make_unexpected(may.error());
-        const auto sheets = layOutReview(asked(), source, nullptr, bookOf(how), layingOut, how.stop);
+        const auto sheets = makeSheets(how, layingOut);
         if (!sheets) return tl::make_unexpected(sheets.error());
         return writeReview(asked(), source, **sheets, folder, false, writing, how.stop);
     }
+    [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
+                                                             const AnswerFiles& how) const override {
+        NoProgress quiet;
+        return makeSheets(how, how.progress ? *how.progress : quiet)
+            .map([](const std::shared_ptr<const ReviewSheets>& sheets) {
+                return std::shared_ptr<const Book>(sheets, &sheets->book);
+            });
+    }
 
 private:
+    /// The review as files state it takes long; it is computed when the first of them is laid out.
+    struct ForFiles {
+        std::mutex mutex;
+        std::shared_ptr<const ReviewStudy> study;
+    };
+
+    [[nodiscard]] Result<std::shared_ptr<const ReviewSheets>> makeSheets(const AnswerFiles& how,
+                                                                         Progress& progress) const {
+        const std::lock_guard lock(forFiles_->mutex);
+        auto sheets = layOutReview(asked(), *source_, forFiles_->study, bookOf(how), progress, how.stop);
+        if (sheets) forFiles_->study = (*sheets)->study;
+        return sheets;
+    }
+
     [[nodiscard]] const ReviewQuestion& asked() const { return content().question; }
     [[nodiscard]] nlohmann::ordered_json makeJson() const {
         return reviewJson(content().study, labelsOf(asked(), *source_, {}));
     }
 
     std::shared_ptr<const ReviewSource> source_;
+    std::shared_ptr<ForFiles> forFiles_ = std::make_shared<ForFiles>();
 };
 
 Result<std::shared_ptr<const Answer>> computePlaces(const Asked& asked, Progress& progress,
@@ -161,6 +188,11 @@ const Question& reviewQuestion() {
                                    .saved = SavedForm{.page = pageOfSavedReview},
                                    .figures = placeVerdictFigures().rows()};
     return question;
+}
+
+std::shared_ptr<const Answer> makeAnswer(std::shared_ptr<const ReviewAnswer> review,
+                                         std::shared_ptr<const ReviewSource> source) {
+    return std::make_shared<PlacesAnswer>(std::move(review), std::move(source));
 }
 
 Provenance provenanceOf(const ReviewSource& source, const ReviewedCities& cities) {

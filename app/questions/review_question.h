@@ -69,6 +69,10 @@ struct ReviewAnswer {
     [[nodiscard]] const Place& placeOf(std::size_t review) const;
 };
 
+/// The same as an answer that is shown, listed and exported.
+std::shared_ptr<const Answer> makeAnswer(std::shared_ptr<const ReviewAnswer> review,
+                                         std::shared_ptr<const ReviewSource> source);
+
 /// What reviewQuestion() computes, for use without an Answer. Errors of runReview().
 Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& progress, std::stop_token stop);
 

@@ -66,8 +66,9 @@ public:
         return writeScoreFiles(content(), {city}, folder, how.rules, how.sheets ? &how.book : nullptr,
                                how.pictureWidth, how.legend);
     }
-    [[nodiscard]] std::optional<Book> makeBook(const City& city, const AnswerFiles& how) const override {
-        return makeScoreBook(content(), {city}, how.book, how.legend);
+    [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>& city,
+                                                             const AnswerFiles& how) const override {
+        return keepWith(makeScoreBook(content(), {*city}, how.book, how.legend), shared(), city);
     }
 
 private:

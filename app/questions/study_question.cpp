@@ -75,8 +75,9 @@ public:
                                                                    const AnswerFiles& how) const override {
         return writeStudyFiles(content(), folder, optionsOf(how));
     }
-    [[nodiscard]] std::optional<Book> makeBook(const City&, const AnswerFiles& how) const override {
-        return makeStudyBook(content(), bookOf(how));
+    [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
+                                                             const AnswerFiles& how) const override {
+        return keepWith(makeStudyBook(content(), bookOf(how)), shared());
     }
 
 private:

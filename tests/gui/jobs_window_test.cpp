@@ -17,7 +17,6 @@
 
 #include "app/gui/docks/export/export_dialog.h"
 #include "app/gui/docks/review/review_dock.h"
-#include "app/gui/docks/sheets/sheets_dialog.h"
 #include "app/gui/frame/main_window.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "core/samples/sample_city.h"
@@ -119,6 +118,9 @@ struct WholeJob : ::testing::Test {
     }
     void exportShown() {
         trigger("Ctrl+E");
+        writeExport();
+    }
+    void writeExport() {
         auto* dialog = window->findChild<ExportDialog*>();
         ASSERT_NE(dialog, nullptr) << message();
         dialog->findChild<QLineEdit*>(QStringLiteral("exportFolder"))->setText(out);
@@ -193,12 +195,7 @@ TEST_F(WholeJob, ABoardLeavesWithVerdictsThatCanBeRepeated) {
     const ReviewTotals first = window->review().shown()->study.places.at(0).totals;
     EXPECT_GT(first.incrementalM2h, 0) << "the shadow reaches the lawn";
     push("exportReview");
-    auto& sheets = *window->findChild<SheetsDialog*>();
-    ASSERT_TRUE(waitFor([&] { return !sheets.busy(); }, 240000));
-    sheets.write(out);
-    ASSERT_TRUE(
-        waitFor([&] { return !sheets.busy() && QFile::exists(out + QStringLiteral("/sheets.pdf")); }, 240000))
-        << message();
+    writeExport();
     EXPECT_TRUE(contentOf("sheets.pdf").startsWith("%PDF"));
     saveAndStartAgain();
     window->review().run();

@@ -9,13 +9,13 @@
 #include <QTabWidget>
 #include <QUndoStack>
 
+#include "app/gui/docks/export/export_dialog.h"
 #include "app/gui/docks/review/day_panel.h"
 #include "app/gui/docks/review/range_panel.h"
 #include "app/gui/docks/review/review_dock.h"
 #include "app/gui/docks/review/verdict_table.h"
 #include "app/gui/docks/sheets/book_view.h"
 #include "app/gui/docks/sheets/sheet_form.h"
-#include "app/gui/docks/sheets/sheets_dialog.h"
 #include "app/report/files/review_files.h"
 #include "core/engines/auto_engine.h"
 #include "tests/gui/project_window.h"
@@ -264,14 +264,14 @@ struct SheetsWindow : ReviewWindow {
     }
     QPushButton& exportButton() { return *dock().findChild<QPushButton*>(QStringLiteral("exportReview")); }
     QUndoStack& undo() { return workbench().document().undoStack(); }
-    SheetsDialog& showSheets() {
+    ExportDialog& showSheets() {
         run();
         exportButton().click();
-        auto& sheets = *window->findChild<SheetsDialog*>();
+        auto& sheets = *window->findChild<ExportDialog*>();
         EXPECT_TRUE(waitFor([&] { return !sheets.busy() && !sheets.pages().picture().isNull(); }));
         return sheets;
     }
-    void edit(SheetsDialog& sheets, const char* field, const QString& text) {
+    void edit(ExportDialog& sheets, const char* field, const QString& text) {
         auto* line = sheets.findChild<QLineEdit*>(QString::fromLatin1(field));
         line->setText(text);
         Q_EMIT line->editingFinished();
@@ -282,17 +282,19 @@ struct SheetsWindow : ReviewWindow {
 TEST_F(SheetsWindow, AReviewThatWasNotRunHasNone) {
     ASSERT_TRUE(QMetaObject::invokeMethod(&dock(), "exportRequested"));
     EXPECT_TRUE(message().contains(QStringLiteral("no review to export"))) << message().toStdString();
-    EXPECT_EQ(window->findChild<SheetsDialog*>(), nullptr);
+    EXPECT_EQ(window->findChild<ExportDialog*>(), nullptr);
 }
 
 TEST_F(SheetsWindow, PagesAreShownAndTheFilesAreThoseOfTheCommandLine) {
-    SheetsDialog& sheets = showSheets();
+    ExportDialog& sheets = showSheets();
     const QImage first = sheets.pages().picture();
     sheets.pages().showPage(1);
     ASSERT_TRUE(waitFor([&] { return !sheets.pages().picture().isNull(); }));
     EXPECT_NE(sheets.pages().picture(), first);
-    sheets.write(folder.filePath(QStringLiteral("out")));
-    ASSERT_TRUE(waitFor([&] { return !sheets.busy(); }));
+    sheets.findChild<QLineEdit*>(QStringLiteral("exportFolder"))
+        ->setText(folder.filePath(QStringLiteral("out")));
+    sheets.findChild<QPushButton*>(QStringLiteral("exportWrite"))->click();
+    ASSERT_TRUE(waitFor([&] { return !workbench().writing().busy(); }));
     for (const std::string& name : reviewFileNames())
         EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("out/") + QString::fromStdString(name))))
             << name;
@@ -301,7 +303,7 @@ TEST_F(SheetsWindow, PagesAreShownAndTheFilesAreThoseOfTheCommandLine) {
 }
 
 TEST_F(SheetsWindow, TheTitleBlockIsSavedInTheProjectAndCanBeUndone) {
-    SheetsDialog& sheets = showSheets();
+    ExportDialog& sheets = showSheets();
     const QImage before = sheets.pages().picture();
     edit(sheets, "client", QStringLiteral("City of Rotterdam"));
     EXPECT_EQ(session().project().sheets.titleBlock.client, "City of Rotterdam");
@@ -314,7 +316,7 @@ TEST_F(SheetsWindow, TheTitleBlockIsSavedInTheProjectAndCanBeUndone) {
 }
 
 TEST_F(SheetsWindow, PaperAndScaleAreThoseChosen) {
-    SheetsDialog& sheets = showSheets();
+    ExportDialog& sheets = showSheets();
     BookSettings settings = sheets.form().settings();
     settings.setup = {Paper::a3, true};
     settings.scale = 1250;
@@ -328,12 +330,13 @@ TEST_F(SheetsWindow, PaperAndScaleAreThoseChosen) {
 }
 
 TEST_F(SheetsWindow, HowMuchTheyHoldIsThatChosen) {
-    SheetsDialog& sheets = showSheets();
+    ExportDialog& sheets = showSheets();
     EXPECT_FALSE(sheets.form().settings().allPages);
     BookSettings settings = sheets.form().settings();
     settings.allPages = true;
     settings.leastPlaceM2 = 250;
     sheets.form().show(settings);
+    EXPECT_TRUE(sheets.findChild<QWidget*>(QStringLiteral("all-pages"))->isVisible());
     EXPECT_TRUE(sheets.form().settings().allPages);
     EXPECT_EQ(sheets.form().settings().leastPlaceM2, 250);
 }

@@ -93,15 +93,14 @@ MainWindow::MainWindow(QSettings& settings)
                {panel_->results(), *docks_.results, *docks_.elements, *docks_.warnings,
                 docks_.scenarios->table(), panel_->legend()}),
       placeLinks_(workbench_, display_, *docks_.places, *panel_),
-      results_(workbench_, mode_, display_, *panel_, *docks_.project, review_, glazingReview_, *this),
+      results_(workbench_, mode_, display_, *panel_, *docks_.project, *this),
       copying_(results_, *docks_.results, *panel_),
       movies_(workbench_, *panel_, *this),
       study_(workbench_, mode_, display_, *panel_),
       region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
       places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
       photograph_(workbench_, panel_->messages(), *this),
-      reviews_(workbench_, review_, glazingReview_, *docks_.review, tools_.context().preview, places_,
-               *panel_, settings, *this),
+      reviews_(review_, glazingReview_, *docks_.review, tools_.context().preview, places_, *panel_),
       answers_({workbench_, review_, glazingReview_, docks_.weights->model()}, docks_.scenarios->table()),
       scenarios_(workbench_, answers_, *docks_.project, *docks_.scenarios),
       edits_(workbench_, tools_, mode_, *panel_),
@@ -212,7 +211,7 @@ void MainWindow::connectJobs() {
     connect(&places_, &PlaceActions::photographDropped, &photograph_, [this](const QString& file) {
         photograph_.set(GroundPictureFile{file.toStdString(), {}, {}});
     });
-    connect(&results_, &ResultActions::sheetsWanted, reviews_.sheetsAction(), &QAction::trigger);
+    connect(&reviews_, &ReviewActions::exportWanted, &results_, &ResultActions::askForExport);
     connect(&tools_.building(), &BuildingEditing::selectionChanged, docks_.review, [this] {
         const BuildingEditing& building = tools_.building();
         docks_.review->setSelectedBuilding(building.selected() ? QString::fromStdString(building.id())

@@ -65,8 +65,8 @@ ScenarioStudies Workbench::scenariosToShow() {
 }
 
 Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
-    return [measured = scenariosToShow(), origin = AnswerOrigin(session_),
-            how = withProject(choice)](const auto& folder, auto&&...) {
+    return [measured = scenariosToShow(), origin = AnswerOrigin(session_), how = withProject(choice)](
+               const auto& folder, auto&&...) {
         ScenarioStudies stated = measured;
         for (ScenarioStudy& one : stated) one.study = origin.stated(*one.study, one.name);
         return writeScenarioFiles(stated, bookOf(how), folder, how.rules);
@@ -99,30 +99,23 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
     return list;
 }
 
-// Pages refer to what they are made of.
 MakeSheets Workbench::sheetsOf(const ExportChoice& choice) {
+    using Sheets = Result<std::shared_ptr<const Book>>;
     if (choice.subject == ExportChoice::Subject::scenarios)
         return [measured = std::make_shared<const ScenarioStudies>(scenariosToShow()),
-                book = bookOf(withProject(choice))]() -> std::shared_ptr<const Book> {
-            auto held = std::make_shared<std::pair<std::shared_ptr<const ScenarioStudies>, Book>>(
-                measured, makeScenarioBook(*measured, book));
-            return {held, &held->second};
+                book = bookOf(withProject(choice))](Progress&, const std::stop_token&) -> Sheets {
+            return keepWith(makeScenarioBook(*measured, book), measured);
         };
     ExportChoice other = choice;
     other.sheets = !other.sheets;
     const bool areFiled = choice.sheets || filesOf(choice) == filesOf(other);
     if (choice.subject != ExportChoice::Subject::shown || !answer() || !areFiled) return {};
-    return [answer = answer(), city = session_.city(),
-            how = withProject(choice)]() -> std::shared_ptr<const Book> {
-        std::optional<Book> book = answer->makeBook(*city, how);
-        if (!book) return nullptr;
-        struct Held {
-            std::shared_ptr<const Answer> answer;
-            std::shared_ptr<const City> city;
-            Book book;
-        };
-        auto held = std::make_shared<Held>(Held{answer, city, *std::move(book)});
-        return {held, &held->book};
+    return [answer = answer(), city = session_.city(), origin = AnswerOrigin(session_),
+            how = withProject(choice)](Progress& progress, const std::stop_token& stop) -> Sheets {
+        AnswerFiles watched = how;
+        watched.progress = &progress;
+        watched.stop = stop;
+        return origin.stated(answer)->layOut(city, watched);
     };
 }
 

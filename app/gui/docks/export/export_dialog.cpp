@@ -17,9 +17,9 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/progress_strip.h"
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/sheets/book_view.h"
-#include "app/gui/docks/sheets/page_settings.h"
 #include "app/gui/docks/sheets/sheet_form.h"
 #include "app/gui/session/project/project_session.h"
 
@@ -68,7 +68,7 @@ ExportDialog::ExportDialog(const ExportChoice& first, const QString& folder, Sou
       source_(std::move(source)),
       session_(session),
       subject_(new QComboBox),
-      form_(new SheetForm(SheetForm::Of::answer)),
+      form_(new SheetForm),
       pages_(new BookView),
       folder_(new QLineEdit(folder)) {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -153,10 +153,13 @@ QLayout* ExportDialog::makeFoot() {
     message_ = new QLabel;
     message_->setObjectName(QStringLiteral("exportMessage"));
     message_->setWordWrap(true);
-    withProject_ = makeCheck(tr("With the project"), "exportWithProject",
-                             tr("Puts a copy of the project's file into the folder, so that the result can be "
-                                "verified from there"),
-                             first_.withProject);
+    progress_ = new ProgressStrip(QBoxLayout::LeftToRight);
+    progress_->follow(laying_);
+    withProject_ =
+        makeCheck(tr("With the project"), "exportWithProject",
+                  tr("Puts a copy of the project's file into the folder, so that the result can be "
+                     "verified from there"),
+                  first_.withProject);
     write_ = pushButton(tr("Export"), "exportWrite", {});
     openFolder_ = pushButton(tr("Open folder"), "exportOpenFolder", tr("Shows the written files"));
     openFolder_->setEnabled(false);
@@ -167,6 +170,7 @@ QLayout* ExportDialog::makeFoot() {
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     auto* foot = new QHBoxLayout;
     foot->addWidget(message_, 1);
+    foot->addWidget(progress_, 1);
     for (QWidget* field : std::initializer_list<QWidget*>{withProject_, write_, openFolder_, close})
         foot->addWidget(field);
     return foot;
@@ -189,7 +193,10 @@ void ExportDialog::showWritten(const QString& folder) {
     openFolder_->setEnabled(true);
 }
 
-void ExportDialog::showError(const Error& error) { message_->setText(describeError(error)); }
+void ExportDialog::showError(const Error& error) {
+    message_->setText(isCancelled(error) ? tr("Cancelled. Any change lays the sheets out again.")
+                                         : describeError(error));
+}
 
 ExportChoice ExportDialog::choice() const {
     ExportChoice choice = first_;
@@ -207,22 +214,20 @@ QString ExportDialog::folder() const { return QDir::cleanPath(folder_->text().tr
 // The fields that matter for the subject: those whose files come and go with them.
 void ExportDialog::update() {
     const ExportChoice now = choice();
-    const bool isReview = now.subject == ExportChoice::Subject::review;
     const QStringList names = source_.files(now);
     const auto differs = [&](bool ExportChoice::*field) {
         ExportChoice other = now;
         other.*field = !(other.*field);
         return source_.files(other) != names;
     };
-    files_->setText(isReview ? tr("The sheets are shown first") : names.join(QStringLiteral(", ")));
+    files_->setText(names.join(QStringLiteral(", ")));
     cells_->setEnabled(differs(&ExportChoice::cells));
     sheets_->setEnabled(differs(&ExportChoice::sheets));
     const bool hasPicture = names.join(QLatin1Char(' ')).contains(QStringLiteral(".png"));
     for (QWidget* field : std::initializer_list<QWidget*>{width_, pixels_}) field->setEnabled(hasPicture);
-    folder_->setEnabled(!isReview);
-    withProject_->setEnabled(!isReview && session_.file().has_value());
-    write_->setText(isReview ? tr("Show the sheets") : tr("Export"));
-    write_->setEnabled(isReview || !folder_->text().trimmed().isEmpty());
+    form_->offerExtent(source_.isReview(now));
+    withProject_->setEnabled(session_.file().has_value());
+    write_->setEnabled(!folder_->text().trimmed().isEmpty());
     soon_.start();
 }
 
@@ -232,8 +237,12 @@ void ExportDialog::takeForm() {
     if (chosen == shown_) return;
     if (!(chosen.setup == shown_.setup)) Q_EMIT setupChosen(chosen.setup);
     shown_ = chosen;
-    saveTitleBlock(chosen, session_);
     soon_.start();
+    Project next = session_.project();
+    const SheetSettings sheets{chosen.titleBlock, chosen.units};
+    if (next.sheets == sheets) return;
+    next.sheets = sheets;
+    session_.change(std::move(next), tr("Title block"));
 }
 
 void ExportDialog::showProject() {
@@ -251,10 +260,10 @@ void ExportDialog::layOut() {
         return showSheets(nullptr);
     }
     using Sheets = std::shared_ptr<const Book>;
-    laying_.start<Sheets>(
-        tr("Laying out the sheets"),
-        [make](Progress&, const std::stop_token&) -> Result<Sheets> { return make(); },
-        [this](const Result<Sheets>& sheets) { showSheets(sheets.value_or(nullptr)); });
+    laying_.start<Sheets>(tr("Laying out the sheets"), make, [this](const Result<Sheets>& sheets) {
+        if (sheets) return showSheets(*sheets);
+        showError(sheets.error());
+    });
 }
 
 void ExportDialog::showSheets(const std::shared_ptr<const Book>& book) {

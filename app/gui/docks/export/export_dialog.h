@@ -19,12 +19,13 @@ class QSpinBox;
 namespace noonmark {
 
 class BookView;
+class ProgressStrip;
 class ProjectSession;
 class SheetForm;
 
 /// Asks what to export, how, and to which folder; lists the files that will be written and shows the sheets
-/// among them. Title block and units of sheets are the project's: to change them is an undo step. Stays open,
-/// so that the written files can be looked at. Not modal.
+/// among them, page by page as they will be printed. Title block and units of sheets are the project's: to
+/// change them is an undo step. Stays open, so that the written files can be looked at. Not modal.
 class ExportDialog final : public QDialog {
     Q_OBJECT
 public:
@@ -38,6 +39,8 @@ public:
         std::function<QStringList(const ExportChoice&)> files;
         /// What makes the sheets that a choice writes, on any thread; empty: it writes none.
         std::function<MakeSheets(const ExportChoice&)> sheets;
+        /// Whether the sheets are those of a review of places, which may be many.
+        std::function<bool(const ExportChoice&)> isReview;
     };
 
     /// `first`: what the fields begin with. `session` must outlive the dialog.
@@ -51,6 +54,7 @@ public:
 
     [[nodiscard]] ExportChoice choice() const;
     [[nodiscard]] QString folder() const;
+    [[nodiscard]] SheetForm& form() { return *form_; }
     [[nodiscard]] BookView& pages() { return *pages_; }
     /// The sheets are being laid out, or soon will be.
     [[nodiscard]] bool busy() const { return soon_.isActive() || laying_.busy(); }
@@ -86,6 +90,7 @@ private:
     QLabel* files_;
     QLineEdit* folder_;
     QLabel* message_;
+    ProgressStrip* progress_;
     QCheckBox* withProject_;
     QPushButton* write_;
     QPushButton* openFolder_;  // the one that was written last

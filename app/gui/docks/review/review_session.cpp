@@ -224,6 +224,12 @@ Result<std::shared_ptr<const ReviewAnswer>> ReviewSession::finished() const {
     return answer_;
 }
 
+Result<void> ReviewSession::showFinished() {
+    return finished().and_then([this](const std::shared_ptr<const ReviewAnswer>& answer) {
+        return showReview(workbench_, answer, source());
+    });
+}
+
 void ReviewSession::setFollowing(bool following) {
     following_ = following;
     if (following) follow();

@@ -12,13 +12,13 @@
 #include "app/gui/base/jobs/job_slot.h"
 #include "app/gui/docks/review/review_cache.h"
 #include "app/gui/docks/review/review_choice.h"
+#include "app/gui/session/workbench.h"
 #include "app/questions/review_question.h"
 #include "core/review/library/rule_library.h"
 #include "scenarios/project/rule_parcels.h"
 
 namespace noonmark {
 
-class Workbench;
 enum class ProjectPart;
 
 /// The review of the open project: the choice, its answer, and the answer for the building that is being
@@ -59,6 +59,8 @@ public:
     void estimate();
     /// The answer that can be exported. Error: why there is none, and what to do.
     [[nodiscard]] Result<std::shared_ptr<const ReviewAnswer>> finished() const;
+    /// Displays finished() as the answer that is exported. Its errors; its buildings have changed since.
+    [[nodiscard]] Result<void> showFinished();
 
     [[nodiscard]] bool isShaping() const { return proposed_ != nullptr; }
     /// The building being shaped changed: the displayed city with it; null: nothing is being shaped. While
@@ -127,5 +129,18 @@ private:
     JobSlot followed_;
     JobSlot estimating_;
 };
+
+/// Displays a review that a dock shows, so that it can be exported. Error: its buildings have changed since.
+template <class Review>
+Result<void> showReview(Workbench& workbench, const std::shared_ptr<const Review>& review,
+                        const ReviewSource& source) {
+    if (workbench.answerAs<Review>() == review) return {};
+    const auto& asked = review->question;
+    workbench.adopt(
+        {asked.after, asked.before, makeAnswer(review, std::make_shared<const ReviewSource>(source))},
+        {.isWork = false});
+    if (workbench.answerAs<Review>() == review) return {};
+    return failure("The buildings have changed since this review", asked.to, "Run the review again");
+}
 
 }  // namespace noonmark

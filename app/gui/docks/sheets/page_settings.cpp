@@ -1,10 +1,7 @@
 #include "app/gui/docks/sheets/page_settings.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QSettings>
-
-#include "app/gui/session/project/project_session.h"
 
 namespace noonmark {
 
@@ -23,14 +20,6 @@ PageSetup readPageSetup(const QSettings& settings) {
 void savePageSetup(const PageSetup& setup, QSettings& settings) {
     settings.setValue(paperKey, QString::fromStdString(std::string(nameOf(setup.paper))));
     settings.setValue(landscapeKey, setup.landscape);
-}
-
-void saveTitleBlock(const BookSettings& chosen, ProjectSession& session) {
-    Project next = session.project();
-    const SheetSettings sheets{chosen.titleBlock, chosen.units};
-    if (next.sheets == sheets) return;
-    next.sheets = sheets;
-    session.change(std::move(next), QCoreApplication::translate("noonmark::SheetsDialog", "Title block"));
 }
 
 }  // namespace noonmark

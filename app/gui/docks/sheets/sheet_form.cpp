@@ -26,6 +26,7 @@ namespace {
 
 constexpr std::array offeredScales{500, 1000, 1250, 2000, 2500, 5000};
 constexpr int logoHeightPx = 36;
+constexpr std::array<std::string_view, 2> extentFlags{"--all-pages", "--least-place"};
 
 QString scaleText(double scale) { return QStringLiteral("1:%1").arg(scale, 0, 'g', 10); }
 
@@ -33,9 +34,8 @@ QString nameIn(std::string_view name) { return QString::fromUtf8(name.data(), qs
 
 }  // namespace
 
-SheetForm::SheetForm(Of of, QWidget* parent)
+SheetForm::SheetForm(QWidget* parent)
     : QWidget(parent),
-      of_(of),
       title_(new FieldRows(titleFields().rows(), this)),
       extent_(new FieldRows(extentFields().rows(), this)) {
     auto* column = new QVBoxLayout(this);
@@ -52,7 +52,12 @@ SheetForm::SheetForm(Of of, QWidget* parent)
     column->addStretch();
 }
 
+void SheetForm::offerExtent(bool offered) {
+    for (const std::string_view flag : extentFlags) page_->setRowVisible(extent_->widget(flag), offered);
+}
+
 void SheetForm::makePaper(QFormLayout& form) {
+    page_ = &form;
     paper_ = addList(form, tr("Paper"), "sheetPaper", {});
     for (const Paper paper : papers) paper_->addItem(nameIn(nameOf(paper)), int(paper));
     orientation_ = addList(form, tr("Orientation"), "sheetOrientation", {});
@@ -72,7 +77,7 @@ void SheetForm::makePaper(QFormLayout& form) {
     units_ = addList(form, tr("Units"), "sheetUnits", tr("Of areas, lengths and heights"));
     for (const KeyedLabel& choice : std::ranges::find(sheetFields().rows(), "--units", &Field::flag)->choices)
         units_->addItem(translated(choice.label), int(*parseUnitSystem(choice.key)));
-    if (of_ == Of::review) extent_->addRows(form, {"--all-pages", "--least-place"});
+    extent_->addRows(form, {extentFlags[0], extentFlags[1]});
     connect(extent_, &FieldRows::edited, this, &SheetForm::edited);
 }
 
@@ -121,7 +126,7 @@ void SheetForm::show(const BookSettings& settings) {
     scale_->setCurrentText(settings.scale ? scaleText(*settings.scale) : scale_->itemText(0));
     units_->setCurrentIndex(units_->findData(int(settings.units)));
     title_->show(titleFields().of(settings.titleBlock));
-    if (of_ == Of::review) extent_->show(extentFields().of(settings));
+    extent_->show(extentFields().of(settings));
     logo_ = settings.titleBlock.logo;
     showLogo();
 }
@@ -135,7 +140,7 @@ BookSettings SheetForm::settings() const {
     if (isNumber) settings.scale = std::clamp(scale, BookSettings::minScale, BookSettings::maxScale);
     settings.units = UnitSystem(units_->currentData().toInt());
     title_->take(titleFields().of(settings.titleBlock));
-    if (of_ == Of::review) extent_->take(extentFields().of(settings));
+    extent_->take(extentFields().of(settings));
     settings.titleBlock.logo = logo_;
     return settings;
 }

@@ -17,11 +17,10 @@ class FieldRows;
 class SheetForm final : public QWidget {
     Q_OBJECT
 public:
-    enum class Of {
-        answer,
-        review,  ///< its book may have many pages: what it holds is asked for, too
-    };
-    explicit SheetForm(Of of, QWidget* parent = nullptr);
+    explicit SheetForm(QWidget* parent = nullptr);
+
+    /// Whether the sheets may be many, so that what they hold is asked for.
+    void offerExtent(bool offered);
 
     void show(const BookSettings& settings);  ///< without a signal
     /// The fields' values; an empty date stays empty.
@@ -42,7 +41,7 @@ private:
     void askForLogo();
     void showLogo();
 
-    Of of_;
+    QFormLayout* page_;  // the rows of the paper
     QComboBox *paper_, *orientation_, *scale_, *units_;
     FieldRows* title_;
     FieldRows* extent_;

@@ -8,12 +8,12 @@
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
-#include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/mode_switch.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/time/time_strip.h"
+#include "app/questions/review_question.h"
 #include "app/report/sheets/period_words.h"
 #include "core/study/contributions/place_contributions.h"
 
@@ -26,8 +26,7 @@ QString text(const std::string& name) { return QString::fromStdString(name); }
 }  // namespace
 
 ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const ResultDisplay& display,
-                             ViewPanel& panel, ProjectDock& tree, ReviewSession& review,
-                             GlazingSession& glazingReview, QWidget& window)
+                             ViewPanel& panel, ProjectDock& tree, QWidget& window)
     : workbench_(workbench),
       mode_(mode),
       display_(display),
@@ -40,9 +39,7 @@ ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const
                             "tables and JSON"),
                          "export")),
       saveResult_(makeAction(this, tr("&Save result"), {},
-                             tr("Stores the displayed map and figures in the project"))),
-      review_(review),
-      glazingReview_(glazingReview) {
+                             tr("Stores the displayed map and figures in the project"))) {
     connect(savePicture_, &QAction::triggered, this, [this] { savePicture(askForPicture(&window_)); });
     export_->setObjectName(QStringLiteral("exportResults"));
     connect(export_, &QAction::triggered, this, &ResultActions::askForExport);
@@ -93,8 +90,6 @@ std::vector<ExportDialog::Subject> ResultActions::exportSubjects() const {
         subjects.push_back(
             {Subject::scenarios, tr("All %1 scenario(s) measured", "", pluralNumber(measured.size()))
                                      .arg(formatCount(measured.size()))});
-    if (glazingReview_.applies() ? glazingReview_.finished().has_value() : review_.finished().has_value())
-        subjects.push_back({Subject::review, tr("Review: sheets, tables and drawings")});
     return subjects;
 }
 
@@ -113,7 +108,10 @@ void ResultActions::makeExportDialog() {
     dialog_ = new ExportDialog(
         last_, lastFolder_,
         {[this](const ExportChoice& choice) { return workbench_.filesOf(drawn(choice)); },
-         [this](const ExportChoice& choice) { return workbench_.sheetsOf(drawn(choice)); }},
+         [this](const ExportChoice& choice) { return workbench_.sheetsOf(drawn(choice)); },
+         [this](const ExportChoice& choice) {
+             return choice.subject == ExportChoice::Subject::shown && workbench_.answerAs<ReviewAnswer>();
+         }},
         workbench_.session(), &window_);
     connect(dialog_, &ExportDialog::chosen, this, &ResultActions::exportTo);
     connect(dialog_, &ExportDialog::setupChosen, this, &ResultActions::setupChosen);
@@ -140,7 +138,6 @@ ExportChoice ResultActions::drawn(ExportChoice choice) const {
 void ResultActions::exportTo(const ExportChoice& chosen, const QString& folder) {
     const ExportChoice choice = drawn(chosen);
     last_ = choice;
-    if (choice.subject == ExportChoice::Subject::review) return Q_EMIT sheetsWanted();
     lastFolder_ = folder;
     if (mayReplace(&window_, folder, workbench_.filesInTheWay(folder.toStdString(), choice)))
         workbench_.exportShown(folder.toStdString(), choice);

@@ -14,8 +14,6 @@ namespace noonmark {
 
 class ModeSwitch;
 class ProjectDock;
-class ReviewSession;
-class GlazingSession;
 class ResultDisplay;
 class ViewPanel;
 class Workbench;
@@ -27,8 +25,7 @@ class ResultActions final : public QObject {
 public:
     /// Dialogs belong to `window`. All must outlive this object.
     ResultActions(Workbench& workbench, const ModeSwitch& mode, const ResultDisplay& display,
-                  ViewPanel& panel, ProjectDock& tree, ReviewSession& review, GlazingSession& glazingReview,
-                  QWidget& window);
+                  ViewPanel& panel, ProjectDock& tree, QWidget& window);
 
     [[nodiscard]] QList<QAction*> fileActions() const { return {savePicture_, export_}; }
     [[nodiscard]] QAction* saveResult() const { return saveResult_; }
@@ -36,17 +33,17 @@ public:
 
     void savePicture(const QString& file);  ///< format by the file extension, PNG by default
     void copyPicture();                     ///< to the clipboard
+    /// Opens the dialog of export. Without anything to export, the message bar says why.
+    void askForExport();
     void usePaper(const PageSetup& setup) {
         last_.book.setup = setup;
     }  ///< of sheets, until another is chosen
 
 Q_SIGNALS:
-    void sheetsWanted();  ///< of the review
     void setupChosen(const noonmark::PageSetup& setup);
 
 private:
     void takePicture(std::function<void(const QImage&)> done);
-    void askForExport();
     void makeExportDialog();
     void exportTo(const ExportChoice& choice, const QString& folder);
     void saveInProject();
@@ -64,8 +61,6 @@ private:
     QAction* savePicture_;
     QAction* export_;
     QAction* saveResult_;
-    ReviewSession& review_;
-    GlazingSession& glazingReview_;
     ExportChoice last_;
     QString lastFolder_;
     QPointer<ExportDialog> dialog_;

@@ -33,7 +33,6 @@ constexpr PlaceOfPart places[] = {
     {"noonmark::LegendStrip", "window", "Scenarios"},
     {"noonmark::ExportDialog", "window", "Export"},
     {"noonmark::MovieDialog", "window", "Export"},
-    {"noonmark::SheetsDialog", "review", "sheets.pdf"},
     {"noonmark::OpenOptions", "data", ""},
     {"noonmark::LotRoadsDialog", "review", "Rules"},
     {"noonmark::PhotographDialog", "data", "Aerial photograph"},

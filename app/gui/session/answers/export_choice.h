@@ -14,13 +14,13 @@ struct ExportChoice : AnswerFiles {
         shown,      ///< the answer displayed
         place,      ///< what the buildings take from the place of the dock Contributions
         scenarios,  ///< the studies of all scenarios that were measured, side by side
-        review,     ///< the sheets of the review, which have their own dialog
     };
     Subject subject = Subject::shown;
     bool withProject = false;  ///< a copy of the project's file beside the files, for `verify`
 };
 
-/// Makes the sheets of an export, on any thread. Null: they have no pages.
-using MakeSheets = std::function<std::shared_ptr<const Book>()>;
+/// Lays out the sheets of an export, on any thread. Null: there are none. Errors of Answer::layOut().
+using MakeSheets =
+    std::function<Result<std::shared_ptr<const Book>>(Progress& progress, const std::stop_token& stop)>;
 
 }  // namespace noonmark

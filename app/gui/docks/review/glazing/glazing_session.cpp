@@ -174,21 +174,10 @@ Result<std::shared_ptr<const GlazingAnswer>> GlazingSession::finished() const {
     return answer_;
 }
 
-void GlazingSession::write(std::shared_ptr<const GlazingAnswer> answer, const QString& folder,
-                           const LegendChoice& legend) {
-    running_.start<WrittenGlazing>(
-        tr("Writing the review"),
-        [answer = std::move(answer), source = review_.source(), folder, legend](Progress& progress,
-                                                                                const std::stop_token& stop) {
-            const SheetSettings& sheets = source.project.sheets;
-            return writeGlazingReview(
-                *answer, source, {.titleBlock = sheets.titleBlock, .units = sheets.units, .legend = legend},
-                folder.toStdString(), false, progress, stop);
-        },
-        [this, folder](const Result<WrittenGlazing>& files) {
-            if (!files) return tell(files.error());
-            Q_EMIT written(folder);
-        });
+Result<void> GlazingSession::showFinished() {
+    return finished().and_then([this](const std::shared_ptr<const GlazingAnswer>& answer) {
+        return showReview(workbench_, answer, review_.source());
+    });
 }
 
 void GlazingSession::tell(const Error& error) {

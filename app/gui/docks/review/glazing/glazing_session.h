@@ -36,17 +36,15 @@ public:
     [[nodiscard]] QString whyOutdated();
     /// The answer that can be exported. Error: there is none.
     [[nodiscard]] Result<std::shared_ptr<const GlazingAnswer>> finished() const;
-    /// `legend`: of the sheets.
-    void write(std::shared_ptr<const GlazingAnswer> answer, const QString& folder,
-               const LegendChoice& legend = {});
+    /// Displays finished() as the answer that is exported. Its errors; its buildings have changed since.
+    [[nodiscard]] Result<void> showFinished();
 
     [[nodiscard]] JobSlot& running() { return running_; }
     [[nodiscard]] JobSlot& runningAll() { return runningAll_; }
 
 Q_SIGNALS:
     void answered();
-    void estimated(QString words);  ///< empty: run() would be refused
-    void written(QString folder);
+    void estimated(QString words);       ///< empty: run() would be refused
     void failed(noonmark::Error error);  ///< not emitted for cancelled work
     /// Of the reviews of all scenarios.
     void scenarioFailed(std::string scenario, noonmark::Error error);
