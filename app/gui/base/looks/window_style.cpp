@@ -38,6 +38,8 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
 int WindowStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                            QStyleHintReturn* answer) const {
     if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+    if (hint == SH_TabBar_ElideMode)
+        return Qt::ElideNone;  // narrow docks scroll their tabs, names stay whole
     return QProxyStyle::styleHint(hint, option, widget, answer);
 }
 

@@ -5,7 +5,7 @@
 namespace noonmark {
 
 /// Qt's style Fusion, with what it lacks on dark windows: outlines of check boxes and radio buttons. Buttons
-/// of dialogs have no icons, which Fusion draws for light windows only.
+/// of dialogs have no icons, which Fusion draws for light windows only. Names of tabs are never cut.
 class WindowStyle final : public QProxyStyle {
     Q_OBJECT
 public:

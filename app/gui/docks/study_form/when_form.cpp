@@ -38,7 +38,7 @@ WhenForm::WhenForm(QWidget* parent)
     presets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     presets_->setMinimumContentsLength(12);
     ofRule_->setObjectName(QStringLiteral("rulePeriod"));
-    ofRule_->setText(tr("As in a rule"));
+    ofRule_->setText(tr("Days of a rule"));
     ofRule_->setToolTip(tr("The day and the hours of a review board's rule"));
     ofRule_->setMenu(rulesMenu_);
     fillPresets();

@@ -43,7 +43,8 @@ std::string argumentText(const Sentence::Argument& argument) {
 std::vector<ResultRow> figureRows(const std::vector<FigureLine>& lines) {
     std::vector<ResultRow> rows;
     for (const FigureLine& line : lines)
-        rows.push_back({labelText(line), valueText(line), translatedSentence(line.figure->definition)});
+        rows.push_back({labelText(line), valueText(line), translatedSentence(line.figure->definition),
+                        line.figure->use == FigureUse::basis});
     return rows;
 }
 

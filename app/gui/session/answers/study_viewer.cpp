@@ -23,10 +23,11 @@ void addErrorRows(std::vector<ResultRow>& rows, const std::vector<ErrorLine>& er
 }
 
 void addTimeRows(std::vector<ResultRow>& rows, const StudyFigures& figures) {
+    constexpr double minMegaRays = 0.1;  // fewer are shown as 0: an engine that casts rays for its error only
     const double megaRays = figures.seconds > 0 ? double(figures.rays) / figures.seconds * 1e-6 : 0;
-    if (figures.rays > 0)
+    if (megaRays >= minMegaRays)
         rows.push_back(methodRow(
-            QObject::tr("Speed"), formatAmount(megaRays) + QObject::tr(" M rays/s"),
+            QObject::tr("Speed"), QObject::tr("%1 million rays a second").arg(formatAmount(megaRays)),
             QObject::tr("%1 occlusion ray(s) divided by the engine's time", "", pluralNumber(figures.rays))
                 .arg(formatCount(figures.rays))));
     rows.push_back(methodRow(QObject::tr("Time"), formatAmount(figures.seconds, 2) + QStringLiteral(" s"),

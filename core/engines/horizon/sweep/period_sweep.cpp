@@ -221,7 +221,7 @@ PartialField PeriodSweep::partialOf(Tile& tile, const Turns& turns, const Shadow
         if (const std::uint32_t cell = tile.blocks.cell(i); cell != ReceiverBlocks::padding)
             partial.field.grossMin[cell] = float(double(hidden[i]) * minutes);
     partial.share = double(steps) / double(std::max<std::size_t>(1, binned_.places.size()));
-    partial.part = fmt::format("{} of {} azimuth bins", bins, bins_.size());
+    partial.part = fmt::format("{} of {} directions of the sun", bins, bins_.size());
     return partial;
 }
 
