@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QPushButton>
@@ -103,6 +104,15 @@ TEST(WheelGuard, OnlyAFieldWithFocusFollowsTheWheel) {
     EXPECT_EQ(list->currentIndex(), 1);
     turnWheel(*number);
     EXPECT_EQ(number->value(), 49);
+}
+
+TEST(EmptyWindow, SavingSaysThatNoCityIsOpen) {
+    const QTemporaryDir folder;
+    QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    MainWindow window{settings};
+    window.saving().actions().front()->trigger();
+    EXPECT_TRUE(window.panel().messages().text().startsWith(QStringLiteral("No city is open")))
+        << window.panel().messages().text().toStdString();
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ void SavingActions::save() {
 }
 
 void SavingActions::saveAs() {
-    if (!workbench_.city()) return;
+    if (!workbench_.city())
+        return messages_.showError({"No city is open", {}, "Open a file or a sample first"});
     const QString file = askSaveAs_(workbench_.projectName() + QLatin1String(projectEnding));
     if (file.isEmpty()) return void(afterSave_ = nullptr);
     saveTo(file.toStdString());
