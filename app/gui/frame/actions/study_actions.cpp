@@ -13,6 +13,12 @@
 
 namespace noonmark {
 
+namespace {
+
+constexpr float aroundRegion = 0.25F;  // of its sides, shown on each side of it
+
+}  // namespace
+
 StudyActions::StudyActions(Workbench& workbench, const ModeSwitch& mode, ResultDisplay& display,
                            ViewPanel& panel)
     : workbench_(workbench),
@@ -38,12 +44,35 @@ StudyActions::StudyActions(Workbench& workbench, const ModeSwitch& mode, ResultD
 }
 
 void StudyActions::listenTo(StudyDock& study, ProjectDock& tree, WeightsDock& weights) {
-    connect(&study, &StudyDock::runRequested, &workbench_, &Workbench::run);
+    connect(&study, &StudyDock::runRequested, this, &StudyActions::run);
     connect(run_, &QAction::triggered, &study,
-            [this, &study] { study.kind() == StudyKind::places ? study.run() : workbench_.run(); });
+            [this, &study] { study.kind() == StudyKind::places ? study.run() : run(); });
     connect(&weights, &WeightsDock::scoreRequested, &workbench_, &Workbench::runScore);
     connect(&tree, &ProjectDock::periodChosen, this, &StudyActions::setPeriod);
     connect(&tree, &ProjectDock::keepPeriodRequested, this, &StudyActions::savePeriod);
+}
+
+void StudyActions::run() {
+    goToRegion();
+    workbench_.run();
+}
+
+// The map of a region out of sight would appear where nobody looks.
+void StudyActions::goToRegion() {
+    const Region &region = workbench_.document().settings().region, seen = panel_.visibleGround();
+    if (region.polygons.empty() || workbench_.measuresElements()) return;
+    const auto middleOf = [](const Region& of) {
+        const Box2 box = bounds(of);
+        return glm::dvec2(box.low + box.high) * 0.5;
+    };
+    const auto holds = [](const Region& of, glm::dvec2 point) {
+        return std::ranges::any_of(of.polygons, [&](const Footprint& one) { return contains(one, point); });
+    };
+    const bool seesGround = !seen.polygons.empty();
+    if (seesGround && (holds(seen, middleOf(region)) || holds(region, middleOf(seen)))) return;
+    const Box2 box = bounds(region);
+    const glm::vec2 border = (box.high - box.low) * aroundRegion;
+    panel_.navigator().show({box.low - border, box.high + border});
 }
 
 void StudyActions::setPeriod(const Period& period) {

@@ -37,6 +37,8 @@ public:
     void repeatSaved();      ///< the result displayed when the opened project was saved, or says how to
 
 private:
+    void run();
+    void goToRegion();
     void setPeriod(const Period& period);
     void savePeriod();
     void compare();
