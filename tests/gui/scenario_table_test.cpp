@@ -301,6 +301,18 @@ TEST_F(ScenarioTableWindow, MeasuringAllGivesTheImpactWhateverTheEngineCounted) 
     EXPECT_TRUE(hasValue(2, "shadow_area_change_m2"));
 }
 
+TEST_F(ScenarioTableWindow, OneSentenceJudgesWhichScenarioTakesLessSun) {
+    const auto verdict = [this] {
+        return window->findChild<QLabel*>(QStringLiteral("scenarioVerdict"))->text().toStdString();
+    };
+    EXPECT_EQ(verdict(), "");
+    press("measureAll");
+    EXPECT_THAT(verdict(), testing::StartsWith("Low adds less shadow than Tall: +"));
+    EXPECT_THAT(verdict(), HasSubstr(text(1, "shadow_area_change_m2").toStdString()));
+    EXPECT_THAT(verdict(), HasSubstr(text(2, "shadow_area_change_m2").toStdString()));
+    EXPECT_THAT(verdict(), HasSubstr("over 30 min more a day"));
+}
+
 TEST_F(ScenarioTableWindow, VerdictsOfEachScenarioAreCountedUntilItChanges) {
     ReviewChoice choice = window->review().choice();
     choice.rule = "boston-common";  // no new shadow outside the first and the last hour
@@ -522,6 +534,9 @@ TEST_F(ScenarioChartsWindow, ShowScoresByMonthAlsoAfterTheProjectWasOpenedAgain)
     press("scoreAll");
     choose("shadow_area_m2");
     EXPECT_EQ(charts().size(), 2) << "a score counts the shadow area of its months";
+    choose("all");
+    EXPECT_GE(charts().size(), 4) << "shadow area and score together";
+    EXPECT_EQ(note(), "");
     choose("score_m2");
     ASSERT_EQ(charts().size(), 2);
     const QString file = folder.filePath(QStringLiteral("months.csv"));

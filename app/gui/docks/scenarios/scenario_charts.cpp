@@ -24,6 +24,7 @@ namespace {
 
 constexpr int chartsPx = 190;  // at least: one chart
 constexpr const char* chosenKey = "scenarioChart";
+constexpr const char* allKey = "all";
 
 QString textOf(std::string_view key) { return QString::fromUtf8(key.data(), qsizetype(key.size())); }
 
@@ -83,6 +84,7 @@ void ScenarioCharts::fillList(const QString& chosen) {
     figure_->addItem(tr("No chart"), QString());
     for (const MonthChartName& name : monthChartNames())
         figure_->addItem(translated(name.title), textOf(name.key));
+    figure_->addItem(tr("All of these together"), QString::fromLatin1(allKey));
     figure_->setCurrentIndex(std::max(0, figure_->findData(chosen)));
     figure_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     figure_->setMinimumContentsLength(12);
@@ -129,15 +131,21 @@ void ScenarioCharts::draw() {
     if (key.isEmpty()) return charts_->show({});
     const std::vector<ScenarioMonths> months = table_.months();
     const std::vector<MonthChart> charts = makeMonthCharts(months);
-    const auto chart = std::ranges::find(charts, key, [](const auto& one) { return textOf(one.key); });
     save_->setEnabled(!charts.empty());
-    if (chart == charts.end()) {
-        note_->setText(describeMissing(key));
-        return showCharts(false);
+    std::vector<Bars> drawn;
+    QStringList notes;
+    for (const MonthChart& chart : charts) {
+        if (key != QLatin1String(allKey) && textOf(chart.key) != key) continue;
+        drawn.push_back(firstSeries(chart.values, maxSeries));
+        drawn.push_back(firstSeries(chart.changes, maxSeries - 1));
+        const QString note = describeWhatLacks(chart, maxSeries, months.front().name);
+        if (!note.isEmpty() && !notes.contains(note)) notes << note;
     }
-    charts_->show({firstSeries(chart->values, maxSeries), firstSeries(chart->changes, maxSeries - 1)});
-    note_->setText(describeWhatLacks(*chart, maxSeries, months.front().name));
-    note_->setVisible(!note_->text().isEmpty());
+    if (drawn.empty()) notes << describeMissing(key);
+    showCharts(!drawn.empty());
+    charts_->show(drawn);
+    note_->setText(notes.join(QLatin1Char('\n')));
+    note_->setVisible(!notes.empty());
 }
 
 }  // namespace noonmark

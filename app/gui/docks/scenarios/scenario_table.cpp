@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/number_words.h"
 #include "app/gui/docks/review/verdict_words.h"
 #include "app/gui/docks/scenarios/use_words.h"
 #include "app/gui/session/answers/result_rows.h"
@@ -299,6 +300,55 @@ std::vector<ScenarioMonths> ScenarioTable::months() const {
         all.insert(row.scenario == basis_.baseline ? all.begin() : all.end(), std::move(months));
     }
     return all;
+}
+
+QString ScenarioTable::verdict() const {
+    QStringList sentences{impactVerdict(), scoreVerdict()};
+    sentences.removeAll(QString());
+    return sentences.join(QLatin1Char(' '));
+}
+
+QString ScenarioTable::impactVerdict() const {
+    using Impact = std::pair<QString, ImpactFigures>;
+    std::vector<Impact> impacts;
+    for (const Row& row : rows_)
+        if (const auto impact = answersOf(row).impact)
+            impacts.emplace_back(named(row.scenario), impact->figures);
+    if (impacts.empty()) return {};
+    const auto area = [](const Impact& one) {
+        const double changeM2 = one.second.shadowAreaChangeM2;
+        return (changeM2 > 0 ? QStringLiteral("+") : QString()) + describeSmallArea(changeM2);
+    };
+    const auto ground = [](const Impact& one) { return describeSmallArea(one.second.gross.gainedM2); };
+    const auto [least, most] = std::ranges::minmax_element(
+        impacts, {}, [](const Impact& one) { return one.second.shadowAreaChangeM2; });
+    const double minutes = least->second.thresholdMin;
+    if (impacts.size() == 1)
+        return tr("%1 changes the shadow area by %2: area times its share of the sunlit time. Ground with "
+                  "over %3 min more shadow a day: %4.")
+            .arg(least->first, area(*least))
+            .arg(minutes)
+            .arg(ground(*least));
+    if (least->second.shadowAreaChangeM2 == most->second.shadowAreaChangeM2)
+        return tr("All scenarios change the shadow area by %1.").arg(area(*least));
+    return tr("%1 adds less shadow than %2: %3 of shadow area against %4 (area times its share of the sunlit "
+              "time), and %5 against %6 of ground with over %7 min more a day.")
+        .arg(least->first, most->first, area(*least), area(*most), ground(*least), ground(*most))
+        .arg(minutes);
+}
+
+QString ScenarioTable::scoreVerdict() const {
+    using Scored = std::pair<QString, ScoreTotals>;
+    std::vector<Scored> scores;
+    for (const Row& row : rows_)
+        if (const auto score = answersOf(row).score) scores.emplace_back(named(row.scenario), score->totals);
+    if (scores.size() < 2) return {};
+    const auto [least, most] =
+        std::ranges::minmax_element(scores, {}, [](const Scored& one) { return one.second.scoreM2; });
+    if (least->second.scoreM2 == most->second.scoreM2) return {};
+    return tr("By the weights %1, %2 scores best (%3) and %4 worst (%5).")
+        .arg(named(basis_.weights), most->first, formatAmount(most->second.scoreM2, 0), least->first,
+             formatAmount(least->second.scoreM2, 0));
 }
 
 std::string ScenarioTable::csv() const {

@@ -55,6 +55,9 @@ public:
     [[nodiscard]] std::string scenarioAt(int row) const;
     /// Their months, the baseline first.
     [[nodiscard]] std::vector<ScenarioMonths> months() const;
+    /// Which of the scenarios adds least shadow and which most, and by what; likewise of scores. Of one
+    /// scenario what it adds. Empty: none has been compared.
+    [[nodiscard]] QString verdict() const;
     /// All scenarios as CSV, whatever is hidden: numbers in metres and square metres, empty where there is
     /// none, and last what each scenario lacks, in words.
     [[nodiscard]] std::string csv() const;
@@ -80,6 +83,8 @@ private:
     [[nodiscard]] QString lackAt(const Row& row, const ScenarioColumn& column) const;
     [[nodiscard]] QString listLacks(const Row& row) const;
     [[nodiscard]] bool isBaselineOf(const Row& row, ScenarioWork work) const;
+    [[nodiscard]] QString impactVerdict() const;
+    [[nodiscard]] QString scoreVerdict() const;
     [[nodiscard]] ScenarioAnswers answersOf(const Row& row) const;
     void notePast();
     void showAgain();

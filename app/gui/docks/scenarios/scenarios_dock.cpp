@@ -54,9 +54,21 @@ ScenariosDock::ScenariosDock(ProjectSession& session, QSettings& settings, QWidg
     const auto follow = [hint, &session] { hint->setVisible(session.project().scenarios.empty()); };
     connect(&session, &ProjectSession::changed, hint, follow);
     follow();
+    auto* verdict = new QLabel;
+    verdict->setObjectName(QStringLiteral("scenarioVerdict"));
+    verdict->setWordWrap(true);
+    verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    const auto judge = [this, verdict] {
+        verdict->setText(table_->verdict());
+        verdict->setVisible(!verdict->text().isEmpty());
+    };
+    connect(table_, &QAbstractItemModel::dataChanged, verdict, judge);
+    connect(table_, &QAbstractItemModel::modelReset, verdict, judge);
+    judge();
     auto* charts = new ScenarioCharts(*table_, settings);
     connect(charts, &ScenarioCharts::exportRequested, this, &ScenariosDock::monthsExportRequested);
     auto* column = new QVBoxLayout(this);
+    column->addWidget(verdict);
     column->addWidget(view, 1);
     column->addWidget(makeSwitches(settings));
     column->addWidget(hint);
