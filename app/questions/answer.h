@@ -108,6 +108,10 @@ public:
     /// The same with what they take from one more place; null: this answer keeps none.
     [[nodiscard]] virtual std::shared_ptr<const Answer> withPlace(KeptContributions) const { return nullptr; }
 
+    /// The same where so many hours of sun a day are enough; null: it does not depend on them, or its cells
+    /// are not known.
+    [[nodiscard]] virtual std::shared_ptr<const Answer> withEnough(double) const { return nullptr; }
+
     [[nodiscard]] virtual std::string json() const = 0;
     /// As a saved result without a name. Costs a hash of each city.
     [[nodiscard]] virtual SavedResult toSave(const Project& project) const = 0;

@@ -3,18 +3,23 @@
 #include "app/report/book/print_book.h"
 #include "app/report/book/sun_by_place_book.h"
 #include "app/report/files/output_folder.h"
+#include "app/report/files/place_maps.h"
 #include "core/base/progress_share.h"
 #include "core/describe/field_checks.h"
 #include "core/describe/text.h"
 #include "core/study/elements/element_tables.h"
+#include "core/study/provenance/provenance_tags.h"
 #include "scenarios/project/results/save_result.h"
 
 namespace noonmark {
 
 namespace {
 
+// The hours that are enough can be changed in the answer, so they do not tell questions apart.
 std::string questionOf(const SunOfCities& sun) {
-    return questionText(sunByPlaceFields().of(sun.baseline.settings), true);
+    SunByPlaceSettings settings = sun.baseline.settings;
+    settings.enoughHours = SunByPlaceSettings().enoughHours;
+    return questionText(sunByPlaceFields().of(settings), true);
 }
 
 /// How much sun places get in one scenario, and what it takes from or gives to those of a baseline.
@@ -58,6 +63,14 @@ public:
         return std::make_shared<ByPlaceAnswer>(shared(), asked_, withContributions(ofPlaces_, std::move(of)));
     }
 
+    [[nodiscard]] std::shared_ptr<const Answer> withEnough(double hours) const override {
+        if (hours == content().baseline.settings.enoughHours) return nullptr;
+        auto sun = noonmark::withEnough(content(), hours);
+        if (!sun) return nullptr;
+        return std::make_shared<ByPlaceAnswer>(std::make_shared<const SunOfCities>(*std::move(sun)), asked_,
+                                               ofPlaces_);
+    }
+
     [[nodiscard]] AnswerPage page(ShownAs) const override { return makePage(content()); }
     [[nodiscard]] Result<std::string> command() const override {
         return makeRepeatCommand(content().baseline, content().compared);
@@ -91,6 +104,9 @@ public:
             return writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeStyle(sun, colours));
         });
         files.add("places.json", textContent(extendRepeat(json(), listColourOptions(colours))));
+        addPlaceMaps(files, shared(), sun.city,
+                     {colours, how.pictureWidth, sun.settings.study.receivers.cellM,
+                      makeProvenanceTags(sun.provenance)});
         if (!ofPlaces_.empty())
             files.add(keptContributionsFile, textContent(contributionsCsv(ofPlaces_, sun.provenance)));
         if (how.sheets) {
@@ -154,6 +170,7 @@ SavedForm savedPlaces() {
 
 std::vector<std::string> byPlaceFileNames(bool withSheets) {
     std::vector<std::string> names{"places.csv", "places.gpkg", "places.json"};
+    names.insert(names.end(), placeMapNames().begin(), placeMapNames().end());
     if (withSheets) names.emplace_back("sheets.pdf");
     return names;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace noonmark {
 
@@ -34,10 +35,7 @@ std::vector<double> equalBreaks(const ColourScale& scale, int count) {
 }
 
 // Two decimals are enough for all units, and can be read.
-std::vector<double> quantileBreaks(const ColourScale& scale, std::span<const float> minutes, int count) {
-    std::vector<double> values;
-    for (const float one : minutes)
-        if (scale.pick(double(one))) values.push_back(scale.shownOf(double(one)));
+std::vector<double> quantilesOf(std::vector<double> values, int count) {
     std::ranges::sort(values);
     std::vector<double> breaks;
     for (int i = 1; i < count && !values.empty(); ++i) {
@@ -46,6 +44,13 @@ std::vector<double> quantileBreaks(const ColourScale& scale, std::span<const flo
         if (breaks.empty() || round > breaks.back()) breaks.push_back(round);
     }
     return breaks;
+}
+
+std::vector<double> quantileBreaks(const ColourScale& scale, std::span<const float> minutes, int count) {
+    std::vector<double> values;
+    for (const float one : minutes)
+        if (scale.pick(double(one))) values.push_back(scale.shownOf(double(one)));
+    return quantilesOf(std::move(values), count);
 }
 
 std::vector<double> breaksOf(const LegendClasses& classes, const ColourScale& scale,
@@ -156,14 +161,26 @@ ColourScale makeSignedScale(const LegendChoice& choice, ColourScale::Of of, cons
     return scale;
 }
 
-ColourScale makeThresholdScale(const LegendChoice& choice, double thresholdHours, double topHours) {
-    const double top = std::max(topHours, thresholdHours + 1);
+ColourScale makeThresholdScale(const LegendChoice& choice, double thresholdHours,
+                               std::span<const double> hours) {
+    const auto isHours = choice.show == ShownAs::sun;  // else what was typed is minutes, or per cent
+    std::vector<double> known;
+    std::ranges::copy_if(hours, std::back_inserter(known), [](double one) { return !std::isnan(one); });
+    const double most = known.empty() ? 0 : std::ceil(std::ranges::max(known));
     ColourScale scale{.quantity = {ShownAs::sun}, .reversed = choice.reversed};
     scale.ramp = choice.ramp == LegendChoice{}.ramp ? Ramp::violetOrange : choice.ramp;
-    scale.high = top;
-    scale.breaks = thirdsOf(0, thresholdHours);
+    const LegendRange range =
+        isHours && choice.range ? *choice.range : LegendRange{0, std::max(most, thresholdHours + 1)};
+    scale.low = range.low;
+    scale.high = range.high;
+    if (choice.classes.kind == Kind::equal) scale.breaks = equalBreaks(scale, choice.classes.count);
+    if (choice.classes.kind == Kind::quantiles)
+        scale.breaks = quantilesOf(std::move(known), choice.classes.count);
+    if (choice.classes.kind == Kind::breaks && isHours) scale.breaks = choice.classes.breaks;
+    if (!scale.breaks.empty()) return scale;
+    scale.breaks = thirdsOf(range.low, thresholdHours);
     scale.breaks.push_back(thresholdHours);
-    for (const double above : thirdsOf(thresholdHours, top)) scale.breaks.push_back(above);
+    for (const double above : thirdsOf(thresholdHours, range.high)) scale.breaks.push_back(above);
     return scale;
 }
 
@@ -174,6 +191,9 @@ ColourScale makePlaceChangeScale(const LegendChoice& choice) {
     scale.breaks = {-30, -10, -1, 1, 10, 30};
     scale.high = scale.breaks.back();
     scale.low = -scale.high;
+    const LegendClasses& classes = choice.changeClasses;
+    if (classes.kind == Kind::equal) scale.breaks = equalBreaks(scale, classes.count);
+    if (classes.kind == Kind::breaks && choice.show == ShownAs::sun) scale.breaks = classes.breaks;
     return scale;
 }
 

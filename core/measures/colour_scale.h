@@ -66,12 +66,15 @@ ColourScale makeColourScale(const LegendChoice& choice, const ShownQuantity& qua
 ColourScale makeSignedScale(const LegendChoice& choice, ColourScale::Of of, const ShownQuantity& quantity,
                             LegendScale ends, double zero, std::span<const float> values);
 
-/// The scale of hours of sun a day of places: three classes on each side of a threshold, the outermost of
-/// which are open. In violet below the threshold and orange from it on, unless the choice names other
-/// colours.
-ColourScale makeThresholdScale(const LegendChoice& choice, double thresholdHours, double topHours);
+/// The scale of hours of sun a day of places: the classes of the choice or, while it is continuous, three on
+/// each side of a threshold, the outermost of which are open. In violet below the threshold and orange from
+/// it on, unless the choice names other colours. Its range and typed numbers count where it shows hours of
+/// sun. `hours`: of the places, for the fitted range and quantiles; NaN: none. O(places log places)
+ColourScale makeThresholdScale(const LegendChoice& choice, double thresholdHours,
+                               std::span<const double> hours);
 
-/// The scale of the change of sun of places, minutes of sun a day.
+/// The scale of the change of sun of places, minutes of sun a day: with the choice's equal classes or, where
+/// it shows sun, typed numbers.
 ColourScale makePlaceChangeScale(const LegendChoice& choice);
 
 /// The scale of values in a unit of their own of which more is better, from 0, or around zero from -ends.top,

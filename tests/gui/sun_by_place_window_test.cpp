@@ -3,6 +3,7 @@
 #include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -10,11 +11,14 @@
 #include <QSlider>
 #include <QTest>
 #include <cmath>
+#include <filesystem>
+#include <set>
 
 #include "app/gui/docks/contributions/contribution_model.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/places/places_dock.h"
+#include "app/gui/docks/results/results_dock.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/answers_window.h"
@@ -162,6 +166,94 @@ TEST_F(SunByPlaceWindow, TheShareWithEnoughSunFollowsTheThreshold) {
                     .contains(QStringLiteral("12 h")));
 }
 
+TEST_F(SunByPlaceWindow, OneThresholdRulesColumnsOfDatesHeadlineAndFiles) {
+    measure();
+    const std::vector<Place> places = sun()->baseline.places;
+    const auto headline = [&] { return window->findChild<ResultsDock*>()->headline(); };
+    EXPECT_TRUE(headline().contains(QStringLiteral("less than 2 h"))) << headline().toStdString();
+    table().setCurrentIndex(table().model()->index(1, 0));
+    Q_EMIT window->findChild<ResultsDock*>()->allPlacesWanted();
+    field<QSlider>("placesSlider").setValue(120);
+    QStringList headings;
+    for (int column = 0; column < table().model()->columnCount(); ++column)
+        headings << table().model()->headerData(column, Qt::Horizontal).toString();
+    EXPECT_TRUE(headings.filter(QStringLiteral("2 h")).filter(QStringLiteral("< 2 h")).isEmpty())
+        << headings.join(u' ').toStdString();
+    EXPECT_EQ(headings.filter(QStringLiteral("< 12 h")).size(), 3);
+    ASSERT_TRUE(waitFor([&] { return sun()->baseline.settings.enoughHours == 12; }));
+    EXPECT_TRUE(headline().contains(QStringLiteral("less than 12 h"))) << headline().toStdString();
+    EXPECT_TRUE(headline().startsWith(QStringLiteral("5 of 5"))) << headline().toStdString();
+    EXPECT_EQ(field<QSlider>("placesSlider").value(), 120);
+    EXPECT_TRUE(table().currentIndex().isValid()) << "the table is not filled anew";
+    EXPECT_EQ(sun()->baseline.sun[0].belowShare[0], 1) << "no cell has 12 h on 21 December";
+    EXPECT_EQ(sun()->baseline.sun[0].enoughShare, 0);
+    EXPECT_EQ(sun()->baseline.places, places);
+    EXPECT_NE(workbench().answer()->json().find("\"enough_hours\": 12"), std::string::npos);
+    EXPECT_EQ(workbench().measured().size(), 1U) << "it is the same answer";
+}
+
+TEST_F(SunByPlaceWindow, AChosenPlaceShowsItsMonthsAndItsContributorsInResults) {
+    measure();
+    auto& results = *window->findChild<ResultsDock*>();
+    const QString ofAll = results.headline();
+    const auto& places = sun()->baseline.places;
+    const auto park = std::ranges::find(places, "North Park", &Place::name) - places.begin();
+    dock().select(std::size_t(park));
+    EXPECT_TRUE(results.headline().startsWith(QStringLiteral("North Park has ")))
+        << results.headline().toStdString();
+    EXPECT_EQ(results.headline(), sentenceText(makePage(*sun(), std::size_t(park)).headline));
+    EXPECT_TRUE(field<QPushButton>("allPlaces").isVisibleTo(&results));
+    const auto hasContributors = [&] {
+        return std::ranges::any_of(results.rows(), [](const ResultRow& row) {
+            return row.value.contains(QStringLiteral("of sun a day, "));
+        });
+    };
+    EXPECT_FALSE(hasContributors());
+    QTest::mouseClick(&field<QPushButton>("resultContributors"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor(hasContributors));
+    QTest::mouseClick(&field<QPushButton>("allPlaces"), Qt::LeftButton);
+    EXPECT_EQ(results.headline(), ofAll);
+    EXPECT_FALSE(field<QPushButton>("allPlaces").isVisibleTo(&results));
+}
+
+TEST_F(SunByPlaceWindow, TheLegendTakesRangeAndClassesInHours) {
+    measure();
+    LegendStrip& strip = window->panel().legend();
+    strip.edit();
+    auto& kinds = field<QComboBox>("legendClasses");
+    ASSERT_TRUE(kinds.isEnabled());
+    kinds.setCurrentIndex(int(LegendClasses::Kind::breaks));
+    auto& numbers = field<QLineEdit>("legendBreaks");
+    numbers.setText(QStringLiteral("1,5"));
+    QTest::keyClick(&numbers, Qt::Key_Return);
+    EXPECT_EQ(strip.legend()->colours->breaks, (std::vector<double>{1, 5}));
+    kinds.setCurrentIndex(int(LegendClasses::Kind::continuous));
+    EXPECT_EQ(strip.legend()->colours->breaks.size(), 5U) << "those of the threshold again";
+}
+
+TEST_F(SunByPlaceWindow, TheMapIsExportedAsPictureAndRasterAlsoOfASavedAnswer) {
+    measure();
+    const auto exported = [&](const char* name) {
+        const std::filesystem::path out = folder.filePath(QString::fromLatin1(name)).toStdString();
+        workbench().exportShown(out, {});
+        EXPECT_TRUE(waitFor([&] { return !workbench().writing().busy(); }));
+        return out;
+    };
+    const std::filesystem::path fresh = exported("fresh");
+    const QImage picture(QString::fromStdString((fresh / "sun_by_place.png").string()));
+    EXPECT_EQ(picture.width(), pictureWidth);
+    std::set<QRgb> colours;
+    for (int x = 0; x < picture.width(); x += 4)
+        for (int y = 0; y < picture.height(); y += 4) colours.insert(picture.pixel(x, y));
+    EXPECT_GT(colours.size(), 3U) << "it is not empty";
+    EXPECT_TRUE(std::filesystem::exists(fresh / "sun_by_place.tif"));
+    EXPECT_TRUE(std::filesystem::exists(fresh / "sun_by_place.qml"));
+    keep("Sunny");
+    workbench().showStudyAgain();
+    showSaved("Sunny");
+    EXPECT_TRUE(std::filesystem::exists(exported("saved") / "sun_by_place.png"));
+}
+
 TEST_F(SunByPlaceWindow, OwnRegionsCountAsPlacesOnceTheyAreTicked) {
     Project next = session().project();
     next.regions = {{"Our block", {test::square({-60, -40}, 30)}}};
@@ -250,6 +342,14 @@ TEST_F(SunByPlaceWindow, AScenarioIsSetAgainstItsBaseline) {
     EXPECT_EQ(shown.currentText(), QStringLiteral("Change"));
     EXPECT_EQ(window->panel().legend().legend()->title, QStringLiteral("Change of sun by place"));
     EXPECT_TRUE(count().contains(QStringLiteral("lose more than a minute"))) << count().toStdString();
+    QStringList hours;
+    for (int column = 0; column < table().model()->columnCount(); ++column) {
+        const QString heading = table().model()->headerData(column, Qt::Horizontal).toString();
+        if (heading.startsWith(QStringLiteral("Change")) && heading.endsWith(QStringLiteral(", h")))
+            hours << heading;
+    }
+    EXPECT_TRUE(hours.isEmpty()) << "a change is told in minutes throughout: "
+                                 << hours.join(u' ').toStdString();
 }
 
 TEST_F(SunByPlaceWindow, AllScenariosAreMeasuredSideBySide) {

@@ -296,7 +296,7 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
         ->type_name("H");
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets, {{"--date", "--sheet-date"}});
-    command->add_option(flags::out, study.out, "Folder for places.csv, places.gpkg and places.json")
+    command->add_option(flags::out, study.out, "Folder for places.csv, places.gpkg, places.json and the maps")
         ->required()
         ->type_name("DIR");
     addOverwriteOption(*command, study.overwrite);

@@ -42,7 +42,7 @@ namespace noonmark {
 namespace {
 
 constexpr const char* chosenWeightsKey = "weights";  // in Project::view: the table of the dock Weights
-constexpr int layoutVersion = 11;
+constexpr int layoutVersion = 12;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;
@@ -281,10 +281,13 @@ void MainWindow::connectDocks() {
     connect(&placeLinks_, &PlaceLinks::placeWanted, this, [this](const std::string& place) {
         if (docks_.contributions->isInFront()) contributions_.choose(place);
     });
-    connect(&placeLinks_, &PlaceLinks::contributorsWanted, this, [this](const std::string& place) {
+    const auto showContributors = [this](const std::string& place) {
         raiseDock(docks_.contributions);
         contributions_.choose(place);
-    });
+    };
+    connect(&placeLinks_, &PlaceLinks::contributorsWanted, this, showContributors);
+    connect(&display_, &ResultDisplay::contributorsWanted, this, showContributors);
+    connect(&placeLinks_, &PlaceLinks::chosen, &display_, &ResultDisplay::showPlace);
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
     connectElementForms();

@@ -20,7 +20,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int sideWidth = 330;  // five tabs with their names
+constexpr int sideWidth = 330;  // four tabs with their names
 constexpr int narrowWidth = 190;
 constexpr int scrollBarWidth = 22;
 constexpr int reviewHeight = 300;
@@ -64,15 +64,15 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
         dockOf(QObject::tr("Contributions"), "contributionsDock", scrolled(docks.contributions, sideWidth));
     QDockWidget* places = dockOf(QObject::tr("Places"), "placesDock", docks.places);
     window.addDockWidget(Qt::BottomDockWidgetArea, review);
-    for (QDockWidget* beside : {point, elements}) window.tabifyDockWidget(review, beside);
-    for (QDockWidget* dock : {review, point, elements}) dock->hide();  // they take much of the view's height
+    for (QDockWidget* beside : {point, elements, places}) window.tabifyDockWidget(review, beside);
+    for (QDockWidget* dock : {review, point, elements, places})
+        dock->hide();  // they take much of the view's height
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
     for (QDockWidget* beside : {building, tower}) window.tabifyDockWidget(study, beside);
     study->raise();
     window.addDockWidget(Qt::RightDockWidgetArea, project);
     window.addDockWidget(Qt::RightDockWidgetArea, results);
-    for (QDockWidget* beside : {contributions, scenarios, weights, places})
-        window.tabifyDockWidget(results, beside);
+    for (QDockWidget* beside : {contributions, scenarios, weights}) window.tabifyDockWidget(results, beside);
     QObject::connect(contributions, &QDockWidget::visibilityChanged, docks.contributions,
                      &ContributionsDock::setInFront);
     window.addDockWidget(Qt::RightDockWidgetArea, warnings);

@@ -126,6 +126,9 @@ public:
     /// Keeps what buildings take from a place with the displayed answer, in all lists that have it, if its
     /// question keeps such.
     void keepWithAnswer(KeptContributions of);
+    /// States the displayed answer with other hours of sun a day that are enough, in all lists that have it;
+    /// does nothing where it does not depend on them, or its cells are not known.
+    void setEnough(double hours);
 
     /// Finds the command line that asks the same as the displayed answer; costs a hash of its files.
     /// With the options that draw the same as `drawn`.
@@ -208,6 +211,7 @@ private:
     void adoptCity(Result<OpenCity> city);
     void forgetAnswers();
     void updateAnswers();
+    void replace(const SharedAnswer& before, const SharedAnswer& now);
     void putInFront(SharedAnswer answer);
     [[nodiscard]] std::string freeMeasuredName(const QString& name) const;
     void remember(const KnownAnswer& known, bool isWork);

@@ -330,18 +330,24 @@ bool Workbench::rename(SharedAnswer& answer) {
     return true;
 }
 
-// An answer that was saved under a name is listed beside it again, as it holds more now.
 void Workbench::keepWithAnswer(KeptContributions of) {
-    const SharedAnswer before = answer();
-    const SharedAnswer now = before ? before->withPlace(std::move(of)) : nullptr;
+    if (const SharedAnswer before = answer()) replace(before, before->withPlace(std::move(of)));
+}
+
+void Workbench::setEnough(double hours) {
+    if (const SharedAnswer before = answer()) replace(before, before->withEnough(hours));
+}
+
+// An answer that was saved under a name is listed beside it again, as it differs now.
+void Workbench::replace(const SharedAnswer& before, const SharedAnswer& now) {
     if (!now) return;
-    const auto replace = [&](SharedAnswer& one) {
+    const auto take = [&](SharedAnswer& one) {
         if (one == before) one = now;
     };
-    replace(front_);
-    replace(base_);
-    replace(comparison_.answer);
-    for (KnownAnswer& study : studies_) replace(study.answer);
+    take(front_);
+    take(base_);
+    take(comparison_.answer);
+    for (KnownAnswer& study : studies_) take(study.answer);
     study_ = contentOf<Study>(base_) ? contentOf<Study>(base_) : study_;
     for (auto& measured : measured_) {
         if (measured->known().answer != before) continue;

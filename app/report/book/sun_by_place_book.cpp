@@ -122,8 +122,9 @@ void paintPlaces(const Canvas& canvas, const MapView& view, const SunByPlace& su
     }
 }
 
-QImage paintMap(const SunByPlace& sun, const PlaceColours& colours, const QSizeF& sizePt) {
-    constexpr double pixelsPerPt = 300.0 / 72, gapPt = 6;
+QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, const PlaceColours& colours,
+                const QSizeF& sizePt, double pixelsPerPt) {
+    constexpr double gapPt = 6;
     QImage image((sizePt * pixelsPerPt).toSize(), QImage::Format_RGB32);
     image.fill(ink::paper);
     QPainter painter(&image);
@@ -132,9 +133,9 @@ QImage paintMap(const SunByPlace& sun, const PlaceColours& colours, const QSizeF
     const QRectF all(QPointF(0, 0), image.size());
     const double footPx = legendHeightPt * pixelsPerPt;
     const QRectF map = all.adjusted(0, 0, 0, -footPx - gapPt * pixelsPerPt);
-    const MapView view(bounds(sun.settings.study.region), map);
+    const MapView view(shown, map);
     painter.setClipRect(map);
-    paintBuildings(canvas, view, sun.city, {shade::building, shade::buildingLine, 0.1});
+    paintBuildings(canvas, view, city, {shade::building, shade::buildingLine, 0.1});
     const Legend legend = legendOf(sun, colours);
     paintPlaces(canvas, view, sun, legend);
     painter.setClipping(false);
@@ -155,9 +156,10 @@ BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageS
                   {}};
     const QSizeF size(content.width(), content.height() - captionPt(textScale(setup)));
     page.items.push_back(
-        {content, PagePicture{paintMap(sun, colours, size),
-                              {QStringLiteral("Places by their mean hours of sun a day"),
-                               QStringLiteral("Outlines without colour: places without figures.")}}});
+        {content,
+         PagePicture{paintMap(sun, sun.city, bounds(sun.settings.study.region), colours, size, 300.0 / 72),
+                     {QStringLiteral("Places by their mean hours of sun a day"),
+                      QStringLiteral("Outlines without colour: places without figures.")}}});
     return page;
 }
 
@@ -230,6 +232,16 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
 }
 
 }  // namespace
+
+QImage paintPlacesMap(const SunByPlace& sun, const City& city, const PlaceColours& colours, int widthPx) {
+    constexpr double widthPt = 540;  // of the texts' size: that of a picture in a page
+    Box2 shown;
+    for (const Place& place : sun.places) shown.add(bounds(place));
+    const glm::vec2 size = shown.high - shown.low;
+    const double aspect = std::clamp(double(size.y) / double(size.x), 0.4, 1.6);
+    return paintMap(sun, city, shown, colours, {widthPt, widthPt * aspect + legendHeightPt},
+                    widthPx / widthPt);
+}
 
 std::vector<CommandOption> listColourOptions(const PlaceColours& colours) {
     std::vector<CommandOption> options = listLegendOptions(colours.legend, false);

@@ -5,6 +5,7 @@
 #include "app/report/book/answer_book.h"
 #include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
+#include "app/report/files/place_maps.h"
 #include "app/report/maps/element_legend.h"
 #include "app/report/maps/write_png.h"
 #include "core/io/styles/raster_style.h"
@@ -41,7 +42,11 @@ const FileNames& savedPointNames() {
 }
 
 const FileNames& savedPlaceNames() {
-    static const FileNames names{"places.csv", "places.gpkg", keptContributionsFile, "result.json"};
+    static const FileNames names = [] {
+        FileNames all{"places.csv", "places.gpkg", keptContributionsFile, "result.json"};
+        all.insert(all.end(), placeMapNames().begin(), placeMapNames().end());
+        return all;
+    }();
     return names;
 }
 
@@ -99,6 +104,10 @@ WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
         return writePlacesGeoPackage(file, city.frame, sun.baseline.places, table,
                                      makeStyle(sun.baseline, {legend, {}}));
     });
+    addPlaceMaps(files, std::make_shared<const SunOfCities>(sun), city,
+                 {.colours = {legend, {}},
+                  .cellM = result.grid.cellM > 0 ? result.grid.cellM : PlaceMapLook().cellM,
+                  .tags = {{"RESULT", result.name}, {"SCENARIO", result.scenario}}});
     if (!ofPlaces.empty()) files.add(keptContributionsFile, textContent(contributionsCsv(ofPlaces, {})));
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();

@@ -27,7 +27,7 @@ AreaSums sumUp(const std::vector<CountedCell>& cells, double enoughHours, Hours&
         const double at = hours(one.cell);
         sums.cells += one.share;
         sums.hours += one.share * at;
-        if (at >= enoughHours) sums.enough += one.share;
+        if (float(at) >= float(enoughHours)) sums.enough += one.share;  // as computeEnoughShare() compares
     }
     return sums;
 }
@@ -131,6 +131,8 @@ void takeDate(SunByPlace& made, const CellGroup& group, const ShadowField& field
         const AreaSums sums = sumUp(group.cells[i], made.settings.enoughHours,
                                     [&](std::uint32_t cell) { return hoursAt(field, cell); });
         SunOfPlace& sun = made.sun[group.places[i]];
+        std::vector<float>& ofCells = sun.dateHoursOfCells.emplace_back();
+        for (const CountedCell& one : group.cells[i]) ofCells.push_back(float(hoursAt(field, one.cell)));
         sun.dateHours.push_back(sums.hours / sums.cells);
         sun.belowShare.push_back(1 - sums.enough / sums.cells);
     }

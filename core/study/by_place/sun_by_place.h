@@ -98,6 +98,8 @@ struct SunOfPlace {
     std::vector<double>
         belowShare;  ///< of the area, with less than enoughHours; of SunByPlaceSettings::dates
     std::vector<SunOfCell> ofCells;  ///< also those beside it that count for some of it
+    /// Hours of sun of the same cells on each of SunByPlaceSettings::dates.
+    std::vector<std::vector<float>> dateHoursOfCells;
 };
 
 /// Their labels, and why there are no figures: what a place is listed with. Empty: nothing to remark.
@@ -171,6 +173,16 @@ Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::ve
 
 /// Share of the area of a place with so many hours of sun a day or more, from its cells; NaN: none is known.
 double computeEnoughShare(const SunOfPlace& of, double hours);
+/// Share of the area with fewer hours of sun on a date, an index of SunByPlaceSettings::dates; likewise.
+double computeBelowShare(const SunOfPlace& of, std::size_t date, double hours);
+
+/// The same where so many hours of sun a day are enough: its setting and the shares of all places follow.
+/// None: its cells are not known, as of a saved one. O(cells), without a sweep.
+std::optional<SunOfCities> withEnough(const SunOfCities& sun, double hours);
+
+/// Whether both tell of the same shadow on the same cells: they differ at most in the hours that are enough.
+/// False where cells are not known. O(cells)
+bool haveSameShadow(const SunOfCities& one, const SunOfCities& other);
 
 /// `before` and `after` have the same places and cells.
 std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after);
@@ -181,6 +193,9 @@ const Figures<SunChange>& sunChangeFigures();
 /// What they say: how many places have less than enough, hours on average, what each compared city takes,
 /// and the months.
 AnswerPage makePage(const SunOfCities& sun);
+
+/// What they say of one place: its hours, those of the dates, what each compared city takes, and its months.
+AnswerPage makePage(const SunOfCities& sun, std::size_t place);
 
 /// A row for each place: name, kind, the figures, a column for each month and each date, for each compared
 /// city its figures and changes in columns that end in its name ("hours_mean_tower"), lon_deg and lat_deg of

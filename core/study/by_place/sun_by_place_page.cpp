@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/describe/text.h"
+#include "core/receivers/place_names.h"
 #include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark {
@@ -64,23 +65,39 @@ std::chrono::year_month parseMonth(const std::string& name) {
     return std::chrono::year(year) / std::chrono::month(month);
 }
 
-double monthHours(const SunByPlace& sun, std::size_t month) {
-    return meanOver(sun, [&](std::size_t i) {
-        return month < sun.sun[i].monthHours.size() ? sun.sun[i].monthHours[month] : SunOfPlace::none;
-    });
+double monthHours(const SunOfPlace& of, std::size_t month) {
+    return month < of.monthHours.size() ? of.monthHours[month] : SunOfPlace::none;
 }
 
-Bars monthBars(const SunOfCities& sun) {
+double monthHours(const SunByPlace& sun, std::size_t month) {
+    return meanOver(sun, [&](std::size_t i) { return monthHours(sun.sun[i], month); });
+}
+
+// `hoursOf`: of a city and the index of a month.
+template <class HoursOf>
+Bars monthBars(const SunOfCities& sun, const HoursOf& hoursOf) {
     Bars bars{.title = NM_TEXT("Hours of sun a day by month"), .series = {sun.baseline.name}};
     for (const ComparedSun& compared : sun.compared) bars.series.push_back(compared.sun.name);
     for (std::size_t month = 0; month < sun.baseline.months.size(); ++month) {
         Bars::Group group{
-            parseMonth(sun.baseline.months[month]), {monthHours(sun.baseline, month)}, BarTone::sun};
-        for (const ComparedSun& compared : sun.compared)
-            group.values.push_back(monthHours(compared.sun, month));
+            parseMonth(sun.baseline.months[month]), {hoursOf(sun.baseline, month)}, BarTone::sun};
+        for (const ComparedSun& compared : sun.compared) group.values.push_back(hoursOf(compared.sun, month));
         bars.groups.push_back(std::move(group));
     }
     return bars;
+}
+
+// In minutes, as the table and the map state changes.
+Bars changesInMinutes(const Bars& hours, std::string_view title) {
+    Bars changes = changesOf(hours, title);
+    for (Bars::Group& group : changes.groups)
+        for (double& value : group.values) value *= minutesOfHour;
+    return changes;
+}
+
+std::vector<Bars> monthCharts(const SunOfCities& sun, const Bars& months) {
+    if (sun.compared.empty()) return {months};
+    return {months, changesInMinutes(months, NM_TEXT("Change of the minutes of sun a day by month"))};
 }
 
 std::vector<std::size_t> listMostChanged(const SunOfCities& sun) {
@@ -92,8 +109,10 @@ std::vector<std::size_t> listMostChanged(const SunOfCities& sun) {
         return change;
     };
     std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < sun.baseline.sun.size(); ++i)
-        if (largest(i) > 0) places.push_back(i);
+    const auto& all = sun.baseline.places;
+    const bool anyNamed = std::ranges::any_of(all, hasOwnName);  // the others are told by their kind's row
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (largest(i) > 0 && (hasOwnName(all[i]) || !anyNamed)) places.push_back(i);
     std::ranges::stable_sort(places, std::ranges::greater{}, largest);
     if (places.size() > maxCharted) places.resize(maxCharted);
     return places;
@@ -115,10 +134,56 @@ Bars placeBars(const SunOfCities& sun) {
 
 // Of several cities side by side, each with what changes against the baseline.
 std::vector<Bars> chartsOf(const SunOfCities& sun) {
-    const Bars months = monthBars(sun), places = placeBars(sun);
-    if (sun.compared.empty()) return {months};
-    return {months, changesOf(months, NM_TEXT("Change of the hours of sun a day by month")), places,
-            changesOf(places, NM_TEXT("Change of the hours of sun a day of these places"))};
+    std::vector<Bars> charts = monthCharts(sun, monthBars(sun, [](const SunByPlace& city, std::size_t month) {
+                                               return monthHours(city, month);
+                                           }));
+    if (sun.compared.empty()) return charts;
+    charts.push_back(placeBars(sun));
+    charts.push_back(
+        changesInMinutes(charts.back(), NM_TEXT("Change of the minutes of sun a day of these places")));
+    return charts;
+}
+
+double meanLossMin(const ComparedSun& compared) {
+    return -minutesOfHour *
+           meanOver(compared.sun, [&](std::size_t i) { return compared.changes[i].meanHours; });
+}
+
+Amount inMinutes(double minutes) { return {minutes, FigureUnit::minutes}; }
+
+// Of several scenarios, which takes less: the one with the smallest mean loss against that with the largest.
+std::vector<Sentence> judgeCities(const SunOfCities& sun) {
+    if (sun.compared.size() < 2) return {};
+    const auto [least, most] = std::ranges::minmax_element(sun.compared, {}, meanLossMin);
+    if (meanLossMin(*least) == meanLossMin(*most))
+        return {{NM_TEXT("%1 and %2 take the same sun: %3 a day on average over the places."),
+                 {least->sun.name, most->sun.name, inMinutes(meanLossMin(*least))}}};
+    return {
+        {NM_TEXT("%1 takes less sun than %2: %3 against %4 a day on average over the places."),
+         {least->sun.name, most->sun.name, inMinutes(meanLossMin(*least)), inMinutes(meanLossMin(*most))}}};
+}
+
+Sentence headlineOf(const std::string& name, const SunOfPlace& of, double enoughHours) {
+    if (std::isnan(of.meanHours)) return {NM_TEXT("%1 has no open ground that was measured"), {name}};
+    return {
+        NM_TEXT("%1 has %2 of sun a day; %3 of its area has %4 or more"),
+        {name, hoursOf(of.meanHours), Amount{of.enoughShare, FigureUnit::share, 0}, hoursOf(enoughHours)}};
+}
+
+Sentence describeDate(const SunByPlaceSettings& settings, const SunOfPlace& of, std::size_t date) {
+    return {NM_TEXT("On %1 it has %2; %3 of its area has less than %4."),
+            {formatText(settings.dates[date]), hoursOf(of.dateHours[date]),
+             Amount{of.belowShare[date], FigureUnit::share, 0}, hoursOf(settings.enoughHours)}};
+}
+
+Sentence describeChange(const ComparedSun& compared, std::size_t place) {
+    const SunChange& change = compared.changes[place];
+    const double lossMin = -minutesOfHour * change.meanHours;
+    if (lossMin < 0)
+        return {NM_TEXT("%1 gives it %2 of sun a day, at most %3 at one spot."),
+                {compared.sun.name, inMinutes(-lossMin), inMinutes(change.maxGainMin)}};
+    return {NM_TEXT("%1 takes %2 of sun a day from it, at most %3 at one spot."),
+            {compared.sun.name, inMinutes(lossMin), inMinutes(change.maxLossMin)}};
 }
 
 }  // namespace
@@ -126,7 +191,22 @@ std::vector<Bars> chartsOf(const SunOfCities& sun) {
 AnswerPage makePage(const SunOfCities& sun) {
     const SunByPlace& shown = sun.compared.empty() ? sun.baseline : sun.compared.back().sun;
     AnswerPage page{countDark(shown), {describeMean(shown)}, chartsOf(sun)};
+    for (Sentence& sentence : judgeCities(sun)) page.findings.push_back(std::move(sentence));
     for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeLosses(compared));
+    return page;
+}
+
+AnswerPage makePage(const SunOfCities& sun, std::size_t place) {
+    const SunByPlace& shown = sun.compared.empty() ? sun.baseline : sun.compared.back().sun;
+    const SunOfPlace& of = shown.sun[place];
+    AnswerPage page{headlineOf(shown.places[place].name, of, shown.settings.enoughHours)};
+    if (std::isnan(of.meanHours)) return page;
+    for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeChange(compared, place));
+    for (std::size_t date = 0; date < of.dateHours.size(); ++date)
+        page.findings.push_back(describeDate(shown.settings, of, date));
+    page.charts = monthCharts(sun, monthBars(sun, [place](const SunByPlace& city, std::size_t month) {
+                                  return monthHours(city.sun[place], month);
+                              }));
     return page;
 }
 

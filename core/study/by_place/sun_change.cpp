@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/study/by_place/sun_by_place.h"
 
@@ -27,16 +28,62 @@ SunChange changeOf(const SunOfPlace& before, const SunOfPlace& after, double los
     return change;
 }
 
-}  // namespace
-
-// Cells hold float hours: compared with 4.1 as float, 4.1 is enough.
-double computeEnoughShare(const SunOfPlace& of, double hours) {
+// Cells hold float hours: compared with 4.1 as float, 4.1 is enough. `hoursOf`: of the cell with an index.
+template <class HoursOf>
+double enoughShareOf(const SunOfPlace& of, double hours, const HoursOf& hoursOf) {
     double all = 0, enough = 0;
-    for (const SunOfCell& cell : of.ofCells) {
-        all += double(cell.share);
-        if (cell.hours >= float(hours)) enough += double(cell.share);
+    for (std::size_t i = 0; i < of.ofCells.size(); ++i) {
+        const auto share = double(of.ofCells[i].share);
+        all += share;
+        if (hoursOf(i) >= float(hours)) enough += share;
     }
     return enough / all;
+}
+
+// NaN: no receiver.
+bool isSameMinute(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+bool hasCells(const SunByPlace& sun) {
+    return std::ranges::any_of(sun.sun, [](const SunOfPlace& of) { return !of.ofCells.empty(); });
+}
+
+void restate(SunByPlace& sun, double hours) {
+    sun.settings.enoughHours = hours;
+    for (SunOfPlace& of : sun.sun) {
+        if (of.ofCells.empty()) continue;
+        of.enoughShare = computeEnoughShare(of, hours);
+        for (std::size_t date = 0; date < of.dateHoursOfCells.size(); ++date)
+            of.belowShare[date] = computeBelowShare(of, date, hours);
+    }
+}
+
+}  // namespace
+
+double computeEnoughShare(const SunOfPlace& of, double hours) {
+    return enoughShareOf(of, hours, [&](std::size_t i) { return of.ofCells[i].hours; });
+}
+
+double computeBelowShare(const SunOfPlace& of, std::size_t date, double hours) {
+    if (of.ofCells.empty()) return SunOfPlace::none;
+    return 1 - enoughShareOf(of, hours, [&](std::size_t i) { return of.dateHoursOfCells[date][i]; });
+}
+
+std::optional<SunOfCities> withEnough(const SunOfCities& sun, double hours) {
+    if (!hasCells(sun.baseline)) return std::nullopt;
+    SunOfCities restated = sun;
+    restate(restated.baseline, hours);
+    for (ComparedSun& compared : restated.compared) restate(compared.sun, hours);
+    return restated;
+}
+
+bool haveSameShadow(const SunOfCities& one, const SunOfCities& other) {
+    const auto same = [](const SunByPlace& a, const SunByPlace& b) {
+        return hasCells(a) && hasCells(b) && a.name == b.name &&
+               std::ranges::equal(a.field.grossMin, b.field.grossMin, isSameMinute) &&
+               a.settings.dates == b.settings.dates && a.months == b.months;
+    };
+    return one.baseline.places == other.baseline.places && same(one.baseline, other.baseline) &&
+           std::ranges::equal(one.compared, other.compared, same, &ComparedSun::sun, &ComparedSun::sun);
 }
 
 std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after) {

@@ -1,15 +1,12 @@
-#include <algorithm>
-#include <cmath>
-
 #include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark {
 
 ColourScale makeScale(const SunByPlace& sun, const PlaceColours& colours) {
-    double most = 0;
-    for (const SunOfPlace& of : sun.sun) most = std::fmax(most, of.meanHours);
+    std::vector<double> hours;
+    for (const SunOfPlace& of : sun.sun) hours.push_back(of.meanHours);
     return makeThresholdScale(colours.legend, colours.thresholdHours.value_or(sun.settings.enoughHours),
-                              std::ceil(most));
+                              hours);
 }
 
 LayerStyle makeStyle(const SunByPlace& sun, const PlaceColours& colours) {

@@ -141,14 +141,14 @@ TEST(ColourScale, ChangesHaveRampAndClassesOfTheirOwn) {
 }
 
 TEST(ColourScale, PlacesChangeFromVioletToOrangeAtTheThreshold) {
-    const ColourScale scale = makeThresholdScale({}, 3, 9);
+    const ColourScale scale = makeThresholdScale({}, 3, std::vector{8.5});
     ASSERT_EQ(scale.classes().size(), 6);
     const auto isViolet = [](Rgb rgb) { return rgb.blue > rgb.red; };
     EXPECT_TRUE(isViolet(scale.colourOf(2.99)));
     EXPECT_FALSE(isViolet(scale.colourOf(3)));
     LegendChoice choice;
     choice.ramp = Ramp::viridis;
-    EXPECT_EQ(makeThresholdScale(choice, 3, 9).ramp, Ramp::viridis);
+    EXPECT_EQ(makeThresholdScale(choice, 3, std::vector{9.0}).ramp, Ramp::viridis);
 }
 
 TEST(LegendChoice, StatesOnTheCommandLineWhatWouldBeDrawnOtherwise) {
@@ -161,8 +161,23 @@ TEST(LegendChoice, StatesOnTheCommandLineWhatWouldBeDrawnOtherwise) {
               (std::vector<CommandOption>{{"--show", {"sun"}}, {"--change-ramp", {"blue-red"}}}));
 }
 
+TEST(ColourScale, PlacesHaveTheRangeAndTheClassesThatWereChosen) {
+    const std::vector hours{1.0, 2.0, 3.0, 4.0, std::nan("")};
+    LegendChoice choice{
+        .show = ShownAs::sun, .range = LegendRange{0, 10}, .classes = {LegendClasses::Kind::equal, 5, {}}};
+    EXPECT_EQ(makeThresholdScale(choice, 2, hours).breaks, (std::vector<double>{2, 4, 6, 8}));
+    choice.classes = {LegendClasses::Kind::quantiles, 2, {}};
+    EXPECT_EQ(makeThresholdScale(choice, 2, hours).breaks, std::vector<double>{3});
+    choice.classes = {LegendClasses::Kind::breaks, 5, {1.5}};
+    EXPECT_EQ(makeThresholdScale(choice, 2, hours).breaks, std::vector<double>{1.5});
+    choice.show = ShownAs::shadow;
+    EXPECT_EQ(makeThresholdScale(choice, 2, hours).breaks.size(), 5U)
+        << "numbers of minutes are none of hours";
+    EXPECT_EQ(makeThresholdScale(choice, 2, hours).high, 4);
+}
+
 TEST(ColourScale, ThereIsNoClassOfLessThanNoSun) {
-    const auto classes = makeThresholdScale({}, 0, 6).classes();
+    const auto classes = makeThresholdScale({}, 0, std::vector{6.0}).classes();
     ASSERT_EQ(classes.size(), 3U);
     EXPECT_EQ(classes.front().low, 0);
     EXPECT_EQ(classes.front().label, "0 to 2 h");

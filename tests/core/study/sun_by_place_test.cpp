@@ -408,9 +408,69 @@ TEST(SunByPlace, PlacesThatChangeStandSideBySideAboveTheirChanges) {
     EXPECT_EQ(groupKey(hours.groups[0]), "Park");
     EXPECT_DOUBLE_EQ(hours.groups[0].values[0], all.baseline.sun[1].meanHours);
     EXPECT_TRUE(changes.isChange);
-    EXPECT_DOUBLE_EQ(changes.groups[0].values[0], all.compared[0].changes[1].meanHours);
+    EXPECT_NEAR(changes.groups[0].values[0], 60 * all.compared[0].changes[1].meanHours, 1e-9) << "minutes";
     EXPECT_EQ(changes.groups[0].values[1], 0);
     EXPECT_EQ(makePage({all.baseline, {}}).charts.size(), 1U) << "of one city, its months alone";
+}
+
+TEST(SunByPlace, PlacesWithoutANameAreNotChartedBesideThoseWithOne) {
+    Place unnamed = namedPlace("park (OSM way 7)", -30, 20, 10, 60);
+    unnamed.source = "OSM way 7";
+    const auto charted = [](const std::vector<Place>& places) {
+        std::vector<std::string> names;
+        const AnswerPage page =
+            makePage(compared({{"Now", tower()}, {"Wall", withWall(tower())}}, places, ofDays(3)));
+        for (const Bars::Group& group : page.charts[2].groups) names.push_back(groupKey(group));
+        return names;
+    };
+    EXPECT_EQ(charted({unnamed, namedPlace("Park", 10, 20, 50, 60)}), std::vector<std::string>{"Park"});
+    EXPECT_EQ(charted({unnamed}), std::vector<std::string>{"park (OSM way 7)"}) << "rather than nothing";
+}
+
+TEST(SunByPlace, OneSentenceJudgesWhichCityTakesLessSun) {
+    const SunOfCities all = compared({{"Now", tower()}, {"Wall", withWall(tower())}, {"Same", tower()}},
+                                     {namedPlace("Park", -30, 20, 50, 60)}, ofDays(3));
+    const AnswerPage page = makePage(all);
+    ASSERT_GE(page.findings.size(), 2U);
+    const std::string verdict = formatText(page.findings[1]);
+    EXPECT_THAT(verdict, testing::StartsWith("Same takes less sun than Wall: 0 min against "));
+}
+
+TEST(SunByPlace, AnotherThresholdGivesTheSharesOfARunWithIt) {
+    const std::vector<Place> places{namedPlace("Park", -30, 20, 50, 60)};
+    SunByPlaceSettings settings = ofDays(3);
+    settings.dates = {std::chrono::year(2026) / 12 / 21};
+    settings.enoughHours = 2;
+    const SunOfCities asked{measured(tower(), places, settings), {}};
+    for (const double hours : {0.0, 1.5, 4.1, 6.0, 9.0}) {
+        settings.enoughHours = hours;
+        const SunByPlace again = measured(tower(), places, settings);
+        const auto restated = withEnough(asked, hours);
+        ASSERT_TRUE(restated);
+        EXPECT_EQ(restated->baseline.settings.enoughHours, hours);
+        EXPECT_NEAR(restated->baseline.sun[0].enoughShare, again.sun[0].enoughShare, 1e-6) << hours;
+        EXPECT_NEAR(restated->baseline.sun[0].belowShare[0], again.sun[0].belowShare[0], 1e-6) << hours;
+        EXPECT_TRUE(haveSameShadow(asked, *restated));
+    }
+    SunOfCities saved = asked;
+    for (SunOfPlace& of : saved.baseline.sun) of.ofCells.clear();
+    EXPECT_FALSE(withEnough(saved, 3)) << "its cells are not known";
+}
+
+TEST(SunByPlace, TheSentencesOfOnePlaceStateItsSunItsDatesAndWhatIsTaken) {
+    SunByPlaceSettings settings = ofDays(3);
+    settings.dates = {std::chrono::year(2026) / 12 / 21};
+    const SunOfCities both =
+        compared({{"Now", tower()}, {"Wall", withWall(tower())}},
+                 {namedPlace("Park", -30, 20, 50, 60), namedPlace("Far", -400, -400, -360, -360)}, settings);
+    const AnswerPage page = makePage(both, 0);
+    EXPECT_THAT(formatText(page.headline), testing::StartsWith("Park has "));
+    ASSERT_EQ(page.findings.size(), 2U);
+    EXPECT_THAT(formatText(page.findings[0]), testing::StartsWith("Wall takes "));
+    EXPECT_THAT(formatText(page.findings[1]), testing::StartsWith("On 2026-12-21 it has "));
+    ASSERT_EQ(page.charts.size(), 2U);
+    EXPECT_DOUBLE_EQ(page.charts[0].groups[0].values[0], both.baseline.sun[0].monthHours[0]);
+    EXPECT_NE(makePage(both, 1).charts[0].groups[0].values[0], page.charts[0].groups[0].values[0]);
 }
 
 // A building of the scenario stands on a fifth of the park: that ground counts in neither city.

@@ -189,7 +189,7 @@ void ContributionLinks::attributeSun(std::size_t place) {
                                              enginesWith(places->baseline.settings.study.engine));
         },
         [this, places = sun()](Result<PlaceContributions> made) {
-            if (places != sun()) return;
+            if (!sun() || !haveSameShadow(*places, *sun())) return;
             if (!made)
                 return isCancelled(made.error()) ? refresh() : dock_.explain(describeError(made.error()));
             workbench_.keepWithAnswer(keepContributions(*made, places->baseline.field.sunlitMinutesPerDay));

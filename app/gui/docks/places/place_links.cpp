@@ -2,6 +2,7 @@
 
 #include "app/gui/docks/places/places_dock.h"
 #include "app/gui/docks/results/result_display.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/questions/saved_question.h"
@@ -9,15 +10,6 @@
 namespace noonmark {
 
 namespace {
-
-using SharedSun = std::shared_ptr<const SunOfCities>;
-
-SharedSun sunOf(const std::shared_ptr<const Answer>& answer) {
-    if (auto sun = contentOf<SunOfCities>(answer)) return sun;
-    const auto saved = contentOf<SavedContent>(answer);
-    const auto* places = saved ? saved->as<SavedSunByPlace>() : nullptr;
-    return places ? SharedSun(saved, &places->sun) : nullptr;
-}
 
 bool isAged(const std::shared_ptr<const Answer>& answer) {
     const auto saved = contentOf<SavedContent>(answer);
@@ -36,8 +28,11 @@ PlaceLinks::PlaceLinks(Workbench& workbench, const ResultDisplay& display, Place
     connect(&dock_, &PlacesDock::viewChanged, this, [this] { panel_.results().setPlaces(dock_.view()); });
     connect(&panel_.legend(), &LegendStrip::choiceChanged, this,
             [this] { dock_.setColours(panel_.legend().choice()); });
-    connect(&dock_, &PlacesDock::pointedAt, this,
-            [this](std::size_t place) { panel_.highlightPlace(nameOf(place)); });
+    connect(&dock_, &PlacesDock::pointedAt, this, [this](std::size_t place) {
+        panel_.highlightPlace(nameOf(place));
+        Q_EMIT chosen(place);
+    });
+    connect(&dock_, &PlacesDock::thresholdChosen, &workbench_, &Workbench::setEnough);
     connect(&dock_, &PlacesDock::wanted, this,
             [this](std::size_t place) { Q_EMIT placeWanted(nameOf(place)); });
     connect(&dock_, &PlacesDock::contributorsWanted, this,
@@ -49,7 +44,7 @@ PlaceLinks::PlaceLinks(Workbench& workbench, const ResultDisplay& display, Place
 void PlaceLinks::follow() {
     const auto past = workbench_.answer() ? nullptr : workbench_.past();
     const auto answer = past ? past : workbench_.answer();
-    const SharedSun sun = sunOf(answer);
+    const auto sun = sunOf(answer);
     const bool outdated = past || isAged(answer);
     dock_.show(sun, outdated ? tr("Outdated: buildings have changed") : QString(), outdated);
     panel_.results().setPlaces(dock_.view());

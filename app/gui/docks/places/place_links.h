@@ -22,6 +22,7 @@ Q_SIGNALS:
     void placeWanted(const std::string& name);         ///< to be seen in the view
     void contributorsWanted(const std::string& name);  ///< what buildings take from it is to be shown
     void dockWanted();                                 ///< another answer about places
+    void chosen(std::size_t place);                    ///< in table or view
 
 private:
     void follow();

@@ -15,6 +15,7 @@ namespace noonmark {
 namespace {
 
 constexpr double percentOfShare = 100;
+constexpr double minutesPerHour = 60;
 constexpr std::string_view enoughKey = "share_enough", minKey = "hours_min", maxKey = "hours_max";
 
 QString nameOf(const CivilDate& date) {
@@ -36,8 +37,12 @@ QString describeRemarks(const SunOfPlace& of) {
 
 bool isShare(const Figure& figure) { return figure.unit == FigureUnit::share; }
 
+// Changes are told in minutes throughout.
+bool isChangeOfHours(const Figure& figure) { return figure.isChange && figure.unit == FigureUnit::none; }
+
 QString columnHeading(const Figure& figure) {
     const QString label = translated(figure.label);
+    if (isChangeOfHours(figure)) return QObject::tr("%1, min").arg(label);
     if (isShare(figure)) return QObject::tr("%1, %").arg(label);
     if (figure.unit == FigureUnit::squareMetres) return QObject::tr("%1, m²").arg(label);
     return figure.unit == FigureUnit::minutesADay ? QObject::tr("%1, min").arg(label)
@@ -55,6 +60,12 @@ void PlaceSunModel::show(std::shared_ptr<const SunOfCities> sun) {
     makeColumns();
     makeNodes();
     endResetModel();
+}
+
+void PlaceSunModel::restate(std::shared_ptr<const SunOfCities> sun) {
+    const double hours = sun->baseline.settings.enoughHours;
+    sun_ = std::move(sun);
+    setEnough(hours);
 }
 
 void PlaceSunModel::setGrouped(bool grouped) {
@@ -97,18 +108,42 @@ void PlaceSunModel::makeColumns() {
         if (figure.key == enoughKey) enough_ = columns_.size();
         add(figure);
     }
-    describeEnough(sun_->baseline.settings.enoughHours);
     addChanges();
     addDates();
+    describeEnough(sun_->baseline.settings.enoughHours);
     for (const Figure& figure : sunOfPlaceFigures().rows())
         if (figure.use == FigureUse::basis) add(figure);
 }
 
+// The columns of the shares, which a threshold changes.
 void PlaceSunModel::describeEnough(double hours) {
+    const QString enough = formatAmount(hours);
     const Figure& figure = findFigure(sunOfPlaceFigures().rows(), enoughKey);
     FigureColumn& column = columns_[enough_];
-    column.heading = tr("%1 (%2 h), %").arg(translated(figure.label), formatAmount(hours));
-    column.tip = tr("%1 (here: %2 h)").arg(translatedSentence(figure.definition), formatAmount(hours));
+    column.heading = tr("%1 (%2 h), %").arg(translated(figure.label), enough);
+    column.tip = tr("%1 (here: %2 h)").arg(translatedSentence(figure.definition), enough);
+    const std::vector<CivilDate>& dates = sun_->baseline.settings.dates;
+    for (std::size_t date = 0; date < dates.size(); ++date) {
+        FigureColumn& below = columns_[firstDate_ + 2 * date + 1];
+        below.heading = tr("%1 < %2 h, %").arg(nameOf(dates[date]), enough);
+        below.tip = tr("Share of the area with less than %1 h of sun on this day").arg(enough);
+    }
+}
+
+bool PlaceSunModel::followsEnough(int column) const {
+    const auto at = std::size_t(column - firstFigure);
+    const std::size_t dates = sun_ ? sun_->baseline.settings.dates.size() : 0;
+    if (column < firstFigure || !sun_) return false;
+    return at == enough_ || (at > firstDate_ && at < firstDate_ + 2 * dates && (at - firstDate_) % 2 == 1);
+}
+
+void PlaceSunModel::fillEnough(std::size_t column, const std::function<double(const SunOfPlace&)>& share) {
+    FigureColumn& filled = columns_[column];
+    const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
+    for (std::size_t i = 0; i < sun.size(); ++i) filled.values[i] = percentOfShare * share(sun[i]);
+    for (std::size_t node = 1; node < nodes_.size(); ++node)
+        if (!nodes_[node].place) nodes_[node].values[column] = valueAbove(int(node), filled);
+    Q_EMIT headerDataChanged(Qt::Horizontal, firstFigure + int(column), firstFigure + int(column));
 }
 
 void PlaceSunModel::setEnough(double hours) {
@@ -116,26 +151,24 @@ void PlaceSunModel::setEnough(double hours) {
     const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
     if (std::ranges::all_of(sun, [](const SunOfPlace& of) { return of.ofCells.empty(); })) return;
     describeEnough(hours);
-    FigureColumn& column = columns_[enough_];
-    for (std::size_t i = 0; i < sun.size(); ++i)
-        column.values[i] = percentOfShare * computeEnoughShare(sun[i], hours);
-    for (std::size_t node = 1; node < nodes_.size(); ++node)
-        if (!nodes_[node].place) nodes_[node].values[enough_] = valueAbove(int(node), column);
-    Q_EMIT headerDataChanged(Qt::Horizontal, enoughColumn(), enoughColumn());
+    fillEnough(enough_, [hours](const SunOfPlace& of) { return computeEnoughShare(of, hours); });
+    for (std::size_t date = 0; date < sun_->baseline.settings.dates.size(); ++date)
+        fillEnough(firstDate_ + 2 * date + 1,
+                   [hours, date](const SunOfPlace& of) { return computeBelowShare(of, date, hours); });
 }
 
 void PlaceSunModel::addDates() {
     const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
     const SunByPlaceSettings& settings = sun_->baseline.settings;
+    firstDate_ = columns_.size();
     for (std::size_t date = 0; date < settings.dates.size(); ++date) {
-        const QString name = nameOf(settings.dates[date]), enough = formatAmount(settings.enoughHours);
-        addColumn({tr("%1, h").arg(name), tr("Hours of sun on this day, mean over the place"), 2, {}, {}},
-                  [&](std::size_t i) { return sun[i].dateHours[date]; });
-        addColumn({tr("%1 < %2 h, %").arg(name, enough),
-                   tr("Share of the area with less than %1 h of sun on this day").arg(enough),
-                   0,
+        addColumn({tr("%1, h").arg(nameOf(settings.dates[date])),
+                   tr("Hours of sun on this day, mean over the place"),
+                   2,
                    {},
                    {}},
+                  [&](std::size_t i) { return sun[i].dateHours[date]; });
+        addColumn({{}, {}, 0, {}, {}},
                   [&](std::size_t i) { return sun[i].belowShare[date] * percentOfShare; });
     }
 }
@@ -144,11 +177,14 @@ void PlaceSunModel::addChanges() {
     if (sun_->compared.empty()) return;
     const ComparedSun& compared = sun_->compared.back();
     for (const Figure& figure : sunChangeFigures().rows()) {
-        const double factor = isShare(figure) ? percentOfShare : 1;
-        const QString tip =
-            tr("%1 (baseline: %2)")
-                .arg(translatedSentence(figure.definition), QString::fromStdString(sun_->baseline.name));
-        addColumn({columnHeading(figure), tip, isShare(figure) ? 0 : figure.shownDecimals, {}, {}},
+        const double factor = isShare(figure) ? percentOfShare : isChangeOfHours(figure) ? minutesPerHour : 1;
+        const QString meaning = isChangeOfHours(figure)
+                                    ? tr("Minutes of sun a day more than in the baseline, mean over the days "
+                                         "and the place; negative: less")
+                                    : translatedSentence(figure.definition);
+        const QString tip = tr("%1 (baseline: %2)").arg(meaning, QString::fromStdString(sun_->baseline.name));
+        const int decimals = isShare(figure) ? 0 : isChangeOfHours(figure) ? 1 : figure.shownDecimals;
+        addColumn({columnHeading(figure), tip, decimals, {}, {}},
                   [&](std::size_t i) { return figure.get(&compared.changes[i]) * factor; });
     }
 }

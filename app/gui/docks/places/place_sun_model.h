@@ -43,9 +43,14 @@ public:
 
     void show(std::shared_ptr<const SunOfCities> sun);  ///< null: no rows
     void setGrouped(bool grouped);
-    /// The share with enough sun is that with so many hours a day, where the answer has its cells: a saved
-    /// one has the share with the hours that were asked for. No signal for each row, but for the heading.
+    /// The same places with other hours that are enough: rows, their order and what is open stay.
+    void restate(std::shared_ptr<const SunOfCities> sun);
+    /// The shares with enough sun, and those below it on the dates, are those of so many hours a day, where
+    /// the answer has its cells: a saved one has the shares of the hours that were asked for. No signal for
+    /// each row, but for the headings.
     void setEnough(double hours);
+    /// Whether a column changes with setEnough().
+    [[nodiscard]] bool followsEnough(int column) const;
     [[nodiscard]] int enoughColumn() const { return firstFigure + int(enough_); }
     [[nodiscard]] const std::shared_ptr<const SunOfCities>& sun() const { return sun_; }
     /// Hours a day of a place; NaN: no cell.
@@ -75,6 +80,7 @@ private:
     };
     void makeColumns();
     void describeEnough(double hours);
+    void fillEnough(std::size_t column, const std::function<double(const SunOfPlace&)>& share);
     void addColumn(FigureColumn column, const std::function<double(std::size_t)>& valueOf);
     void addDates();
     void addChanges();
@@ -91,6 +97,7 @@ private:
     bool grouped_ = false;
     std::vector<FigureColumn> columns_;
     std::size_t enough_ = 0;       ///< of the columns, the share with enough sun
+    std::size_t firstDate_ = 0;    ///< likewise, the hours of the first date, followed by the share below
     std::vector<Node> nodes_;      ///< 0: above all
     std::vector<int> nodeOf_;      ///< of each place
     std::vector<QColor> colours_;  ///< of each place

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QTimer>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -33,6 +34,7 @@ namespace {
 constexpr double maxThreshold = 12;  // hours
 constexpr int ticksOfHour = 10;
 constexpr double minutesOfHour = 60;
+constexpr int thresholdRestMs = 250;
 constexpr int fittedRows = 200;  // that columns are made wide enough for
 
 QString longNameOf(const CivilDate& date) {
@@ -47,6 +49,13 @@ QComboBox* listField(const char* name, const QString& tip) {
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     list->setMinimumContentsLength(8);
     return list;
+}
+
+// Low, since the dock lies below the view: each with its stretch.
+QHBoxLayout* lowRow(std::initializer_list<std::pair<QWidget*, int>> widgets) {
+    auto* row = new QHBoxLayout;
+    for (const auto& [widget, stretch] : widgets) row->addWidget(widget, stretch);
+    return row;
 }
 
 // Grey without a cell.
@@ -86,7 +95,8 @@ PlacesDock::PlacesDock(QWidget* parent)
       listed_(new QLabel),
       contributors_(pushButton(tr("Who shades it"), "placeContributors",
                                tr("Shows which buildings take sun from the chosen place, and how much. Or "
-                                  "double-click its row"))) {
+                                  "double-click its row"))),
+      rest_(new QTimer(this)) {
     filter_->setSourceModel(model_);
     makeTable();
     placeFields();
@@ -105,12 +115,9 @@ void PlacesDock::placeFields() {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
     column->addWidget(count_);
-    column->addWidget(shown_);
-    column->addWidget(makeThreshold());
-    column->addWidget(makeFilters());
+    column->addLayout(lowRow({{shown_, 1}, {makeThreshold(), 1}, {makeFilters(), 2}}));
     column->addWidget(table_, 1);
-    column->addWidget(listed_);
-    column->addWidget(contributors_);
+    column->addLayout(lowRow({{listed_, 1}, {contributors_, 0}}));
     contributors_->setEnabled(false);
 }
 
@@ -166,6 +173,9 @@ void PlacesDock::connectFields() {
     connect(shown_, &QComboBox::currentIndexChanged, this, &PlacesDock::colour);
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { follow(double(tick) / ticksOfHour); });
     connect(threshold_, &QDoubleSpinBox::valueChanged, this, &PlacesDock::follow);
+    rest_->setSingleShot(true);
+    rest_->setInterval(thresholdRestMs);
+    connect(rest_, &QTimer::timeout, this, [this] { Q_EMIT thresholdChosen(threshold_->value()); });
     connect(text_, &QLineEdit::textChanged, this, [this](const QString& text) {
         filter_->setText(text);
         listed();
@@ -208,7 +218,11 @@ void PlacesDock::show(std::shared_ptr<const SunOfCities> sun, const QString& not
     if (sun == model_->sun() && note == note_ && outdated == outdated_) return;
     note_ = note;
     outdated_ = outdated;
-    if (sun != model_->sun()) {
+    if (sun && model_->sun() && sun != model_->sun() && haveSameShadow(*sun, *model_->sun())) {
+        model_->restate(std::move(sun));
+        showThreshold();
+    } else if (sun != model_->sun()) {
+        rest_->stop();
         picture_ = sun ? PlacePicture(sun->baseline.places) : PlacePicture();
         model_->show(std::move(sun));
         fillLists();
@@ -217,9 +231,17 @@ void PlacesDock::show(std::shared_ptr<const SunOfCities> sun, const QString& not
     listed();
 }
 
-// The threshold begins at the hours that were asked for.
+// The hours that are enough in the answer; while the threshold moves, the answer follows later.
+void PlacesDock::showThreshold() {
+    if (rest_->isActive()) return;
+    const QSignalBlocker quietSlider(slider_), quietThreshold(threshold_);
+    const double enough = std::min(maxThreshold, model_->sun()->baseline.settings.enoughHours);
+    threshold_->setValue(enough);
+    slider_->setValue(int(std::lround(enough * ticksOfHour)));
+}
+
 void PlacesDock::fillLists() {
-    const QSignalBlocker quietShown(shown_), quietSlider(slider_), quietThreshold(threshold_);
+    const QSignalBlocker quietShown(shown_);
     shown_->clear();
     kinds_->clear();
     kinds_->addItem(tr("All kinds"));
@@ -231,9 +253,7 @@ void PlacesDock::fillLists() {
     std::set<PlaceKind> kinds;
     for (const Place& place : sun->baseline.places) kinds.insert(place.kind);
     for (const PlaceKind kind : kinds) kinds_->addItem(describeKinds(kind), int(kind));
-    const double enough = std::min(maxThreshold, sun->baseline.settings.enoughHours);
-    threshold_->setValue(enough);
-    slider_->setValue(int(std::lround(enough * ticksOfHour)));
+    showThreshold();
     table_->header()->setResizeContentsPrecision(fittedRows);
     for (int column = 0; column < filter_->columnCount(); ++column) table_->resizeColumnToContents(column);
     showWordsLast();
@@ -254,8 +274,9 @@ void PlacesDock::follow(double hours) {
     threshold_->setValue(hours);
     slider_->setValue(int(std::lround(hours * ticksOfHour)));
     model_->setEnough(hours);
-    if (filter_->sortColumn() == model_->enoughColumn()) filter_->invalidate();
+    if (model_->followsEnough(filter_->sortColumn())) filter_->invalidate();
     colour();
+    rest_->start();
 }
 
 ShownSun PlacesDock::shown() const {
@@ -275,10 +296,10 @@ void PlacesDock::setColours(const LegendChoice& choice) {
 
 ColourScale PlacesDock::scaleOf(const ShownSun& shown) const {
     if (shown.what == ShownSun::What::change) return makePlaceChangeScale(choice_);
-    double top = 0;
+    std::vector<double> hours;
     for (std::size_t i = 0; i < model_->sun()->baseline.places.size(); ++i)
-        top = std::fmax(top, model_->hoursOf(i, shown));
-    return makeThresholdScale(choice_, threshold_->value(), std::ceil(top));
+        hours.push_back(model_->hoursOf(i, shown));
+    return makeThresholdScale(choice_, threshold_->value(), hours);
 }
 
 // Of what colours the places, so that nobody takes it for exact; empty: not measured.
@@ -328,7 +349,8 @@ QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown) const {
     const double hours = model_->hoursOf(*place, shown);
     if (std::isnan(hours)) return tr("%1: no cell on open ground").arg(name);
     if (shown.what == ShownSun::What::change)
-        return tr("%1: %2 min of sun a day more or less").arg(name, groupDigits(hours * 60));
+        return hours < 0 ? tr("%1: %2 min of sun a day less").arg(name, groupDigits(-hours * 60))
+                         : tr("%1: %2 min of sun a day more").arg(name, groupDigits(hours * 60));
     return tr("%1: %2 h of sun a day").arg(name, groupDigits(hours, 2));
 }
 

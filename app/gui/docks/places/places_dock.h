@@ -13,6 +13,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSlider;
+class QTimer;
 class QTreeView;
 
 namespace noonmark {
@@ -38,9 +39,10 @@ public:
 Q_SIGNALS:
     /// Double click, or the button below the table: what buildings take from the place is to be shown.
     void contributorsWanted(std::size_t place);
-    void viewChanged();                 ///< view()
-    void pointedAt(std::size_t place);  ///< the current row
-    void wanted(std::size_t place);     ///< a click on its row, or Enter
+    void viewChanged();                  ///< view()
+    void pointedAt(std::size_t place);   ///< the current row
+    void wanted(std::size_t place);      ///< a click on its row, or Enter
+    void thresholdChosen(double hours);  ///< once it has come to rest: all of the answer is to follow it
 
 private:
     void placeFields();
@@ -50,6 +52,7 @@ private:
     void connectFields();
     void connectTable();
     void fillLists();
+    void showThreshold();
     void showWordsLast();
     void follow(double hours);
     void colour();
@@ -78,6 +81,7 @@ private:
     QString note_;
     bool outdated_ = false;
     LegendChoice choice_;
+    QTimer* rest_;  ///< of the threshold
 };
 
 }  // namespace noonmark

@@ -1,5 +1,7 @@
 #include "app/gui/docks/results/result_display.h"
 
+#include <algorithm>
+
 #include "app/gui/docks/elements/elements_dock.h"
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/docks/results/warnings_dock.h"
@@ -47,6 +49,11 @@ ResultDisplay::ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditP
     connect(&workbench_, &Workbench::studyStopped, this, [this] { places_.layer.setPartial(nullptr); });
     connect(&places_.figures, &ResultsDock::studyWanted, &workbench_, &Workbench::showStudyAgain);
     connect(&places_.figures, &ResultsDock::answerChosen, this, &ResultDisplay::showListed);
+    connect(&places_.figures, &ResultsDock::allPlacesWanted, this, &ResultDisplay::showAllPlaces);
+    connect(&places_.figures, &ResultsDock::contributorsWanted, this, [this] {
+        const auto sun = sunOf(workbench_.answer());
+        if (sun && place_) Q_EMIT contributorsWanted(sun->baseline.places[*place_].name);
+    });
     connect(&workbench_.document(), &StudyDocument::changed, this, &ResultDisplay::update);
     connect(&workbench_.session(), &ProjectSession::changed, this, &ResultDisplay::update);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &ResultDisplay::show);
@@ -67,6 +74,7 @@ void ResultDisplay::setHint(const QString& hint) { places_.figures.setHint(hint)
 void ResultDisplay::showAnswered() {
     const auto answer = workbench_.answer();
     if (contentOf<SavedContent>(answer)) mode_.showStudies();
+    place_.reset();
     show();
     if (answer && answer->points()) Q_EMIT elementsShown();
     if (answer && !answer->question().ofRun) Q_EMIT chosen();
@@ -76,7 +84,7 @@ void ResultDisplay::show() {
     const auto answer = workbench_.answer();
     if (!answer) return showPast();
     showInView(viewerOf(*answer).layer ? answer : workbench_.behind());
-    showFigures(*answer);
+    showFigures(answer);
     anyShown_ = anyShown_ || answer->question().ofRun;
     if (const StudySettings* settings = answer->settings()) settings_ = *settings;
     if (!answer->isSaved()) places_.warnings.show(answer->warnings());
@@ -93,7 +101,7 @@ void ResultDisplay::showPast() {
     }
     const auto layerOf = viewerOf(*past).layer;
     showLayer(layerOf ? outdated(layerOf(past)) : std::nullopt, false);
-    showFigures(*past);
+    showFigures(past);
     showOutdated();
 }
 
@@ -108,20 +116,51 @@ void ResultDisplay::showLayer(const std::optional<AnswerLayer>& layer, bool isSt
     places_.layer.setAnswer(layer, isStudy);
 }
 
-void ResultDisplay::showFigures(const Answer& answer) {
+void ResultDisplay::showFigures(const std::shared_ptr<const Answer>& answer) {
     shown_ = places_.legend.choice().show;
-    places_.figures.show(answer.page(shown_), viewerOf(answer).rows(answer, shown_));
-    places_.figures.setWarningCount(answer.warnings().size());
+    const auto sun = sunOf(answer);
+    if (!sun || (place_ && *place_ >= sun->baseline.places.size())) place_.reset();
+    if (place_) {
+        places_.figures.show(makePage(*sun, *place_), rowsOfPlace(*answer, *sun));
+        places_.figures.offerAllPlaces(sun->baseline.places.size());
+    } else {
+        places_.figures.show(answer->page(shown_), viewerOf(*answer).rows(*answer, shown_));
+    }
+    places_.figures.setWarningCount(answer->warnings().size());
+}
+
+// How it was made is the same for all places.
+std::vector<ResultRow> ResultDisplay::rowsOfPlace(const Answer& answer, const SunOfCities& sun) const {
+    const auto& all = answer.ofPlaces();
+    const auto kept = std::ranges::find(all, sun.baseline.places[*place_].name, &KeptContributions::place);
+    auto rows = makePlaceRows(sun, *place_, kept == all.end() ? nullptr : &*kept);
+    for (const ResultRow& row : viewerOf(answer).rows(answer, shown_))
+        if (row.isMethod) rows.push_back(row);
+    return rows;
+}
+
+void ResultDisplay::showPlace(std::size_t place) {
+    if (place_ == place) return;
+    place_ = place;
+    repeatFigures();
+}
+
+void ResultDisplay::showAllPlaces() {
+    place_.reset();
+    repeatFigures();
+}
+
+void ResultDisplay::repeatFigures() {
+    const auto answer = workbench_.answer() ? workbench_.answer() : workbench_.past();
+    if (!answer) return;
+    showFigures(answer);
+    showOutdated();
 }
 
 // The figures speak of shadow or of sun as the legend does.
 void ResultDisplay::followLegend() {
     if (places_.legend.choice().show == shown_) return;
-    shown_ = places_.legend.choice().show;
-    const auto answer = workbench_.answer() ? workbench_.answer() : workbench_.past();
-    if (!answer) return;
-    showFigures(*answer);
-    showOutdated();
+    repeatFigures();
 }
 
 // The measured ones, newest first, then those saved under a name, in the project's order.

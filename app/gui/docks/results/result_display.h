@@ -38,6 +38,7 @@ public:
     void showCity();                    ///< another city, with its warnings and its result, if there is one
     void forget();                      ///< another project: nothing of it has been shown
     void setHint(const QString& hint);  ///< shown while there are no figures
+    void showPlace(std::size_t place);  ///< of an answer about places: its figures instead of those of all
 
     /// An answer of a run on this project has been shown.
     [[nodiscard]] bool anyShown() const { return anyShown_; }
@@ -45,8 +46,9 @@ public:
     [[nodiscard]] const StudySettings& settings() const { return settings_; }
 
 Q_SIGNALS:
-    void updated();        ///< the answer, or what is stated about it
-    void elementsShown();  ///< an answer of points: its table should be visible
+    void updated();                                     ///< the answer, or what is stated about it
+    void elementsShown();                               ///< an answer of points: its table should be visible
+    void contributorsWanted(const std::string& place);  ///< what buildings take from it is to be shown
     void chosen();  ///< an answer beside those of Run, asked for just now: its figures should be visible
 
 private:
@@ -55,7 +57,10 @@ private:
     void showPast();
     void showInView(const std::shared_ptr<const Answer>& answer);
     void showLayer(const std::optional<AnswerLayer>& layer, bool isStudy);
-    void showFigures(const Answer& answer);
+    void showFigures(const std::shared_ptr<const Answer>& answer);
+    [[nodiscard]] std::vector<ResultRow> rowsOfPlace(const Answer& answer, const SunOfCities& sun) const;
+    void showAllPlaces();
+    void repeatFigures();
     void followLegend();
     void listAnswers();
     void showNamed(const std::string& name);
@@ -71,7 +76,8 @@ private:
     std::vector<std::function<void()>> listed_;  ///< shows the answers of the list, in its order
     bool anyShown_ = false;
     StudySettings settings_;
-    ShownAs shown_ = ShownAs::shadow;  ///< what the figures tell of
+    ShownAs shown_ = ShownAs::shadow;   ///< what the figures tell of
+    std::optional<std::size_t> place_;  ///< of an answer about places: the one that the figures tell of
 };
 
 }  // namespace noonmark

@@ -104,6 +104,9 @@ ResultsDock::ResultsDock(QWidget* parent)
       note_(textLabel("resultNote")),
       back_(pushButton(tr("Show the study again"), "wayBack",
                        tr("Replaces this result by the current study or comparison"))),
+      allPlaces_(pushButton({}, "allPlaces", tr("Shows the figures of all places again"))),
+      shadedBy_(pushButton(tr("Who shades it"), "resultContributors",
+                           tr("Shows which buildings take sun from this place, and how much"))),
       charts_(new BarCharts),
       figures_(new QWidget),
       sections_(new QWidget),
@@ -123,6 +126,8 @@ ResultsDock::ResultsDock(QWidget* parent)
     setAnswers({}, -1);
     connect(answers_, &QComboBox::activated, this, &ResultsDock::answerChosen);
     connect(back_, &QPushButton::clicked, this, &ResultsDock::studyWanted);
+    connect(allPlaces_, &QPushButton::clicked, this, &ResultsDock::allPlacesWanted);
+    connect(shadedBy_, &QPushButton::clicked, this, &ResultsDock::contributorsWanted);
     connect(command_, &QPushButton::clicked, this, &ResultsDock::commandWanted);
     connect(warnings_, &QPushButton::clicked, this, &ResultsDock::warningsWanted);
     connect(howMade_, &QToolButton::toggled, this, &ResultsDock::showMethod);
@@ -134,8 +139,8 @@ void ResultsDock::placeContent() {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     for (QWidget* each :
-         std::initializer_list<QWidget*>{headline_, findings_, note_, back_, charts_, figures_, sections_,
-                                         howMade_, method_, command_, warnings_})
+         std::initializer_list<QWidget*>{allPlaces_, headline_, findings_, note_, back_, charts_, figures_,
+                                         shadedBy_, sections_, howMade_, method_, command_, warnings_})
         column->addWidget(each);
     column->addStretch(1);
     auto* sections = new QVBoxLayout(sections_);
@@ -195,6 +200,7 @@ void ResultsDock::show(const AnswerPage& page, const std::vector<ResultRow>& row
     showMethod();
     setNote({});
     offerWayBack(false);
+    for (QPushButton* button : {allPlaces_, shadedBy_}) button->hide();
 }
 
 void ResultsDock::showMethod() {
@@ -253,5 +259,10 @@ void ResultsDock::setFaded(bool faded) {
 }
 
 void ResultsDock::offerWayBack(bool offered) { back_->setVisible(offered); }
+
+void ResultsDock::offerAllPlaces(std::size_t places) {
+    allPlaces_->setText(tr("Back to all %1 place(s)", "", pluralNumber(places)).arg(formatCount(places)));
+    for (QPushButton* button : {allPlaces_, shadedBy_}) button->show();
+}
 
 }  // namespace noonmark

@@ -40,12 +40,17 @@ public:
     [[nodiscard]] const std::vector<ResultRow>& rows() const { return rows_; }
     [[nodiscard]] QString headline() const;
     void offerWayBack(bool offered);  ///< shows a button back to the study
+    /// What is shown is one of so many places: buttons back to all of them, and to what shades it. The next
+    /// show() removes them.
+    void offerAllPlaces(std::size_t places);
 
 Q_SIGNALS:
     void studyWanted();
     void answerChosen(int answer);  ///< of setAnswers()
     void commandWanted();           ///< on the clipboard
     void warningsWanted();          ///< their list
+    void allPlacesWanted();
+    void contributorsWanted();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -63,6 +68,8 @@ private:
     QLabel* findings_;
     QLabel* note_;
     QPushButton* back_;
+    QPushButton* allPlaces_;
+    QPushButton* shadedBy_;
     BarCharts* charts_;
     QWidget* figures_;  ///< rows
     QWidget* sections_;

@@ -35,6 +35,9 @@ struct AnswerViewer {
     std::vector<ResultRow> (*savedRows)(const SavedContent&, ShownAs) = nullptr;
 };
 
+/// The places of an answer about them, new or saved; null: it is about something else.
+std::shared_ptr<const SunOfCities> sunOf(const std::shared_ptr<const Answer>& answer);
+
 /// As lists name an answer, and the project file: "Study of Tower, 2026-06-21".
 QString listedName(const Answer& answer);
 

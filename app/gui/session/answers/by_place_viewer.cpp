@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/translated.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/answers/result_rows.h"
+#include "app/gui/session/study/region_words.h"
+#include "core/receivers/place_names.h"
 
 namespace noonmark {
 
@@ -46,12 +50,13 @@ QString titleOfPlaces(const Answer& answer) {
 
 QString hoursText(double hours) { return QObject::tr("%1 h of sun a day").arg(groupDigits(hours, 2)); }
 
-// Of the place with least, or with most.
+// Of the place with least, or with most. Those without a name of their own only where no other has one.
 ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPlace& sun, bool most) {
     std::optional<std::size_t> found;
+    const bool anyNamed = std::ranges::any_of(sun.places, hasOwnName);
     for (std::size_t i = 0; i < sun.sun.size(); ++i) {
         const double hours = sun.sun[i].meanHours;
-        if (std::isnan(hours)) continue;
+        if (std::isnan(hours) || (anyNamed && !hasOwnName(sun.places[i]))) continue;
         if (!found || (most ? hours > sun.sun[*found].meanHours : hours < sun.sun[*found].meanHours))
             found = i;
     }
@@ -69,7 +74,46 @@ QString countText(const SunByPlace& sun) {
     return without == 0 ? all : QObject::tr("%1, %2 without a cell").arg(all, formatCount(without));
 }
 
+ResultRow figureRow(const Figure& figure, const SunOfPlace& of) {
+    const double value = figure.get(&of);
+    const QString text = figure.unit == FigureUnit::share ? QObject::tr("%1 %").arg(groupDigits(100 * value))
+                         : figure.unit == FigureUnit::squareMetres ? describeArea(value)
+                                                                   : hoursText(value);
+    return {translated(figure.label), text, translatedSentence(figure.definition)};
+}
+
+ResultRow contributorRow(const Contribution& one) {
+    const std::string& name = one.name.empty() ? one.id : one.name;
+    return {one.id == terrainId ? QObject::tr("Terrain") : QString::fromStdString(name),
+            QObject::tr("takes %1 min of sun a day, %2 % of its shadow")
+                .arg(formatAmount(one.attributedMin), formatAmount(100 * one.share)),
+            translatedSentence(attributedDefinition())};
+}
+
 }  // namespace
+
+std::shared_ptr<const SunOfCities> sunOf(const std::shared_ptr<const Answer>& answer) {
+    if (auto sun = contentOf<SunOfCities>(answer)) return sun;
+    const auto saved = contentOf<SavedContent>(answer);
+    const auto* places = saved ? saved->as<SavedSunByPlace>() : nullptr;
+    return places ? std::shared_ptr<const SunOfCities>(saved, &places->sun) : nullptr;
+}
+
+std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place,
+                                     const KeptContributions* contributions) {
+    const SunByPlace& shown = shownCity(sun);
+    const SunOfPlace& of = shown.sun[place];
+    std::vector<ResultRow> rows{{QObject::tr("Kind"), describeKind(shown.places[place].kind), {}}};
+    for (const std::string_view remark : listRemarks(of))
+        rows.push_back({QObject::tr("Remark"), translatedSentence(remark), {}});
+    if (!std::isnan(of.meanHours))
+        for (const Figure& figure : sunOfPlaceFigures().rows()) rows.push_back(figureRow(figure, of));
+    if (contributions == nullptr) return rows;
+    constexpr std::size_t most = 8;  // the panel Contributions lists all
+    for (std::size_t i = 0; i < std::min(most, contributions->rows.size()); ++i)
+        rows.push_back(contributorRow(contributions->rows[i]));
+    return rows;
+}
 
 const AnswerViewer& byPlaceViewer() {
     static const AnswerViewer viewer{.question = byPlaceQuestion().key,

@@ -6,6 +6,7 @@
 #include "core/describe/figure_text.h"
 #include "core/describe/sentence.h"
 #include "core/study/by_place/sun_by_place.h"
+#include "core/study/contributions/place_contributions.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/error_words.h"
@@ -26,6 +27,7 @@ struct ResultRow {
 ResultRow methodRow(const QString& name, const QString& value, const QString& meaning = {});
 
 /// A row for each figure in the user's language and units: label, value, and the definition as a tooltip.
+/// What the figures refer to belongs to how they were made.
 std::vector<ResultRow> figureRows(const std::vector<FigureLine>& lines);
 
 /// A row for each error: of what, how much, and what it was measured on.
@@ -93,6 +95,11 @@ struct PlaceFigures {
 };
 /// How many places were measured, the sunniest and the darkest of them, and how.
 std::vector<ResultRow> makeRows(const PlaceFigures& figures);
+
+/// One of its places: its sun, what is remarked about it, and the buildings that take most from it, where
+/// that is known: null is not.
+std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place,
+                                     const KeptContributions* contributions);
 
 /// "Jan 2026"
 QString describeMonth(std::chrono::year_month month);

@@ -160,15 +160,19 @@ void LegendEditor::setChoice(const LegendChoice& choice, const std::optional<Col
     fitted_ = fitted;
     const QSignalBlocker blocks[]{QSignalBlocker(show_),   QSignalBlocker(ramp_), QSignalBlocker(reversed_),
                                   QSignalBlocker(locked_), QSignalBlocker(kind_), QSignalBlocker(count_)};
-    show_->setCurrentIndex(int(choice.show));
+    show_->setCurrentIndex(int(isOfPlaces() ? ShownAs::sun : choice.show));
+    kind_->setItemText(0, isOfPlaces() ? tr("By the threshold of the panel Places") : tr("Continuous"));
     fillRamps();
     const LegendClasses& classes = aroundZero() ? choice.changeClasses : choice.classes;
     reversed_->setChecked(aroundZero() ? choice.changeReversed : choice.reversed);
-    locked_->setChecked(choice.range.has_value());
-    range_->setText(choice.range ? QString::fromStdString(formatText(*choice.range)) : QString());
-    kind_->setCurrentIndex(int(classes.kind));
+    const bool isTyped = !isOfPlaces() || choice.show == ShownAs::sun;  // else in another unit
+    const bool isLocked = choice.range && isTyped;
+    locked_->setChecked(isLocked);
+    range_->setText(isLocked ? QString::fromStdString(formatText(*choice.range)) : QString());
+    const bool hasBreaks = classes.kind == Kind::breaks;
+    kind_->setCurrentIndex(int(hasBreaks && !isTyped ? Kind::continuous : classes.kind));
     count_->setValue(classes.count);
-    breaks_->setText(classes.kind == Kind::breaks ? QString::fromStdString(formatText(classes)) : QString());
+    breaks_->setText(hasBreaks && isTyped ? QString::fromStdString(formatText(classes)) : QString());
     showEnabled();
 }
 
@@ -185,8 +189,9 @@ void LegendEditor::fillRamps() {
     ramp_->setCurrentIndex(int(std::ranges::find(ramps, chosen, &Choice<Ramp>::value) - ramps.begin()));
 }
 
-// The scale of sun by place knows no sunlit time; the threshold of its panel makes its classes.
-bool LegendEditor::hasOwnClasses() const {
+// The scale of sun by place knows no sunlit time; until classes are chosen, the threshold of its panel makes
+// them.
+bool LegendEditor::isOfPlaces() const {
     return fitted_ && fitted_->quantity.isSun() && fitted_->quantity.sunlitMin == 0;
 }
 
@@ -194,7 +199,8 @@ void LegendEditor::setCanUndo(bool can) { undo_->setEnabled(can); }
 
 void LegendEditor::showEnabled() {
     const auto kind = Kind(kind_->currentIndex());
-    const bool hasClasses = fitted_ && !hasOwnClasses();
+    const bool hasClasses = fitted_.has_value();
+    show_->setEnabled(!isOfPlaces());
     for (QWidget* field : {static_cast<QWidget*>(ramp_), static_cast<QWidget*>(reversed_)})
         field->setEnabled(fitted_.has_value());
     for (QWidget* field : {static_cast<QWidget*>(range_), static_cast<QWidget*>(locked_)})
@@ -202,8 +208,8 @@ void LegendEditor::showEnabled() {
     kind_->setEnabled(hasClasses);
     count_->setEnabled(hasClasses && (kind == Kind::equal || kind == Kind::quantiles));
     breaks_->setEnabled(hasClasses && kind == Kind::breaks);
-    problem_->setText(!fitted_          ? tr("What is shown has fixed colours: there is nothing to choose")
-                      : hasOwnClasses() ? tr("The panel Places divides the classes of sun by place")
+    problem_->setText(!fitted_       ? tr("What is shown has fixed colours: there is nothing to choose")
+                      : isOfPlaces() ? tr("Range and numbers are hours of sun a day")
                       : aroundZero() ? tr("A difference has its range beside the legend; a score is fitted")
                                      : QString());
 }
@@ -214,6 +220,15 @@ std::optional<LegendClasses> LegendEditor::readClasses() const {
     const auto breaks = parseLegendClasses(withoutSpaces(*breaks_));
     if (!breaks || breaks->kind != Kind::breaks) return std::nullopt;
     return *breaks;
+}
+
+// What is typed for places is in hours, so legends show sun from then on. A range of shadow stays.
+LegendChoice LegendEditor::withHours(LegendChoice choice, const LegendClasses& classes,
+                                     const std::optional<LegendRange>& range) {
+    if (range || classes.kind == Kind::breaks) choice.show = ShownAs::sun;
+    if (choice.show == ShownAs::sun) choice.range = range;
+    choice.classes = classes;
+    return choice;
 }
 
 std::optional<LegendChoice> LegendEditor::readRows() const {
@@ -227,6 +242,11 @@ std::optional<LegendChoice> LegendEditor::readRows() const {
         choice.changeRamp = ramp;
         choice.changeReversed = reversed_->isChecked();
         choice.changeClasses = *classes;
+        if (isOfPlaces() && classes->kind == Kind::breaks) choice.show = ShownAs::sun;
+    } else if (isOfPlaces()) {
+        choice.ramp = ramp;
+        choice.reversed = reversed_->isChecked();
+        return withHours(choice, *classes, range_->text().isEmpty() ? std::nullopt : std::optional(*range));
     } else if (fitted_) {
         choice.ramp = ramp;
         choice.reversed = reversed_->isChecked();
@@ -234,7 +254,8 @@ std::optional<LegendChoice> LegendEditor::readRows() const {
         choice.range = range_->text().isEmpty() ? std::nullopt : std::optional(*range);
     }
     const auto as = ShownAs(show_->currentIndex());
-    return as == choice.show ? choice : showAs(choice, as, fitted_ ? fitted_->quantity.sunlitMin : 0);
+    return as == choice.show || isOfPlaces() ? choice
+                                             : showAs(choice, as, fitted_ ? fitted_->quantity.sunlitMin : 0);
 }
 
 // What cannot be read yet stays in its field; the map keeps the colours it has.

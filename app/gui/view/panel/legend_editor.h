@@ -35,7 +35,9 @@ private:
     void take();
     [[nodiscard]] std::optional<LegendChoice> readRows() const;
     [[nodiscard]] bool aroundZero() const { return fitted_ && fitted_->of != ColourScale::Of::minutes; }
-    [[nodiscard]] bool hasOwnClasses() const;
+    [[nodiscard]] bool isOfPlaces() const;
+    [[nodiscard]] static LegendChoice withHours(LegendChoice choice, const LegendClasses& classes,
+                                                const std::optional<LegendRange>& range);
     void fillRamps();
     [[nodiscard]] std::optional<LegendClasses> readClasses() const;
     void showEnabled();
