@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
@@ -124,6 +125,9 @@ TEST_F(StartPageWindow, FilesDroppedOnItAreOpened) {
     QObject::connect(page, &StartPage::chosen, [&](const QStringList& files) { dropped = files; });
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(page, &enter);
+    EXPECT_TRUE(enter.isAccepted());
     QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(page, &drop);
     EXPECT_EQ(dropped, QStringList{file});

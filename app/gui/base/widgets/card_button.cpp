@@ -23,6 +23,10 @@ QLabel* textLabel(const QString& text) {
     auto* label = new QLabel(text);
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
+    // It takes the width that is there, and wraps.
+    QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
+    label->setSizePolicy(policy);
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
     return label;
 }
