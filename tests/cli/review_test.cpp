@@ -217,7 +217,9 @@ TEST_F(ReviewCommand, EvaluatesWindowsOfFacades) {
     EXPECT_THAT(csv,
                 testing::StartsWith("id,building,building_name,floor,azimuth_deg,windows,total_before,"));
     EXPECT_EQ(std::size_t(std::ranges::count(csv, '\n')), json["windows"].size() + 1);
-    EXPECT_TRUE(std::filesystem::exists(folder_.path("review") / "windows.gpkg"));
+    const std::string layer = textOf(folder_.path("review") / "windows.gpkg");
+    EXPECT_THAT(layer, HasSubstr(R"(type="categorizedSymbol" attr="verdict_after")"));
+    EXPECT_THAT(layer, HasSubstr(R"(category value="borderline")"));
     EXPECT_THAT(textOf(folder_.path("review") / "sheets.pdf"), testing::StartsWith("%PDF"));
     std::vector<std::string> byHorizons = facades;
     byHorizons.insert(byHorizons.end(), {"--engine", "horizon"});

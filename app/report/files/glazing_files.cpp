@@ -1,11 +1,28 @@
 #include "app/report/files/glazing_files.h"
 
 #include "app/report/book/print_book.h"
+#include "app/report/book/review/verdict_colour.h"
 #include "app/report/files/output_folder.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/warnings_json.h"
 
 namespace noonmark {
+
+namespace {
+
+// In the colours of the sheets.
+LayerStyle styleVerdicts() {
+    std::vector<ColourClass> classes;
+    for (const Verdict verdict :
+         {Verdict::pass, Verdict::borderline, Verdict::fail, Verdict::notApplicable, Verdict::notChecked}) {
+        const QColor mark = verdictMark(verdict);
+        const Rgb colour{std::uint8_t(mark.red()), std::uint8_t(mark.green()), std::uint8_t(mark.blue())};
+        classes.push_back({.colour = colour, .label = std::string(nameOf(verdict))});
+    }
+    return {"Verdicts after", categorizedStyle(StyledShape::points, "verdict_after", classes)};
+}
+
+}  // namespace
 
 std::vector<std::string> glazingFileNames() {
     return {"review.json", "windows.csv", "windows.gpkg", "sheets.pdf"};
@@ -24,8 +41,9 @@ Result<std::vector<std::filesystem::path>> writeGlazingFiles(
     OutputFolder files(folder, rules);
     files.add("review.json", textContent(toJsonText(glazingReviewJson(source.study, source.labels)) + "\n"));
     files.add("windows.csv", textContent((byteOrderMark ? "\xEF\xBB\xBF" : "") + toCsv(table)));
-    files.add("windows.gpkg",
-              [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table); });
+    files.add("windows.gpkg", [&](const std::filesystem::path& file) {
+        return writeElementsGeoPackage(file, table, styleVerdicts());
+    });
     files.add("sheets.pdf", textContent(pdf->toStdString()));
     return std::move(files).result();
 }
