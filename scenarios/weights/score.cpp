@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
@@ -52,10 +54,11 @@ public:
         std::vector<double> off;
         for (const double one : score) off.push_back(std::abs(one));
         if (off.empty()) return std::vector<ShownError>();
-        const double areaM2 = double(receivers_.cells.size()) * receivers_.grid.cellAreaM2();
-        return std::vector<ShownError>{sumUpError("cell_score", std::move(off)),
-                                       sumUpTotalError("score_m2", score, areaM2),
-                                       sumUpTotalError("weighted_shade_m2h", shade, areaM2)};
+        std::vector<ShownError> errors{sumUpError("cell_score", std::move(off)),
+                                       sumUpTotalError("score_m2", score, areaM2()),
+                                       sumUpTotalError("weighted_shade_m2h", shade, areaM2())};
+        for (const bool byMonth : {true, false}) addParts(errors, *truth, byMonth);
+        return errors;
     }
 
     Result<Score> run(const Engine& engine) {
@@ -90,6 +93,59 @@ private:
             for (std::size_t cell = 0; cell < sampled_.size(); ++cell)
                 differences[cell] += factor(piece) * (minutes_[piece][cell] - truth[piece][cell]);
         return differences;
+    }
+
+    [[nodiscard]] double areaM2() const {
+        return double(receivers_.cells.size()) * receivers_.grid.cellAreaM2();
+    }
+
+    static bool areTogether(const TimePiece& a, const TimePiece& b, bool byMonth) {
+        return byMonth ? a.month == b.month : a.interval == b.interval;
+    }
+
+    // Of a step in shadow: the share of the sunlit time of its month or interval.
+    double sharePerMinute(const TimePiece& piece, bool byMonth) const {
+        double sunlit = 0;
+        for (const TimePiece& other : pieces_)
+            if (areTogether(piece, other, byMonth)) sunlit += other.sun.sunlitMinutes();
+        return 1 / sunlit;
+    }
+
+    // Of the figures of months, or of intervals.
+    void addParts(std::vector<ShownError>& errors, const std::vector<std::vector<double>>& truth,
+                  bool byMonth) const {
+        const auto add = [&](std::string_view key, const auto& factor) {
+            if (auto error = errorOfParts(key, truth, byMonth, factor)) errors.push_back(*error);
+        };
+        const auto share = [&](std::size_t i) { return sharePerMinute(pieces_[i], byMonth); };
+        const auto score = [&](std::size_t i) { return scorePerMinute(pieces_[i]); };
+        const auto shade = [&](std::size_t i) { return weightOf(pieces_[i]) / 60; };
+        add(byMonth ? "month_shadow_m2" : "interval_shadow_m2", share);
+        add(byMonth ? "month_score_m2" : "interval_score_m2", score);
+        add(byMonth ? "month_shade_m2h" : "interval_shade_m2h", shade);
+    }
+
+    // The mean of the months or intervals, and within what the worst of them lies. None: there are none.
+    template <class Factor>
+    std::optional<ShownError> errorOfParts(std::string_view key,
+                                           const std::vector<std::vector<double>>& truth, bool byMonth,
+                                           const Factor& factor) const {
+        std::optional<ShownError> all;
+        std::size_t parts = 0;
+        for (std::size_t first = 0; first < pieces_.size(); ++first) {
+            const TimePiece& part = pieces_[first];
+            const auto isPart = [&](const TimePiece& one) { return areTogether(one, part, byMonth); };
+            const bool isKnown = std::ranges::any_of(std::span(pieces_).first(first), isPart);
+            if (isKnown || (!byMonth && !part.interval)) continue;
+            const auto differences =
+                differencesOf(truth, [&](std::size_t i) { return isPart(pieces_[i]) ? factor(i) : 0.0; });
+            const ShownError own = sumUpTotalError(key, differences, areaM2());
+            if (!all) all = own;
+            if (parts > 0) all->mean += (own.mean - all->mean) / double(parts + 1);
+            all->p99 = std::max(all->p99, own.p99);
+            ++parts;
+        }
+        return all;
     }
 
     static Score stated(Score score, const EngineChoice& choice) {

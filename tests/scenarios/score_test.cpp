@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/engines/horizon/horizon_sweep.h"
@@ -189,7 +190,7 @@ TEST(Score, ItsErrorsAreHowFarItIsOffRays) {
         const double one = std::abs(double(score.score[i]) - double(truth.score[i]));
         off += one, largest = std::max(largest, one), ++cells;
     }
-    ASSERT_EQ(score.errors.size(), 3U);
+    ASSERT_EQ(score.errors.size(), 9U);
     EXPECT_GT(largest, 0);
     EXPECT_EQ(score.errors[0].facts.key, "cell_score");
     EXPECT_NEAR(score.errors[0].mean, off / cells, 0.1 * off / cells);
@@ -200,6 +201,34 @@ TEST(Score, ItsErrorsAreHowFarItIsOffRays) {
     EXPECT_LT(std::abs(score.weightedShadeM2h - truth.weightedShadeM2h), score.errors[2].p99);
     settings.errorSample.receivers = 0;
     EXPECT_TRUE(scored(settings, makeMonthlyWeights()).errors.empty());
+}
+
+TEST(Score, MonthsAndIntervalsLieWithinErrorsOfTheirOwn) {
+    StudySettings settings = year();
+    settings.period.stepMinutes = 20;
+    settings.errorSample.receivers = ErrorSampleSettings::maxReceivers;
+    const Score truth = scored(settings, makeMonthlyWeights());
+    settings.engine = "horizon";
+    settings.engineSettings["bin"] = 2;
+    const Score score = scored(settings, makeMonthlyWeights());
+    const auto expectWithin = [&](std::string_view key, const auto& parts, const auto& truths, auto member) {
+        const auto error =
+            std::ranges::find_if(score.errors, [&](const ShownError& one) { return one.facts.key == key; });
+        ASSERT_NE(error, score.errors.end()) << key;
+        ASSERT_EQ(parts.size(), truths.size());
+        double off = 0;
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            off = std::fmax(off, std::abs(parts[i].*member - truths[i].*member));
+        EXPECT_GT(off, 0) << key;
+        EXPECT_LT(off, error->p99) << key;
+        EXPECT_LE(error->mean, error->p99) << key;
+    };
+    expectWithin("month_score_m2", score.months, truth.months, &MonthFigures::scoreM2);
+    expectWithin("month_shadow_m2", score.months, truth.months, &MonthFigures::shadowAreaM2);
+    expectWithin("month_shade_m2h", score.months, truth.months, &MonthFigures::weightedShadeM2h);
+    expectWithin("interval_score_m2", score.intervals, truth.intervals, &IntervalFigures::scoreM2);
+    expectWithin("interval_shadow_m2", score.intervals, truth.intervals, &IntervalFigures::shadowAreaM2);
+    expectWithin("interval_shade_m2h", score.intervals, truth.intervals, &IntervalFigures::weightedShadeM2h);
 }
 
 TEST(Score, AnIntervalOverSeveralMonthsIsOneFraction) {

@@ -56,13 +56,12 @@ struct MeasuredScenarios {
 
 Result<void> addScore(ScenarioStudy& scenario, const ScenariosQuestion& question, Progress& progress,
                       const std::stop_token& stop) {
-    StudySettings settings = question.study;
-    settings.errorSample.receivers = 0;  // tables of scenarios state no error of scores
+    const StudySettings& settings = question.study;
     auto score = runScore(scenario.study->city, settings, *question.weights, progress, stop,
                           enginesWith(settings.engine));
     if (!score) return tl::make_unexpected(score.error());
-    scenario.answers.score =
-        ScenarioScore{question.weights->name, totalsOf(*score), std::move(score->months)};
+    scenario.answers.score = ScenarioScore{question.weights->name, totalsOf(*score), std::move(score->months),
+                                           std::move(score->errors)};
     return {};
 }
 

@@ -27,6 +27,7 @@ struct ScenarioScore {
     std::string weights;  ///< name of the table
     ScoreTotals totals;
     std::vector<MonthFigures> months{};  ///< empty: of a result saved before they were kept
+    std::vector<ShownError> errors{};    ///< of Score::errors
 };
 
 /// The review by a rule: the number of places or windows with each verdict.

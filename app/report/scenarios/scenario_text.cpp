@@ -38,6 +38,7 @@ Json scoreJson(const std::optional<ScenarioScore>& score) {
     if (!score) return {};
     Json json{{"weights", score->weights}};
     json.update(figuresJson(scoreFigures().of(score->totals)));
+    json["errors"] = errorsJson(score->errors);
     return json;
 }
 

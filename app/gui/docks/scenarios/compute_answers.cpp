@@ -74,11 +74,9 @@ void LatestAnswers::scoreAll() {
     scoring_.start<Made>(
         tr("All scores"),
         [lacking, settings, weights](Progress& progress, const std::stop_token& stop) -> Result<Made> {
-            StudySettings plain = settings;
-            plain.errorSample.receivers = 0;  // the table states no error of scores
             const auto compute = [&](const CityPointer& city, Progress& share,
                                      const std::stop_token& stopped) -> Result<Score> {
-                auto score = runScore(*city, plain, weights, share, stopped, enginesWith(plain.engine));
+                auto score = runScore(*city, settings, weights, share, stopped, enginesWith(settings.engine));
                 if (score) score->score.clear();  // of each cell: only its sums are shown
                 return score;
             };
@@ -94,7 +92,8 @@ void LatestAnswers::scoreAll() {
                          {.question = hashQuestion(settings),
                           .weights = weights,
                           .score = totalsOf(score),
-                          .scoreMonths = std::move(score.months)}});
+                          .scoreMonths = std::move(score.months),
+                          .scoreErrors = std::move(score.errors)}});
                 });
             if (errors.size() < all) from_.workbench.session().noteAnswer();
             update();

@@ -141,7 +141,7 @@ std::optional<ScenarioScore> LatestAnswers::scoreOf(const CityPointer& city) con
         return one.city == city && one.figures.weights && one.figures.weights->intervals == weights.intervals;
     });
     if (!found) return std::nullopt;
-    return ScenarioScore{weights.name, found->score, found->scoreMonths};
+    return ScenarioScore{weights.name, found->score, found->scoreMonths, found->scoreErrors};
 }
 
 std::optional<ShadowStatistics> LatestAnswers::measuredOf(const CityPointer& city) const {
@@ -166,7 +166,8 @@ void LatestAnswers::adoptAnswer() {
              {.question = hashQuestion(score->settings),
               .weights = score->weights,
               .score = totalsOf(score->score),
-              .scoreMonths = score->score.months}});
+              .scoreMonths = score->score.months,
+              .scoreErrors = score->score.errors}});
     update();
 }
 

@@ -48,6 +48,7 @@ Json viewJson(const ViewFigures& saved) {
                      {"weights", Json::parse(weightsJson(*figures.weights))}};
     json["score"].update(figuresJson(scoreFigures().of(figures.score)));
     json["score"]["months"] = monthsJson(figures.scoreMonths);
+    json["score"]["errors"] = errorsJson(figures.scoreErrors);
     return json;
 }
 
@@ -67,6 +68,7 @@ std::optional<ViewFigures> viewFiguresFrom(const Json& json) try {
         figures.weights = weightsFrom(json.at("score"));
         figures.score = readFigures(scoreFigures(), json.at("score"));
         figures.scoreMonths = parseScoreMonths(json.at("score").value("months", Json::array()));
+        figures.scoreErrors = parseErrors(json.at("score").value("errors", Json::array()));
     }
     return saved;
 } catch (const std::exception&) {  // JSON of another shape
@@ -78,6 +80,7 @@ void take(const SavedStudy& study, SavedFigures& figures) { figures.measured = s
 void take(const SavedScore& score, SavedFigures& figures) {
     figures.score = totalsOf(score.score);
     figures.scoreMonths = score.score.months;
+    figures.scoreErrors = score.score.errors;
 }
 
 void take(const SavedImpact& impact, SavedFigures& figures) { figures.impact = impact.figures.all.front(); }

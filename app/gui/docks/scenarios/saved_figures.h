@@ -20,6 +20,7 @@ struct SavedFigures {
     std::optional<TimeWeights> weights;        ///< of a score
     ScoreTotals score;
     std::vector<MonthFigures> scoreMonths;  ///< of it; empty in results of versions that did not save them
+    std::vector<ShownError> scoreErrors{};  ///< likewise
     std::string settings;  ///< JSON: period, engine, cells and region's name, where there is no question
     Grid grid;             ///< likewise
 };

@@ -256,8 +256,13 @@ QString ScenarioTable::tipAt(const Row& row, int at) const {
 // What the figure belongs to.
 QString ScenarioTable::tipOfValue(const Row& row, const ScenarioColumn& column) const {
     const ScenarioAnswers answers = answersOf(row);
-    if (column.work == ScenarioWork::scoring)
-        return tr("With the weights %1").arg(named(answers.score->weights));
+    if (column.work == ScenarioWork::scoring) {
+        QStringList lines{tr("With the weights %1").arg(named(answers.score->weights))};
+        for (const ShownError& error : answers.score->errors)
+            if (error.facts.key == column.key)
+                lines << tr("Measured error against rays: %1").arg(sentenceText(describe(error)));
+        return lines.join(QLatin1Char('\n'));
+    }
     if (column.work == ScenarioWork::reviewing)
         return tr("%1, compared with %2")
             .arg(named(answers.verdicts->rule), named(answers.verdicts->baseline));
