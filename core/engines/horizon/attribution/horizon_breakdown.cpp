@@ -74,14 +74,16 @@ public:
                 work.sums.begin(breakdown.sets.names.size(), tile.blocks.numbers(), casters_);
             sweep(tile, breakdown.sets.names.size());
             if (stop_.stop_requested()) return cancelled();
-            for (Work& work : works_) {
-                work.sums.flush();
-                addCells(tile.blocks, work.sums, breakdown);
-            }
+            for (Work& work : works_) work.sums.flush();
+            addCells(tile.blocks, breakdown);
             receiversDone_ += tile.blocks.receivers();
         }
-        for (auto& minutes : breakdown.minutes)
-            for (float& value : minutes) value = float(double(value) * stepMinutes);
+        tbb::parallel_for(std::size_t{0}, breakdown.minutes.size(), [&](std::size_t set) {
+            for (const std::uint32_t cell : receivers_.cells) {
+                float& minutes = breakdown.minutes[set][cell];
+                minutes = float(double(minutes) * stepMinutes);
+            }
+        });
         addCasters(breakdown, stepMinutes * receivers_.grid.cellAreaM2());
         return {};
     }
@@ -154,11 +156,14 @@ private:
         return {overhangList_, tile.overhangs, bin.away, bin.lowest, receivers_.grid.cellM};
     }
 
-    static void addCells(const ReceiverBlocks& blocks, const StepSums& sums, ShadowBreakdown& breakdown) {
-        for (std::size_t set = 0; set < sums.sets(); ++set)
-            for (std::size_t n = 0; n < blocks.numbers(); ++n)
-                if (blocks.cell(n) != ReceiverBlocks::padding)
-                    breakdown.minutes[set][blocks.cell(n)] += float(sums.cells(set)[n]);
+    // Whole numbers of steps: their order does not matter.
+    void addCells(const ReceiverBlocks& blocks, ShadowBreakdown& breakdown) const {
+        tbb::parallel_for(std::size_t{0}, breakdown.minutes.size(), [&](std::size_t set) {
+            for (const Work& work : works_)
+                for (std::size_t n = 0; n < blocks.numbers(); ++n)
+                    if (blocks.cell(n) != ReceiverBlocks::padding)
+                        breakdown.minutes[set][blocks.cell(n)] += float(work.sums.cells(set)[n]);
+        });
     }
 
     void addCasters(ShadowBreakdown& breakdown, double minM2AStep) {
@@ -204,7 +209,9 @@ ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const Ste
         fmt::format("Horizon sweep: {}, one sweep for all months and intervals", formatText(binned));
     std::vector<float> none(receivers.grid.size(), std::numeric_limits<float>::quiet_NaN());
     for (const std::uint32_t cell : receivers.cells) none[cell] = 0;
-    breakdown.minutes.assign(sets.names.size(), none);
+    breakdown.minutes.resize(sets.names.size());
+    tbb::parallel_for(std::size_t{0}, sets.names.size(),
+                      [&](std::size_t set) { breakdown.minutes[set] = none; });
     return breakdown;
 }
 

@@ -21,8 +21,13 @@ std::vector<SetTables> setTables(const BinnedSun& binned, const StepSets& sets) 
 }
 
 void StepSums::begin(std::size_t sets, std::size_t numbers, std::size_t buildings) {
-    cells_.assign(sets, std::vector<std::uint32_t>(numbers));
-    short_.assign(sets, {std::vector<std::int16_t>(buildings == 0 ? numbers : 0)});
+    cells_.resize(sets);
+    for (auto& sums : cells_) sums.assign(numbers, 0);  // keeps the memory of the tile before
+    short_.resize(sets);
+    for (ShortCells& some : short_) {
+        some.sums.assign(buildings == 0 ? numbers : 0, 0);
+        some.most = 0;
+    }
     attributed_.resize(sets * buildings);
     sole_.resize(sets * buildings);
 }
