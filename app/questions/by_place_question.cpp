@@ -152,8 +152,7 @@ Result<std::shared_ptr<const Answer>> computeByPlace(const Asked& asked, Progres
     putBefore(sun->baseline.warnings, asked.loaded.read.warnings);
     sun->baseline.provenance = asked.provenance;
     sun->baseline.asked = asked.placesAsked;
-    return std::make_shared<ByPlaceAnswer>(std::make_shared<const SunOfCities>(*std::move(sun)),
-                                           asked.settings);
+    return makeByPlaceAnswer(*std::move(sun), asked.settings);
 }
 
 SavedForm savedPlaces() {
@@ -167,6 +166,11 @@ SavedForm savedPlaces() {
 }
 
 }  // namespace
+
+std::shared_ptr<const Answer> makeByPlaceAnswer(SunOfCities sun, StudySettings asked) {
+    return std::make_shared<ByPlaceAnswer>(std::make_shared<const SunOfCities>(std::move(sun)),
+                                           std::move(asked));
+}
 
 std::vector<std::string> byPlaceFileNames(bool withSheets) {
     std::vector<std::string> names{"places.csv", "places.gpkg", "places.json"};

@@ -87,6 +87,8 @@ const Question& byPlaceQuestion();
 const Question& reviewQuestion();
 const Question& glazingQuestion();
 
+/// The answer of sun that was measured elsewhere. `asked`: with the region that was asked for.
+std::shared_ptr<const Answer> makeByPlaceAnswer(SunOfCities sun, StudySettings asked);
 /// The files that its answers write.
 std::vector<std::string> byPlaceFileNames(bool withSheets);
 

@@ -116,12 +116,12 @@ TileSubject makeImpactSubject(const ComparedCities& cities) {
             }};
 }
 
-std::vector<TileMap> listImpactMaps() {
+std::vector<TileMap> listImpactMaps(const LegendChoice& legend) {
     TileMap impact{"impact", "Impact", {}, 4, 1};
     impact.bands = {{"change of gross shadow", "min/day", nullptr},
                     {"change of continuous shadow", "min", nullptr}};
-    impact.colours =
-        makeSignedScale({}, ColourScale::Of::change, {}, legendScale(lockedChangeMin), noChangeMin, {});
+    impact.colours = makeSignedScale(withoutQuantiles(legend), ColourScale::Of::change, {legend.show},
+                                     legendScale(lockedChangeMin), noChangeMin, {});
     return {mapOfShadow("after", "Shadow after", 0), mapOfShadow("before", "Shadow before", 2),
             std::move(impact)};
 }

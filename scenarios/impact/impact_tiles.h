@@ -18,6 +18,6 @@ TileSubject makeImpactSubject(const ComparedCities& cities);
 
 /// Its maps: `after` and `before` (gross and continuous shadow on the receivers that both cities have), and
 /// `impact`, after minus before.
-std::vector<TileMap> listImpactMaps();
+std::vector<TileMap> listImpactMaps(const LegendChoice& legend = {});
 
 }  // namespace noonmark

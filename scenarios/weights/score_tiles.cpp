@@ -76,10 +76,11 @@ TileSubject makeScoreSubject(const ScoredCity& scored) {
             }};
 }
 
-std::vector<TileMap> listScoreMaps() {
+std::vector<TileMap> listScoreMaps(const LegendChoice& legend) {
     TileMap map{.name = "score", .title = "Shadow score", .bands = {}};
     map.bands.push_back({"shadow score", "", nullptr});
-    map.colours = makeSignedScale({}, ColourScale::Of::wanted, {}, legendScale(1), 0, {});
+    map.colours =
+        makeSignedScale(withoutQuantiles(legend), ColourScale::Of::wanted, {}, legendScale(1), 0, {});
     return {std::move(map)};
 }
 

@@ -19,6 +19,6 @@ struct ScoredCity {
 TileSubject makeScoreSubject(const ScoredCity& scored);
 
 /// Its map: `score`.
-std::vector<TileMap> listScoreMaps();
+std::vector<TileMap> listScoreMaps(const LegendChoice& legend = {});
 
 }  // namespace noonmark

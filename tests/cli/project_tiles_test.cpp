@@ -100,6 +100,51 @@ TEST_F(ProjectTiles, TimelinesEqualThoseOfOneCommand) {
     EXPECT_GT(tiled["incremental"]["duration_min"], 0);
 }
 
+// Two places in different tiles, of which one is crossed by borders, in two scenarios.
+TEST_F(ProjectTiles, SunByPlaceIsThatOfOneCommandToTheLastDigit) {
+    ASSERT_EQ(project("add-scenario", {"Before"}).code, 0);
+    ASSERT_EQ(project("demolish", {"One57", "432 Park Avenue", "--scenario", "Before"}).code, 0);
+    const std::string places = folder_
+                                   .file("places.geojson", R"({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"name": "Sheep Meadow"}, "geometry": {"type": "Polygon", "coordinates":
+            [[[-73.979, 40.766], [-73.974, 40.766], [-73.974, 40.772], [-73.979, 40.772], [-73.979, 40.766]]]}},
+        {"type": "Feature", "properties": {"name": "Pond"}, "geometry": {"type": "Polygon", "coordinates":
+            [[[-73.974, 40.764], [-73.9735, 40.764], [-73.9735, 40.7645], [-73.974, 40.7645], [-73.974, 40.764]]]}}]})")
+                                   .string();
+    ASSERT_EQ(noonmarkCli({"project", "place", "read", file_, places}).code, 0);
+    std::vector<std::string> same{"--from", "12:00",    "--scenario", "Existing", "--baseline",
+                                  "Before", "--enough", "0.5",        "--date",   "2026-12-22"};
+    same.insert(same.end(), noon.begin(), noon.end());
+    std::vector<std::string> words{"tiles", "plan",  file_,    "--region", "city", "--by-place",
+                                   file_,   "--out", planned_, "--tile",   "64",   "--json"};
+    words.insert(words.end(), same.begin(), same.end());
+    const Spoken made = noonmarkCli(words);
+    ASSERT_EQ(made.code, 0) << made.err;
+    for (std::size_t task = 0; task < made.json()["tasks"]; ++task)
+        ASSERT_EQ(noonmarkCli({"tiles", "run", planned_, "--task", std::to_string(task)}).code, 0);
+    const Spoken merged =
+        noonmarkCli({"tiles", "merge", planned_, "--sheets", "--ramp", "viridis", "--threshold", "0.7"});
+    ASSERT_EQ(merged.code, 0) << merged.err;
+    EXPECT_THAT(merged.out, HasSubstr("2 places"));
+
+    std::vector<std::string> alone{"by-place", file_, "--out", folder_.path("out").string()};
+    alone.insert(alone.end(), same.begin(), same.end());
+    const Spoken spoken = noonmarkCli(alone);
+    ASSERT_EQ(spoken.code, 0) << spoken.err;
+    const auto textOf = [&](const char* file) {
+        std::ifstream stream(folder_.path(file));
+        return std::string{std::istreambuf_iterator<char>(stream), {}};
+    };
+    EXPECT_EQ(textOf("plan/merged/places.csv"), textOf("out/places.csv"));
+    EXPECT_THAT(textOf("out/places.csv"), HasSubstr("change_hours_existing"));
+    const auto tiled = nlohmann::json::parse(textOf("plan/merged/places.json")),
+               whole = nlohmann::json::parse(textOf("out/places.json"));
+    EXPECT_EQ(tiled["places"], whole["places"]);
+    EXPECT_EQ(tiled["period"], whole["period"]);
+    EXPECT_THAT(textOf("plan/merged/places.gpkg"), HasSubstr("to 0.7 h")) << "the threshold of the style";
+    EXPECT_THAT(textOf("plan/merged/sheets.pdf"), testing::StartsWith("%PDF"));
+}
+
 TEST_F(ProjectTiles, WhatTheProjectLacksIsRefused) {
     EXPECT_THAT(plan({"--weights", "none"}).err, HasSubstr("none"));
     EXPECT_EQ(plan({"--scenario", "C"}).code, 2);
@@ -107,6 +152,9 @@ TEST_F(ProjectTiles, WhatTheProjectLacksIsRefused) {
     EXPECT_THAT(plan({"--weights", "default", "--by", "month"}).err, HasSubstr("--weights"));
     EXPECT_THAT(plan({"--timelines", "no such file.gpkg"}).err, HasSubstr("no such file.gpkg"));
     EXPECT_EQ(plan({"--timelines", "a.gpkg", "--weights", "default"}).code, 2);
+    EXPECT_EQ(plan({"--timelines", "a.gpkg", "--by-place", "a.gpkg"}).code, 2);
+    EXPECT_EQ(plan({"--enough", "3"}).code, 2) << "of places only";
+    EXPECT_THAT(plan({"--by-place", file_}).err, HasSubstr("no such place"));
     const Spoken files = noonmarkCli({"tiles", "plan", "town.gpkg", "--region", "city", "--start",
                                       "2026-12-21", "--weights", "default", "--out", planned_});
     EXPECT_THAT(files.err, HasSubstr("Only a project"));

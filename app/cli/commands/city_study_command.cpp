@@ -8,6 +8,7 @@
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/study_table.h"
+#include "app/cli/options/picture_option.h"
 #include "app/cli/study/study_request.h"
 #include "app/input/all_engines.h"
 #include "app/report/files/output_folder.h"
@@ -62,7 +63,8 @@ Result<std::vector<std::filesystem::path>> writeTexts(const TiledStudy& tiled, c
                                                       const StudyOptions& options) {
     const Study& study = tiled.study;
     OutputFolder files(options.out, outputRulesOf(options, study.provenance.inputs));
-    const std::string style = rasterStyle(makeShadowScale(study.statistics, study.field.sunlitMinutesPerDay));
+    const std::string style =
+        rasterStyle(makeShadowScale(study.statistics, study.field.sunlitMinutesPerDay, options.legend));
     files.add(styleName, textContent(style));
     files.add(jsonName, textContent(json));
     if (study.settings.byMonth) {
@@ -77,7 +79,8 @@ Result<std::vector<std::filesystem::path>> writeTexts(const TiledStudy& tiled, c
 int runCityStudy(const CityStudyOptions& options, const Console& console) {
     const auto tiled = computed(options, console);
     if (!tiled) return fail(console, tiled.error().error, tiled.error().code);
-    const std::string json = tiledStudyJson(*tiled);
+    const std::string json =
+        extendRepeat(tiledStudyJson(*tiled), listLegendOptions(options.study.legend, false));
     const std::filesystem::path folder = options.study.out;
     auto files = writeTexts(*tiled, json, options.study);
     if (!files) return fail(console, files.error(), exitFailed);
@@ -98,6 +101,7 @@ void addCityStudyCommand(CLI::App& app, Run& run) {
         "city-study", "Run a study over a region of any size, tile by tile; resume it after an interruption");
     addStudyOptions(*command, options->study);
     addMonthOption(*command, options->study.settings);
+    addLegendOptions(*command, options->study.legend);
     command->add_option(flags::tile, options->tileCells, "Cells per side of a tile")
         ->capture_default_str()
         ->check(CLI::Range(TiledStudySettings::minTileCells, TiledStudySettings::maxTileCells))

@@ -1,21 +1,33 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <ostream>
 
 #include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
+#include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
+#include "app/cli/options/number_range.h"
+#include "app/cli/options/picture_option.h"
 #include "app/cli/options/place_options.h"
+#include "app/cli/options/sheet_options.h"
+#include "app/cli/study/load_city.h"
 #include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
+#include "app/input/output_rules.h"
+#include "app/questions/question.h"
 #include "core/describe/command_flags.h"
 #include "core/describe/figure_text.h"
+#include "core/io/read_city.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/remaining_time.h"
+#include "core/study/tile_tasks/merge/merge_by_place.h"
 #include "core/study/tile_tasks/merge/merge_timelines.h"
+#include "core/study/tile_tasks/plan/find_districts.h"
+#include "core/study/tile_tasks/plan/make_task_plan.h"
 
 namespace noonmark::cli {
 
@@ -49,7 +61,73 @@ struct MergeOptions {
     std::string places;
     PlaceOptions place;
     bool partial = false;
+    SheetOptions sheets;
+    PlaceColours colours;
 };
+
+// Where sheets draw its buildings the city is read whole, else only its ground counts.
+Result<std::vector<City>> readGround(const MergeOptions& options, const TaskPlan& plan,
+                                     const TileStudyOptions& study, const TileQuestionRead& question,
+                                     Progress& progress, const std::stop_token& stop) {
+    std::vector<City> cities;
+    if (question.subject) {
+        for (const auto& city : question.subject->cities) cities.push_back(*city);
+        return cities;
+    }
+    const District& district = plan.districts.front();
+    City ground{.frame = district.frame};
+    if (!district.terrainHash.empty()) ground.terrain = std::make_shared<const Terrain>();
+    if (options.sheets.wanted) {
+        auto read = readCity(pathsOf(plan.files), readSettingsIn(district, study.study.read.settings),
+                             progress, stop);
+        if (!read) return tl::make_unexpected(read.error());
+        ground = std::move(read->city);
+    }
+    cities.push_back(std::move(ground));
+    return cities;
+}
+
+AnswerFiles filesOf(const MergeOptions& options, const TaskPlan& plan, const BookSettings& book) {
+    AnswerFiles how;
+    how.sheets = options.sheets.wanted;
+    how.book = book;
+    how.legend = options.colours.legend;
+    how.thresholdHours = options.colours.thresholdHours;
+    how.rules = outputRules(plan.files, plan.inputs, true);  // those of an earlier merge
+    return how;
+}
+
+// How by-place chooses the same places; none where it has no words for it.
+std::optional<PlacesAsked> askedLike(const TaskPlan& plan, const TileStudyOptions& study) {
+    const bool ofCity = std::ranges::find(plan.files, study.byPlace) != plan.files.end();
+    if (!ofCity || study.study.region != "city" || namesProject(study.study.read)) return std::nullopt;
+    return PlacesAsked{listOptions(study.places)};
+}
+
+Result<MergeReport> mergeByPlace(const MergeOptions& options, const TaskPlan& plan,
+                                 const TileStudyOptions& study, Progress& progress,
+                                 const std::stop_token& stop) {
+    const auto question = readQuestion(study);
+    if (!question) return tl::make_unexpected(question.error());
+    const auto book = bookSettingsOf(options.sheets, {});
+    if (!book) return tl::make_unexpected(book.error());
+    const auto cities = readGround(options, plan, study, *question, progress, stop);
+    if (!cities) return tl::make_unexpected(cities.error());
+    auto merged = mergeSunByPlace(options.folder, plan, *question->byPlace, question->settings, *cities,
+                                  options.partial, progress, stop);
+    if (!merged) return tl::make_unexpected(merged.error());
+    merged->sun.baseline.provenance.inputs = plan.inputs;
+    merged->sun.baseline.asked = askedLike(plan, study);
+    const auto folder = makeMergedFolder(options.folder);
+    if (!folder) return tl::make_unexpected(folder.error());
+    MergeReport report{.places = merged->sun.baseline.places.size(), .missingTiles = merged->missingTiles};
+    const OffscreenQt qt;
+    const auto answer = makeByPlaceAnswer(std::move(merged->sun), question->settings);
+    auto files = answer->write(cities->back(), *folder, filesOf(options, plan, *book));
+    if (!files) return tl::make_unexpected(files.error());
+    report.files = *std::move(files);
+    return report;
+}
 
 Result<MergeReport> merge(const MergeOptions& options, const Console& console) {
     const auto plan = readTaskPlan(options.folder);
@@ -60,6 +138,7 @@ Result<MergeReport> merge(const MergeOptions& options, const Console& console) {
     ProgressLine progress(console);
     if (!study->timelines.empty())
         return mergeTimelines(options.folder, *plan, options.partial, progress, interrupt.token());
+    if (!study->byPlace.empty()) return mergeByPlace(options, *plan, *study, progress, interrupt.token());
     StudySettings asked = study->study.settings;
     const auto period = readPeriod(*study);
     if (!period) return tl::make_unexpected(period.error());
@@ -69,7 +148,8 @@ Result<MergeReport> merge(const MergeOptions& options, const Console& console) {
     MergeSettings settings{.placeSettings = options.place.settings,
                            .partial = options.partial,
                            .provenance = provenance,
-                           .maps = listMaps(*study)};
+                           .maps = listMaps(*study, options.colours.legend),
+                           .legend = options.colours.legend};
     if (!options.places.empty()) settings.places = options.places;
     return mergeTiles(options.folder, *plan, asked, settings, progress, interrupt.token());
 }
@@ -115,7 +195,9 @@ void addTilesStatus(CLI::App& tiles, Run& run) {
 void addMergeTiles(CLI::App& tiles, Run& run) {
     const auto options = std::make_shared<MergeOptions>();
     CLI::App* command = tiles.add_subcommand(
-        "merge", "Join the tiles: Cloud Optimized GeoTIFF, VRT, statistics by place, STAC item");
+        "merge",
+        "Join the tiles: Cloud Optimized GeoTIFF, VRT, statistics by place, STAC item; sun by place as "
+        "by-place writes it");
     command->add_option("folder", options->folder, "Folder of the plan; files go into its folder merged")
         ->required()
         ->type_name("DIR");
@@ -123,6 +205,16 @@ void addMergeTiles(CLI::App& tiles, Run& run) {
         ->add_option(flags::places, options->places, "Polygon layer whose places get statistics (places.csv)")
         ->type_name("FILE");
     addPlaceOptions(*command, options->place);
+    addLegendOptions(*command, options->colours.legend);
+    command
+        ->add_option(flags::threshold, options->colours.thresholdHours,
+                     "Sun by place: hours of sun a day at which the map of the sheets and the style of "
+                     "places.gpkg change their colour (default: --enough of the plan)")
+        ->check(within(0, SunByPlaceSettings::maxHours))
+        ->type_name("H");
+    command->add_flag("--sheets", options->sheets.wanted,
+                      "Sun by place: also write sheets.pdf, for which the whole city is read");
+    addSheetOptions(*command, options->sheets);
     command->add_flag(flags::partial, options->partial, "Merge what is done, even if tiles are missing");
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runMerge(*options, console); }; });

@@ -106,7 +106,7 @@ Result<TaskPlan> makePlan(const PlanOptions& options, std::vector<std::string> a
     if (!question) return tl::make_unexpected(question.error());
     OutputRules rules = outputRules(study.read.files, {}, study.overwrite);
     addPlace(rules, study.region);
-    addPlace(rules, options.question.timelines);
+    addPlace(rules, options.question.placesFile());
     if (auto may = checkOutputs(study.out, {planFileName, indexFileName}, rules); !may)
         return tl::make_unexpected(may.error());
     const Interrupt interrupt;
@@ -120,12 +120,14 @@ Result<TaskPlan> makePlan(const PlanOptions& options, std::vector<std::string> a
                                   .districtM = options.districtKm * 1000,
                                   .builtUpOnly = options.builtUpOnly,
                                   .subject = question->subjectOrNull(),
-                                  .timelines = question->timelinesOrNull()};
+                                  .timelines = question->timelinesOrNull(),
+                                  .byPlace = question->byPlaceOrNull()};
     auto plan = makeTaskPlan(request, progress, interrupt.token(), enginesWith(request.settings.engine));
     if (!plan) return plan;
     plan->arguments = std::move(arguments);
     std::vector<std::string> read = *files;
-    if (!options.question.timelines.empty()) read.push_back(options.question.timelines);
+    const std::string& places = options.question.placesFile();
+    if (!places.empty() && std::ranges::find(read, places) == read.end()) read.push_back(places);
     auto inputs = describeInputs(read);
     if (!inputs) return tl::make_unexpected(inputs.error());
     plan->inputs = *std::move(inputs);
@@ -200,13 +202,16 @@ void addPlanTiles(CLI::App& tiles, Run& run) {
         ->type_name("KM");
     command->add_flag("--built-up", options->builtUpOnly, "Leave out tiles without a building");
     command->callback([options, command, &run] {
-        auto words =
-            listArguments(*command, {flags::out, flags::overwrite, flags::json, flags::tile, "--task-seconds",
-                                     "--task-memory", "--district", "--built-up", "--timelines"});
-        if (std::string& timelines = options->question.timelines; !timelines.empty()) {
-            timelines = absolutePath(timelines);
-            words.push_back("--timelines=" + timelines);
-        }
+        auto words = listArguments(
+            *command, {flags::out, flags::overwrite, flags::json, flags::tile, "--task-seconds",
+                       "--task-memory", "--district", "--built-up", "--timelines", "--by-place"});
+        const auto makeAbsolute = [&](const char* flag, std::string& file) {
+            if (file.empty()) return;
+            file = absolutePath(file);
+            words.push_back(fmt::format("{}={}", flag, file));
+        };
+        makeAbsolute("--timelines", options->question.timelines);
+        makeAbsolute("--by-place", options->question.byPlace);
         run = [options, words = std::move(words)](const Console& console) {
             const auto plan = makePlan(*options, words, console);
             if (!plan) return fail(console, plan.error(), exitUsage);

@@ -39,7 +39,7 @@ Result<TaskReport> runOne(const RunOptions& options, const CgroupLimits& limits,
     const Interrupt interrupt;
     ProgressLine progress(console);
     const TaskQuestion asked{study->study.read.settings, settings, question->subjectOrNull(),
-                             question->timelinesOrNull()};
+                             question->timelinesOrNull(), question->byPlaceOrNull()};
     return runTask(options.folder, *plan, *task, asked, progress, interrupt.token(),
                    enginesWith(settings.engine));
 }

@@ -1,4 +1,6 @@
 #include "app/cli/tiles/study_arguments.h"
+
+#include "app/cli/options/field_options.h"
 #include "core/describe/command_flags.h"
 
 #include <fmt/format.h>
@@ -21,6 +23,32 @@ std::vector<std::string> listArguments(const CLI::App& command, const std::vecto
     }
     return words;
 }
+
+namespace {
+
+// Sidewalks as by-place has them, where none are stated.
+void addByPlaceOptions(CLI::App& command, TileStudyOptions& options) {
+    CLI::Option* byPlace =
+        command
+            .add_option("--by-place", options.byPlace,
+                        "Measure the sun of the places of this file (polygons, or OpenStreetMap) or, of a "
+                        "project, of its own places: the project")
+            ->excludes(command.get_option(flags::weights))
+            ->excludes(command.get_option("--timelines"))
+            ->excludes(command.get_option("--by"))
+            ->type_name("FILE");
+    const std::vector<CLI::Option*> before = command.get_options();
+    addFieldOptions(command, sunByPlaceFields().of(options.sun));
+    for (CLI::Option* option : command.get_options())
+        if (std::ranges::find(before, option) == before.end()) option->needs(byPlace);
+    const CLI::Option* sidewalks = command.get_option("--sidewalks");
+    command.parse_complete_callback([&options, byPlace, sidewalks] {
+        if (byPlace->count() > 0 && sidewalks->count() == 0)
+            options.places.settings.sidewalkM = PlaceSettings::defaultSidewalkM;
+    });
+}
+
+}  // namespace
 
 void addTileStudyOptions(CLI::App& command, TileStudyOptions& options) {
     addStudyOptions(command, options.study);
@@ -46,6 +74,7 @@ void addTileStudyOptions(CLI::App& command, TileStudyOptions& options) {
     command.add_flag("--all-steps", options.allSteps, "Of timelines of several days, state the steps too")
         ->needs(timelines);
     addPlaceOptions(command, options.places);
+    addByPlaceOptions(command, options);
 }
 
 Result<TileStudyOptions> parseArguments(const std::vector<std::string>& arguments,

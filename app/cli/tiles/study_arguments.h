@@ -6,17 +6,23 @@
 
 #include "app/cli/options/place_options.h"
 #include "app/cli/options/study_options.h"
+#include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark::cli {
 
 /// The options of a study in tiles, as given by the user.
 struct TileStudyOptions {
     StudyOptions study;
-    std::string baseline;   ///< scenario to compare with; empty: no comparison
-    std::string weights;    ///< time-weight table; empty: no score
-    std::string timelines;  ///< file of places to measure; empty: no timelines
-    PlaceOptions places;    ///< of that file
-    bool allSteps = false;  ///< of timelines of several days
+    std::string baseline;    ///< scenario to compare with; empty: no comparison
+    std::string weights;     ///< time-weight table; empty: no score
+    std::string timelines;   ///< file of places to measure; empty: no timelines
+    std::string byPlace;     ///< file of places to measure the sun of; empty: no sun by place
+    PlaceOptions places;     ///< of that file
+    bool allSteps = false;   ///< of timelines of several days
+    SunByPlaceSettings sun;  ///< of sun by place
+
+    /// The file of places that are measured instead of cells; empty: cells are.
+    [[nodiscard]] const std::string& placesFile() const { return byPlace.empty() ? timelines : byPlace; }
 };
 
 /// Adds the options of every study, and those that say what is measured in tiles.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "app/cli/options/project_question.h"
 #include "app/cli/study/load_city.h"
+#include "core/receivers/place_names.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/impact/impact_tiles.h"
@@ -57,7 +59,7 @@ Result<TileSubject> scoreIn(const Project& project, const TileStudyOptions& opti
 /// A question besides the shadow of a scenario that tiles of a project answer.
 struct TiledQuestion {
     std::string TileStudyOptions::*askedBy;  ///< the option that asks it
-    std::vector<TileMap> (*maps)();
+    std::vector<TileMap> (*maps)(const LegendChoice&);
     /// Takes the scenario and the region; the baseline is read where it counts.
     Result<TileSubject> (*subject)(const Project&, const TileStudyOptions&, ComparedCities);
 };
@@ -66,14 +68,15 @@ constexpr std::array tiledQuestions{TiledQuestion{&TileStudyOptions::baseline, l
 
 // Null: the shadow of a scenario.
 const TiledQuestion* findQuestion(const TileStudyOptions& options) {
+    if (!options.byPlace.empty()) return nullptr;
     const auto asked = std::ranges::find_if(
         tiledQuestions, [&](const TiledQuestion& one) { return !(options.*one.askedBy).empty(); });
     return asked == tiledQuestions.end() ? nullptr : &*asked;
 }
 
-// The cities to measure timelines of: the baseline first, where there is one.
-Result<TileSubject> timelinesIn(const Project& project, const TileStudyOptions& options,
-                                std::shared_ptr<const City> city, Region region) {
+// The cities to measure places in: the baseline first, where there is one.
+Result<TileSubject> placesIn(const Project& project, const TileStudyOptions& options,
+                             std::shared_ptr<const City> city, Region region) {
     TileSubject subject{.key = "timelines;" + hashCity(*city), .region = std::move(region)};
     if (!options.baseline.empty()) {
         auto before = sharedCity(project, options.baseline);
@@ -94,8 +97,8 @@ Result<TileSubject> subjectIn(const Project& project, const TileStudyOptions& op
     if (!city) return tl::make_unexpected(city.error());
     auto region = regionIn(project, question != nullptr ? *project.city : **city, study.region);
     if (!region) return tl::make_unexpected(region.error());
-    if (!options.timelines.empty())
-        return timelinesIn(project, options, *std::move(city), *std::move(region));
+    if (!options.placesFile().empty())
+        return placesIn(project, options, *std::move(city), *std::move(region));
     if (question != nullptr) return question->subject(project, options, {nullptr, *city, *region});
     return TileSubject{.key = "study", .cities = {*city}, .region = *region};
 }
@@ -124,20 +127,70 @@ TimelineLabels labelsOf(const TileStudyOptions& options, Zone zone) {
     return {options.baseline, city, std::move(zone)};
 }
 
-Result<TileQuestionRead> addTimelines(TileQuestionRead question, const TileStudyOptions& options) {
-    auto ground = checkOnGround(question.settings.receivers.places);
-    if (!ground) return tl::make_unexpected(ground.error());
+void setPlaces(PlacesRequest& request, const TileStudyOptions& options, const InputFile& file) {
+    request.places = options.placesFile();
+    request.reading = options.places.settings;
+    request.placesHash = file.sha256;
+}
+
+Result<TileQuestionRead> addTimelines(TileQuestionRead question, const TileStudyOptions& options,
+                                      const InputFile& file) {
     question.settings.errorSample.receivers = 0;
-    const auto file = describeInputFile(options.timelines);
-    if (!file) return tl::make_unexpected(file.error());
     return Zone::named(question.settings.period.zone).map([&](Zone zone) {
-        question.timelines = TimelineRequest{.places = options.timelines,
-                                             .reading = options.places.settings,
-                                             .placesHash = file->sha256,
-                                             .allSteps = options.allSteps,
-                                             .labels = labelsOf(options, std::move(zone))};
+        TimelineRequest& timelines = question.timelines.emplace();
+        setPlaces(timelines, options, file);
+        timelines.allSteps = options.allSteps;
+        timelines.labels = labelsOf(options, std::move(zone));
         return std::move(question);
     });
+}
+
+bool isSameFile(const std::string& a, const std::string& b) {
+    std::error_code error;
+    return std::filesystem::equivalent(a, b, error);
+}
+
+// Of a project all its places of the kinds asked for, and their box where the whole city is asked for.
+Result<void> takeOwnPlaces(TileQuestionRead& question, const TileStudyOptions& options) {
+    const ReadOptions& read = options.study.read;
+    ByPlaceRequest& byPlace = *question.byPlace;
+    NoProgress quiet;
+    if (namesProject(read) && isSameFile(read.files.front(), options.byPlace)) {
+        const auto file = ProjectFile::open(options.byPlace);
+        if (!file) return tl::make_unexpected(file.error());
+        for (const Place& place : file->project().places)
+            if (options.places.admits(place)) byPlace.own.push_back(place);
+        if (byPlace.own.empty())
+            return failure("The project has no such place", options.byPlace,
+                           "Add places: noonmark-cli project place read");
+    }
+    if (!question.subject || options.study.region != "city") return {};
+    const auto places = readPlaces(byPlace, question.subject->cities.back()->frame, quiet, {});
+    if (!places) return tl::make_unexpected(places.error());
+    Box2 box;
+    for (const Place& place : *places) box.add(bounds(place));
+    if (!box.empty()) question.subject->region = makeRegionFromLocalBox(box);
+    return {};
+}
+
+Result<TileQuestionRead> addByPlace(TileQuestionRead question, const TileStudyOptions& options,
+                                    const InputFile& file) {
+    ByPlaceRequest& byPlace = question.byPlace.emplace();
+    setPlaces(byPlace, options, file);
+    byPlace.settings = options.sun;
+    const std::string& scenario = options.study.scenario;
+    byPlace.cities = {scenario.empty() ? existingCity : scenario};
+    if (!options.baseline.empty()) byPlace.cities.insert(byPlace.cities.begin(), options.baseline);
+    return takeOwnPlaces(question, options).map([&] { return std::move(question); });
+}
+
+Result<TileQuestionRead> addPlaces(TileQuestionRead question, const TileStudyOptions& options) {
+    auto ground = checkOnGround(question.settings.receivers.places);
+    if (!ground) return tl::make_unexpected(ground.error());
+    const auto file = describeInputFile(options.placesFile());
+    if (!file) return tl::make_unexpected(file.error());
+    return options.byPlace.empty() ? addTimelines(std::move(question), options, *file)
+                                   : addByPlace(std::move(question), options, *file);
 }
 
 }  // namespace
@@ -150,8 +203,8 @@ Result<TileQuestionRead> readQuestion(const TileStudyOptions& options) {
                   .and_then([&] { return ProjectFile::open(read.files.front()); })
                   .and_then([&](const ProjectFile& disk) { return questionIn(disk.project(), options); })
             : questionOfFiles(options);
-    if (!question || options.timelines.empty()) return question;
-    return addTimelines(*std::move(question), options);
+    if (!question || options.placesFile().empty()) return question;
+    return addPlaces(*std::move(question), options);
 }
 
 Result<Period> readPeriod(const TileStudyOptions& options) {
@@ -160,9 +213,9 @@ Result<Period> readPeriod(const TileStudyOptions& options) {
         [](const TileQuestionRead& question) { return question.settings.period; });
 }
 
-std::vector<TileMap> listMaps(const TileStudyOptions& options) {
+std::vector<TileMap> listMaps(const TileStudyOptions& options, const LegendChoice& legend) {
     const TiledQuestion* const question = findQuestion(options);
-    return question != nullptr ? question->maps() : std::vector<TileMap>();
+    return question != nullptr ? question->maps(legend) : std::vector<TileMap>();
 }
 
 }  // namespace noonmark::cli

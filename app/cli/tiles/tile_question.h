@@ -12,9 +12,11 @@ struct TileQuestionRead {
     StudySettings settings;              ///< with the period, without region
     std::optional<TileSubject> subject;  ///< of a project: a scenario, its impact or its score
     std::optional<TimelineRequest> timelines{};
+    std::optional<ByPlaceRequest> byPlace{};
 
     [[nodiscard]] const TileSubject* subjectOrNull() const { return subject ? &*subject : nullptr; }
     [[nodiscard]] const TimelineRequest* timelinesOrNull() const { return timelines ? &*timelines : nullptr; }
+    [[nodiscard]] const ByPlaceRequest* byPlaceOrNull() const { return byPlace ? &*byPlace : nullptr; }
 };
 
 /// Reads the project, if the files are one. Error: scenarios, periods by name or weights without a project;
@@ -26,6 +28,6 @@ Result<TileQuestionRead> readQuestion(const TileStudyOptions& options);
 Result<Period> readPeriod(const TileStudyOptions& options);
 
 /// The maps of the tiles of an impact or a score; none for a study.
-std::vector<TileMap> listMaps(const TileStudyOptions& options);
+std::vector<TileMap> listMaps(const TileStudyOptions& options, const LegendChoice& legend = {});
 
 }  // namespace noonmark::cli

@@ -47,10 +47,7 @@ Result<CellGroup> placeGroup(const Placing& on, std::vector<std::size_t> which, 
 Result<CellGroup> placeAll(const Placing& on) {
     std::vector<std::size_t> all(on.places.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    auto group = placeGroup(on, std::move(all), on.settings.study.receivers.cellM);
-    if (group && group->on.receivers.cells.empty())
-        return failure("No cell of the places lies on open ground", "places", "Choose smaller cells");
-    return group;
+    return placeGroup(on, std::move(all), on.settings.study.receivers.cellM);
 }
 
 double countCells(const std::vector<CountedCell>& cells) {

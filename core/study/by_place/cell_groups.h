@@ -31,7 +31,7 @@ struct PlaceCells {
 };
 
 /// Places the cells of all places on ground that is open in all cities, of which the first is the baseline.
-/// Error: no cell lies on open ground; errors of placeReceiversOnPlaces(); cancelled().
+/// Errors of placeReceiversOnPlaces(); cancelled().
 Result<PlaceCells> placeCells(std::span<const City* const> cities, const std::vector<Place>& places,
                               const SunByPlaceSettings& settings, const std::stop_token& stop);
 

@@ -60,21 +60,21 @@ double enoughShare(const SampledPlaces::Part& part, const Minutes& minutes, cons
 }
 
 template <class Off>
-ShownError overPlaces(std::string_view key, const SampledPlaces& places, const Off& offOf,
-                      const std::string& of = {}) {
+std::vector<double> listOff(const SampledPlaces& places, const Off& offOf) {
     std::vector<double> off;
     for (const SampledPlaces::Part& part : places.places) off.push_back(std::abs(offOf(part)));
-    return sumUpError(key, std::move(off), of);
+    return off;
+}
+
+template <class Off>
+ShownError overPlaces(std::string_view key, const SampledPlaces& places, const Off& offOf,
+                      const std::string& of = {}) {
+    return sumUpError(key, listOff(places, offOf), of);
 }
 
 ShownError errorOfMeans(std::string_view key, const SampledPlaces& places, const ComparedSets& compared,
                         const SunlitTime& time, const std::string& of = {}) {
-    return overPlaces(
-        key, places,
-        [&](const auto& part) {
-            return meanShadow(part, compared.minutes, time) - meanShadow(part, compared.reference, time);
-        },
-        of);
+    return sumUpError(key, listMeanDifferences(places, compared, time), of);
 }
 
 ShownError errorOfShares(std::string_view key, const SampledPlaces& places, const ComparedSets& compared,
@@ -130,6 +130,13 @@ SampledPlaces samplePlaces(const CellGroup& group, const ErrorSampleSettings& se
         if (!part.at.empty()) sample.places.push_back(std::move(part));
     }
     return sample;
+}
+
+std::vector<double> listMeanDifferences(const SampledPlaces& places, const ComparedSets& compared,
+                                        const SunlitTime& time) {
+    return listOff(places, [&](const auto& part) {
+        return meanShadow(part, compared.minutes, time) - meanShadow(part, compared.reference, time);
+    });
 }
 
 std::vector<ShownError> listPeriodErrors(const SampledPlaces& places, const ComparedSets& compared,

@@ -32,6 +32,9 @@ struct SunlitTime {
 /// Of the mean over the period, a month and the share with enough sun.
 std::vector<ShownError> listPeriodErrors(const SampledPlaces& places, const ComparedSets& compared,
                                          const SunlitTime& time);
+/// Of the mean of each place over the period, minutes a day, absolute.
+std::vector<double> listMeanDifferences(const SampledPlaces& places, const ComparedSets& compared,
+                                        const SunlitTime& time);
 /// Of the mean and the share with less than enough sun on a date.
 std::vector<ShownError> listDateErrors(const SampledPlaces& places, const ComparedSets& compared,
                                        const SunlitTime& time, const std::string& date);

@@ -42,12 +42,13 @@ struct Measuring {
     StepSets months{};
     std::vector<SunSteps> dates{};
     std::function<void(double)> takeForecast{};  ///< empty: none is wanted
+    std::optional<Observer> observer{};          ///< of a tile; none: in the middle of the places
     Stopwatch watch{};
-    /// For the cells of all places, over the period and on each date. Small places are measured by the same,
-    /// so that the error of the others is theirs, too.
+    /// For the cells of all places, over the period and on each date. Small places are measured by the same.
     std::vector<ChosenEngine> chosen{};
     std::vector<SampledOff> off{};         ///< samples after which the engine was changed for a closer one
     std::vector<ComparedSets> compared{};  ///< the period in the cities sampled so far
+    std::vector<std::vector<double>> smallOff{};  ///< of each city: how far means of small places are off
 
     [[nodiscard]] const SunByPlaceSettings& settings() const { return made.front().settings; }
     [[nodiscard]] const std::vector<Place>& places() const { return made.front().places; }
@@ -90,10 +91,22 @@ Region unite(const std::vector<Place>& places) {
     return region;
 }
 
-Result<void> findSun(Measuring& m, const Receivers& receivers) {
+// A tile knows too little of the terrain and the places to judge them.
+Result<void> questionGround(Measuring& m, const Receivers& receivers) {
+    if (m.observer) return {};
     const City& city = *m.cities.front();
     const StudySettings& study = m.settings().study;
-    const Observer observer = makeObserver(city, study);
+    const TerrainCoverage coverage = computeTerrainCoverage(city, receivers, m.daylight);
+    for (Warning& warning : makeWarnings(coverage)) m.warnings().push_back(std::move(warning));
+    const Box2 box = bounds(study.region);
+    const LonLat middle = city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
+    if (auto question = questionZone(study.period, middle)) m.warnings().push_back(*std::move(question));
+    return checkCoverage(coverage, study.region.name);
+}
+
+Result<void> findSun(Measuring& m, const Receivers& receivers) {
+    const StudySettings& study = m.settings().study;
+    const Observer observer = m.observer.value_or(makeObserver(*m.cities.front(), study));
     auto sun = computeDaylightSteps(study.period, observer, m.stop);
     if (!sun) return tl::make_unexpected(sun.error());
     m.daylight = *std::move(sun);
@@ -106,12 +119,7 @@ Result<void> findSun(Measuring& m, const Receivers& receivers) {
         if (!ofDay) return tl::make_unexpected(ofDay.error());
         m.dates.push_back(*std::move(ofDay));
     }
-    const TerrainCoverage coverage = computeTerrainCoverage(city, receivers, m.daylight);
-    for (Warning& warning : makeWarnings(coverage)) m.warnings().push_back(std::move(warning));
-    const Box2 box = bounds(study.region);
-    const LonLat middle = city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
-    if (auto question = questionZone(study.period, middle)) m.warnings().push_back(*std::move(question));
-    return checkCoverage(coverage, study.region.name);
+    return questionGround(m, receivers);
 }
 
 // A failure to measure the error does not fail the study; only a stop request ends it.
@@ -131,12 +139,34 @@ bool wantsErrors(const Measuring& m) {
     return m.settings().study.errorSample.receivers > 0 && m.settings().study.engine != referenceEngine;
 }
 
+// Of small places rays are traced to some in a few groups: each group needs a scene of its own.
+constexpr std::size_t sampledSmallGroups = 3;
+
+ErrorSampleSettings sampleOf(const Measuring& m, bool isMain) {
+    constexpr int least = 8;  // cells
+    ErrorSampleSettings sample = m.settings().study.errorSample;
+    if (!isMain)
+        sample.receivers = std::max<decltype(sample.receivers)>(least, sample.receivers / sampledSmallGroups);
+    return sample;
+}
+
 /// Holds the figures of places against rays, in one city after the other.
 class PlaceErrors {
 public:
-    PlaceErrors(Measuring& m, const CellGroup& group)
+    PlaceErrors(Measuring& m, const CellGroup& group, bool isMain)
         : m_(m), receivers_(group.on.receivers), wanted_(wantsErrors(m)) {
-        if (wanted_) places_ = samplePlaces(group, m.settings().study.errorSample, m.daylight.steps.size());
+        if (wanted_) places_ = samplePlaces(group, sampleOf(m, isMain), m.daylight.steps.size());
+    }
+
+    /// Of small places; their differences are stated together with those of other groups.
+    Result<void> takeSmall(std::size_t city, const ShadowBreakdown& sums) {
+        if (!wanted_) return {};
+        const SunlitTime time{m_.daylight.sunlitMinutes(), countDays(m_.daylight), 0};
+        const auto compared = compare(city, m_.daylight, m_.months, sums);
+        if (!compared) return warn(m_.made[city], compared.error());
+        std::vector<double>& off = m_.smallOff[city];
+        std::ranges::copy(listMeanDifferences(places_, *compared, time), std::back_inserter(off));
+        return {};
     }
 
     Result<void> takePeriod(std::size_t city, const ShadowBreakdown& sums) {
@@ -198,11 +228,17 @@ private:
 /// Measures the places of one group in all cities.
 class GroupMeasure {
 public:
-    GroupMeasure(Measuring& m, const CellGroup& group, bool isMain, Progress& progress)
-        : m_(m), group_(group), receivers_(group.on.receivers), isMain_(isMain), progress_(progress) {}
+    /// The main group is sampled, too.
+    GroupMeasure(Measuring& m, const CellGroup& group, bool isMain, Progress& progress, bool isSampled = true)
+        : m_(m),
+          group_(group),
+          receivers_(group.on.receivers),
+          isMain_(isMain),
+          isSampled_(isSampled),
+          progress_(progress) {}
 
     Result<void> run() {
-        if (isMain_) errors_.emplace(m_, group_);
+        if (isSampled_) errors_.emplace(m_, group_, isMain_);
         if (auto done = timeStage(m_.made.front(), "accumulate", [&] { return sweepMonths(); }); !done)
             return done;
         for (std::size_t date = 0; date < m_.dates.size(); ++date)
@@ -228,7 +264,9 @@ public:
 private:
     // Cells that rays are traced to in each city: the sample, and half as many in places.
     [[nodiscard]] std::size_t sampledOver(const SunSteps& sun) const {
-        return isMain_ ? sampleSize(m_.settings().study.errorSample, sun.steps.size()) * 3 / 2 : 0;
+        const std::size_t places = sampleSize(sampleOf(m_, isMain_), sun.steps.size()) / 2;
+        if (isMain_) return places * 3;
+        return isSampled_ && &sun == &m_.daylight ? places : 0;
     }
 
     // Over the period (0) or on a date (1 and on).
@@ -283,7 +321,7 @@ private:
     Result<void> takeErrors(std::size_t city, const ShadowBreakdown& sums) {
         if (!errors_) return {};
         const Stopwatch watch;
-        auto taken = errors_->takePeriod(city, sums);
+        auto taken = isMain_ ? errors_->takePeriod(city, sums) : errors_->takeSmall(city, sums);
         m_.made[city].seconds["error_sample"] += watch.seconds();
         return taken;
     }
@@ -319,7 +357,7 @@ private:
                                   : sweeps.sweepOther(city, *first, share, m_.stop);
             if (!sums) return tl::make_unexpected(sums.error());
             if (auto taken = takeDay(city, sun, makeField(*sums, receivers_, sun)); !taken) return taken;
-            if (errors_)
+            if (isMain_ && errors_)
                 if (auto taken = errors_->takeDate(city, sun, one, *sums, m_.settings().dates[date]); !taken)
                     return taken;
             if (city == 0) first = *std::move(sums);
@@ -343,22 +381,37 @@ private:
     Measuring& m_;
     const CellGroup& group_;
     const Receivers& receivers_;
-    bool isMain_;
+    bool isMain_, isSampled_;
     Progress& progress_;
-    std::optional<PlaceErrors> errors_;  // of the main group
+    std::optional<PlaceErrors> errors_;  // if it is sampled
     std::size_t done_ = 0;
 };
+
+// Those of small places are spread over the city.
+bool isSampled(std::size_t group, std::size_t groups) {
+    return group % ((groups + sampledSmallGroups - 1) / sampledSmallGroups) == 0;
+}
+
+void addSmallErrors(Measuring& m) {
+    for (std::size_t city = 0; city < m.made.size(); ++city)
+        if (!m.smallOff[city].empty())
+            m.made[city].errors.push_back(sumUpError("place_small", std::move(m.smallOff[city])));
+}
 
 // The sweep over all places takes most of the time.
 Result<void> measureGroups(Measuring& m, const PlaceCells& cells) {
     constexpr std::size_t shareOfAll = 10;
     const std::size_t parts = shareOfAll + cells.small.size();
+    m.smallOff.resize(m.made.size());
     ProgressShare first(m.progress, 0, parts, shareOfAll);
-    if (auto done = GroupMeasure(m, cells.all, true, first).run(); !done) return done;
+    if (!cells.all.on.receivers.cells.empty())
+        if (auto done = GroupMeasure(m, cells.all, true, first).run(); !done) return done;
     for (std::size_t i = 0; i < cells.small.size(); ++i) {
         ProgressShare share(m.progress, shareOfAll + i, parts);
-        if (auto done = GroupMeasure(m, cells.small[i], false, share).run(); !done) return done;
+        GroupMeasure group(m, cells.small[i], false, share, isSampled(i, cells.small.size()));
+        if (auto done = group.run(); !done) return done;
     }
+    addSmallErrors(m);
     return {};
 }
 
@@ -372,7 +425,9 @@ ChosenEngine chooseEngine(const Measuring& m, const Receivers& receivers, const 
     return chosen;
 }
 
+// None where no cell is there to choose for.
 void chooseEngines(Measuring& m, const Receivers& receivers) {
+    if (receivers.cells.empty()) return m.chosen.resize(1 + m.dates.size());
     m.chosen.push_back(chooseEngine(m, receivers, m.daylight, m.months));
     for (const SunSteps& day : m.dates) m.chosen.push_back(chooseEngine(m, receivers, day, makeOneSet(day)));
 }
@@ -380,10 +435,18 @@ void chooseEngines(Measuring& m, const Receivers& receivers) {
 // What has been done, and the sweeps that follow.
 void forecast(Measuring& m, const PlaceCells& cells) {
     double seconds = m.watch.seconds() + GroupMeasure(m, cells.all, true, m.progress).forecast();
-    for (const CellGroup& group : cells.small)
-        if (!m.stop.stop_requested()) seconds += GroupMeasure(m, group, false, m.progress).forecast();
+    for (std::size_t i = 0; i < cells.small.size() && !m.stop.stop_requested(); ++i)
+        seconds +=
+            GroupMeasure(m, cells.small[i], false, m.progress, isSampled(i, cells.small.size())).forecast();
     m.made.front().seconds["forecast"] = seconds;
     if (m.takeForecast) m.takeForecast(seconds);
+}
+
+void setSun(SunByPlace& sun, SunSteps daylight) {
+    sun.months = monthsOf(daylight).names;
+    sun.seasons = listSeasons(sun.months, sun.city.frame.origin().latDeg);
+    sun.possibleHours = daylight.sunlitMinutes() / double(daylight.dayCount()) / 60;
+    sun.daylight = std::move(daylight);
 }
 
 Result<void> measure(Measuring& m) {
@@ -392,6 +455,8 @@ Result<void> measure(Measuring& m) {
         auto placed = placeCells(m.cities, m.places(), m.settings(), m.stop);
         if (!placed) return tl::make_unexpected(placed.error());
         cells = *std::move(placed);
+        if (cells.all.on.receivers.cells.empty() && !m.observer)
+            return failure("No cell of the places lies on open ground", "places", "Choose smaller cells");
         return {};
     };
     SunByPlace& baseline = m.made.front();
@@ -399,15 +464,12 @@ Result<void> measure(Measuring& m) {
     if (auto done = timeStage(baseline, "sun", [&] { return findSun(m, cells.all.on.receivers); }); !done)
         return done;
     for (SunByPlace& made : m.made) {
-        made.months = m.months.names;
-        made.seasons = listSeasons(made.months, made.city.frame.origin().latDeg);
-        made.daylight = m.daylight;
+        setSun(made, m.daylight);
         made.sun.resize(made.places.size());
     }
     chooseEngines(m, cells.all.on.receivers);
     forecast(m, cells);
     if (auto done = measureGroups(m, cells); !done) return done;
-    for (SunByPlace& made : m.made) made.possibleHours = made.field.sunlitMinutesPerDay / 60;
     return warnOfPlaces(m.cities, m.made, cells.all, m.stop);
 }
 
@@ -443,7 +505,8 @@ SunOfCities compareMade(std::vector<SunByPlace> made) {
 Result<SunOfCities> answerSunByPlace(std::span<const NamedCity> cities, const std::vector<Place>& places,
                                      const SunByPlaceSettings& settings, Progress& progress,
                                      const std::stop_token& stop, const EngineList& engines,
-                                     const std::function<void(double)>& takeForecast) {
+                                     const std::function<void(double)>& takeForecast,
+                                     const std::optional<Observer>& observer = {}) {
     if (auto valid = checkSettings(settings, places); !valid) return tl::make_unexpected(valid.error());
     const auto engine = makeSummingEngine(settings.study, engines);
     if (!engine) return tl::make_unexpected(engine.error());
@@ -454,7 +517,8 @@ Result<SunOfCities> answerSunByPlace(std::span<const NamedCity> cities, const st
                 .made = made,
                 .progress = rising,
                 .stop = stop,
-                .takeForecast = takeForecast};
+                .takeForecast = takeForecast,
+                .observer = observer};
     for (const NamedCity& one : cities) m.cities.push_back(&one.city);
     if (auto fits = checkMemory(*m.cities.front(), m.settings().study, engines); !fits)
         return tl::make_unexpected(fits.error());
@@ -472,6 +536,24 @@ Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::ve
     return guardMemory({.advice = "Choose larger cells or fewer places"}, [&] {
         return answerSunByPlace(cities, places, settings, progress, stop, engines, forecast);
     });
+}
+
+Result<SunOfCities> measurePlacesOfTile(std::span<const NamedCity> cities, std::vector<Place> places,
+                                        const SunByPlaceSettings& settings, const Observer& observer,
+                                        Progress& progress, std::stop_token stop, const EngineList& engines) {
+    return guardMemory({.advice = "Choose smaller tiles or larger cells"}, [&] {
+        return answerSunByPlace(cities, places, settings, progress, stop, engines, {}, observer);
+    });
+}
+
+Result<void> frameSun(SunByPlace& sun, const Observer& observer, const std::stop_token& stop) {
+    sun.settings.study.region = unite(sun.places);
+    sun.settings.study.byMonth = true;
+    sun.partOf = findWholes(sun.places, stop);
+    auto daylight = computeDaylightSteps(sun.settings.study.period, observer, stop);
+    if (!daylight) return tl::make_unexpected(daylight.error());
+    setSun(sun, *std::move(daylight));
+    return {};
 }
 
 Result<SunByPlace> runSunByPlace(const City& city, std::vector<Place> places,

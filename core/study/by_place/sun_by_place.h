@@ -171,6 +171,19 @@ Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::ve
                                       std::stop_token stop, const EngineList& engines = coreEngines(),
                                       const std::function<void(double)>& forecast = {});
 
+/// Of the places of one tile, of which the whole answer has more: under the sun of `observer`, without a
+/// check of the terrain or a question about the zone, which are about the whole. Places without a cell have
+/// no figures, even where none has any.
+Result<SunOfCities> measurePlacesOfTile(std::span<const NamedCity> cities, std::vector<Place> places,
+                                        const SunByPlaceSettings& settings, const Observer& observer,
+                                        Progress& progress, std::stop_token stop,
+                                        const EngineList& engines = coreEngines());
+
+/// What all places have in common, without figures: months, seasons, daylight, the hours that are possible,
+/// which place is part of which. `sun`: has a city, settings and places; its region becomes that of the
+/// places. Error: the sun cannot be computed.
+Result<void> frameSun(SunByPlace& sun, const Observer& observer, const std::stop_token& stop);
+
 /// Share of the area of a place with so many hours of sun a day or more, from its cells; NaN: none is known.
 double computeEnoughShare(const SunOfPlace& of, double hours);
 /// Share of the area with fewer hours of sun on a date, an index of SunByPlaceSettings::dates; likewise.

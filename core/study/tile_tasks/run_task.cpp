@@ -96,10 +96,20 @@ const City* baselineOf(const TileSubject* subject) {
     return subject == nullptr || subject->cities.size() < 2 ? nullptr : subject->cities.front().get();
 }
 
-/// `places`: of timelines.
+std::unique_ptr<TileMeasure> makeByPlaceMeasure(const City& city, const TaskQuestion& question,
+                                                const TileQuestion& inTiles, const PlacesOfTiles& places,
+                                                const EngineList& engines) {
+    std::vector<const City*> cities{&city};
+    if (const City* baseline = baselineOf(question.subject)) cities.insert(cities.begin(), baseline);
+    return std::make_unique<ByPlaceMeasure>(std::move(cities), places, *question.byPlace, inTiles, engines);
+}
+
+/// `places`: those that are measured instead of cells.
 std::unique_ptr<TileMeasure> makeMeasure(const City& city, const TaskQuestion& question,
-                                         const TileQuestion& inTiles, const PlacesOfTiles& places) {
+                                         const TileQuestion& inTiles, const PlacesOfTiles& places,
+                                         const EngineList& engines) {
     const TileSubject* subject = question.subject;
+    if (question.byPlace != nullptr) return makeByPlaceMeasure(city, question, inTiles, places, engines);
     if (question.timelines != nullptr) {
         const City* baseline = baselineOf(subject);
         return baseline == nullptr
@@ -165,8 +175,8 @@ private:
         const auto sun = computeDaylightSteps(settings.period, makeObserver(city, settings), stop);
         if (!sun) return tl::make_unexpected(sun.error());
         if (auto read = readPlacesOnce(progress, stop); !read) return read;
-        const auto measure =
-            makeMeasure(city, question_, {settings, *sun, **engine, district_.tiles.whole}, *places_);
+        const auto measure = makeMeasure(city, question_, {settings, *sun, **engine, district_.tiles.whole},
+                                         *places_, engines_);
         TileRunner runner(*measure, district_.tiles, city.frame, journal_);
         return runTiles(runner, district_.tiles, left, progress, stop);
     }
@@ -174,10 +184,10 @@ private:
     Result<void> readPlacesOnce(Progress& progress, const std::stop_token& stop) {
         if (places_) return {};
         std::vector<Place> places;
-        if (const TimelineRequest* timelines = question_.timelines) {
-            auto read = readPlaces(timelines->places, timelines->reading, district_.frame, progress, stop);
+        if (const PlacesRequest* request = question_.places()) {
+            auto read = readPlaces(*request, district_.frame, progress, stop);
             if (!read) return tl::make_unexpected(read.error());
-            places = std::move(read->places);
+            places = *std::move(read);
         }
         places_.emplace(std::move(places), district_.tiles);
         return {};
@@ -191,7 +201,7 @@ private:
     TaskReport report_;
     TileTotals done_, later_;
     std::shared_ptr<const Terrain> terrain_;  ///< of the district, once the first window was read
-    std::optional<PlacesOfTiles> places_;     ///< of timelines, else none
+    std::optional<PlacesOfTiles> places_;     ///< none where cells are measured
 };
 
 Result<TaskReport> run(const std::filesystem::path& folder, const TaskPlan& plan, std::size_t task,

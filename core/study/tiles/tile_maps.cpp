@@ -16,8 +16,15 @@ TileMap mapOfMonths(const SunSteps& sun, std::size_t firstBand) {
 
 }  // namespace
 
-ColourScale makeShadowScale(const ShadowStatistics& figures, double sunlitMinutesPerDay) {
-    return makeColourScale({}, {ShownAs::shadow, sunlitMinutesPerDay},
+LegendChoice withoutQuantiles(LegendChoice legend) {
+    for (LegendClasses* classes : {&legend.classes, &legend.changeClasses})
+        if (classes->kind == LegendClasses::Kind::quantiles) classes->kind = LegendClasses::Kind::equal;
+    return legend;
+}
+
+ColourScale makeShadowScale(const ShadowStatistics& figures, double sunlitMinutesPerDay,
+                            const LegendChoice& legend) {
+    return makeColourScale(withoutQuantiles(legend), {legend.show, sunlitMinutesPerDay},
                            std::max(sunlitMinutesPerDay, figures.maxGrossMin), {});
 }
 

@@ -21,8 +21,12 @@ struct TileMap {
     std::optional<ColourScale> colours{};  ///< none: those of shadow, see makeShadowScale()
 };
 
-/// The colours of maps of shadow whose cells are never together in memory: as of a fitted legend.
-ColourScale makeShadowScale(const ShadowStatistics& figures, double sunlitMinutesPerDay);
+/// The colours of maps of shadow whose cells are never together in memory. Quantiles, which need them, become
+/// as many equal classes.
+ColourScale makeShadowScale(const ShadowStatistics& figures, double sunlitMinutesPerDay,
+                            const LegendChoice& legend = {});
+/// Of maps around zero whose cells are never together.
+LegendChoice withoutQuantiles(LegendChoice legend);
 
 /// The maps that the settings of a study ask for: `shadow` (gross and continuous), and `by_month`, with a
 /// band for each month of the sun.

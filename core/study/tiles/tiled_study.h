@@ -2,9 +2,9 @@
 
 // The folder core/study/tiles computes regions of any size, tile after tile. runTiledStudy() (this file)
 // divides the region (core/receivers/tile_plan.h). What a tile gives is a TileMeasure (tile_measure.h): the
-// shadow of a city (shadow_measure.h), timelines of places (timeline_measure.h), or a measure of scenarios.
-// tile_runner.h stores its answer as a
-// TileResult (tile_result.h) and a raster file with the bands of tile_maps.h, and run_tiles.h runs the
+// shadow of a city (shadow_measure.h), of places (places_of_tiles.h) timelines (timeline_measure.h) or the
+// sun (by_place_measure.h), or a measure of scenarios. tile_runner.h stores its answer as a TileResult
+// (tile_result.h) and a raster file with the bands of tile_maps.h, or lines of JSON, and run_tiles.h runs the
 // missing ones; month_sums.h adds up their months; tile_journal.h stores finished tiles, so that a killed run
 // can be resumed; assemble_map.h joins the tiles into one GeoTIFF for each map.
 

@@ -5,19 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/receivers/place_names.h"
-
 namespace noonmark {
 
 namespace {
-
-glm::dvec2 middleOf(const Box2& box) { return (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0; }
-
-std::string kindsOf(const PlaceSettings& reading) {
-    std::string text;
-    for (const PlaceKind kind : reading.kinds) text += fmt::format("{},", nameOf(kind));
-    return text;
-}
 
 /// A line for each place of a study, with the warnings about it.
 std::string linesOf(PlaceStudy study, const TimelineLabels& labels) {
@@ -42,28 +32,7 @@ std::size_t countCells(const PlaceStudy& study) {
 }  // namespace
 
 std::string TimelineRequest::key() const {
-    return fmt::format("timelines;{};{};{};{};{};{};{};{};{};{};{};{};{};{}", placesHash, kindsOf(reading),
-                       reading.streets, reading.sidewalkM, reading.unnamed, reading.minAreaM2,
-                       reading.farAwayM, reading.nameField, nameOf(reading.kind), reading.layer,
-                       reading.crs.value_or(""), allSteps, labels.from, labels.to) +
-           (reading.wholeStreets ? "" : ";cut streets");
-}
-
-PlacesOfTiles::PlacesOfTiles(std::vector<Place> places, const TilePlan& plan)
-    : plan_(plan), byTile_(plan.count()) {
-    for (Place& place : places)
-        if (const auto tile = plan.tileAt(middleOf(bounds(place))))
-            byTile_[*tile].push_back(std::move(place));
-}
-
-const std::vector<Place>& PlacesOfTiles::in(const Grid& tile) const {
-    return of(plan_.tileAt({(tile.westM + tile.eastM()) / 2, (tile.southM + tile.northM()) / 2}).value());
-}
-
-Box2 PlacesOfTiles::boxOf(std::size_t tile) const {
-    Box2 box;
-    for (const Place& place : of(tile)) box.add(bounds(place));
-    return box;
+    return fmt::format("timelines;{};{};{};{}", PlacesRequest::key(), allSteps, labels.from, labels.to);
 }
 
 TimelineMeasure::TimelineMeasure(const City& baseline, const City* scenario, const PlacesOfTiles& places,

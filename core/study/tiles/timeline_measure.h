@@ -1,42 +1,18 @@
 #pragma once
 
-#include <filesystem>
-
-#include "core/io/places/read_places.h"
-#include "core/receivers/tile_plan.h"
 #include "core/study/text/timeline_text.h"
+#include "core/study/tiles/places_of_tiles.h"
 #include "core/study/tiles/tile_measure.h"
 
 namespace noonmark {
 
 /// Timelines of places as what the tiles of a study give.
-struct TimelineRequest {
-    std::filesystem::path places;  ///< a file of places, read for each district in its own frame
-    PlaceSettings reading{};
-    std::string placesHash{};  ///< SHA-256 of the file
-    bool allSteps = false;     ///< also state the steps of each day, where there are several
-    TimelineLabels labels;     ///< `to` is empty where there is one city
+struct TimelineRequest : PlacesRequest {
+    bool allSteps = false;  ///< also state the steps of each day, where there are several
+    TimelineLabels labels;  ///< `to` is empty where there is one city
 
     /// Identifies the request.
     [[nodiscard]] std::string key() const;
-};
-
-/// Places by the tile that measures them.
-class PlacesOfTiles {
-public:
-    /// A place belongs to the tile that the middle of its bounding box lies in, and is measured there, whole.
-    /// Places whose middle lies in no tile are left out.
-    PlacesOfTiles(std::vector<Place> places, const TilePlan& plan);
-
-    [[nodiscard]] const std::vector<Place>& of(std::size_t tile) const { return byTile_.at(tile); }
-    /// The same by the cells of the tile.
-    [[nodiscard]] const std::vector<Place>& in(const Grid& tile) const;
-    /// Around the places of a tile; empty without any.
-    [[nodiscard]] Box2 boxOf(std::size_t tile) const;
-
-private:
-    TilePlan plan_;
-    std::vector<std::vector<Place>> byTile_;
 };
 
 /// The timelines of the places of each tile, as by runPlaceStudy() for these places: a line of JSON for each

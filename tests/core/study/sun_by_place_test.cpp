@@ -363,6 +363,22 @@ TEST(SunByPlace, EachQuantityHasAnErrorOfItsOwn) {
     EXPECT_THAT(measured(tower(), places, settings).errors, IsEmpty());
 }
 
+// Of 9 m2, with 36 cells of 0.5 m.
+TEST(SunByPlace, PlacesWithSmallCellsHaveAnErrorOfTheirOwn) {
+    SunByPlaceSettings settings = ofDays(3);
+    settings.study.engine = "horizon";
+    settings.study.engineSettings["bin"] = 2;
+    const std::vector<Place> places{namedPlace("Park", -30, 20, 50, 60), namedPlace("Corner", 4, 22, 7, 25)};
+    const SunByPlace sun = measured(tower(), places, settings);
+    ASSERT_EQ(sun.sun[1].cellM, 0.5);
+    const ShownError* error = findError(sun, "place_small");
+    ASSERT_NE(error, nullptr);
+    EXPECT_EQ(error->count, 1U) << "there is one small place";
+    EXPECT_LT(error->largest, 20);
+    settings.smallCellM = 2;
+    EXPECT_EQ(findError(measured(tower(), places, settings), "place_small"), nullptr);
+}
+
 /// What is reported, as long as it rises.
 class RisingOnly final : public Progress {
 public:

@@ -88,7 +88,7 @@ private:
         addFigures(ownFigures);
         const std::vector<TileMap> maps =
             listWrittenMaps(merge_.maps.empty() ? listTileMaps(own, *sun) : merge_.maps, hasRuns(figures));
-        return writeMaps(district, files, maps, makeShadowScale(figures, sunlit))
+        return writeMaps(district, files, maps, makeShadowScale(figures, sunlit, merge_.legend))
             .and_then([&]() -> Result<void> {
                 if (!own.byMonth) return {};
                 return writeFile(district.name + "by_month.csv",

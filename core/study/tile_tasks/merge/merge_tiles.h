@@ -18,6 +18,7 @@ struct MergeSettings {
     Provenance provenance{};  ///< written into the maps and tables
     /// Of a plan with a TileSubject that has its own measure; empty: those of a study
     std::vector<TileMap> maps{};
+    LegendChoice legend{};  ///< of the styles of maps of shadow
 };
 
 /// What merging wrote.

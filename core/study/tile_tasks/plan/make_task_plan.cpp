@@ -35,6 +35,9 @@ Result<void> checkRequest(const TaskPlanRequest& request, const EngineList& engi
         if (request.timelines != nullptr && !engine->capabilities().stepMasks)
             return Result<void>(unsupported("This engine does not state timelines of places", settings.engine,
                                             "Choose auto, ray or projected"));
+        if (request.byPlace != nullptr && !engine->capabilities().sets)
+            return Result<void>(unsupported("This engine sums no months", settings.engine,
+                                            "Choose auto, horizon or projected"));
         return checkBreakdown(settings, engine->capabilities(), engines);
     });
 }
@@ -75,7 +78,8 @@ public:
           study_(plan.studyHash(district)),
           reach_(surveyed.sun),
           posts_(surveyed.ground.terrain ? surveyed.ground.terrain->grid.size() : 0) {
-        if (request.timelines != nullptr) places_.emplace(surveyed.places, plan.districts[district].tiles);
+        if (request.question().places() != nullptr)
+            places_.emplace(surveyed.places, plan.districts[district].tiles);
     }
 
     /// Nothing for a tile to leave out.
@@ -111,7 +115,8 @@ private:
     // "auto" states the masks of timelines by one of two engines.
     [[nodiscard]] StudySettings loadSettings() const {
         StudySettings settings = request_.settings;
-        if (places_ && settings.engine == "auto") settings.engine = posts_ == 0 ? "projected" : "ray";
+        if (request_.timelines != nullptr && settings.engine == "auto")
+            settings.engine = posts_ == 0 ? "projected" : "ray";
         return settings;
     }
 
@@ -123,7 +128,7 @@ private:
     std::string study_;
     ShadowReach reach_;
     std::size_t posts_;
-    std::optional<PlacesOfTiles> places_;  ///< of timelines
+    std::optional<PlacesOfTiles> places_;  ///< none: cells are measured
 };
 
 Result<void> addDistrict(TaskPlan& plan, std::size_t number, const TaskPlanRequest& request,
@@ -164,8 +169,8 @@ Result<TaskPlan> makePlan(const TaskPlanRequest& request, Progress& progress, co
             return tl::make_unexpected(added.error());
     }
     if (plan.tiles.empty())
-        return failure(request.timelines == nullptr ? "No tile of the region holds a building"
-                                                    : "No place of the file lies in the region",
+        return failure(request.question().places() == nullptr ? "No tile of the region holds a building"
+                                                              : "No place of the file lies in the region",
                        request.region, "Choose another region");
     packTasks(plan, request.task);
     return plan;

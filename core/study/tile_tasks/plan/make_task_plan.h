@@ -24,8 +24,9 @@ struct TaskPlanRequest {
     /// Measured instead of the city in `files`; they are then not read, and `region` is not used
     const TileSubject* subject = nullptr;
     const TimelineRequest* timelines = nullptr;  ///< as in TaskQuestion
+    const ByPlaceRequest* byPlace = nullptr;     ///< likewise
 
-    [[nodiscard]] TaskQuestion question() const { return {reading, settings, subject, timelines}; }
+    [[nodiscard]] TaskQuestion question() const { return {reading, settings, subject, timelines, byPlace}; }
 };
 
 /// Files that have to be read whole by every task may not be larger than this together.
@@ -35,9 +36,10 @@ inline constexpr std::uintmax_t maxBytesReadWhole = 2'000'000'000;
 /// are read in one pass and then window by window, so that memory does not grow with the country; a terrain
 /// is read for each district. Of several files, every task reads only those that its windows touch, whole if
 /// they have no index: so a country may be a folder of CityJSON. One file of another format is read whole,
-/// here and by every task. Of timelines, only tiles with places are planned, and their halo is that of their
-/// places. The study's own errors, those of readPlaces(), and: files that are too large to be read whole; a
-/// terrain from bases, which needs the whole city.
+/// here and by every task. Of timelines and sun by place, only tiles with places are planned, and their halo
+/// is that of their places; with the region "city", sun by place takes all places, wherever they lie. The
+/// study's own errors, those of readPlaces(), and: files that are too large to be read whole; a terrain from
+/// bases, which needs the whole city.
 /// `arguments` and `inputs` of the plan are the caller's.
 Result<TaskPlan> makeTaskPlan(const TaskPlanRequest& request, Progress& progress, const std::stop_token& stop,
                               const EngineList& engines = coreEngines());

@@ -85,9 +85,22 @@ Result<SunSteps> sunOver(const City& ground, const TaskPlanRequest& request, con
 
 Result<std::vector<Place>> placesOver(const Frame& frame, const TaskPlanRequest& request, Progress& progress,
                                       const std::stop_token& stop) {
-    if (request.timelines == nullptr) return std::vector<Place>{};
-    return readPlaces(request.timelines->places, request.timelines->reading, frame, progress, stop)
-        .map([](PlacesRead read) { return std::move(read.places); });
+    const TaskQuestion question = request.question();
+    if (question.places() == nullptr) return std::vector<Place>{};
+    return readPlaces(*question.places(), frame, progress, stop);
+}
+
+// Sun by place of a whole city is that of all places: their sun is that of their middle.
+Result<void> takePlacesAsRegion(District& district, const std::vector<Place>& places,
+                                const TaskPlanRequest& request) {
+    if (places.empty())
+        return failure("There is no place to measure", request.byPlace->places.string(),
+                       "Choose other kinds of places, or another file");
+    Box2 box;
+    for (const Place& place : places) box.add(bounds(place));
+    district.region = makeRegionFromLocalBox(box);
+    district.region.name = "all places";
+    return {};
 }
 
 // The region with all of each place that may belong to one of its tiles.
@@ -167,12 +180,15 @@ Result<SurveyedDistrict> surveyExtents(District& district, const TaskPlanRequest
     if (!ground) return tl::make_unexpected(ground.error());
     const ReadSettings reading = readSettingsIn(district, request.reading);
     const Box2 all = localBox(scan.footprints.box, district.frame);
+    auto places = placesOver(district.frame, request, progress, stop);
+    if (!places) return tl::make_unexpected(places.error());
+    if (request.byPlace != nullptr && district.region.polygons.empty())
+        if (auto taken = takePlacesAsRegion(district, *places, request); !taken)
+            return tl::make_unexpected(taken.error());
     const bool whole = district.region.polygons.empty();
     Region region = whole ? makeRegionFromLocalBox(all) : district.region;
     auto sun = sunOver(*ground, request, region, stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    auto places = placesOver(district.frame, request, progress, stop);
-    if (!places) return tl::make_unexpected(places.error());
     const Box2 measured = measuredBox(region, *places);
     Box2 box =
         whole ? grown(measured, borderM) : reachingBox(measured, scan, *ground, *sun, reading.farAwayM);
@@ -224,7 +240,12 @@ Result<SurveyedDistrict> surveyWhole(District& district, const TaskPlanRequest& 
     auto read = readCity(pathsOf(request.files), request.reading, progress, stop);
     if (!read) return tl::make_unexpected(read.error());
     district.frame = read->city.frame;
-    if (request.region == "city") {
+    if (request.region == "city" && request.byPlace != nullptr) {
+        const auto places = placesOver(district.frame, request, progress, stop);
+        if (!places) return tl::make_unexpected(places.error());
+        if (auto taken = takePlacesAsRegion(district, *places, request); !taken)
+            return tl::make_unexpected(taken.error());
+    } else if (request.region == "city") {
         district.region = makeRegionFromLocalBox(bounds(read->city));
         district.region.name = "the whole city";
     } else {

@@ -12,7 +12,7 @@ struct SurveyedDistrict {
     OccluderSurvey survey;
     City ground;  ///< frame and terrain; no buildings
     SunSteps sun;
-    std::vector<Place> places{};  ///< of timelines: all of the file that are near the district
+    std::vector<Place> places{};  ///< to be measured: all of the file that are near the district
 };
 
 /// Sets the region of a district that has none to the box around all buildings, then surveys everything whose

@@ -6,7 +6,8 @@
 // tile_halo.h says what a tile has to read, tile_load.h how long it takes, and pack_tasks.h which task runs
 // it. run_task.h computes one task with the runner and the journal of core/study/tiles, and task_status.h
 // sums up what is done. In merge/, merge_tiles.h joins the tiles: with cloud_map.h, tile_mosaic.h,
-// tile_places.h and stac_item.h; merge_timelines.h those of timelines.
+// tile_places.h and stac_item.h; merge_timelines.h those of timelines, merge_by_place.h those
+// of sun by place.
 
 #include <cstdint>
 #include <filesystem>

@@ -9,11 +9,12 @@ std::string hashQuestion(const TaskQuestion& question) {
     StudySettings settings = question.settings;
     settings.region = {};
     const std::string hash = hashSettings(settings);
-    if (question.subject == nullptr && question.timelines == nullptr) return hash;
+    if (question.subject == nullptr && question.places() == nullptr) return hash;
     Sha256 sum;
     sum.add(hash);
     if (question.subject != nullptr) sum.add(question.subject->key);
     if (question.timelines != nullptr) sum.add(question.timelines->key());
+    if (question.byPlace != nullptr) sum.add(question.byPlace->key());
     return sum.hex();
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/study/tiles/by_place_measure.h"
 #include "core/study/tiles/timeline_measure.h"
 
 namespace noonmark {
@@ -31,9 +32,16 @@ struct TaskQuestion {
     /// Not null: the timelines of places instead, of the last city of the subject, and compared with its
     /// first city if it has two
     const TimelineRequest* timelines = nullptr;
+    /// Not null: sun by place instead, of these cities
+    const ByPlaceRequest* byPlace = nullptr;
+
+    /// The places that are measured instead of cells; null: cells are.
+    [[nodiscard]] const PlacesRequest* places() const {
+        return byPlace != nullptr ? static_cast<const PlacesRequest*>(byPlace) : timelines;
+    }
 };
 
-/// Identifies settings, subject and timelines. The region of the settings is not counted.
+/// Identifies settings, subject, timelines and sun by place. The region of the settings is not counted.
 std::string hashQuestion(const TaskQuestion& question);
 
 }  // namespace noonmark
