@@ -8,6 +8,7 @@
 #include "app/gui/frame/appearance.h"
 #include "app/gui/frame/help/start_settings.h"
 #include "app/gui/frame/main_window.h"
+#include "app/gui/frame/window_renewal.h"
 #include "app/input/window_arguments.h"
 #include "core/base/process.h"
 #include "core/simd/instruction_set.h"
@@ -56,7 +57,8 @@ int run(int argc, char** argv) {
     noonmark::applyAppearance(application);
 
     QSettings settings;
-    noonmark::MainWindow window(settings);
+    noonmark::WindowRenewal renewal(settings);
+    noonmark::MainWindow& window = renewal.window();
     window.show();
     window.open(filesOf(arguments));
     if (arguments.files.empty() && noonmark::readShowStart(settings)) window.help().showStart(false);

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -9,6 +11,7 @@
 
 #include "app/gui/frame/help/about_text.h"
 #include "app/gui/frame/help/guide_window.h"
+#include "app/gui/frame/help/key_sheet.h"
 #include "core/simd/instruction_set.h"
 #include "tests/gui/project_window.h"
 
@@ -54,6 +57,41 @@ TEST_F(ProjectWindow, F1OpensTheGuideAndALinkTurnsItsPage) {
     Q_EMIT guide->text().anchorClicked(QUrl(QStringLiteral("places.md")));
     EXPECT_EQ(guide->page(), QStringLiteral("places"));
     EXPECT_EQ(&window->help().showGuide({QStringLiteral("review"), {}}), guide) << "one guide, not a second";
+}
+
+TEST_F(ProjectWindow, TheGuideIsSearchedPageByPage) {
+    GuideWindow& guide = window->help().showGuide({QStringLiteral("window"), {}});
+    auto* words = guide.findChild<QLineEdit*>(QStringLiteral("guideSearch"));
+    auto* pages = guide.findChild<QListWidget*>();
+    words->setText(QStringLiteral("GeoPackage"));
+    int shown = 0;
+    for (int row = 0; row < pages->count(); ++row) shown += pages->item(row)->isHidden() ? 0 : 1;
+    EXPECT_GT(shown, 0);
+    EXPECT_LT(shown, pages->count()) << "not every page names it";
+    guide.findNext();
+    EXPECT_EQ(guide.text().textCursor().selectedText().toLower(), QStringLiteral("geopackage"));
+    words->setText(QStringLiteral("no such words anywhere"));
+    const QString page = guide.page();
+    guide.findNext();
+    EXPECT_EQ(guide.page(), page);
+    words->clear();
+    EXPECT_FALSE(pages->item(0)->isHidden());
+}
+
+TEST_F(ProjectWindow, TheKeySheetListsTheKeysOfAllMenusAndTheMouse) {
+    window->help().keys()->trigger();
+    auto* sheet = window->findChild<KeySheet*>();
+    ASSERT_NE(sheet, nullptr);
+    const auto rowOf = [&](const QString& keys) {
+        for (int row = 0; row < sheet->table().rowCount(); ++row)
+            if (sheet->table().item(row, 2)->text().contains(keys)) return row;
+        return -1;
+    };
+    for (const char* keys : {"Ctrl+R", "F5", "F7", "Shift+M", "Ctrl+S", "Ctrl+F1, ?", "wheel"})
+        EXPECT_GE(rowOf(QString::fromLatin1(keys)), 0) << keys;
+    sheet->findChild<QLineEdit*>(QStringLiteral("keySearch"))->setText(QStringLiteral("wheel"));
+    EXPECT_FALSE(sheet->table().isRowHidden(rowOf(QStringLiteral("wheel"))));
+    EXPECT_TRUE(sheet->table().isRowHidden(rowOf(QStringLiteral("Ctrl+R"))));
 }
 
 TEST_F(ProjectWindow, AboutNamesTheVersionAndTheInstructionSet) {

@@ -21,42 +21,31 @@ namespace {
 
 using test::waitFor;
 
-TEST(ModeSwitch, TheRayReferenceIsAModeAndAnEngine) {
-    StudyDocument document;
-    StudySettings first;
-    first.engine = "horizon";
-    document.reset(first);
-    ModeSwitch mode(document);
-    EXPECT_EQ(mode.mode(), ViewMode::exploration);
-    mode.setMode(ViewMode::analysis);
-    EXPECT_EQ(document.settings().engine, "horizon");
-    mode.setMode(ViewMode::rayReference);
-    EXPECT_EQ(document.settings().engine, "ray");
-    document.undoStack().undo();
-    EXPECT_EQ(mode.mode(), ViewMode::analysis) << "undoing the engine undoes the mode";
-    StudySettings settings = first;
-    settings.engine = "ray";
-    document.change(settings, QStringLiteral("engine"));
-    EXPECT_EQ(mode.mode(), ViewMode::rayReference) << "chosen in the dock";
-    mode.setMode(ViewMode::exploration);
-    settings.engine = "iam";
-    document.change(settings, QStringLiteral("engine"));
-    EXPECT_EQ(mode.mode(), ViewMode::exploration) << "exploration does not depend on the study's engine";
+TEST(ModeSwitch, AStudyLeavesNowAndStaysInReview) {
+    ModeSwitch mode;
+    EXPECT_EQ(mode.mode(), ViewMode::exploration) << "what a new user sees first";
     mode.showStudies();
     EXPECT_EQ(mode.mode(), ViewMode::analysis);
-    mode.setMode(ViewMode::rayReference);
-    mode.setMode(ViewMode::analysis);
-    EXPECT_EQ(document.settings().engine, "iam") << "the previous engine";
+    mode.setMode(ViewMode::review);
+    mode.showStudies();
+    EXPECT_EQ(mode.mode(), ViewMode::review);
+    EXPECT_TRUE(mode.actions()[2]->isChecked());
+    EXPECT_FALSE(mode.actions()[1]->isChecked()) << "one at a time";
 }
 
 TEST(ModeSwitch, ModesHaveShortcutsAndSayWhatTheyAre) {
-    StudyDocument document;
-    const ModeSwitch mode(document);
+    const ModeSwitch mode;
     ASSERT_EQ(mode.actions().size(), 3);
+    EXPECT_EQ(mode.actions()[0]->text(), QStringLiteral("Now"));
     for (const QAction* action : mode.actions()) {
         EXPECT_FALSE(action->shortcut().isEmpty());
         EXPECT_TRUE(action->toolTip().contains(action->shortcut().toString()));
     }
+}
+
+TEST(ViewState, AModeOfRaysSavedBeforeIsThatOfStudies) {
+    EXPECT_EQ(parseViewState({{"mode", "ray reference"}}).mode, ViewMode::analysis);
+    EXPECT_EQ(parseViewState(textsOf({.mode = ViewMode::review})).mode, ViewMode::review);
 }
 
 TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {

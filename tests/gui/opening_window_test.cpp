@@ -67,6 +67,16 @@ TEST_F(OpeningWindow, ATerrainDoesNotTakeThePlaceOfTheCity) {
     EXPECT_EQ(window.workbench().source().files, (QStringList{city, terrain}));
 }
 
+TEST_F(OpeningWindow, ATerrainIsAddedOnceAndNeverReplaced) {
+    window.places().addFiles({terrain});
+    ASSERT_TRUE(waitFor([this] { return shown().terrain != nullptr; })) << message().toStdString();
+    EXPECT_EQ(shown().buildings.size(), 1U);
+    const auto before = window.workbench().city();
+    window.places().addFiles({terrain});
+    EXPECT_TRUE(message().contains(QStringLiteral("has a terrain already"))) << message().toStdString();
+    EXPECT_EQ(window.workbench().city(), before);
+}
+
 TEST_F(OpeningWindow, ATerrainOpensAloneWhereThatIsWanted) {
     window.open({terrain});
     click("otherRemedy");

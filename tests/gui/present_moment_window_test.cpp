@@ -84,6 +84,20 @@ TEST_F(PresentWindow, AnAnswerIsOfItsPeriodAndNotOfThatMoment) {
     EXPECT_TRUE(window.panel().legend().legend());
 }
 
+TEST_F(PresentWindow, TheStripFollowsTheDayOfTheStudyAndTheMovieTheStrip) {
+    openAt(16h);
+    StudySettings settings = window.workbench().document().settings();
+    settings.period.start = settings.period.start.year() / std::chrono::December / 21;
+    settings.period.days = 1;
+    window.workbench().document().change(settings, QStringLiteral("period"));
+    EXPECT_EQ(look().date.month(), std::chrono::December);
+    EXPECT_EQ(look().at, 12h) << "the time stays";
+    window.panel().time().choose({LookSpan::moment, settings.period.start, 9h});
+    settings.receivers.cellM = 5;
+    window.workbench().document().change(settings, QStringLiteral("cell size"));
+    EXPECT_EQ(look().at, 9h) << "other settings move nothing";
+}
+
 TEST_F(PresentWindow, AMomentThatTheUserChoseStays) {
     openAt(16h);
     window.panel().time().choose({LookSpan::moment, look().date, 9h});

@@ -134,5 +134,19 @@ TEST_F(ProjectWindow, ADrawnRegionGoesIntoTheProjectInOneStepOfUndo) {
     EXPECT_FALSE(session().hasUnsavedWork());
 }
 
+TEST_F(ProjectWindow, AnOpenedScenarioKnowsWhatItDemolishesAtOnce) {
+    Project project = test::smallProject();
+    project.scenarios.push_back({.name = "Without", .base = {}, .edits = {Demolish{test::idOf(project, 2)}}});
+    project.view["scenario"] = "Without";
+    const QString other = folder.filePath(QStringLiteral("without.noonmark.gpkg"));
+    ASSERT_TRUE(ProjectFile::create(other.toStdString(), project));
+    open(other);
+    const OpenCity& shown = *workbench().city();
+    ASSERT_EQ(shown.city().buildings.size(), 2U);
+    const ArrayDifference changes = computeDifference(*shown.arrays, shown.city());
+    ASSERT_EQ(changes.gone.size(), 1U) << "its outline is drawn";
+    EXPECT_EQ(shown.arrays->buildings[changes.gone[0]]->sourceId, test::idOf(project, 2));
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -103,6 +103,24 @@ TEST_F(ReviewWindow, VerdictsAndNumbersAreThoseOfTheReview) {
     EXPECT_TRUE(copied.contains(QString::fromStdString(expected->places[0].rows[0].entersText)));
 }
 
+TEST_F(ReviewWindow, PlacesHaveTheColoursOfTheirVerdictsInTheModeReview) {
+    addPlaces();
+    build();
+    choose("ceqr");
+    run();
+    ResultLayer& layer = window->panel().results();
+    EXPECT_FALSE(layer.showsVerdicts()) << "Now shows no verdicts";
+    window->mode().setMode(ViewMode::review);
+    EXPECT_TRUE(dock().isVisible()) << "the mode opens its panel";
+    ASSERT_TRUE(layer.showsVerdicts());
+    ASSERT_TRUE(window->panel().legend().legend());
+    EXPECT_EQ(window->panel().legend().legend()->title, QStringLiteral("Verdicts on places"));
+    const QString told = layer.minutesAt(Pick{.position = {20, 70, 0}});
+    EXPECT_TRUE(told.startsWith(QStringLiteral("Park "))) << told.toStdString();
+    window->mode().setMode(ViewMode::analysis);
+    EXPECT_FALSE(layer.showsVerdicts());
+}
+
 TEST_F(ReviewWindow, ARowShowsTheTimelineOfItsDayWithTheSameFigures) {
     showDock();
     addPlaces();

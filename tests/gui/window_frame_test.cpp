@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <QAccessible>
+#include <QDockWidget>
 #include <QLabel>
 #include <QScreen>
+#include <QSet>
 #include <QSettings>
 #include <QStatusBar>
 
@@ -66,6 +69,62 @@ TEST(WarningPlaces, NameABuildingByItsWholeIdOrAPartsAndTheLongestWins) {
     EXPECT_EQ(buildingNamed(city, "way 77"), 3U);
     EXPECT_EQ(buildingNamed(city, "way 1234"), std::nullopt);
     EXPECT_EQ(buildingNamed(city, ""), std::nullopt);
+}
+
+TEST_F(ProjectWindow, MessagesLieOverTheViewAndDoNotMoveIt) {
+    ViewPanel& panel = window->panel();
+    const auto view = [&] { return panel.view().size(); };
+    panel.messages().hide();
+    QCoreApplication::processEvents();
+    const QSize before = view();
+    panel.messages().showHelp(QStringLiteral("a message\nof two lines"));
+    ASSERT_TRUE(test::waitFor([&] { return panel.messages().width() > 200; }));
+    EXPECT_EQ(view(), before);
+    EXPECT_GE(panel.messages().height(), panel.messages().heightForWidth(panel.messages().width()));
+    EXPECT_TRUE(panel.rect().contains(panel.messages().geometry()));
+}
+
+TEST_F(ProjectWindow, APanelSideCollapsesAndComesBackAsItWas) {
+    const auto shown = [this] {
+        QStringList names;
+        for (const QDockWidget* dock : window->findChildren<QDockWidget*>())
+            if (!dock->isHidden()) names << dock->objectName();
+        return names;
+    };
+    const QStringList before = shown();
+    auto* side = window->findChild<QAction*>(QStringLiteral("side%1").arg(int(Qt::LeftDockWidgetArea)));
+    ASSERT_NE(side, nullptr);
+    side->trigger();
+    EXPECT_FALSE(shown().contains(QStringLiteral("studyDock")));
+    EXPECT_TRUE(shown().contains(QStringLiteral("projectDock")));
+    side->trigger();
+    EXPECT_EQ(shown(), before);
+}
+
+TEST_F(ProjectWindow, ScreenReadersHaveANameForEverythingThatTakesTheKeyboard) {
+    QStringList silent;
+    for (QWidget* widget : window->findChildren<QWidget*>()) {
+        if (widget->focusPolicy() == Qt::NoFocus) continue;
+        QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
+        if (spoken == nullptr || spoken->text(QAccessible::Name).isEmpty())
+            silent << QStringLiteral("%1 '%2'").arg(QLatin1String(widget->metaObject()->className()),
+                                                    widget->objectName());
+    }
+    EXPECT_EQ(silent.join(u'\n').toStdString(), "");
+}
+
+TEST_F(ProjectWindow, TabGoesThroughAllFieldsOfADockAndBackToTheFirst) {
+    QSet<const QWidget*> reached;
+    const QWidget* at = &window->panel();
+    do {
+        reached << at;
+        at = at->nextInFocusChain();
+    } while (at != &window->panel() && reached.size() < 20000);
+    for (const QWidget* widget : window->findChildren<QWidget*>()) {
+        const bool isReachedByTab =
+            (widget->focusPolicy() & Qt::TabFocus) && widget->window() == window.get();
+        EXPECT_TRUE(!isReachedByTab || reached.contains(widget)) << widget->objectName().toStdString();
+    }
 }
 
 }  // namespace

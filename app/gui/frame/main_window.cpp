@@ -20,6 +20,7 @@
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/docks/results/warnings_dock.h"
+#include "app/gui/docks/review/place_verdicts.h"
 #include "app/gui/docks/review/review_dock.h"
 #include "app/gui/docks/scenarios/scenario_bar.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
@@ -30,9 +31,11 @@
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/docks/weights/weights_dock.h"
 #include "app/gui/docks/weights/weights_model.h"
+#include "app/gui/frame/accessible_names.h"
 #include "app/gui/frame/window_menus.h"
 #include "app/gui/frame/window_toolbar.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/time/time_strip.h"
 #include "app/input/find_element_parts.h"
 #include "render/view/software_drawing.h"
 #include "scenarios/scenario_list.h"
@@ -56,8 +59,10 @@ QString unsavedFolder(const QSettings& settings) {
 
 }  // namespace
 
-MainWindow::MainWindow(QSettings& settings)
+MainWindow::MainWindow(QSettings& settings, std::shared_ptr<Workbench> workbench)
     : settings_(settings),
+      shared_(std::move(workbench)),
+      workbench_(*shared_),
       review_(workbench_),
       glazingReview_(workbench_, review_),
       panel_(new ViewPanel),
@@ -78,7 +83,7 @@ MainWindow::MainWindow(QSettings& settings)
              tools_.massingDock()},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       hover_(new QLabel),
-      mode_(workbench_.document()),
+      mode_(),
       view_(workbench_, *panel_, mode_, review_, settings),
       store_(unsavedFolder(settings)),
       saving_(
@@ -112,20 +117,21 @@ MainWindow::MainWindow(QSettings& settings)
       dome_(settings_, workbench_, *panel_, time_, points_),
       presets_(*panel_, time_),
       comparing_(workbench_, *panel_, time_),
-      preferences_(settings_, panel_->messages(), *this),
+      preferences_(settings_, *this),
       tours_(opening_, {*this, workbench_, review_, *panel_}),
       savedViews_(workbench_.session(), *panel_, *docks_.project, *this),
       context_(workbench_, tools_, region_, places_, points_, *panel_) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
     setCentralWidget(panel_);
-    fillMenus(placeDocks(*this, docks_));
+    fillMenus(placeDocks(*this, docks_) + makeSideSwitches(*this));
     makeStatusBar();
     connectJobs();
     connectWorkbench();
     connectDocks();
     connectModes();
     connectPreferences();
+    nameForScreenReaders(*this);
     restoreGeometry(settings_.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings_.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
     fitScreen();
@@ -194,6 +200,12 @@ void MainWindow::makeToolBars(const WindowActions& actions) {
     bar->setObjectName(QStringLiteral("modeBar"));
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addActions(mode_.actions());
+    QAction* paper = bar->addAction(tr("As in the paper"), this, &MainWindow::useMapsOfPaper);
+    paper->setObjectName(QStringLiteral("paperMaps"));
+    paper->setToolTip(
+        tr("Now by shadow accrual maps, studies and reviews by inverse accrual maps through the "
+           "direction graph.\nApproximate: the legend states the measured error. Undo takes the "
+           "method of the study back"));
     bar->addWidget(new ScenarioBar(workbench_.session()));
     QToolBar* tools = addToolBar(tr("Tools"));
     tools->setObjectName(QStringLiteral("toolBar"));
@@ -300,10 +312,7 @@ void MainWindow::connectStudyForm() {
     StudyDock& form = *docks_.study;
     form.setRules(review_.library().rules());
     connect(&form, &StudyDock::kindChosen, this, &MainWindow::chooseKind);
-    connect(&form, &StudyDock::paperRequested, this, [this] {
-        camera_.exploreByMaps()->setChecked(true);
-        workbench_.document().change(asInPaper(workbench_.document().settings()), tr("as in the paper"));
-    });
+    connect(&form, &StudyDock::paperRequested, this, &MainWindow::useMapsOfPaper);
     BuildingEditing& building = tools_.building();
     connect(&building, &BuildingEditing::selectionChanged, &form, [&form, &building] {
         form.setBuilding(building.selected() ? QString::fromStdString(building.id()) : QString());
@@ -353,10 +362,8 @@ void MainWindow::chooseKind(StudyKind kind) {
 }
 
 void MainWindow::connectModes() {
-    connect(&mode_, &ModeSwitch::changed, this, [this](ViewMode mode) {
-        panel_->results().setMode(mode);
-        activateExploration();
-    });
+    connect(&mode_, &ModeSwitch::changed, this, &MainWindow::showModes);
+    connect(&review_, &ReviewSession::answered, this, &MainWindow::showVerdicts);
     connect(&time_, &TimeDisplay::momentChanged, this, &MainWindow::activateExploration);
     connect(&exploration_, &Exploration::changed, this,
             [this] { panel_->results().setExplored(exploration_.answer()); });
@@ -379,7 +386,27 @@ void MainWindow::connectPreferences() {
     connect(&preferences_, &PreferencesActions::paperChosen, this, usePaper);
     connect(&results_, &ResultActions::setupChosen, this,
             [this](const PageSetup& setup) { savePageSetup(setup, settings_); });
+    connect(&preferences_, &PreferencesActions::textsChanged, this, &MainWindow::textsChanged);
     usePaper();
+}
+
+void MainWindow::showModes() {
+    panel_->results().setMode(mode_.mode());
+    activateExploration();
+    showVerdicts();
+    if (mode_.mode() == ViewMode::review) showDock(docks_.review);
+}
+
+// Painted only where they are shown.
+void MainWindow::showVerdicts() {
+    const bool isReview = mode_.mode() == ViewMode::review;
+    panel_->results().setVerdicts(isReview ? makePlaceVerdicts(review_.shown()) : nullptr);
+}
+
+// The engines of the paper, for what is explored and for what is studied.
+void MainWindow::useMapsOfPaper() {
+    camera_.exploreByMaps()->setChecked(true);
+    workbench_.document().change(asInPaper(workbench_.document().settings()), tr("as in the paper"));
 }
 
 void MainWindow::explore() {
@@ -450,6 +477,7 @@ void MainWindow::showCity() {
     exploration_.setCity(workbench_.city());
     docks_.study->setCity(workbench_.session().city());
     display_.showCity();
+    showVerdicts();
     time_.offer();
     showDocument();
     study_.runAgainIfQuick();
@@ -496,6 +524,22 @@ void MainWindow::showTitle() {
     if (!workbench_.city()) return;
     setWindowTitle(tr("%1[*] - Noonmark").arg(workbench_.projectName()));
     setWindowModified(workbench_.session().hasUnsavedWork());
+}
+
+void MainWindow::takeOver(MainWindow& before) {
+    restoreGeometry(before.saveGeometry());
+    restoreState(before.saveState(layoutVersion), layoutVersion);
+    if (!workbench_.city()) return;
+    Q_EMIT workbench_.session().changed();
+    Q_EMIT workbench_.session().baselineChanged();
+    showCity();
+    view_.restore(parseViewState(before.view_.toSave()));
+    docks_.weights->choose(before.docks_.weights->model().table().name);
+    opening_.takeProject();
+    panel_->time().choose(before.panel_->time().look());
+    showTitle();
+    before.saving_.forgetUnsaved();
+    if (workbench_.session().hasUnsavedWork()) saving_.keepUnsaved();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

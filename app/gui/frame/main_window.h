@@ -63,10 +63,15 @@ class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
     /// `settings` stores layout and recent files; it must outlive the window.
-    explicit MainWindow(QSettings& settings);
+    /// `workbench`: the work of another window, which takeOver() then shows.
+    explicit MainWindow(QSettings& settings,
+                        std::shared_ptr<Workbench> workbench = std::make_shared<Workbench>());
     ~MainWindow() override;
 
     [[nodiscard]] Workbench& workbench() { return workbench_; }
+    [[nodiscard]] std::shared_ptr<Workbench> sharedWorkbench() const { return shared_; }
+    /// Shows the work of a window that is about to go: its project, results, view and layout.
+    void takeOver(MainWindow& before);
     [[nodiscard]] ViewPanel& panel() { return *panel_; }
     [[nodiscard]] EditTools& tools() { return tools_; }
     [[nodiscard]] ModeSwitch& mode() { return mode_; }
@@ -100,6 +105,9 @@ public:
 
     void open(const QStringList& files) { opening_.open(files); }  ///< asks first if there is unsaved work
 
+Q_SIGNALS:
+    void textsChanged();  ///< another language or other units: WindowRenewal makes another window
+
 protected:
     void closeEvent(QCloseEvent* event) override;
 
@@ -117,6 +125,9 @@ private:
     void connectPreferences();
     void activateExploration();
     void explore();
+    void showModes();
+    void showVerdicts();
+    void useMapsOfPaper();
     void answerCard(StartQuestion question);
     void keepPicture();
     void chooseKind(StudyKind kind);
@@ -130,7 +141,8 @@ private:
     void showTitle();
 
     QSettings& settings_;
-    Workbench workbench_;
+    std::shared_ptr<Workbench> shared_;
+    Workbench& workbench_;
     ReviewSession review_;
     GlazingSession glazingReview_;
     ViewPanel* panel_;

@@ -2,8 +2,11 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QPointer>
 #include <QScrollArea>
+#include <memory>
 
+#include "app/gui/base/widgets/make_action.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/elements/elements_dock.h"
 #include "app/gui/docks/places/places_dock.h"
@@ -41,6 +44,30 @@ QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
     dock->setObjectName(QString::fromLatin1(name));  // the saved layout identifies docks by object name
     dock->setWidget(content);
     return dock;
+}
+
+QList<QPointer<QDockWidget>> shownAt(const QMainWindow& window, Qt::DockWidgetArea area) {
+    QList<QPointer<QDockWidget>> shown;
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>())
+        if (window.dockWidgetArea(dock) == area && !dock->isHidden() && !dock->isFloating()) shown << dock;
+    return shown;
+}
+
+// Hides what is shown there, or shows again what it has hidden.
+QAction* makeSideSwitch(QMainWindow& window, Qt::DockWidgetArea area, const QString& text, const char* keys) {
+    QAction* action =
+        makeAction(&window, text, QKeySequence(QString::fromLatin1(keys)),
+                   QObject::tr("Hides these panels, for more of the view, and shows them again"));
+    action->setObjectName(QStringLiteral("side%1").arg(int(area)));
+    auto hidden = std::make_shared<QList<QPointer<QDockWidget>>>();
+    QObject::connect(action, &QAction::triggered, &window, [&window, area, hidden] {
+        const auto shown = shownAt(window, area);
+        for (const auto& dock : shown) dock->hide();
+        for (const auto& dock : shown.isEmpty() ? *hidden : QList<QPointer<QDockWidget>>())
+            if (dock) dock->show();
+        *hidden = shown;
+    });
+    return action;
 }
 
 }  // namespace
@@ -85,6 +112,12 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
                               point, elements, building, tower, warnings})
         toggles << dock->toggleViewAction();
     return toggles;
+}
+
+QList<QAction*> makeSideSwitches(QMainWindow& window) {
+    return {makeSideSwitch(window, Qt::LeftDockWidgetArea, QObject::tr("Panels at the left"), "F8"),
+            makeSideSwitch(window, Qt::RightDockWidgetArea, QObject::tr("Panels at the right"), "F9"),
+            makeSideSwitch(window, Qt::BottomDockWidgetArea, QObject::tr("Panels below"), "Shift+F9")};
 }
 
 }  // namespace noonmark

@@ -37,6 +37,9 @@ struct WindowDocks {
     QWidget* tower;     ///< lots, and the tower being designed
 };
 
+/// Switches that hide all docks at the left, the right and below, for more of the view, and show them again.
+QList<QAction*> makeSideSwitches(QMainWindow& window);
+
 /// Adds the docks at their default places. Returns the actions that show and hide them.
 QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks);
 

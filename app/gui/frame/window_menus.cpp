@@ -31,6 +31,7 @@ namespace {
 
 QAction* fillFileMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.opening.actions());
+    menu.addAction(actions.places.addAction());
     menu.addAction(actions.photograph.fileAction());
     menu.addSeparator();
     menu.addActions(actions.saving.actions());
@@ -101,7 +102,7 @@ QAction* fillMenus(QMenuBar& bar, const WindowActions& actions) {
     fillViewMenu(*bar.addMenu(QObject::tr("&View")), actions);
     QMenu* help = bar.addMenu(QObject::tr("&Help"));
     help->addActions(
-        {actions.help.guide(), actions.help.whatsThis(), actions.view.help(), actions.help.start()});
+        {actions.help.guide(), actions.help.whatsThis(), actions.help.keys(), actions.help.start()});
     help->addMenu(QObject::tr("Guided &tours"))->addActions(actions.tours.actions());
     help->addSeparator();
     help->addAction(actions.help.about());

@@ -47,11 +47,11 @@ std::map<std::string, std::string> WindowView::toSave() const {
     return textsOf(state);
 }
 
-void WindowView::restore() {
-    const ViewState& view = workbench_.openedView();
+void WindowView::restore() { restore(workbench_.openedView()); }
+
+void WindowView::restore(const ViewState& view) {
     review_.restore(view.review);
-    mode_.setAnalysisEngine(StudySettings().engine);
-    if (workbench_.session().file()) {
+    if (workbench_.session().file() || &view != &workbench_.openedView()) {
         mode_.setMode(view.mode);
         panel_.legend().setMeasure(view.measure);
         panel_.legend().setChoice(view.legend);

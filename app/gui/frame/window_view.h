@@ -24,6 +24,8 @@ public:
     /// Shows the project that has been opened as it was saved; a new one from the south, its region in the
     /// middle, with shadow or sun as it was last chosen. Scenario and study are in the workbench already.
     void restore();
+    /// Shows another window's view of the same project.
+    void restore(const ViewState& view);
     /// For new projects: shadow or sun, as it is shown now.
     void rememberShown();
 

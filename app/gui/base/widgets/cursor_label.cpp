@@ -42,10 +42,14 @@ void CursorLabel::place() {
     adjustSize();
     const QPoint cursor = view_.mapToGlobal((pixel_ + QPointF(left_(), 0)).toPoint());
     QPoint corner = cursor + besideCursor;
+    if (freeSide_.x() < 0) corner.setX(cursor.x() - besideCursor.x() - width());
+    if (freeSide_.y() < 0) corner.setY(cursor.y() - besideCursor.y() - height());
     if (const QScreen* on = view_.screen()) {
         const QRect free = on->availableGeometry();
         if (corner.x() + width() > free.right()) corner.setX(cursor.x() - besideCursor.x() - width());
+        if (corner.x() < free.left()) corner.setX(cursor.x() + besideCursor.x());
         if (corner.y() + height() > free.bottom()) corner.setY(cursor.y() - besideCursor.y() - height());
+        if (corner.y() < free.top()) corner.setY(cursor.y() + besideCursor.y());
     }
     move(corner);
 }

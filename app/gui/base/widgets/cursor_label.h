@@ -18,6 +18,9 @@ public:
     void setLeft(std::function<double()> left) { left_ = std::move(left); }
     /// Shows the text beside this pixel of the picture; an empty text hides it.
     void show(QPointF pixel, const QString& text);
+    /// To which side of the cursor the ground is free of the shadow that is looked at, as a direction in the
+    /// view: x to the right, y down. {}: below at the right.
+    void setFreeSide(QPointF direction) { freeSide_ = direction; }
     /// More lines below the text of show(), until they are replaced; empty: none.
     void setLinesBelow(const QString& lines);
 
@@ -25,7 +28,7 @@ private:
     void place();
 
     QWindow& view_;
-    QPointF pixel_;
+    QPointF pixel_, freeSide_;
     QString text_, below_;
     std::function<double()> left_ = [] { return 0.0; };
 };

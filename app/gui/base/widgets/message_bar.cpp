@@ -113,7 +113,7 @@ void MessageBar::unfold(bool all) {
 
 void MessageBar::paintColours() {
     const NoteColours colours = isError_ ? errorColours(themeInUse()) : noteColours(themeInUse());
-    setStyleSheet(QStringLiteral("#messageBar { background: %1; border-bottom: 1px solid %2; } "
+    setStyleSheet(QStringLiteral("#messageBar { background: %1; border: 1px solid %2; border-radius: 4px; } "
                                  "#messageBar QLabel, #messageBar QToolButton { color: %3; border: none; }")
                       .arg(colours.background.name(), colours.border.name(), colours.text.name()));
 }

@@ -13,7 +13,7 @@ class QToolButton;
 
 namespace noonmark {
 
-/// A bar above the view for errors and notices. It is not modal and stays until closed. Of a notice of
+/// A bar over the view for errors and notices. It is not modal and stays until closed. Of a notice of
 /// several lines it shows the first, and the others on request.
 class MessageBar final : public QFrame {
     Q_OBJECT

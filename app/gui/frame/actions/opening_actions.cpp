@@ -126,14 +126,28 @@ void OpeningActions::openFilesOf(const QString& folder) {
 void OpeningActions::askAboutTerrain(const QStringList& files, const ReadSettings& reading) {
     messages_.showHelp(
         tr("%1 is a terrain: it holds no buildings.").arg(QFileInfo(files.front()).fileName()));
-    const Workbench::Source source = workbench_.source();
-    const bool canAdd = !workbench_.session().file() && !source.files.isEmpty() &&
-                        !isSample(source.files.front().toStdString());
-    if (canAdd)
-        messages_.offer(tr("Add to the city"), [this, source, files, reading] {
-            replaceBy(source.files + files, withTerrain(source.reading, reading));
-        });
+    if (canAddTerrain())
+        messages_.offer(tr("Add to the city"), [this, files, reading] { addTerrain(files, reading); });
     messages_.offerToo(tr("Open alone"), [this, files, reading] { replaceBy(files, reading); });
+}
+
+// The files of a project, and samples, are not read again.
+bool OpeningActions::canAddTerrain() const {
+    const QStringList& files = workbench_.source().files;
+    return !workbench_.session().file() && !files.isEmpty() && !isSample(files.front().toStdString());
+}
+
+void OpeningActions::addTerrain(const QStringList& files, const ReadSettings& reading) {
+    const std::string name = files.front().toStdString();
+    if (workbench_.city()->city().terrain)
+        return messages_.showError(
+            {"The city has a terrain already", name, "Open the city without it first"});
+    if (!canAddTerrain())
+        return messages_.showError(
+            {"A terrain can be added to city files only, before they are saved as a project", name,
+             "Open the city files and the terrain together"});
+    const Workbench::Source source = workbench_.source();
+    replaceBy(source.files + files, withTerrain(source.reading, reading));
 }
 
 void OpeningActions::replaceBy(const QStringList& files, const ReadSettings& reading) {

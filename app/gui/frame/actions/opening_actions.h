@@ -30,6 +30,8 @@ public:
     /// Asks first if there is unsaved work, and whether a terrain alone belongs to the city that is open.
     void open(const QStringList& files);
     void openFolder();  ///< asks for one: its city files, or what it is itself
+    /// Reads the city again with these terrains, unless it has one.
+    void addTerrain(const QStringList& files, const ReadSettings& reading = {});
     void openFilesOf(const QString& folder);
     void openWith(const QStringList& files, const ReadSettings& reading);
     void takeProject();  ///< another project is open: adds it to the recent files
@@ -47,6 +49,7 @@ Q_SIGNALS:
 private:
     void makeActions();
     void replaceBy(const QStringList& files, const ReadSettings& reading);
+    [[nodiscard]] bool canAddTerrain() const;
     void askAboutTerrain(const QStringList& files, const ReadSettings& reading);
     void addSample(const QString& text, const QString& tip, const QString& sample);
     void showFailure(const Error& error);

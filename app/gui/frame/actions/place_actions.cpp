@@ -2,6 +2,7 @@
 
 #include <QCursor>
 #include <QMenu>
+#include <algorithm>
 #include <glm/common.hpp>
 
 #include "app/gui/base/files/file_dialogs.h"
@@ -15,6 +16,7 @@
 #include "app/gui/view/panel/view_panel.h"
 #include "app/input/load_places.h"
 #include "app/report/sheets/study_words.h"
+#include "core/io/files/file_kind.h"
 #include "core/io/formats/format.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/massing/lot_edits.h"
@@ -75,6 +77,9 @@ PlaceActions::PlaceActions(Workbench& workbench, OpeningActions& opening, EditTo
       panel_(panel),
       tree_(tree),
       window_(window),
+      add_(makeAction(
+          this, tr("Add to the &city..."), {},
+          tr("A terrain, an aerial photograph, or parks and other places; what the city has stays"))),
       read_(makeAction(this, tr("Read &places..."), {},
                        tr("Parks, playgrounds, school grounds... from OpenStreetMap or any file of polygons"),
                        "place")),
@@ -107,6 +112,10 @@ void PlaceActions::makeActions() {
     outlines_->setObjectName(QStringLiteral("placeOutlines"));
     outlines_->setCheckable(true);
     fromBuilding_->setEnabled(false);
+    add_->setObjectName(QStringLiteral("addToCity"));
+    connect(add_, &QAction::triggered, this, [this] {
+        if (const QStringList files = askForCity(&window_); !files.isEmpty()) addFiles(files);
+    });
     connect(read_, &QAction::triggered, this, &PlaceActions::askForFiles);
     connect(streets_, &QAction::triggered, this, &PlaceActions::readStreets);
     connect(draw_, &QAction::triggered, this, &PlaceActions::draw);
@@ -191,6 +200,24 @@ void PlaceActions::takeDropped(const QStringList& files, std::optional<QPointF> 
     const Dropped wanted = workbench_.city() && mayHoldPlaces(files) ? ask_() : Dropped::open;
     if (wanted == Dropped::open) opening_.open(files);
     if (wanted == Dropped::readPlaces) read(files);
+}
+
+void PlaceActions::addFiles(const QStringList& files) {
+    if (!workbench_.city())
+        return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
+    if (isPhotograph(files)) return addPhotograph(files.front());
+    const bool areTerrain = std::ranges::all_of(files, [](const QString& file) {
+        const auto kind = detectFileKind(file.toStdString());
+        return kind && *kind == FileKind::terrain;
+    });
+    areTerrain ? opening_.addTerrain(files) : read(files);
+}
+
+void PlaceActions::addPhotograph(const QString& file) {
+    if (workbench_.session().project().groundPicture)
+        return panel_.messages().showError({"The city has an aerial photograph already", file.toStdString(),
+                                            "Remove it first: View > Aerial photograph"});
+    Q_EMIT photographDropped(file);
 }
 
 void PlaceActions::draw() {

@@ -30,6 +30,7 @@ public:
                  ProjectDock& tree, QWidget& window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {read_, streets_, draw_, fromBuilding_}; }
+    [[nodiscard]] QAction* addAction() const { return add_; }            ///< files to the open city
     [[nodiscard]] QAction* showAction() const { return show_; }          ///< shows and hides names
     [[nodiscard]] QAction* outlinesAction() const { return outlines_; }  ///< shows outlines of all places
 
@@ -41,6 +42,8 @@ public:
     /// under `pixel` or there on the ground. Other files are opened, or, if a city is open and they may hold
     /// places, as the user chooses.
     void takeDropped(const QStringList& files, std::optional<QPointF> pixel = {});
+    /// Adds terrain, an aerial photograph or places to the open city; never replaces what it has.
+    void addFiles(const QStringList& files);
     void draw();
     void makeFromBuilding();
     void zoomTo(const std::string& place);
@@ -58,6 +61,7 @@ private:
     void makeActions();
     void connectTree(ProjectDock& tree);
     void askForFiles();
+    void addPhotograph(const QString& file);
     void take(const PlacesRead& read);
     void takeDrawn(const std::vector<Footprint>& pieces);
     void add(Place place, const QString& what);
@@ -69,6 +73,7 @@ private:
     ViewPanel& panel_;
     ProjectDock& tree_;
     QWidget& window_;
+    QAction* add_;
     QAction* read_;
     QAction* streets_;
     QAction* draw_;

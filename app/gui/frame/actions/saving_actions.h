@@ -51,6 +51,9 @@ public:
     using SaveAsQuestion = std::function<QString(const QString& suggested)>;
     void setSaveAsQuestion(SaveAsQuestion question) { askSaveAs_ = std::move(question); }
 
+    /// The recovery file of this window is not needed any more: another one keeps the work.
+    void forgetUnsaved() { saving_.forgetUnsaved(); }
+
 Q_SIGNALS:
     void saved(QString file);
 

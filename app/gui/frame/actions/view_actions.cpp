@@ -14,27 +14,6 @@ namespace {
 
 constexpr QPoint cornerOfView{12, 60};  // where a small window covers little of the view
 
-QString mouseAndKeys() {
-    return QObject::tr(
-        "Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms "
-        "to the cursor. Arrow keys "
-        "pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: "
-        "from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section "
-        "box. B: solid "
-        "buildings or "
-        "wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, "
-        "Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray "
-        "reference. Ctrl+R: run. "
-        "Click a building to "
-        "select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or "
-        "type its height and press Enter, Delete demolishes it, M "
-        "moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): "
-        "click corners, with Shift at right angles to the last side, with Ctrl without snapping, or type the "
-        "length of a side and press Enter; double click, Enter or right click "
-        "finishes, Backspace removes the last corner, Esc cancels. Ctrl+Shift+L edits the corners and sides "
-        "of a lot.");
-}
-
 QAction* makeSwitch(QObject* owner, const QString& text, const QKeySequence& keys, const QString& tip,
                     bool on) {
     QAction* action = makeAction(owner, text, keys, tip);
@@ -70,8 +49,7 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
           makeSwitch(this, tr("Section bo&x"), QKeySequence(tr("Shift+X")),
                      tr("Cuts away what lies outside a box, by handles or numbers; shadows remain those of "
                         "the whole city"),
-                     false)),
-      keys_(makeAction(this, tr("&Mouse and keys"), QKeySequence(tr("Ctrl+F1")), {}, "keys")) {
+                     false)) {
     ViewNavigator& navigator = panel_.navigator();
     connect(wholeCity_, &QAction::triggered, &navigator, &ViewNavigator::showWholeCity);
     connect(northUp_, &QAction::triggered, &navigator, &ViewNavigator::turnNorthUp);
@@ -86,7 +64,6 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
     connect(section_, &QAction::triggered, this, &ViewActions::setSection);
     connect(&panel_.section(), &SectionTool::changed, section_,
             [this] { section_->setChecked(panel_.section().box().has_value()); });
-    connect(keys_, &QAction::triggered, this, [this] { panel_.messages().showHelp(mouseAndKeys()); });
     connect(&tree, &ProjectDock::lotChosen, this, [this](const NamedLot& lot) {
         panel_.navigator().showSlanting(boxAround({lot.name, {lot.outline}}));
     });

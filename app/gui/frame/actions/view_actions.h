@@ -29,7 +29,6 @@ public:
     [[nodiscard]] QAction* exploreByMaps() const { return byMaps_; }  ///< checkable
     [[nodiscard]] QAction* measure() const { return measure_; }       ///< checkable
     [[nodiscard]] QAction* sectionBox() const { return section_; }    ///< checkable
-    [[nodiscard]] QAction* help() const { return keys_; }             ///< mouse and keys
 
 private:
     void showRegion();
@@ -48,7 +47,6 @@ private:
     QAction* measure_;
     QAction* section_;
     SectionDialog* sectionDialog_ = nullptr;  ///< from the first use on; a child of the panel
-    QAction* keys_;
 };
 
 /// `region` with some ground around it: what the view shows at first, and what it shows of a lot.

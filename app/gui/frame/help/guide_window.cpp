@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QHBoxLayout>
 #include <QImage>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QRegularExpression>
 #include <QScrollBar>
@@ -12,6 +13,7 @@
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QUrl>
+#include <algorithm>
 
 namespace noonmark {
 
@@ -27,6 +29,11 @@ QString titleOf(const QString& name) {
     QFile file(fileOf(name));
     if (!file.open(QIODevice::ReadOnly)) return name;
     return QString::fromUtf8(file.readLine()).remove(QLatin1Char('#')).trimmed();
+}
+
+QString textOf(const QString& name) {
+    QFile file(fileOf(name));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
 // "A study" is "a-study" in links.
@@ -60,7 +67,8 @@ QList<GuidePage> listGuidePages() {
     return pages;
 }
 
-GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent), pages_(new QListWidget), text_(new GuideText) {
+GuideWindow::GuideWindow(QWidget* parent)
+    : QDialog(parent), words_(new QLineEdit), pages_(new QListWidget), text_(new GuideText) {
     setWindowTitle(tr("User guide"));
     setAttribute(Qt::WA_DeleteOnClose);
     for (const GuidePage& page : listGuidePages()) {
@@ -68,6 +76,7 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent), pages_(new QListWid
         item->setData(Qt::UserRole, page.name);
     }
     pages_->setFixedWidth(250);
+    words_->setFixedWidth(250);
     pages_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     text_->setOpenLinks(false);
     auto* back = new QToolButton;
@@ -75,8 +84,17 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent), pages_(new QListWid
     back->setEnabled(false);
     connect(back, &QToolButton::clicked, text_, &QTextBrowser::backward);
     connect(text_, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
+    words_->setObjectName(QStringLiteral("guideSearch"));
+    words_->setPlaceholderText(tr("Find in the guide"));
+    words_->setToolTip(tr("Lists the pages with these words; Enter goes to the next place"));
+    words_->setClearButtonEnabled(true);
+    connect(words_, &QLineEdit::textChanged, this, &GuideWindow::search);
+    connect(words_, &QLineEdit::returnPressed, this, &GuideWindow::findNext);
+    pages_->setAccessibleName(tr("Pages of the guide"));
+    text_->setAccessibleName(windowTitle());
     auto* side = new QVBoxLayout;
     side->addWidget(back);
+    side->addWidget(words_);
     side->addWidget(pages_);
     auto* row = new QHBoxLayout(this);
     row->addLayout(side);
@@ -105,6 +123,29 @@ void GuideWindow::showSection(const QString& section) {
         const QRectF at = text_->document()->documentLayout()->blockBoundingRect(block);
         text_->verticalScrollBar()->setValue(int(at.top()));
         return;
+    }
+}
+
+void GuideWindow::search(const QString& words) {
+    for (int row = 0; row < pages_->count(); ++row) {
+        QListWidgetItem* item = pages_->item(row);
+        const QString name = item->data(Qt::UserRole).toString();
+        const auto count = words.isEmpty() ? 0 : textOf(name).count(words, Qt::CaseInsensitive);
+        item->setHidden(!words.isEmpty() && count == 0);
+        item->setText(count > 0 ? tr("%1 (%2)").arg(titleOf(name)).arg(count) : titleOf(name));
+    }
+}
+
+void GuideWindow::findNext() {
+    const QString words = words_->text();
+    if (words.isEmpty() || text_->find(words)) return;
+    const int rows = pages_->count();
+    for (int step = 1; step <= rows; ++step) {
+        const int row = (std::max(pages_->currentRow(), 0) + step) % rows;
+        if (pages_->item(row)->isHidden()) continue;
+        showPage(pages_->item(row)->data(Qt::UserRole).toString());
+        text_->moveCursor(QTextCursor::Start);
+        if (text_->find(words)) return;
     }
 }
 

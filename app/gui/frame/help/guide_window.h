@@ -7,6 +7,7 @@
 
 #include <QDialog>
 
+class QLineEdit;
 class QListWidget;
 class QTextBrowser;
 
@@ -21,7 +22,7 @@ struct GuidePage {
 /// The pages in the order in which they are read.
 QList<GuidePage> listGuidePages();
 
-/// The user guide: its pages at the left, the page with its pictures at the right. Not modal.
+/// The user guide: its pages and a search at the left, the page with its pictures at the right. Not modal.
 class GuideWindow final : public QDialog {
     Q_OBJECT
 public:
@@ -31,6 +32,10 @@ public:
     void showPage(const QString& name, const QString& section = {});
     [[nodiscard]] QString page() const;  ///< the name of the page that is shown
     [[nodiscard]] QTextBrowser& text() { return *text_; }
+    /// Lists only the pages that contain these words, with how often; empty: all pages.
+    void search(const QString& words);
+    /// Goes to the next place of the words, on the following pages too; from the last to the first.
+    void findNext();
 
 private:
     void follow();
@@ -38,6 +43,7 @@ private:
     void showLinked(const QUrl& target);
     void showSection(const QString& section);
 
+    QLineEdit* words_;
     QListWidget* pages_;
     QTextBrowser* text_;
 };

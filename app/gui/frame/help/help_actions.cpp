@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QMainWindow>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QWhatsThis>
 #include <utility>
@@ -10,10 +11,11 @@
 #include "app/gui/frame/actions/opening_actions.h"
 #include "app/gui/frame/help/about_text.h"
 #include "app/gui/frame/help/guide_window.h"
+#include "app/gui/frame/help/key_sheet.h"
 
 namespace noonmark {
 
-HelpActions::HelpActions(OpeningActions& opening, QSettings& settings, QMainWindow& window, QWidget& view)
+HelpActions::HelpActions(OpeningActions& opening, QSettings& settings, QMainWindow& window, ViewPanel& view)
     : opening_(opening),
       settings_(settings),
       window_(window),
@@ -23,10 +25,14 @@ HelpActions::HelpActions(OpeningActions& opening, QSettings& settings, QMainWind
                         tr("The guide, at the page about the panel in use"), "help")),
       whatsThis_(makeAction(this, tr("&What's this?"), QKeySequence::WhatsThis,
                             tr("Explains the field that is clicked next; in a field, Shift+F1"), "help")),
+      keys_(makeAction(this, tr("&Mouse and keys"), {}, tr("All keys and what the mouse does, as a table"),
+                       "keys")),
       start_(makeAction(this, tr("&Start page"), {}, tr("Recent projects, samples and questions"), "open")),
       about_(makeAction(this, tr("&About Noonmark"), {}, tr("Version, libraries and processor"), "about")) {
     connect(guide_, &QAction::triggered, this,
             [this] { showGuide(findGuidePlace(QApplication::focusWidget())); });
+    keys_->setShortcuts({QKeySequence(tr("Ctrl+F1")), QKeySequence(Qt::Key_Question)});
+    connect(keys_, &QAction::triggered, this, &HelpActions::showKeys);
     connect(whatsThis_, &QAction::triggered, this, [] { QWhatsThis::enterWhatsThisMode(); });
     connect(start_, &QAction::triggered, this, [this] { showStart(); });
     connect(about_, &QAction::triggered, this, &HelpActions::showAbout);
@@ -76,6 +82,12 @@ GuideWindow& HelpActions::showGuide(const GuidePlace& place) {
     shown_->raise();
     shown_->showPage(place.page, place.section);
     return *shown_;
+}
+
+void HelpActions::showKeys() {
+    delete keySheet_;
+    keySheet_ = new KeySheet(*window_.menuBar(), &window_);
+    keySheet_->show();
 }
 
 void HelpActions::showAbout() {

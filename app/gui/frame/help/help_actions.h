@@ -14,7 +14,9 @@ class QSettings;
 namespace noonmark {
 
 class GuideWindow;
+class KeySheet;
 class OpeningActions;
+class ViewPanel;
 
 /// The menu Help: the user guide (F1, at the place about the dock or dialog that has the focus), What's this
 /// (Shift+F1), the page to start from, and what the program is made of.
@@ -23,12 +25,13 @@ class HelpActions final : public QObject {
 public:
     /// The window owns the dialogs; `view` is what the start page leaves in sight. All must outlive this
     /// object.
-    HelpActions(OpeningActions& opening, QSettings& settings, QMainWindow& window, QWidget& view);
+    HelpActions(OpeningActions& opening, QSettings& settings, QMainWindow& window, ViewPanel& view);
 
     ~HelpActions() override;
 
     [[nodiscard]] QAction* guide() const { return guide_; }
     [[nodiscard]] QAction* whatsThis() const { return whatsThis_; }
+    [[nodiscard]] QAction* keys() const { return keys_; }  ///< mouse and keys
     [[nodiscard]] QAction* start() const { return start_; }
     [[nodiscard]] QAction* about() const { return about_; }
 
@@ -43,18 +46,21 @@ Q_SIGNALS:
 
 private:
     void showAbout();
+    void showKeys();
     void connectStart(StartPage& page);
 
     OpeningActions& opening_;
     QSettings& settings_;
     QMainWindow& window_;
-    QWidget& view_;
+    ViewPanel& view_;
     QPointer<GuideWindow> shown_;
+    QPointer<KeySheet> keySheet_;
     QPointer<StartPage> startPage_;
     std::optional<StartQuestion> waiting_;  ///< for the city that is being opened
     FieldHelp fields_;
     QAction* guide_;
     QAction* whatsThis_;
+    QAction* keys_;
     QAction* start_;
     QAction* about_;
 };

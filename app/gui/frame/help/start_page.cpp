@@ -20,6 +20,7 @@
 #include "app/gui/base/widgets/card_button.h"
 #include "app/gui/base/widgets/push_button.h"
 #include "app/gui/frame/tour/tour_actions.h"
+#include "app/gui/view/panel/view_panel.h"
 
 namespace noonmark {
 
@@ -115,7 +116,7 @@ QPushButton* makeLink(const QString& text, const char* name, const QString& tip)
 
 std::span<const StartCard> listStartCards() { return startCards; }
 
-StartPage::StartPage(const RecentFiles& recent, bool cityChosen, QMainWindow& window, QWidget& view)
+StartPage::StartPage(const RecentFiles& recent, bool cityChosen, QMainWindow& window, ViewPanel& view)
     : QFrame(&window),
       window_(window),
       view_(view),
@@ -136,12 +137,16 @@ StartPage::StartPage(const RecentFiles& recent, bool cityChosen, QMainWindow& wi
     }
     window_.installEventFilter(this);
     view.installEventFilter(this);
+    view_.setBare(true);
     place();
     questions_->show();
     questions_->raise();
 }
 
-StartPage::~StartPage() { delete questions_; }
+StartPage::~StartPage() {
+    view_.setBare(false);
+    delete questions_;
+}
 
 void StartPage::makeOpening(const RecentFiles& recent) {
     QVBoxLayout* column = makeColumn(*this);

@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace noonmark {
 
 class CardButton;
+class ViewPanel;
 
 /// What a user comes with. Each has a card on the start page, and a panel that answers it.
 enum class StartQuestion { places, tower, review, facades, score };
@@ -36,7 +37,7 @@ class StartPage final : public QFrame {
 public:
     /// `view`: what is left uncovered. `cityChosen`: the user has a city open, of which a question is asked
     /// at once; else a card waits for the city that is opened next.
-    StartPage(const RecentFiles& recent, bool cityChosen, QMainWindow& window, QWidget& view);
+    StartPage(const RecentFiles& recent, bool cityChosen, QMainWindow& window, ViewPanel& view);
     ~StartPage() override;
 
     [[nodiscard]] QWidget* questions() const { return questions_; }
@@ -67,7 +68,7 @@ private:
     void place();
 
     QMainWindow& window_;
-    const QWidget& view_;
+    ViewPanel& view_;
     bool cityChosen_;
     QFrame* questions_;
     QLabel* heading_;

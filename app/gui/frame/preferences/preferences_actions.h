@@ -8,25 +8,23 @@ class QWidget;
 
 namespace noonmark {
 
-class MessageBar;
-
 /// The entry Preferences of the menu Edit.
 class PreferencesActions final : public QObject {
     Q_OBJECT
 public:
     /// All must outlive this object.
-    PreferencesActions(QSettings& settings, MessageBar& messages, QWidget& window);
+    PreferencesActions(QSettings& settings, QWidget& window);
 
     [[nodiscard]] QAction* action() const { return show_; }
 
 Q_SIGNALS:
     void paperChosen();
+    void textsChanged();  ///< the language or the units are others
 
 private:
     void show();
 
     QSettings& settings_;
-    MessageBar& messages_;
     QWidget& window_;
     QAction* show_;
 };

@@ -48,8 +48,8 @@ PreferencesDialog::PreferencesDialog(QSettings& settings, QWidget* parent)
 void PreferencesDialog::addLooks(QFormLayout& form) {
     language_ =
         addList(form, tr("Language"), "preferredLanguage",
-                tr("Of menus, panels and numbers; applies when Noonmark starts again. Files, sheets and "
-                   "error messages stay English"));
+                tr("Of menus, panels and numbers; applies at once. Files, sheets and error messages stay "
+                   "English"));
     for (const LanguageEntry& entry : languages)
         language_->addItem(entry.ownName ? QString::fromUtf8(entry.ownName) : tr("As the system"),
                            int(entry.language));
@@ -59,10 +59,9 @@ void PreferencesDialog::addLooks(QFormLayout& form) {
     theme_->addItem(tr("Light"), int(ThemeChoice::light));
     theme_->addItem(tr("Dark"), int(ThemeChoice::dark));
     choose(*theme_, int(readThemeChoice(settings_)));
-    units_ = addList(
-        form, tr("Units"), "preferredUnits",
-        tr("In which areas, lengths and heights are shown and lengths are typed; applies when Noonmark "
-           "starts again"));
+    units_ =
+        addList(form, tr("Units"), "preferredUnits",
+                tr("In which areas, lengths and heights are shown and lengths are typed; applies at once"));
     units_->addItem(tr("Metric: metres"), int(UnitSystem::metric));
     units_->addItem(tr("Imperial: feet"), int(UnitSystem::imperial));
     units_->addItem(tr("Metric and imperial"), int(UnitSystem::both));
@@ -88,27 +87,27 @@ void PreferencesDialog::addUse(QFormLayout& form) {
     form.addRow(start_);
 }
 
-// Returns whether something applies only when the program starts again.
+// Returns whether all texts have to be written again.
 bool PreferencesDialog::saveLooks() {
     const auto language = Language(chosen(*language_));
     const auto units = UnitSystem(chosen(*units_));
     const auto theme = ThemeChoice(chosen(*theme_));
-    const bool isLater = language != readLanguage(settings_) || units != readUnits(settings_);
+    const bool isOther = language != readLanguage(settings_) || units != readUnits(settings_);
     saveLanguage(language, settings_);
     saveUnits(units, settings_);
     if (theme != readThemeChoice(settings_)) {
         saveThemeChoice(theme, settings_);
         if (auto* now = ApplicationTheme::inUse()) now->choose(theme);
     }
-    return isLater;
+    return isOther;
 }
 
 void PreferencesDialog::save() {
-    const bool isLater = saveLooks();
+    const bool isOther = saveLooks();
     savePageSetup({Paper(chosen(*paper_)), chosen(*orientation_) == 1}, settings_);
     saveShowStart(start_->isChecked(), settings_);
     Q_EMIT paperChosen();
-    if (isLater) Q_EMIT restartNeeded();
+    if (isOther) Q_EMIT textsChanged();
     accept();
 }
 

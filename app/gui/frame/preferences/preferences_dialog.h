@@ -19,7 +19,7 @@ public:
 
 Q_SIGNALS:
     void paperChosen();
-    void restartNeeded();  ///< for the new language or units
+    void textsChanged();  ///< another language or other units: all texts are to be written again
 
 private:
     void addLooks(QFormLayout& form);

@@ -84,8 +84,12 @@ Result<OpenProject> openProject(const std::vector<std::string>& files, const Rea
     auto loaded = isProject(files) ? readProjectFile(files.front(), opened, progress, stop)
                                    : readCityFiles(files, settings, opened, progress, stop);
     if (!loaded) return tl::make_unexpected(loaded.error());
+    // Of a scenario, the arrays are those of the existing city: what is demolished shows as outlines.
+    std::shared_ptr<const CityArrays> existing;
+    if (opened.view.scenario != existingCity && opened.project.city)
+        existing = std::make_shared<const CityArrays>(makeArrays(*opened.project.city));
     opened.zone = findNearestZone(loaded->read.city.frame.origin());
-    return shownCity(*std::move(loaded), nullptr, progress, stop).map([&](OpenCity city) {
+    return shownCity(*std::move(loaded), std::move(existing), progress, stop).map([&](OpenCity city) {
         opened.city = std::move(city);
         return std::move(opened);
     });

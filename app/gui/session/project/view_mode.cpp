@@ -5,22 +5,22 @@
 namespace noonmark {
 
 QString nameOf(ViewMode mode) {
-    if (mode == ViewMode::exploration) return QObject::tr("Exploration");
-    return mode == ViewMode::analysis ? QObject::tr("Analysis") : QObject::tr("Ray reference");
+    if (mode == ViewMode::exploration) return QObject::tr("Now");
+    return mode == ViewMode::analysis ? QObject::tr("Study") : QObject::tr("Review");
 }
 
 QString describeMeasure(ViewMode mode) {
     if (mode == ViewMode::exploration)
         return QObject::tr(
-            "Shadow on all visible surfaces: ground, roofs and facades.\nUpdated when the view or the period "
-            "changes, coarse at first, then pixel by pixel.");
+            "Sun and shadow of a moment or a period on all visible surfaces: ground, roofs and facades.\n"
+            "Updated when the view or the time changes, coarse at first, then pixel by pixel.");
     if (mode == ViewMode::analysis)
         return QObject::tr(
             "Shadow on the ground of the region, cell by cell, with figures, report and files.\n"
             "Computed by the engine of the study when you press Run.");
     return QObject::tr(
-        "Like the analysis, but with one ray per cell and minute:\nthe slow, exact reference for the other "
-        "engines.");
+        "Verdicts by the rules of review boards, of a proposal or of the existing city.\nOpens the panel "
+        "Review.");
 }
 
 }  // namespace noonmark

@@ -122,12 +122,13 @@ std::string found(const Texts& texts, const char* key) {
 }
 
 // Values in the file, not the displayed names, which are translated.
-constexpr const char* modes[] = {"exploration", "analysis", "ray reference"};
+constexpr const char* modes[] = {"exploration", "analysis", "review"};
 
 ViewMode modeFrom(const std::string& text) {
     for (int i = 0; i < 3; ++i)
         if (text == modes[i]) return ViewMode(i);
-    return ViewMode::exploration;
+    // A mode of files saved before: its method is that of the study.
+    return text == "ray reference" ? ViewMode::analysis : ViewMode::exploration;
 }
 
 }  // namespace

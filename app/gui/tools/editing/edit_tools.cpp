@@ -261,9 +261,9 @@ void EditTools::setBaseline(std::shared_ptr<const City> city, const std::string&
     context_.preview.setBaseline(std::move(city), scenario);
 }
 
-// Beside the cursor that drags, and in both docks for edits that are typed.
+// In both docks, and the first lines beside the cursor that drags, below the measures: three lines in all.
 void EditTools::showEffect(const QString& words) {
-    context_.panel.cursorLabel().setLinesBelow(words);
+    context_.panel.cursorLabel().setLinesBelow(words.section(u'\n', 0, 1));
     selection_->showEffect(words);
     massing_->showEffect(words);
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QObject>
-#include <string>
 
 #include "app/gui/session/project/view_mode.h"
 
@@ -10,22 +9,15 @@ class QActionGroup;
 
 namespace noonmark {
 
-class StudyDocument;
-
-/// The three modes as an exclusive action group, kept in step with the study's engine: the ray reference is
-/// both a mode and an engine, so each follows the other. Knows no view.
+/// The three modes as an exclusive action group. Knows no view.
 class ModeSwitch final : public QObject {
     Q_OBJECT
 public:
-    explicit ModeSwitch(StudyDocument& document, QObject* parent = nullptr);  ///< `document` must outlive it
+    explicit ModeSwitch(QObject* parent = nullptr);
 
     [[nodiscard]] ViewMode mode() const { return mode_; }
     void setMode(ViewMode mode);
-    /// The engine of analysis at first, and after leaving the ray reference. May be the ray reference itself,
-    /// if no other engine can run the study.
-    void setAnalysisEngine(const std::string& engine) { analysisEngine_ = engine; }
-    /// Leaves exploration for the mode of the document's engine.
-    void showStudies();
+    void showStudies();  ///< leaves exploration, which shows no study
 
     [[nodiscard]] QList<QAction*> actions() const;
 
@@ -34,14 +26,9 @@ Q_SIGNALS:
 
 private:
     void makeAction(ViewMode mode, const QKeySequence& keys);
-    void enter(ViewMode mode);
-    void takeEngine(const std::string& engine);
-    void followDocument();
 
-    StudyDocument& document_;
     QActionGroup* group_;
     ViewMode mode_ = ViewMode::exploration;
-    std::string analysisEngine_;
 };
 
 }  // namespace noonmark

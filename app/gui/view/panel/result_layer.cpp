@@ -45,6 +45,7 @@ void ResultLayer::forget() {
     inFront_.reset();
     elements_.reset();
     places_.reset();
+    verdicts_.reset();
     partial_.reset();
     time_.reset();
     explored_.reset();
@@ -126,8 +127,8 @@ bool ResultLayer::showsExplored() const {
 }
 
 bool ResultLayer::showsStudy() const {
-    const bool ground =
-        mode_ != ViewMode::exploration && moment_.isEmpty() && !showsTiles() && !showsPlaces();
+    const bool ground = mode_ != ViewMode::exploration && moment_.isEmpty() && !showsTiles() &&
+                        !showsVerdicts() && !showsPlaces();
     return ground && !showsElements() && study_ && this->ground() == &*study_;
 }
 
@@ -150,8 +151,9 @@ void ResultLayer::showWhatIsWanted() {
         return explored_ ? showExplored() : showNothing();
     }
     view_.surfaces().clear();
+    if (showsVerdicts()) return showPlaces(*verdicts_);
     if (showsElements()) return showElements();
-    if (showsPlaces()) return showPlaces();
+    if (showsPlaces()) return showPlaces(*places_);
     ground() ? showGround() : showNothing();
 }
 
@@ -162,8 +164,8 @@ const ElementMap* ResultLayer::shownElements() const {
 }
 
 bool ResultLayer::showsElements() const {
-    return elements_ && !showsTiles() && !live_ && !partial_ && mode_ != ViewMode::exploration &&
-           moment_.isEmpty();
+    return elements_ && !showsTiles() && !showsVerdicts() && !live_ && !partial_ &&
+           mode_ != ViewMode::exploration && moment_.isEmpty();
 }
 
 void ResultLayer::showElements() {
@@ -191,15 +193,26 @@ void ResultLayer::setPlaces(std::shared_ptr<const PlaceView> places) {
     show();
 }
 
-bool ResultLayer::showsPlaces() const {
-    return places_ && !showsTiles() && !live_ && !partial_ && mode_ != ViewMode::exploration &&
+void ResultLayer::setVerdicts(std::shared_ptr<const PlaceView> verdicts) {
+    if (verdicts == verdicts_) return;
+    verdicts_ = std::move(verdicts);
+    show();
+}
+
+bool ResultLayer::showsVerdicts() const {
+    return verdicts_ && mode_ == ViewMode::review && !showsTiles() && !live_ && !partial_ &&
            moment_.isEmpty();
 }
 
-void ResultLayer::showPlaces() {
-    view_.showPicture(places_->picture);
-    strip_.setLegend(places_->legend);
-    strip_.setNote(places_->note, places_->marked);
+bool ResultLayer::showsPlaces() const {
+    return places_ && !showsVerdicts() && !showsTiles() && !live_ && !partial_ &&
+           mode_ != ViewMode::exploration && moment_.isEmpty();
+}
+
+void ResultLayer::showPlaces(const PlaceView& places) {
+    view_.showPicture(places.picture);
+    strip_.setLegend(places.legend);
+    strip_.setNote(places.note, places.marked);
 }
 
 std::optional<std::size_t> ResultLayer::elementAt(const glm::dvec3& place) const {
@@ -290,6 +303,8 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
             return formatMinutes(gross, continuous, true);
         return formatShown(gross, continuous, {strip_.choice().show, shadow.sunlitMinutesPerDay});
     }
+    if (showsVerdicts())
+        return pick.building ? QString() : verdicts_->describe({pick.position.x, pick.position.y});
     if (const ElementMap* map = shownElements()) {
         const auto element = elementAt(pick.position);
         if (element) return describe(map->elements[*element]);

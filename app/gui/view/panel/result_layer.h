@@ -38,6 +38,9 @@ public:
     [[nodiscard]] std::optional<std::size_t> tileAt(const glm::dvec3& place) const;
     /// Places in colours, displayed instead of the ground of the displayed answer; null: none.
     void setPlaces(std::shared_ptr<const PlaceView> places);
+    /// Places in the colours of their verdicts, displayed in the mode Review; null: none.
+    void setVerdicts(std::shared_ptr<const PlaceView> verdicts);
+    [[nodiscard]] bool showsVerdicts() const;
     [[nodiscard]] bool showsElements() const;
     [[nodiscard]] bool showsTiles() const;
     [[nodiscard]] bool showsPlaces() const;
@@ -80,7 +83,7 @@ private:
     void showGround();
     void showElements();
     void showTiles();
-    void showPlaces();
+    void showPlaces(const PlaceView& places);
     [[nodiscard]] std::optional<std::size_t> paintedTileAt(const glm::dvec3& place) const;
     void showFacades();
     [[nodiscard]] const ElementMap* shownElements() const;
@@ -97,6 +100,7 @@ private:
     std::optional<ElementView> elements_;
     std::shared_ptr<const TileView> tiles_, painted_;  ///< to be shown, and in the view
     std::shared_ptr<const PlaceView> places_;
+    std::shared_ptr<const PlaceView> verdicts_;
     QString tileNote_;
     bool tileNoteMarked_ = false;
     std::optional<GroundAnswer> partial_;

@@ -2,9 +2,11 @@
 
 #include <QTimer>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "app/gui/base/widgets/make_action.h"
@@ -50,6 +52,7 @@ void TimeDisplay::connectWorkbench() {
     connect(&workbench_, &Workbench::answered, this, &TimeDisplay::offer);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &TimeDisplay::offer);
     connect(&workbench_.document(), &StudyDocument::changed, this, &TimeDisplay::offer);
+    connect(&workbench_.document(), &StudyDocument::changed, this, &TimeDisplay::followPeriod);
     connect(&mode_, &ModeSwitch::changed, this, [this](ViewMode mode) {
         if (mode != ViewMode::exploration) leavePresent();
         offer();
@@ -75,6 +78,7 @@ void TimeDisplay::connectView() {
     });
     connect(rest_, &QTimer::timeout, this, &TimeDisplay::drawShadow);
     connect(&panel_.view(), &CityView::tracedChanged, this, &TimeDisplay::showSun);
+    connect(&panel_.view(), &CityView::poseChanged, this, &TimeDisplay::freeLabel);
     connect(&panel_.view(), &CityView::poseChanged, this, [this] {
         if (showsMoment() && !panel_.view().isTraced()) rest_->start();
     });
@@ -144,6 +148,34 @@ void TimeDisplay::offer() {
     showSun();
 }
 
+// The first day of a study is that of the strip, and so of the next movie, unless the strip is within the
+// period already.
+void TimeDisplay::followPeriod() {
+    const Period& period = workbench_.document().settings().period;
+    const std::pair days(period.start, period.days);
+    if (const auto before = std::exchange(days_, days); !before || *before == days) return;
+    const std::chrono::sys_days first(period.start), shown(panel_.time().look().date);
+    if (shown >= first && shown < first + std::chrono::days(period.days)) return;
+    TimeLook look = panel_.time().look();
+    look.date = period.start;
+    const bool isPresent = showsPresent();
+    panel_.time().choose(look);
+    if (!isPresent) return;
+    present_ = PresentLook{panel_.time().look(), false};  // still left for the period by a result
+    showSun();
+}
+
+// The label beside the cursor stands on the sunny side: of the moment, or that of the equator.
+void TimeDisplay::freeLabel() {
+    if (!workbench_.city()) return;
+    const double latitude = workbench_.city()->city().frame.origin().latDeg;
+    const glm::dvec2 sun = showsMoment() ? glm::dvec2(sun_.towards) : glm::dvec2(0, latitude >= 0 ? -1 : 1);
+    const double heading = glm::radians(panel_.view().pose().headingDeg);
+    const glm::dvec2 right(std::cos(heading), -std::sin(heading)),
+        ahead(std::sin(heading), std::cos(heading));
+    panel_.cursorLabel().setFreeSide({glm::dot(sun, right), -glm::dot(sun, ahead)});
+}
+
 void TimeDisplay::look(const TimeLook& look) {
     looking_.look(look);
     showSun();
@@ -171,6 +203,7 @@ void TimeDisplay::showSun() {
     panel_.results().setMoment(this->moment(), !showsPresent());
     rest_->stop();
     CityView& view = panel_.view();
+    freeLabel();
     Q_EMIT sunChanged();
     const bool traced = view.isTraced();
     view.showTracedSun(traced && visible ? std::optional(glm::normalize(sun_.towards)) : std::nullopt);

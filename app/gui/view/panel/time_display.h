@@ -57,6 +57,8 @@ private:
     void makeActions();
     void look(const TimeLook& look);
     void leavePresent();
+    void followPeriod();
+    void freeLabel();
     [[nodiscard]] bool showsPresent() const;
     void show();
     void showSun();
@@ -77,9 +79,10 @@ private:
     Clock clock_ = [] {
         return std::chrono::time_point_cast<Instant::duration>(std::chrono::system_clock::now());
     };
-    std::optional<PresentLook> present_;  ///< of showPresent()
-    QTimer* rest_;                        // then the shadow is drawn finely
-    QPointF turned_;                      // minutes and days of a drag that are not whole yet
+    std::optional<PresentLook> present_;             ///< of showPresent()
+    std::optional<std::pair<CivilDate, int>> days_;  ///< first day and days of the document's period
+    QTimer* rest_;                                   // then the shadow is drawn finely
+    QPointF turned_;                                 // minutes and days of a drag that are not whole yet
     QList<QAction*> actions_;
 };
 

@@ -25,8 +25,8 @@ namespace noonmark {
 
 class TimeStrip;
 
-/// The middle of the window: messages, the view, the time strip and the legend below it. Also handles drawing
-/// of polygons on the ground.
+/// The middle of the window: the view with messages over it, the time strip and the legend below it. Also
+/// handles drawing of polygons on the ground.
 class ViewPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -57,8 +57,10 @@ public:
     [[nodiscard]] ResultLayer& results() { return *results_; }
     [[nodiscard]] MapLayer& map() { return *map_; }
 
-    /// Adds a widget between the messages and the view, and owns it.
-    void addStrip(QWidget* strip) { column_->insertWidget(1, strip); }
+    /// Adds a widget above the view, and owns it.
+    void addStrip(QWidget* strip) { column_->insertWidget(0, strip); }
+    /// The picture alone, without the time strip and the legend below it.
+    void setBare(bool bare);
     /// Which scenarios the view shows on its sides, for pictures; empty: one alone.
     void setComparison(const QString& words) { comparison_ = words; }
 
@@ -80,6 +82,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    void placeMessages();
     void connectNavigator();
     void connectDrawing();
     void showCrossCursor(bool cross);
@@ -97,6 +100,7 @@ private:
 
     QVBoxLayout* column_;
     CityView* view_;
+    QWidget* container_;  ///< of view_
     ViewNavigator* navigator_;
     MeasureTool* measureTool_;
     QString comparison_;
@@ -110,6 +114,7 @@ private:
     std::shared_ptr<const OpenCity> city_;
     std::unique_ptr<ResultLayer> results_;
     std::unique_ptr<MapLayer> map_;
+    bool bare_ = false;
     Region region_;
     std::vector<Place> places_;
     std::string highlighted_;  ///< name of a place
