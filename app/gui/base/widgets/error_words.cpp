@@ -57,6 +57,15 @@ namespace {
     QT_TRANSLATE_NOOP("Error", "Click more corners, or press Esc"),
     QT_TRANSLATE_NOOP("Error", "There is no region or place of this name"),
     QT_TRANSLATE_NOOP("Error", "Choose one from the list"),
+    QT_TRANSLATE_NOOP("Error", "The folder holds no buildings"),
+    QT_TRANSLATE_NOOP("Error", "Choose a folder of footprints, city models or meshes"),
+    QT_TRANSLATE_NOOP("Error", "The city has a terrain already"),
+    QT_TRANSLATE_NOOP("Error", "Open the city without it first"),
+    QT_TRANSLATE_NOOP("Error",
+                      "A terrain can be added to city files only, before they are saved as a project"),
+    QT_TRANSLATE_NOOP("Error", "Open the city files and the terrain together"),
+    QT_TRANSLATE_NOOP("Error", "The city has an aerial photograph already"),
+    QT_TRANSLATE_NOOP("Error", "Remove it first: View > Aerial photograph"),
     QT_TRANSLATE_NOOP("Error", "Some scenarios could not be computed"),
     QT_TRANSLATE_NOOP("Error", "The dock Scenarios says why in the row of each")};
 
