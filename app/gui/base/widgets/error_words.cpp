@@ -65,7 +65,7 @@ namespace {
                       "A terrain can be added to city files only, before they are saved as a project"),
     QT_TRANSLATE_NOOP("Error", "Open the city files and the terrain together"),
     QT_TRANSLATE_NOOP("Error", "The city has an aerial photograph already"),
-    QT_TRANSLATE_NOOP("Error", "Remove it first: View > Aerial photograph"),
+    QT_TRANSLATE_NOOP("Error", "Remove it first: File > Aerial photograph"),
     QT_TRANSLATE_NOOP("Error", "Some scenarios could not be computed"),
     QT_TRANSLATE_NOOP("Error", "The dock Scenarios says why in the row of each")};
 

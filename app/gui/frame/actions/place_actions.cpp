@@ -216,7 +216,7 @@ void PlaceActions::addFiles(const QStringList& files) {
 void PlaceActions::addPhotograph(const QString& file) {
     if (workbench_.session().project().groundPicture)
         return panel_.messages().showError({"The city has an aerial photograph already", file.toStdString(),
-                                            "Remove it first: View > Aerial photograph"});
+                                            "Remove it first: File > Aerial photograph"});
     Q_EMIT photographDropped(file);
 }
 
