@@ -1,7 +1,6 @@
 #include "app/gui/frame/accessible_names.h"
 
 #include <QAccessible>
-#include <QDockWidget>
 #include <QGroupBox>
 #include <QLineEdit>
 #include <QTextDocumentFragment>
@@ -20,7 +19,8 @@ QString plainLine(const QString& text) {
 QString titleAround(const QWidget& widget) {
     for (const QWidget* around = widget.parentWidget(); around != nullptr; around = around->parentWidget()) {
         if (const auto* box = qobject_cast<const QGroupBox*>(around)) return box->title();
-        if (qobject_cast<const QDockWidget*>(around)) return around->windowTitle();
+        if (!around->accessibleName().isEmpty()) return around->accessibleName();
+        if (!around->windowTitle().isEmpty()) return around->windowTitle();
     }
     return {};
 }

@@ -511,6 +511,7 @@ void MainWindow::showProject() {
     study_.repeatSaved();
     recovery_.offer();
     if (mode_.mode() == ViewMode::exploration) time_.showPresent();
+    nameForScreenReaders(*this);  // tabs of panels are there by now
 }
 
 void MainWindow::showDocument() {
