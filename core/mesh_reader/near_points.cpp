@@ -87,7 +87,7 @@ struct LinePoint {
     std::string_view rest;
 };
 
-using Find = std::function<bool(std::string_view& line)>;  // takes what stands before a line's point
+using Find = std::function<bool(std::string_view& line)>;  // takes what precedes a line's point
 
 std::optional<LinePoint> pointOf(std::string_view line) {
     LinePoint found{};

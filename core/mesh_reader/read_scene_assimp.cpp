@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "core/mesh_reader/guarded_files.h"
+#include "core/mesh_reader/ifc_as_2x3.h"
 #include "core/mesh_reader/ifc_objects.h"
 #include "core/mesh_reader/near_points.h"
 #include "core/mesh_reader/read_scene.h"
@@ -119,17 +120,17 @@ Result<void> readScene(const std::filesystem::path& file,
                        const std::function<void(const MeshObject&)>& take) try {
     Assimp::Importer importer;
     keepAllowedImporters(importer);
-    NearPoints near = movePointsNear(file);
+    const bool ifc = isIfc(file.string());
+    NearPoints near = ifc ? NearPoints{ifcAs2x3(file)} : movePointsNear(file);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);    // not their ids
     importer.SetIOHandler(guardedFiles(file, std::move(near.content)).release());  // the importer owns it
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr)
-        return failure(
-            fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
-            isIfc(file.string()) ? "Export it as IFC 2x3, without spaces and zones" : "Export it again");
+        return failure(fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
+                       ifc ? "Export it as IFC 2x3, without spaces and zones" : "Export it again");
     if (scene->mRootNode == nullptr)
         return failure("The file holds no triangles", file.string(), trianglesAdvice);
-    if (isIfc(file.string())) return takeIfc(*scene, take);
+    if (ifc) return takeIfc(*scene, take);
     SceneWalk{*scene, [&](const MeshObject& object, const std::string&) { take(object); }}.visit(
         *scene->mRootNode, glm::translate(glm::dmat4(1), near.origin));
     return {};

@@ -53,7 +53,8 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
     here.frame = Frame(frame.origin());  // heights are the shape's own
     here.stand = Stand::absolute;        // its parts keep their places to each other
     here.terrainFromBases = TerrainFromBases::never;
-    if (*kind == FileKind::mesh) here.meshAnchor.reset();  // the user places it
+    // The user places it; only one in map coordinates has a place of its own.
+    if (*kind == FileKind::mesh) here.meshAnchor = here.crs ? std::nullopt : std::optional(frame.origin());
     auto read = readCity({file}, here, progress, std::move(stop));
     if (!read) return tl::make_unexpected(read.error());
     std::ranges::copy_if(read->warnings, std::back_inserter(warnings),

@@ -1,5 +1,4 @@
 #include "core/io/meshes/ifc_site.h"
-#include "core/io/settings/read_fields.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +12,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/geo/crs_to_lon_lat.h"
+#include "core/io/meshes/ifc_statements.h"
+#include "core/io/settings/read_fields.h"
+
 namespace noonmark {
 
 namespace {
@@ -21,30 +24,6 @@ using Words = std::vector<std::string>;
 
 constexpr std::size_t maxDirections = 100'000;
 constexpr std::size_t longestStatement = 4096;  // of those that matter; the rest of a longer one is skipped
-
-std::string withoutBlanks(std::string_view text) {
-    std::string plain;
-    for (const char c : text)
-        if (c != ' ' && c != '\t' && c != '\r' && c != '\n') plain += c;
-    return plain;
-}
-
-// The arguments of "IFCSITE('a',#12,(49,6),$)": texts may contain commas and parentheses.
-Words argumentsOf(std::string_view statement) {
-    Words words{""};
-    int depth = 0;
-    bool quoted = false;
-    for (const char c : statement.substr(std::min(statement.find('('), statement.size()))) {
-        if (c == '\'') quoted = !quoted;
-        if (!quoted && c == '(' && ++depth == 1) continue;
-        if (!quoted && c == ')' && --depth == 0) break;
-        if (!quoted && c == ',' && depth == 1)
-            words.emplace_back();
-        else
-            words.back() += c;
-    }
-    return words;
-}
 
 std::optional<double> numberOf(std::string_view text) {
     double number = 0;
@@ -55,7 +34,7 @@ std::optional<double> numberOf(std::string_view text) {
 
 std::vector<double> numbersOf(const std::string& list) {
     std::vector<double> numbers;
-    for (const std::string& word : argumentsOf(list))
+    for (const std::string& word : ifcArguments(list))
         if (const auto number = numberOf(word)) numbers.push_back(*number);
     return numbers;
 }
@@ -68,37 +47,22 @@ std::optional<double> degreesOf(const std::string& list) {
     return parts[0] + parts[1] / 60 + seconds / 3600;
 }
 
-// The next statement up to its semicolon, which texts may contain too. Of a longer one, its beginning. False
-// at the end of the file.
-bool takeStatement(std::streambuf& bytes, std::string& statement) {
-    statement.clear();
-    bool quoted = false;
-    using Traits = std::streambuf::traits_type;
-    for (auto c = bytes.sbumpc(); !Traits::eq_int_type(c, Traits::eof()); c = bytes.sbumpc()) {
-        const char letter = Traits::to_char_type(c);
-        if (letter == '\'') quoted = !quoted;
-        if (letter == ';' && !quoted) return true;
-        if (statement.size() < longestStatement) statement += letter;
-    }
-    return false;
-}
-
 // Collects the statements that matter, which may come in any order.
 class SiteReader {
 public:
     void take(std::string_view statement) {
-        const std::string plain = withoutBlanks(statement);
+        const std::string plain = withoutIfcBlanks(statement);
         const auto equals = plain.find('=');
         if (equals == plain.npos) return;
         const std::string id = plain.substr(0, equals), body = plain.substr(equals + 1);
-        const Words words = argumentsOf(body);
+        const Words words = ifcArguments(body);
         if (body.starts_with("IFCSITE(")) takeSite(words);
         if (body.starts_with("IFCDIRECTION(") && directions_.size() < maxDirections)
             directions_.emplace(id, words.front());
         if (body.starts_with("IFCGEOMETRICREPRESENTATIONCONTEXT(") && words.size() > 5 && north_.empty())
             north_ = words[5].starts_with('#') ? words[5] : "";
         if (body.starts_with("IFCPROJECTEDCRS(")) crs_ = words.front();
-        if (body.starts_with("IFCMAPCONVERSION(") && words.size() > 3) origin_ = words[2] + ", " + words[3];
+        if (body.starts_with("IFCMAPCONVERSION(") && words.size() > 3) takeConversion(words);
     }
 
     IfcSite site() {
@@ -109,11 +73,20 @@ public:
             if (std::abs(degrees) > 0.01) site_.trueNorthDeg = degrees;
         }
         std::erase(crs_, '\'');
+        site_.mapCrs = crs_;
         if (!origin_.empty()) site_.mapConversion = crs_.empty() ? origin_ : crs_ + " " + origin_;
         return site_;
     }
 
 private:
+    void takeConversion(const Words& words) {
+        origin_ = words[2] + ", " + words[3];
+        const auto east = numberOf(words[2]), north = numberOf(words[3]);
+        if (east && north) site_.mapOrigin = glm::dvec2(*east, *north);
+        if (words.size() < 7) return;
+        const auto x = numberOf(words[5]), y = numberOf(words[6]);
+        if (x && y && std::hypot(*x, *y) > 1e-9) site_.mapAxis = {*x, *y};
+    }
     void takeSite(const Words& words) {
         if (words.size() < 12) return;
         const auto latitude = degreesOf(words[9]), longitude = degreesOf(words[10]);
@@ -132,9 +105,44 @@ IfcSite readIfcSite(const std::filesystem::path& file, const std::stop_token& st
     std::filebuf bytes;
     SiteReader reader;
     if (bytes.open(file, std::ios::in | std::ios::binary) == nullptr) return reader.site();
-    for (std::string statement; takeStatement(bytes, statement) && !stop.stop_requested();)
+    for (std::string statement;
+         takeIfcStatement(bytes, statement, longestStatement) && !stop.stop_requested();)
         reader.take(statement);
     return reader.site();
+}
+
+namespace {
+
+// The azimuth of a direction on the map from true north, at a place of it.
+double azimuthOnMap(const CrsToLonLat& crs, glm::dvec2 at, glm::dvec2 direction) {
+    constexpr double step = 100;
+    const auto places =
+        crs.lonLat(std::vector{at, at + step * direction / std::hypot(direction.x, direction.y)});
+    const glm::dvec2 along = Frame(places[0]).localFromLonLat(places[1]);
+    return std::atan2(along.x, along.y) * 180 / std::numbers::pi;
+}
+
+std::optional<IfcPlace> findPlaceOnMap(const IfcSite& site) {
+    if (!site.mapOrigin || site.mapCrs.empty()) return std::nullopt;
+    const auto crs = CrsToLonLat::of(site.mapCrs);
+    if (!crs) return std::nullopt;
+    for (const double scale : {1.0, 0.001}) {  // in the unit of the map, or in the model's millimetres
+        const glm::dvec2 at = *site.mapOrigin * scale;
+        const LonLat place = crs->lonLat(std::vector{at}).front();
+        if (!std::isfinite(place.lonDeg + place.latDeg) || !crs->isPlausible(place)) continue;
+        const glm::dvec2 north(-site.mapAxis.y, site.mapAxis.x);
+        return IfcPlace{place, azimuthOnMap(*crs, at, north), "IfcMapConversion, " + crs->name()};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<IfcPlace> findPlace(const IfcSite& site) {
+    if (auto onMap = findPlaceOnMap(site)) return onMap;
+    if (!site.place || (site.place->lonDeg == 0 && site.place->latDeg == 0)) return std::nullopt;
+    if (std::abs(site.place->lonDeg) > 180 || std::abs(site.place->latDeg) > 90) return std::nullopt;
+    return IfcPlace{*site.place, -site.trueNorthDeg.value_or(0), "IfcSite"};
 }
 
 std::string describe(const IfcSite& site) {

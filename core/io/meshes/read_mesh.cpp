@@ -7,6 +7,7 @@
 
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/meshes/surface_mesher.h"
+#include "core/geo/distance.h"
 #include "core/io/files/file_kind.h"
 #include "core/io/formats/format.h"
 #include "core/io/heights/height_text.h"
@@ -128,8 +129,12 @@ std::string formatOf(const std::filesystem::path& file) {
     return isMesh ? std::string((*format)->nameInResults()) : "mesh";
 }
 
-void warnOfUnusedPlace(const std::filesystem::path& file, SceneReader& reader, const std::stop_token& stop) {
-    if (const std::string words = describe(readIfcSite(file, stop)); !words.empty())
+void warnOfUnusedPlace(const std::filesystem::path& file, const ReadSettings& settings, SceneReader& reader,
+                       const std::stop_token& stop) {
+    const IfcSite site = readIfcSite(file, stop);
+    const auto place = findPlace(site);
+    if (place && settings.meshAnchor == place->origin) return;
+    if (const std::string words = describe(site); !words.empty())
         reader.warnings.push_back({WarningKind::leftOut,
                                    "the IFC states where it stands, which is not used: " + words,
                                    reader.file});
@@ -155,7 +160,7 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
     if (!placement) return tl::make_unexpected(placement.error());
     SceneReader reader{*placement, file.filename().string(), format == ifcFormat, {}, std::move(assumed)};
     if (stated) reader.warnings.push_back(describeUnit(*stated, reader.file));
-    if (reader.ifc) warnOfUnusedPlace(file, reader, stop);
+    if (reader.ifc) warnOfUnusedPlace(file, settings, reader, stop);
     for (const MeshObject& object : scene) {
         if (stop.stop_requested()) return cancelled();
         reader.add(object);
@@ -177,19 +182,36 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
 
 namespace {
 
-// What to do about a mesh without a position; what an IFC states is as good as nothing until it is repeated.
-std::string placeAdvice(const std::filesystem::path& file, const std::stop_token& stop) {
-    const std::string stated =
-        formatOf(file) == ifcFormat ? describe(readIfcSite(file, stop)) : std::string();
-    return stated.empty() ? anchorAdvice() : fmt::format("{}. The IFC states {}", anchorAdvice(), stated);
+// Where an IFC states its place, and the user none.
+std::optional<IfcPlace> ownPlace(const std::filesystem::path& file, const ReadSettings& settings,
+                                 const std::stop_token& stop) {
+    if (settings.meshAnchor || settings.crs || formatOf(file) != ifcFormat) return std::nullopt;
+    auto place = findPlace(readIfcSite(file, stop));
+    const bool isFar = place && settings.frame &&
+                       computeGreatCircleM(place->origin, settings.frame->origin()) > settings.farAwayM;
+    return isFar ? std::nullopt : std::move(place);
+}
+
+Warning describePlace(const IfcPlace& place, const std::filesystem::path& file) {
+    return {WarningKind::assumed,
+            fmt::format("it stands where it states ({}): {} {:.6f},{:.6f}, {} {:.4g}", place.words,
+                        readOption("mesh_anchor"), place.origin.lonDeg, place.origin.latDeg,
+                        readOption("mesh_north_deg"), place.northDeg),
+            file.filename().string()};
 }
 
 }  // namespace
 
-Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
-                           Progress& progress, std::stop_token stop) try {
+Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& given, Progress& progress,
+                           std::stop_token stop) try {
+    ReadSettings settings = given;
+    const auto own = ownPlace(file, given, stop);
+    if (own) {
+        settings.meshAnchor = own->origin;
+        if (settings.meshNorthDeg == 0) settings.meshNorthDeg = own->northDeg;
+    }
     if (!settings.frame && !settings.meshAnchor && !settings.crs)
-        return failure("The mesh has no position", file.string(), placeAdvice(file, stop));
+        return failure("The mesh has no position", file.string(), anchorAdvice());
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(file, error);
     if (error)
@@ -198,7 +220,9 @@ Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings
     progress.report(0, "reading the mesh");
     const auto scene = readMeshScene(file, meshReaderLimits(bytes), stop);
     if (!scene) return tl::make_unexpected(scene.error());
-    return describeScenePiece(*scene, file, settings, progress, stop);
+    auto piece = describeScenePiece(*scene, file, settings, progress, stop);
+    if (piece && own) piece->warnings.push_back(describePlace(*own, file));
+    return piece;
 } catch (const std::exception& exception) {
     return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),
                    "Export it again");

@@ -281,6 +281,69 @@ TEST(IfcMasses, AreReadInTheirOwnUnitWithTheirUpAxis) {
 }
 
 // A tree on the site, a bench in the storey, and a wing of the building that stands apart.
+std::string replacedAll(std::string text, const std::string& from, const std::string& to) {
+    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+// The same box in IFC4: without owners and kinds of composition, and with this body instead of the sweep.
+std::string ifc4With(const std::string& body) {
+    std::string text = replacedAll(ifc, "IFC2X3", "IFC4");
+    text = replacedAll(text, ",#5,", ",$,");
+    text = replacedAll(text, ".ELEMENT.", "$");
+    return replacedAll(text, "#25=IFCEXTRUDEDAREASOLID(#23,#9,#24,60000.);", body);
+}
+
+const char* const boxPoints =
+    "#40= "
+    "IFCCARTESIANPOINTLIST3D(((-10000.,-5000.,0.),(10000.,-5000.,0.),(10000.,5000.,0.),(-10000.,5000.,0.),"
+    "(-10000.,-5000.,60000.),(10000.,-5000.,60000.),(10000.,5000.,60000.),(-10000.,5000.,60000.)));\n";
+
+TEST(IfcMasses, FacetedSetsOfIfc4AreRead) {
+    const TemporaryFolder folder;
+    const std::string triangles =
+        std::string(boxPoints) +
+        "#25= "
+        "IFCTRIANGULATEDFACESET(#40,$,.T.,((1,3,2),(1,4,3),(5,6,7),(5,7,8),(1,2,6),(1,6,5),(2,3,7),(2,7,6),"
+        "(3,4,8),(3,8,7),(4,1,5),(4,5,8)),$);";
+    const std::string polygons =
+        std::string(boxPoints) +
+        "#41=IFCINDEXEDPOLYGONALFACE((1,4,3,2));\n#42=IFCINDEXEDPOLYGONALFACE((5,6,7,8));\n"
+        "#43=IFCINDEXEDPOLYGONALFACE((1,2,6,5));\n#44=IFCINDEXEDPOLYGONALFACE((2,3,7,6));\n"
+        "#45=IFCINDEXEDPOLYGONALFACE((3,4,8,7));\n#46=IFCINDEXEDPOLYGONALFACE((4,1,5,8));\n"
+        "#25=IFCPOLYGONALFACESET(#40,.T.,(#41,#42,#43,#44,#45,#46),$);";
+    const std::string curve =
+        "#40=IFCCARTESIANPOINTLIST2D(((-10000.,-5000.),(10000.,-5000.),(10000.,5000.),(-10000.,5000.)));\n"
+        "#41=IFCINDEXEDPOLYCURVE(#40,(IFCLINEINDEX((1,2,3)),IFCLINEINDEX((3,4,1))),$);\n"
+        "#42=IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#41);\n"
+        "#25=IFCEXTRUDEDAREASOLID(#42,#9,#24,60000.);";
+    for (const std::string& body : {triangles, polygons, curve}) {
+        const auto read = readMass(folder.file("four.ifc", ifc4With(body)));
+        ASSERT_TRUE(read) << read.error().text();
+        ASSERT_EQ(read->buildings.size(), 1U) << body;
+        const Box2 box = bounds(*read->buildings[0]);
+        EXPECT_NEAR(box.high.x - box.low.x, 20, 1e-3) << body;
+        EXPECT_NEAR(box.high.y - box.low.y, 10, 1e-3) << body;
+        EXPECT_NEAR(topM(*read->buildings[0]), 60, 1e-3) << body;
+    }
+}
+
+TEST(IfcMasses, BrokenIfc4EndsInAWarningOrAnError) {
+    const TemporaryFolder folder;
+    const std::string whole = ifc4With(
+        std::string(boxPoints) + "#25=IFCTRIANGULATEDFACESET(#40,$,.T.,((1,3,2),(9,99999999999,0),(,)),$);");
+    for (std::size_t cut = 300; cut < whole.size(); cut += 331) {
+        const auto read = readMass(folder.file("cut.ifc", whole.substr(0, cut)));
+        EXPECT_TRUE(read || !read.error().what.empty());
+    }
+    for (const char* body : {"#25=IFCTRIANGULATEDFACESET();", "#25=IFCPOLYGONALFACESET(#25,.T.,(#25,#7),$);",
+                             "#25=IFCINDEXEDPOLYCURVE(#99,(IFCLINEINDEX(()),$),$);"}) {
+        const auto read = readMass(folder.file("wrong.ifc", ifc4With(body)));
+        EXPECT_TRUE(read || !read.error().what.empty());
+    }
+}
+
 std::string ifcWithSurroundings() {
     const std::string more = R"IFC(#31=IFCCARTESIANPOINT((40000.,0.,0.));
 #32=IFCAXIS2PLACEMENT3D(#31,$,$);

@@ -5,7 +5,7 @@
 
 #include "core/io/meshes/ifc_site.h"
 #include "core/io/pieces/read_part.h"
-#include "core/io/settings/place_advice.h"
+#include "core/io/read_city.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"
 
@@ -176,23 +176,37 @@ TEST(IfcSite, ThatOfThePublishedHouseIsKnown) {
     EXPECT_THAT(describe(site), HasSubstr("--mesh-north -50"));
 }
 
-TEST(IfcSite, IsOfferedWhereAPlaceIsMissing) {
+// The house is IFC4, with spaces of a kind that the mesh library does not know.
+TEST(IfcSite, ThePublishedHouseStandsWhereItStates) {
     const auto file = tests::sharedData("world/FZK.ifc");
     if (!file) GTEST_SKIP() << "shared data is missing";
     NoProgress quiet;
     const auto piece = readMesh(*file, {}, quiet, {});
-    ASSERT_FALSE(piece);
-    EXPECT_TRUE(asksForPlace(piece.error()));
-    EXPECT_THAT(piece.error().advice, HasSubstr("--mesh-anchor 8.436539,49.100435"));
+    ASSERT_TRUE(piece) << piece.error().text();
+    ASSERT_EQ(piece->buildings.size(), 1U);
+    EXPECT_EQ(piece->buildings[0]->name, "FZK-Haus");
+    EXPECT_NEAR(piece->frame->origin().latDeg, 49 + 6 / 60.0 + 1.566 / 3600, 1e-7);
+    EXPECT_NEAR(piece->frame->origin().lonDeg, 8 + 26 / 60.0 + 11.5404 / 3600, 1e-7);
+    EXPECT_THAT(textsOf(piece->warnings), HasSubstr("--mesh-anchor 8.436539,49.100435, --mesh-north -50"));
+    EXPECT_THAT(textsOf(piece->warnings), HasSubstr("IfcSite (1)"));
 }
 
-// The mesh library knows the classes of IFC 2x3; this house is IFC 4 with spaces of a kind that 2x3 has not.
-TEST(IfcSite, AnIfcThatTheLibraryDoesNotKnowSaysHowToExportIt) {
-    const auto file = tests::sharedData("world/FZK.ifc");
-    if (!file) GTEST_SKIP() << "shared data is missing";
-    const auto piece = readMeshFile(*file);
-    if (piece) GTEST_SKIP() << "this mesh library reads it";
-    EXPECT_THAT(piece.error().advice, HasSubstr("IFC 2x3"));
+TEST(IfcSite, AMapConversionTurnsFromTheMapsNorth) {
+    IfcSite site;
+    site.place = LonLat{1, 1};
+    site.mapCrs = "EPSG:25832";
+    site.mapOrigin = glm::dvec2(428'000, 5'444'000);
+    site.mapAxis = {0, 1};  // the model's x points north on the map, its y west
+    const auto place = findPlace(site);
+    ASSERT_TRUE(place);
+    EXPECT_NEAR(place->origin.latDeg, 49.144, 0.01);
+    EXPECT_NEAR(place->origin.lonDeg, 8.013, 0.01);
+    // West of the central meridian grid north lies west of true north: by (lon - 9) sin(lat).
+    EXPECT_NEAR(place->northDeg, -90 + (8.0128 - 9) * 0.7563, 0.01);
+    site.mapOrigin = *site.mapOrigin * 1000.0;
+    EXPECT_NEAR(findPlace(site)->origin.latDeg, 49.144, 0.01) << "in millimetres";
+    site.mapCrs = "unknown";
+    EXPECT_EQ(findPlace(site)->origin, (LonLat{1, 1}));
 }
 
 }  // namespace
