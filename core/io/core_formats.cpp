@@ -37,7 +37,9 @@ constexpr FormatReader terrains{FileKind::terrain, readWhole<readTerrain>};
 
 constexpr std::string_view toMesh = "Export the buildings as glTF, OBJ, IFC or DXF (ASCII, polyface meshes)";
 constexpr std::string_view toTerrain =
-    "Make a terrain raster of its ground points (PDAL: writers.gdal) and read that GeoTIFF";
+    "Make a GeoTIFF of its ground points and read that: in PDAL filters.range (class 2) and then "
+    "writers.gdal, in "
+    "QGIS the processing tool Export to raster of point clouds";
 constexpr std::string_view toFootprints =
     "Convert it to GeoPackage, for instance with QGIS or ogr2ogr out.gpkg FILE, and read that";
 constexpr std::string_view toObj =

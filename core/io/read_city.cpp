@@ -114,7 +114,10 @@ std::string nameOf(const InputFile& file) { return file.path.filename().string()
 
 std::vector<GroundFile> groundFiles(std::vector<InputFile>& files) {
     std::vector<GroundFile> all;
-    for (InputFile& file : files) all.push_back({nameOf(file), &file.piece, file.is(FileKind::terrain)});
+    for (InputFile& file : files) {
+        const bool isPacked = file.format->reader.read == readArchive && file.piece.buildings.empty();
+        all.push_back({nameOf(file), &file.piece, file.is(FileKind::terrain) || isPacked});
+    }
     return all;
 }
 

@@ -35,6 +35,7 @@ void join(FilePiece& all, FilePiece tile) {
     moveTo(all.heights.unknown, tile.heights.unknown);
     moveTo(all.heights.doubts, tile.heights.doubts);
     all.features += tile.features;
+    all.ownZero = all.ownZero || tile.ownZero;
     if (!all.frame) all.frame = tile.frame;
     if (tile.terrain && all.terrain)
         all.warnings.push_back({WarningKind::leftOut, "a second terrain in the archive", all.format});
@@ -47,11 +48,7 @@ Result<FilePiece> readPacked(const std::filesystem::path& file, const ReadSettin
                              Progress& progress, const std::stop_token& stop, const LonLatBox* window) {
     const auto format = detectFormat(file);
     if (!format) return tl::make_unexpected(format.error());
-    const FormatReader& reader = (*format)->reader;
-    if (reader.kind == FileKind::mesh || reader.kind == FileKind::terrain)
-        return unsupported(fmt::format("The archive holds {}, which is not read in place", (*format)->name),
-                           file.filename().string(), "Unpack it, and name the file");
-    auto piece = reader.read(file, settings, progress, stop, window);
+    auto piece = (*format)->reader.read(file, settings, progress, stop, window);
     if (piece && (*format)->driver == "OSM")
         piece->warnings.push_back({WarningKind::leftOut, "the water of a map in an archive",
                                    file.filename().string() + " (unpack it to have it read)"});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "core/base/clean_text.h"
 #include "core/io/archives/unpacked_bytes.h"
@@ -73,6 +74,15 @@ std::vector<Readable> findReadable(const fs::path& folder) {
     return readable;
 }
 
+/// Several Shapefiles in one folder are the layers of one map.
+std::optional<fs::path> folderOfShapefiles(const std::vector<fs::path>& files) {
+    const fs::path folder = files.front().parent_path();
+    const bool are = std::ranges::all_of(files, [&](const fs::path& file) {
+        return file.parent_path() == folder && readFileHead(file).ending == ".shp";
+    });
+    return are ? std::optional(folder) : std::nullopt;
+}
+
 Result<std::vector<fs::path>> findCities(const fs::path& folder) {
     const std::vector<Readable> readable = findReadable(folder);
     std::vector<std::string> names;
@@ -87,6 +97,7 @@ Result<std::vector<fs::path>> findCities(const fs::path& folder) {
         return unsupported("The archive holds no file of a format that is read", {},
                            "Unpack it, and look at what is in it");
     if (files.size() == 1 || areTiles) return files;
+    if (const auto layers = folderOfShapefiles(files)) return std::vector{*layers};
     constexpr std::size_t mostNamed = 5;
     names.resize(std::min(names.size(), mostNamed));
     return failure(fmt::format("The archive holds {} files that could be the city: {}{}", files.size(),

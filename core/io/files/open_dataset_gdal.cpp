@@ -168,6 +168,10 @@ CPLStringList optionsFor(std::string_view driver, const fs::path& file) {
         options.AddString("WRITE_GFS=NO");
         options.AddString("DOWNLOAD_SCHEMA=NO");
     }
+    if (driver == "CSV")  // besides WKT, as GDAL calls it
+        options.AddString(
+            "GEOM_POSSIBLE_NAMES=WKT,geom,geometry,the_geom,wkt_geom,geom_wkt,wkb_geometry,shape,polygon,geo_"
+            "shape");
     if (driver == "GPKG") {
         options.AddString("LIST_ALL_TABLES=NO");
         options.AddString("PRELUDE_STATEMENTS=PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON");

@@ -1,7 +1,10 @@
 #include "core/io/files/readable_text.h"
 
+#include <iconv.h>
+
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace noonmark {
 
@@ -34,6 +37,40 @@ bool isUtf8(std::string_view bytes) {
         if (nextCodePoint(bytes, at) == notText && at == before + 1) return false;
     }
     return true;
+}
+
+bool isBetween(char byte, unsigned low, unsigned high) {
+    const auto value = static_cast<unsigned char>(byte);
+    return value >= low && value <= high;
+}
+
+// Two characters of two bytes in a row, of which one begins with a byte that is no letter of Latin-1.
+bool looksJapanese(std::string_view bytes) {
+    std::size_t inRow = 0;
+    bool hasKana = false;
+    for (std::size_t i = 0; i < bytes.size();) {
+        const bool isLead = isBetween(bytes[i], 0x81, 0x9F) || isBetween(bytes[i], 0xE0, 0xFC);
+        const bool isPair = isLead && i + 1 < bytes.size() &&
+                            (isBetween(bytes[i + 1], 0x40, 0x7E) || isBetween(bytes[i + 1], 0x80, 0xFC));
+        inRow = isPair ? inRow + 1 : 0;
+        hasKana = (inRow > 1 && hasKana) || (isPair && isBetween(bytes[i], 0x81, 0x9F));
+        if (inRow > 1 && hasKana) return true;
+        i += isPair ? 2 : 1;
+    }
+    return false;
+}
+
+// Nothing where the bytes are not of CP932, or the system does not know it.
+std::optional<std::string> fromCp932(std::string_view bytes) {
+    const iconv_t converter = ::iconv_open("UTF-8", "CP932");
+    if (converter == iconv_t(-1)) return std::nullopt;
+    std::string source(bytes), text(bytes.size() * 3, '\0');
+    char *from = source.data(), *into = text.data();
+    std::size_t left = source.size(), room = text.size();
+    const bool isGood = ::iconv(converter, &from, &left, &into, &room) != std::size_t(-1) && left == 0;
+    ::iconv_close(converter);
+    text.resize(text.size() - room);
+    return isGood ? std::optional(std::move(text)) : std::nullopt;
 }
 
 }  // namespace
@@ -71,8 +108,20 @@ void appendUtf8(std::string& text, char32_t point) {
     }
 }
 
+TextEncoding guessEncoding(std::string_view bytes) {
+    if (isUtf8(bytes)) return TextEncoding::utf8;
+    return looksJapanese(bytes) && fromCp932(bytes) ? TextEncoding::cp932 : TextEncoding::windows1252;
+}
+
+std::string_view nameOf(TextEncoding encoding) {
+    if (encoding == TextEncoding::utf8) return "UTF-8";
+    return encoding == TextEncoding::cp932 ? "CP932 (Shift JIS)" : "Windows-1252 (Latin-1)";
+}
+
 std::string readableText(std::string_view bytes) {
-    if (isUtf8(bytes)) return std::string(bytes);
+    const TextEncoding encoding = guessEncoding(bytes);
+    if (encoding == TextEncoding::utf8) return std::string(bytes);
+    if (encoding == TextEncoding::cp932) return fromCp932(bytes).value_or(std::string(bytes));
     std::string text;
     for (const char byte : bytes) appendUtf8(text, pointOfWindows1252(static_cast<unsigned char>(byte)));
     return text;

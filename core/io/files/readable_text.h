@@ -5,8 +5,21 @@
 
 namespace noonmark {
 
-/// Text of unknown encoding as UTF-8: unchanged where it is UTF-8, else read as Windows-1252, the usual
-/// encoding of tables that state none (a Shapefile without .cpg). O(bytes).
+/// The encodings of tables that state none.
+enum class TextEncoding {
+    utf8,
+    windows1252,  ///< and Latin-1, which it contains
+    cp932,        ///< Shift JIS of Windows
+};
+
+/// What bytes of unknown encoding most likely are: UTF-8 where they can be; CP932 where two of its characters
+/// of two bytes follow each other, as in Japanese words; else Windows-1252.
+TextEncoding guessEncoding(std::string_view bytes);
+
+/// The encoding for people: "Windows-1252 (Latin-1)".
+std::string_view nameOf(TextEncoding encoding);
+
+/// Text of unknown encoding (a Shapefile without .cpg) as UTF-8, by guessEncoding(). O(bytes).
 std::string readableText(std::string_view bytes);
 
 /// The code point at `at` of UTF-8 text; advances `at` past it, or by one byte, returning U+FFFD, if the

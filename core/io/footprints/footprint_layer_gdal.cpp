@@ -201,6 +201,11 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
 void FootprintLayer::learn(OGRLayer& layer, const LayerSample& sample, const ReadSettings& settings,
                            Warnings& warnings) {
     const OGRSpatialReference system = findLayerSystem(layer, settings.crs);
+    if (sample.encoding != TextEncoding::utf8)
+        warnings.push_back({WarningKind::assumed,
+                            fmt::format("its texts are not UTF-8 and state no encoding; they are read as {}",
+                                        nameOf(sample.encoding)),
+                            source_.file});
     publishedPlane_ = system.IsProjected() != 0 && system.GetAuthorityCode(nullptr) != nullptr;
     if (!settings.heightUnit) weighHeights(fields_, sample, source_.file, warnings);
     settleUnits(fields_, {settings.heightUnit, isInFeet(system)}, source_.file, warnings);

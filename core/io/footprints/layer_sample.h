@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/files/readable_text.h"
 #include "core/io/heights/field_roles.h"
 #include "core/io/heights/unknown_fields.h"
 
@@ -27,6 +28,7 @@ struct LayerSample {
     std::vector<SampledFeature> features;
     double coverage =
         0;  ///< of their convex hull, by the sum of their areas; 1 and more: they fill a surface
+    TextEncoding encoding = TextEncoding::utf8;  ///< of names and texts; another where one is not UTF-8
 };
 
 /// Reads at most 1,000 features from the layer's beginning, about 10 us each, and resets it. Messages of the

@@ -17,7 +17,13 @@ constexpr std::size_t maxTextBytes = 40;
 
 bool isNumberType(OGRFieldType type) { return type == OFTInteger || type == OFTInteger64 || type == OFTReal; }
 
-void addFields(const OGRFeature& feature, SampledFeature& sampled) {
+// One text in CP932 tells more than many that could also be Windows-1252.
+void learnEncoding(const char* bytes, TextEncoding& encoding) {
+    if (encoding != TextEncoding::cp932)
+        if (const TextEncoding found = guessEncoding(bytes); found != TextEncoding::utf8) encoding = found;
+}
+
+void addFields(const OGRFeature& feature, SampledFeature& sampled, TextEncoding& encoding) {
     for (int i = 0; i < feature.GetFieldCount(); ++i) {
         double& number = sampled.numbers.emplace_back(SampledFeature::none);
         std::string& text = sampled.texts.emplace_back();
@@ -25,6 +31,7 @@ void addFields(const OGRFeature& feature, SampledFeature& sampled) {
         const OGRFieldType type = feature.GetFieldDefnRef(i)->GetType();
         if (isNumberType(type)) number = feature.GetFieldAsDouble(i);
         if (type != OFTString) continue;
+        learnEncoding(feature.GetFieldAsString(i), encoding);
         text = readableText(feature.GetFieldAsString(i)).substr(0, maxTextBytes);
         number = parseMetres(withDecimalPoint(text)).value_or(SampledFeature::none);
     }
@@ -63,6 +70,8 @@ LayerSample sampleLayer(OGRLayer& layer) {
     LayerSample sample;
     OGRMultiPoint corners;
     double areas = 0;
+    for (int i = 0; i < layer.GetLayerDefn()->GetFieldCount(); ++i)
+        learnEncoding(layer.GetLayerDefn()->GetFieldDefn(i)->GetNameRef(), sample.encoding);
     layer.ResetReading();
     for (std::size_t i = 0; i < maxSampled; ++i) {
         const OGRFeatureUniquePtr feature(layer.GetNextFeature());
@@ -70,7 +79,7 @@ LayerSample sampleLayer(OGRLayer& layer) {
         const OGRGeometry* const geometry = feature->GetGeometryRef();
         if (geometry == nullptr || geometry->IsEmpty() != FALSE || geometry->getDimension() < 2) continue;
         SampledFeature& sampled = sample.features.emplace_back();
-        addFields(*feature, sampled);
+        addFields(*feature, sampled, sample.encoding);
         areas += sampled.area = areaOf(*geometry);
         sampled.topZ = highestZ(*geometry);
         addCorners(*geometry, corners);

@@ -5,6 +5,7 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "core/base/gdal_calls.h"
@@ -19,6 +20,7 @@
 #include "core/io/footprints/map_remarks.h"
 #include "core/io/formats/format.h"
 #include "core/io/pieces/read_part.h"
+#include "core/io/settings/read_fields.h"
 
 namespace noonmark {
 
@@ -50,6 +52,14 @@ std::vector<std::string> layerNames(const OpenFile& open) {
     return names;
 }
 
+tl::unexpected<Error> noPolygons(const OpenFile& open, const Path& file) {
+    const bool isTable = open.driver == "CSV";
+    return failure(isTable ? "It holds no polygons: no column has outlines as WKT" : "It holds no polygons",
+                   file.string(),
+                   isTable ? "Export the outlines into a column named WKT: POLYGON ((4.9 52.3, ...))"
+                           : "Export the building footprints as polygons");
+}
+
 Result<std::vector<OGRLayer*>> chosenLayers(const OpenFile& open, const ReadSettings& settings,
                                             const Path& file, Warnings& warnings) {
     if (!settings.layer.empty()) {
@@ -58,9 +68,16 @@ Result<std::vector<OGRLayer*>> chosenLayers(const OpenFile& open, const ReadSett
                        fmt::format("Its layers are: {}", fmt::join(layerNames(open), ", ")));
     }
     auto layers = chooseBuildingLayers(*open.dataset, warnings);
-    if (layers.empty())
-        return failure("It holds no polygons", file.string(), "Export the building footprints as polygons");
+    if (layers.empty()) return noPolygons(open, file);
     return layers;
+}
+
+// A table names no system, but numbers that are all longitudes and latitudes are taken for them.
+bool holdsDegrees(OGRLayer& layer) {
+    OGREnvelope extent;
+    return layer.GetSpatialRef() == nullptr && layer.GetExtent(&extent) == OGRERR_NONE &&
+           std::max(std::abs(extent.MinX), std::abs(extent.MaxX)) <= 180 &&
+           std::max(std::abs(extent.MinY), std::abs(extent.MaxY)) <= 90;
 }
 
 using OgrFeatures = std::vector<OGRFeatureUniquePtr>;
@@ -81,9 +98,7 @@ public:
             if (auto done = readLayer(*layer, layers->size() > 1, calls); !done)
                 return tl::make_unexpected(done.error());
         if ((window_ != nullptr || scan_ != nullptr) && found_.empty()) return std::move(found_);
-        if (polygons_ == 0)
-            return failure("It holds no polygons", file_.string(),
-                           "Export the building footprints as polygons");
+        if (polygons_ == 0) return noPolygons(open_, file_);
         if (found_.empty())
             return failure(fmt::format("None of its {} polygons can be used as a building", polygons_),
                            file_.string(), findCommonest(warnings));
@@ -122,12 +137,25 @@ private:
     Result<void> readLayer(OGRLayer& layer, bool oneOfSeveral, const GdalCalls& calls) {
         const LayerSource source{file_.filename().string(), open_.driver == "ESRI Shapefile", oneOfSeveral,
                                  kml_, listFieldAliases(*open_.dataset, layer)};
-        auto reader = FootprintLayer::of(layer, settings_, source, warnings);
+        auto reader = FootprintLayer::of(layer, settingsFor(layer), source, warnings);
         if (!reader) return tl::make_unexpected(reader.error());
         if (window_ != nullptr && isIndexed(layer)) return readExtent(layer, *reader, calls);
         if (auto done = readFeatures(layer, *reader, calls); !done) return done;
         if (scan_ != nullptr) scan_->indexed = scan_->indexed && isIndexed(layer);
         return finishLayer(*reader);
+    }
+
+    ReadSettings settingsFor(OGRLayer& layer) {
+        ReadSettings settings = settings_;
+        if (open_.driver != "CSV" || settings.crs || !holdsDegrees(layer)) return settings;
+        settings.crs = "EPSG:4326";
+        warnings.push_back(
+            {WarningKind::assumed,
+             fmt::format("the table names no coordinate reference system; its numbers are taken "
+                         "for degrees ({})",
+                         readOption("crs", *settings.crs)),
+             file_.filename().string()});
+        return settings;
     }
 
     Result<void> finishLayer(FootprintLayer& reader) {

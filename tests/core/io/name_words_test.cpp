@@ -45,6 +45,16 @@ TEST(ReadableText, IsUtf8WhateverTheTableUses) {
     EXPECT_EQ(readableText(""), "");
 }
 
+TEST(ReadableText, JapaneseTablesAreKnownByTheirPairs) {
+    EXPECT_EQ(readableText("\x8D\x82\x82\xB3"), "高さ");
+    EXPECT_EQ(readableText("\x96\xBC\x8F\xCC"), "名称");
+    EXPECT_EQ(guessEncoding("\x8D\x82\x82\xB3"), TextEncoding::cp932);
+    for (const char* latin : {"Stra\xDF"
+                              "e",
+                              "\x8Aumava", "caf\xE9\xE9\xE0\xE0", "\x93quoted\x94", "\x8D"})
+        EXPECT_EQ(guessEncoding(latin), TextEncoding::windows1252) << latin;
+}
+
 struct Named {
     const char* name;
     FieldRole role;

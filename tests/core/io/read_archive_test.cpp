@@ -8,6 +8,7 @@
 #include "core/io/archives/unpack_archive.h"
 #include "core/io/read_city.h"
 #include "tests/core/io/citygml_fixtures.h"
+#include "tests/core/io/terrain_files.h"
 #include "tests/core/io/zip_files.h"
 #include "tests/shared/shared_data.h"
 
@@ -103,6 +104,46 @@ TEST_F(ReadArchive, SeveralCityModelsAreTilesOfOneCity) {
     ASSERT_TRUE(city) << city.error().text();
     ASSERT_EQ(city->city.buildings.size(), 3U);
     EXPECT_NEAR(bounds(*city->city.buildings[2]).low.x - bounds(*city->city.buildings[0]).low.x, 60, 0.5);
+}
+
+TEST_F(ReadArchive, AMeshIsReadInPlace) {
+    ZipMaker zip;
+    zip.add("model/tower.obj",
+            "o tower\nv 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 0 30\nv 9 0 30\nv 9 9 30\nv 0 9 30\n"
+            "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    NoProgress quiet;
+    const ReadSettings settings{.meshAnchor = LonLat{8, 50}};
+    const auto city = readCity({folder.file("mesh.zip", zip.text())}, settings, quiet, {});
+    ASSERT_TRUE(city) << city.error().text();
+    ASSERT_EQ(city->city.buildings.size(), 1U);
+    EXPECT_NEAR(topM(*city->city.buildings[0]), 30, 1e-3);
+    expectRefused(zip.text(), "has no position");
+}
+
+TEST_F(ReadArchive, TerrainIsReadInPlace) {
+    const auto raster =
+        tests::writeTerrain(folder.path("dem.tif"), {-73.9795, 40.7505}, [](double, double) { return 12; });
+    ZipMaker zip;
+    zip.add("dem.tif", allBytesOf(raster));
+    NoProgress quiet;
+    const auto city = readCity(
+        {folder.file("square.geojson", packedSquare), folder.file("dem.zip", zip.text())}, {}, quiet, {});
+    ASSERT_TRUE(city) << city.error().text();
+    ASSERT_TRUE(city->city.terrain);
+    EXPECT_EQ(city->city.buildings.size(), 1U);
+}
+
+TEST_F(ReadArchive, ShapefilesOfOneFolderAreLayersOfOneMap) {
+    const auto shape = sharedData("world/aveyron/BATIMENT.shp");
+    if (!shape) GTEST_SKIP() << "shared data is missing";
+    ZipMaker zip;
+    for (const char* name : {"a", "b"})
+        for (const char* ending : {".shp", ".dbf", ".shx", ".prj"})
+            zip.add(std::string("maps/") + name + ending,
+                    allBytesOf(std::filesystem::path(*shape).replace_extension(ending)));
+    const auto city = readBytes("maps.zip", zip.text());
+    ASSERT_TRUE(city) << city.error().text();
+    EXPECT_EQ(city->city.buildings.size(), 2273U) << "those that are there twice count once";
 }
 
 TEST_F(ReadArchive, SeveralFilesThatAreNoTilesAreNamed) {
