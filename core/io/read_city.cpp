@@ -322,6 +322,7 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
     countBeyondTerrain(all);
     all.format = joinedTexts(*files, &FilePiece::format);
     all.attribution = joinedTexts(*files, &FilePiece::attribution);
+    all.crs = joinedTexts(*files, &FilePiece::crs);
     return all;
 }
 

@@ -31,6 +31,7 @@ struct CityRead {
     std::size_t features = 0;  ///< number of features read
     std::string attribution;   ///< of the data, if known ("(c) OpenStreetMap contributors")
     HeightFacts heights;       ///< where heights and bases were read from, and candidates to choose from
+    std::string crs;           ///< coordinate reference systems, and who says so; empty where none is known
 };
 
 /// Reads one or more files into one city: footprints, 3D city models, meshes, terrain rasters

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "core/study/text/height_words.h"
 #include "core/study/text/terrain_text.h"
 #include "core/study/text/warnings_json.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 
@@ -87,6 +89,17 @@ Json extentLonLat(const City& city) {
     return {low.lonDeg, low.latDeg, high.lonDeg, high.latDeg};
 }
 
+// Where the middle of the buildings lies; null without a table of towns.
+Json townJson(const City& city) {
+    const Box2 box = bounds(city);
+    if (box.empty()) return nullptr;
+    const auto middle = (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0;
+    const auto town = findNearestZoneTown(city.frame.lonLatFromLocal(middle));
+    if (!town) return nullptr;
+    return {
+        {"name", town->name}, {"country", countryName(town->country)}, {"away_m", std::round(town->awayM)}};
+}
+
 }  // namespace
 
 std::string infoJson(const CityRead& read) {
@@ -104,6 +117,8 @@ std::string infoJson(const CityRead& read) {
     info["ground_m"] = groundRange(read.city);
     info["tallest_m"] = double(counts.tallestM);
     info["tallest"] = counts.tallest;
+    info["crs"] = read.crs;
+    info["nearest_zone_town"] = townJson(read.city);
     info["extent_lonlat"] = extentLonLat(read.city);
     info["origin_lonlat"] = {read.city.frame.origin().lonDeg, read.city.frame.origin().latDeg};
     info["origin_elevation_m"] = read.city.frame.originElevationM();

@@ -1,8 +1,11 @@
 #include "core/sun/zone_country.h"
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <vector>
+
+#include "core/geo/distance.h"
 
 namespace noonmark {
 
@@ -32,6 +35,52 @@ std::string findInTable(const char* table, std::size_t key, std::string_view val
 }  // namespace
 
 std::string countryOfZone(std::string_view zone) { return findInTable("zone.tab", 2, zone, 0); }
+
+namespace {
+
+// "+4042-07400" or with seconds: degrees, minutes, seconds, of which longitudes have three digits of degrees.
+std::optional<double> degreesOfDigits(std::string_view text, std::size_t digits) {
+    if (text.size() < digits + 3) return std::nullopt;
+    const auto numberAt = [&](std::size_t at, std::size_t count) {
+        int number = 0;
+        if (at + count <= text.size()) std::from_chars(text.data() + at, text.data() + at + count, number);
+        return number;
+    };
+    const double degrees =
+        numberAt(1, digits) + numberAt(1 + digits, 2) / 60.0 + numberAt(3 + digits, 2) / 3600.0;
+    return text.front() == '-' ? -degrees : degrees;
+}
+
+std::optional<LonLat> placeOfZone(std::string_view text) {
+    const auto split = text.find_first_of("+-", 1);
+    if (split == text.npos) return std::nullopt;
+    const auto latitude = degreesOfDigits(text.substr(0, split), 2);
+    const auto longitude = degreesOfDigits(text.substr(split), 3);
+    return latitude && longitude ? std::optional(LonLat{*longitude, *latitude}) : std::nullopt;
+}
+
+// "America/Argentina/Buenos_Aires" -> "Buenos Aires"
+std::string townOfZone(std::string_view zone) {
+    std::string town(zone.substr(zone.rfind('/') + 1));
+    std::ranges::replace(town, '_', ' ');
+    return town;
+}
+
+}  // namespace
+
+std::optional<ZoneTown> findNearestZoneTown(LonLat place) {
+    std::optional<ZoneTown> nearest;
+    std::ifstream file("/usr/share/zoneinfo/zone.tab");
+    for (std::string line; std::getline(file, line);) {
+        const std::vector<std::string> fields = splitTabs(line);
+        const auto there =
+            fields.size() > 2 && !line.starts_with('#') ? placeOfZone(fields[1]) : std::nullopt;
+        if (!there) continue;
+        const double awayM = computeGreatCircleM(*there, place);
+        if (!nearest || awayM < nearest->awayM) nearest = ZoneTown{townOfZone(fields[2]), fields[0], awayM};
+    }
+    return nearest;
+}
 
 std::string countryName(std::string_view code) {
     std::string name = findInTable("iso3166.tab", 0, code, 1);

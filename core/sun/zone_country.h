@@ -1,13 +1,26 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "core/base/units.h"
 
 namespace noonmark {
 
 /// The country of a time zone by the system's tz database, as ISO 3166-1 code: "FR" of "Europe/Paris". Empty
 /// where the database states none, as for UTC. Reads a file of 20 kB.
 std::string countryOfZone(std::string_view zone);
+
+/// The nearest of the cities that time zones are called after (some 400), by the same database.
+struct ZoneTown {
+    std::string name;     ///< "Amsterdam"
+    std::string country;  ///< "NL"
+    double awayM = 0;     ///< from the place, along a great circle
+};
+
+/// Nothing where the database is missing. Reads a file of 20 kB.
+std::optional<ZoneTown> findNearestZoneTown(LonLat place);
 
 /// The English name of a country by the same database: "France" of "FR". The code where it states none.
 std::string countryName(std::string_view code);

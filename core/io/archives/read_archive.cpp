@@ -41,6 +41,7 @@ void join(FilePiece& all, FilePiece tile) {
         all.warnings.push_back({WarningKind::leftOut, "a second terrain in the archive", all.format});
     if (!all.terrain) all.terrain = std::move(tile.terrain);
     if (all.format.empty()) all.format = std::move(tile.format);
+    if (all.crs.empty()) all.crs = std::move(tile.crs);
     if (all.attribution.empty()) all.attribution = std::move(tile.attribution);
 }
 

@@ -11,6 +11,7 @@
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/geo/distance.h"
 #include "core/geo/longitude.h"
+#include "core/io/pieces/read_part.h"
 #include "core/io/settings/place_advice.h"
 
 namespace noonmark {
@@ -155,6 +156,7 @@ Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const 
     if (text.empty()) return failure("The city has no coordinate reference system", file, crsAdvice());
     const Result<CrsToLonLat> crs = CrsToLonLat::of(text);
     if (!crs) return failure(crs.error().what, file, crs.error().advice);
+    data.crsWords = describeCrs(crs->name(), data.crs.empty() ? CrsSource::user : CrsSource::file);
     if (!crs->elevationUnitIsStated() && crs->metresPerElevationUnit() != 1)
         data.warnings.push_back(
             {WarningKind::assumed, "elevations have no unit; the unit of the map is assumed", file});

@@ -19,6 +19,7 @@ Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& se
     FilePiece piece{
         .warnings = std::move(data->warnings), .features = data->features, .attribution = data->attribution};
     piece.format = fmt::format("{} {}", data->sequence ? "CityJSONSeq" : "CityJSON", data->version);
+    piece.crs = data->crsWords;
     if (!settings.frame) piece.frame = *frame;
     addTin(*data, name, piece);
     if (!addBuildings(*data, settings, name, piece, progress, stop)) return cancelled();

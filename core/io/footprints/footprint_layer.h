@@ -52,6 +52,7 @@ public:
     /// have no height, unknown fields that could hold heights.
     void addHeightFacts(HeightFacts& facts, Warnings& warnings) const;
 
+    [[nodiscard]] std::string systemName() const { return toLonLat_.name(); }
     [[nodiscard]] std::size_t polygonFeatures() const { return polygonFeatures_; }
 
 private:

@@ -116,6 +116,7 @@ public:
     Warnings warnings;
     std::size_t features = 0;
     HeightFacts heights;
+    std::string crs;  // of the first layer
 
 private:
     void interpret(const OgrFeatures& chunk, FootprintLayer& reader) {
@@ -139,6 +140,7 @@ private:
                                  kml_, listFieldAliases(*open_.dataset, layer)};
         auto reader = FootprintLayer::of(layer, settingsFor(layer), source, warnings);
         if (!reader) return tl::make_unexpected(reader.error());
+        if (crs.empty()) crs = describeCrs(reader->systemName(), crsSource_);
         if (window_ != nullptr && isIndexed(layer)) return readExtent(layer, *reader, calls);
         if (auto done = readFeatures(layer, *reader, calls); !done) return done;
         if (scan_ != nullptr) scan_->indexed = scan_->indexed && isIndexed(layer);
@@ -147,8 +149,10 @@ private:
 
     ReadSettings settingsFor(OGRLayer& layer) {
         ReadSettings settings = settings_;
+        crsSource_ = settings_.crs ? CrsSource::user : CrsSource::file;
         if (open_.driver != "CSV" || settings.crs || !holdsDegrees(layer)) return settings;
         settings.crs = "EPSG:4326";
+        crsSource_ = CrsSource::guessed;
         warnings.push_back(
             {WarningKind::assumed,
              fmt::format("the table names no coordinate reference system; its numbers are taken "
@@ -231,6 +235,7 @@ private:
     Progress& progress_;
     std::stop_token stop_;
     std::vector<UnplacedFeature> found_;
+    CrsSource crsSource_ = CrsSource::file;
     std::size_t polygons_ = 0;
     double countHere_ = 1;  // number of features of the current layer
     std::size_t readHere_ = 0;
@@ -264,7 +269,8 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
                     .format = formatName(*open),
                     .features = reader.features,
                     .attribution = {},
-                    .heights = std::move(reader.heights)};
+                    .heights = std::move(reader.heights),
+                    .crs = std::move(reader.crs)};
     keepRemarks(calls, atOpening, file.filename().string(), piece.warnings);
     if (auto built = buildFootprints(piece, *std::move(features), settings, progress, stop); !built)
         return tl::make_unexpected(built.error());

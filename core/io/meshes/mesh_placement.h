@@ -40,6 +40,7 @@ public:
 
     [[nodiscard]] const Frame& frame() const { return frame_; }
     [[nodiscard]] bool isOnMap() const { return crs_ != nullptr; }
+    [[nodiscard]] std::string crsName() const { return crs_ ? crs_->name() : std::string(); }
     /// Where most of the mesh should lie: its own origin, or the frame's.
     [[nodiscard]] glm::dvec2 origin() const { return isOnMap() ? glm::dvec2(0) : origin_; }
 

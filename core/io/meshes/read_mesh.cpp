@@ -170,6 +170,7 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
     dropFarTriangles(reader);
     FilePiece result{
         .warnings = std::move(reader.warnings), .format = format, .features = reader.objects.size()};
+    if (placement->isOnMap()) result.crs = describeCrs(placement->crsName(), CrsSource::user);
     if (!settings.frame) result.frame = placement->frame();
     if (!settings.meshAnchor && !placement->isOnMap())
         result.warnings.push_back({WarningKind::assumed, std::string(originAsAnchor), reader.file});

@@ -72,7 +72,8 @@ Result<FilePiece> readOsmFootprints(const Path& file, const ReadSettings& settin
                     .format = format == OsmFormat::pbf ? "OpenStreetMap PBF" : "OpenStreetMap XML",
                     .features = buildings->areas,
                     .attribution = osmCredit,
-                    .heights = std::move(buildings->heights)};
+                    .heights = std::move(buildings->heights),
+                    .crs = describeCrs("WGS 84", CrsSource::file)};
     if (auto built = buildFootprints(piece, std::move(buildings->features), settings, progress, stop); !built)
         return tl::make_unexpected(built.error());
     if (!piece.buildings.empty()) return piece;

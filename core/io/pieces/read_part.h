@@ -38,7 +38,18 @@ struct FilePiece {
     std::size_t features = 0;
     std::string attribution;
     HeightFacts heights;
+    /// The coordinate reference system and who says so: "Amersfoort / RD New, as the file states"; empty
+    /// where the reader knows none.
+    std::string crs;
 };
+
+/// Who says which coordinate reference system a file is in; for FilePiece::crs.
+enum class CrsSource {
+    file,     ///< the file, or its format
+    user,     ///< ReadSettings::crs
+    guessed,  ///< from the numbers
+};
+std::string describeCrs(const std::string& name, CrsSource source);  ///< defined in piece_crs.cpp
 
 /// What a mesh says that was read without the position of its origin.
 inline constexpr std::string_view originAsAnchor = "the project's origin is used as the mesh's origin";

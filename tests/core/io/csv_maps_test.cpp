@@ -33,6 +33,7 @@ TEST_F(CsvMaps, SemicolonsAndDecimalCommasAreRead) {
     ASSERT_EQ(city->city.buildings.size(), 1U);
     EXPECT_NEAR(topM(*city->city.buildings[0]), 12.5, 1e-4);
     EXPECT_THAT(saidBy(*city), HasSubstr("taken for degrees (--crs EPSG:4326)"));
+    EXPECT_EQ(city->crs, "WGS 84, guessed from the numbers");
 }
 
 TEST_F(CsvMaps, OutlinesMayBeCalledGeometry) {
@@ -51,6 +52,7 @@ TEST_F(CsvMaps, AMapInMetresAsksForItsSystem) {
     EXPECT_THAT(unknown.error().advice, HasSubstr("--crs"));
     const auto known = readTable(metres, {.crs = "EPSG:28992"});
     ASSERT_TRUE(known) << known.error().text();
+    EXPECT_EQ(known->crs, "Amersfoort / RD New, as --crs states");
 }
 
 TEST_F(CsvMaps, PointsAreNoOutlinesAndItIsSaidWhatIsMissing) {
