@@ -90,6 +90,8 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QDockWidget* contributions =
         dockOf(QObject::tr("Contributions"), "contributionsDock", scrolled(docks.contributions, sideWidth));
     QDockWidget* places = dockOf(QObject::tr("Places"), "placesDock", docks.places);
+    window.setCorner(Qt::BottomRightCorner,
+                     Qt::RightDockWidgetArea);  // Results beside a table keep their height
     window.addDockWidget(Qt::BottomDockWidgetArea, review);
     for (QDockWidget* beside : {point, elements, places}) window.tabifyDockWidget(review, beside);
     for (QDockWidget* dock : {review, point, elements, places})

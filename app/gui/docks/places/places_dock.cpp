@@ -257,7 +257,7 @@ void PlacesDock::fillLists() {
     table_->header()->setResizeContentsPrecision(fittedRows);
     for (int column = 0; column < filter_->columnCount(); ++column) table_->resizeColumnToContents(column);
     showWordsLast();
-    table_->setColumnWidth(0, std::min(table_->columnWidth(0), 24 * fontMetrics().averageCharWidth()));
+    table_->setColumnWidth(0, std::min(table_->columnWidth(0), 36 * fontMetrics().averageCharWidth()));
     if (grouped_->isChecked()) table_->expandToDepth(0);
 }
 
