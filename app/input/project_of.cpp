@@ -1,5 +1,10 @@
 #include "app/input/project_of.h"
 
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/city/trees/tree.h"
 #include "core/samples/sample_city.h"
 #include "scenarios/edits/building_ids.h"
 
@@ -16,15 +21,26 @@ void addSamplePlaces(Project& project, const LoadedCity& loaded) {
         project.lots.push_back({lot.tower, lot.ground});
 }
 
+// A project has no table of trees: what it is asked now and after it is saved must be the same.
+void leaveOutTrees(City& city, Warnings& warnings) {
+    if (!city.trees) return;
+    warnings.push_back({WarningKind::leftOut, "trees: projects do not hold them",
+                        fmt::format("{} trees", city.trees->trees.size())});
+    city.trees.reset();
+}
+
 }  // namespace
 
 Project projectOf(const LoadedCity& loaded) {
     Project project;
-    project.city = std::make_shared<const City>(makeIdsUnique(loaded.read.city));
+    City city = makeIdsUnique(loaded.read.city);
+    Warnings warnings = loaded.read.warnings;
+    leaveOutTrees(city, warnings);
+    project.city = std::make_shared<const City>(std::move(city));
     project.attribution = loaded.read.attribution;
     project.inputs = loaded.inputs;
     project.reading = std::make_shared<const CityReading>(
-        CityReading{loaded.settings, loaded.read.warnings, loaded.read.heights});
+        CityReading{loaded.settings, std::move(warnings), loaded.read.heights});
     addSamplePlaces(project, loaded);
     return project;
 }

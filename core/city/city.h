@@ -19,6 +19,7 @@
 namespace noonmark {
 
 struct MapContext;  // map_context.h
+struct Trees;       // trees/tree.h
 
 /// An immutable city: cheap to copy; copies share what an edit did not change. A building is identified by
 /// its index.
@@ -27,6 +28,7 @@ struct City {
     std::vector<std::shared_ptr<const Building>> buildings;  ///< none null
     std::shared_ptr<const Terrain> terrain;                  ///< null: the ground is flat at z = 0
     std::shared_ptr<const MapContext> context;               ///< on the ground; null: none is known
+    std::shared_ptr<const Trees> trees;                      ///< null: none is known, or none is counted
 };
 
 /// Every part of every building as triangles, each with the index of its building.

@@ -26,6 +26,8 @@
 #include "core/io/terrain/late_heights.h"
 #include "core/io/terrain/standing.h"
 #include "core/io/terrain/terrain_from_bases.h"
+#include "core/io/trees/join_trees.h"
+#include "core/io/trees/read_trees.h"
 
 namespace noonmark {
 
@@ -287,6 +289,22 @@ void readWater(CityRead& all, const std::vector<Path>& files, const std::stop_to
     if (!water->empty()) all.city.context = std::move(water);
 }
 
+// Of the city's own files, then of the inventories.
+Result<void> readAllTrees(CityRead& all, std::vector<InputFile>& files, const ReadSettings& settings,
+                          const std::stop_token& stop) {
+    std::vector<ReadTree> trees;
+    for (InputFile& file : files) std::ranges::move(file.piece.trees, std::back_inserter(trees));
+    for (const std::string& file : settings.treeFiles) {
+        NoProgress quiet;
+        auto read = readTrees(file, settings.crs, quiet, stop);
+        if (!read) return tl::make_unexpected(read.error());
+        std::ranges::move(read->trees, std::back_inserter(trees));
+        std::ranges::move(read->warnings, std::back_inserter(all.warnings));
+    }
+    all.city.trees = joinTrees(trees, all.city, settings.farAwayM, all.warnings);
+    return {};
+}
+
 Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& settings,
                          const ReadExtent* window, Progress& progress, const std::stop_token& stop,
                          Formats formats) {
@@ -320,6 +338,8 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
     dropSame(all, *files);
     readWater(all, paths, stop);
     countBeyondTerrain(all);
+    if (auto done = readAllTrees(all, *files, settings, stop); !done)
+        return tl::make_unexpected(done.error());
     all.format = joinedTexts(*files, &FilePiece::format);
     all.attribution = joinedTexts(*files, &FilePiece::attribution);
     all.crs = joinedTexts(*files, &FilePiece::crs);

@@ -1,7 +1,13 @@
 #include "core/measures/shadow_figures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <deque>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/describe/text.h"
 #include "core/measures/has_runs.h"
@@ -164,6 +170,38 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .inTable = true}),
     };
     return figures;
+}
+
+namespace {
+
+/// Figures with the texts that their facts refer to.
+class ColumnFigures {
+public:
+    ColumnFigures(TreeColumns column, std::string_view with) {
+        for (const Figure& figure : shadowFigures().rows()) {
+            if (figure.use != FigureUse::result || !figure.inFiles) continue;
+            Figure row = figure;
+            row.key = hold(std::string(figure.key) + suffixOf(column));
+            row.label = hold(fmt::format("{}, {}", figure.label, with));
+            row.definition = hold(fmt::format(
+                "{}; {}, weighted by what buildings and crowns take from the sun", figure.definition, with));
+            rows_.push_back(std::move(row));
+        }
+    }
+    [[nodiscard]] std::span<const Figure> rows() const { return rows_; }
+
+private:
+    std::string_view hold(std::string text) { return texts_.emplace_back(std::move(text)); }
+    std::deque<std::string> texts_;
+    std::vector<Figure> rows_;
+};
+
+}  // namespace
+
+std::span<const Figure> treeFigures(TreeColumns column) {
+    static const ColumnFigures evergreen(TreeColumns::evergreen, "trees as evergreens");
+    static const ColumnFigures seasonal(TreeColumns::seasonal, "trees with their seasons");
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
 }
 
 }  // namespace noonmark

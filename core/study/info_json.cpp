@@ -10,6 +10,7 @@
 #include "core/study/study.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/terrain_text.h"
+#include "core/study/text/tree_words.h"
 #include "core/study/text/warnings_json.h"
 #include "core/sun/zone_country.h"
 
@@ -124,6 +125,7 @@ std::string infoJson(const CityRead& read) {
     info["origin_elevation_m"] = read.city.frame.originElevationM();
     info["terrain"] = read.city.terrain != nullptr;
     info["terrain_source"] = read.city.terrain ? terrainJson(*read.city.terrain) : Json();
+    info["trees"] = read.city.trees ? treesJson(*read.city.trees) : Json();
     info["attribution"] = read.attribution;
     info["warnings"] = warningsJson(read.warnings);
     return toJsonText(info);

@@ -9,7 +9,9 @@
 #include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
+#include "core/city/trees/tree.h"
 #include "core/engines/common/engine_in_use.h"
+#include "core/engines/shade_trees.h"
 #include "core/measures/compared_cells.h"
 #include "core/measures/error_sample.h"
 #include "core/receivers/roof_receivers.h"
@@ -79,7 +81,11 @@ Result<void> accumulate(Study& study, EngineInUse& engine, Progress& progress, c
     auto done = timeStage(study, "accumulate", study.field, stop,
                           [&] { return engine.accumulate(study.city, progress, stop); });
     if (study.field.engineKey.empty()) study.field.engineKey = study.settings.engine;
-    return done;
+    if (!done || !study.city.trees) return done;
+    return timeStage(study, "trees", study.field.trees, stop, [&] {
+        return shadeTrees(study.city, study.receivers, study.sun, study.field, study.settings.trees, progress,
+                          stop);
+    });
 }
 
 bool wantsError(const Study& study) {
@@ -184,6 +190,13 @@ Observer makeObserver(const Study& study) { return makeObserver(study.city, stud
 
 namespace {
 
+std::shared_ptr<const Trees> weighed(const std::shared_ptr<const Trees>& trees) {
+    if (!trees || trees->weighed) return trees;
+    Trees all = *trees;
+    all.weighed = true;
+    return std::make_shared<const Trees>(std::move(all));
+}
+
 Result<Study> answer(const City& city, const StudySettings& settings, Progress& progress,
                      const std::stop_token& stop, const EngineList& engines) {
     const Stopwatch watch;
@@ -196,6 +209,7 @@ Result<Study> answer(const City& city, const StudySettings& settings, Progress& 
     if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
 
     Study study{.city = city, .settings = settings};
+    study.city.trees = settings.trees == TreeColumns::without ? nullptr : weighed(study.city.trees);
     if (auto done = placeStudy(study, stop); !done) return tl::make_unexpected(done.error());
     const City* const cities[]{&study.city};
     EngineInUse inUse(**engine, cities, study.receivers, study.sun);

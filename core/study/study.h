@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/engines/api/engine_registry.h"
+#include "core/engines/api/tree_columns.h"
 #include "core/engines/horizon/attribution/horizon_breakdown.h"
 #include "core/io/read_city.h"
 #include "core/measures/error_sample.h"
@@ -33,6 +34,7 @@ struct StudySettings {
     std::string engine = "auto";
     EngineSettings engineSettings;  ///< settings that differ from the engine's defaults
     bool byMonth = false;  ///< also compute the shadow of each month; horizon sweep or projected shadows only
+    TreeColumns trees = TreeColumns::all;  ///< where the city has trees
     bool contributions = false;  ///< also compute the contribution of each building; horizon sweep only
     ErrorSampleSettings errorSample;
     double pressureHPa = 1010;  ///< for refraction

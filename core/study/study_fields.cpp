@@ -1,5 +1,6 @@
 #include "core/study/study_fields.h"
 
+#include "core/describe/text.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/sun/period_fields.h"
 
@@ -111,6 +112,19 @@ const Fields<StudySettings>& contributionFields() {
     return fields;
 }
 
+const Fields<StudySettings>& treeFields() {
+    static const Fields<StudySettings> fields{
+        choiceField(&StudySettings::trees, treeColumnChoices,
+                    {.key = "tree_shade",
+                     .flag = "--tree-shade",
+                     .label = NM_TEXT("Shade of trees"),
+                     .help = NM_TEXT("What is measured beside the shadow without trees, where the city has "
+                                     "some: without, evergreen, seasonal or all (default)"),
+                     .hint = "WHAT",
+                     .role = SettingRole::extra})};
+    return fields;
+}
+
 const Fields<StudySettings>& airFields() {
     static const Fields<StudySettings> fields{
         field(&StudySettings::pressureHPa, {.key = "pressure_hpa",
@@ -158,6 +172,7 @@ const Fields<StudySettings>& studyFields() {
                                    .with(engineFields())
                                    .with(monthFields())
                                    .with(contributionFields())
+                                   .with(treeFields())
                                    .embed(&StudySettings::errorSample, sampleFields())
                                    .with(limitFields());
     return fields;

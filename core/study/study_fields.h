@@ -16,6 +16,7 @@ const Fields<StudySettings>& surfaceFields();       ///< ground, roofs or both
 const Fields<StudySettings>& engineFields();        ///< engine and its options
 const Fields<StudySettings>& monthFields();         ///< months by themselves
 const Fields<StudySettings>& contributionFields();  ///< contributions of buildings
+const Fields<StudySettings>& treeFields();          ///< which shade of trees is measured
 const Fields<ErrorSampleSettings>& sampleFields();  ///< how the error is measured
 
 }  // namespace noonmark

@@ -15,6 +15,7 @@
 #include "core/study/text/height_words.h"
 #include "core/study/text/period_json.h"
 #include "core/study/text/terrain_text.h"
+#include "core/study/text/tree_words.h"
 #include "core/study/text/warnings_json.h"
 #include "core/study/timed_study_json.h"
 
@@ -109,6 +110,11 @@ std::string studyJson(const Study& study, const FileSeconds& writeSeconds) {
     json["steps_below_horizon"] = study.sun.belowHorizon;
     json["sunlit_min_per_day"] = study.field.sunlitMinutesPerDay;
     json.update(figuresJson(shadowFigures().of(study.statistics)));
+    for (const ShadeColumn& shade : listShadeColumns(study.field)) {
+        const ShadowStatistics statistics = computeStatistics(*shade.field);
+        json.update(figuresJson({treeFigures(shade.column), &statistics}));
+    }
+    if (study.city.trees) json["trees"] = treesJson(*study.city.trees, study.field);
     json["error"] = errorJson(study);
     json["errors"] = errorsJson(listErrors(study));
     addCost(json, study, writeSeconds);
@@ -126,6 +132,8 @@ std::string studyJson(const Study& study, const FileSeconds& writeSeconds) {
     addRepeat(json, makeRepeatCommand(study, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions(hasRuns(study.statistics));
     json["definitions"].update(definitionsJson(shadowFigures().rows()));
+    for (const ShadeColumn& shade : listShadeColumns(study.field))
+        json["definitions"].update(definitionsJson(treeFigures(shade.column)));
     json["warnings"] = warningsJson(study.warnings);
     return toJsonText(json);
 }

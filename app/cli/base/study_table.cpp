@@ -12,6 +12,7 @@
 #include "core/study/text/error_words.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/terrain_text.h"
+#include "core/study/text/tree_words.h"
 
 namespace noonmark::cli {
 
@@ -56,6 +57,13 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
     addFigures(table, listLines(shadowFigures().of(study.statistics),
                                 {study.statistics.receiverAreaM2, study.field.sunlitMinutesPerDay,
                                  isInstant(study.field)}));
+    for (const ShadeColumn& shade : listShadeColumns(study.field)) {
+        const ShadowStatistics statistics = computeStatistics(*shade.field);
+        addFigures(table, listLines({treeFigures(shade.column), &statistics},
+                                    {statistics.receiverAreaM2, study.field.sunlitMinutesPerDay,
+                                     isInstant(study.field)}));
+    }
+    if (study.city.trees) table.add("trees", describeTrees(*study.city.trees, study.field));
     if (study.city.terrain) table.add("terrain", formatText(*study.city.terrain));
     for (const ErrorLine& line : makeErrorLines(study)) table.add(line.name, line.value);
     if (study.monthError) addErrors(table, std::span(&*study.monthError, 1));

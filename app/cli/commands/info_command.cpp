@@ -12,6 +12,7 @@
 #include "core/study/text/height_words.h"
 #include "core/study/text/next_steps.h"
 #include "core/study/text/terrain_text.h"
+#include "core/study/text/tree_words.h"
 #include "core/study/text/warnings_json.h"
 
 namespace noonmark::cli {
@@ -91,6 +92,7 @@ void print(const CityRead& read, std::ostream& out) {
         table.add("extent",
                   fmt::format("{:.5f},{:.5f},{:.5f},{:.5f} (west,south,east,north)", box[0].get<double>(),
                               box[1].get<double>(), box[2].get<double>(), box[3].get<double>()));
+    if (read.city.trees) table.add("trees", describeTrees(*read.city.trees));
     if (!read.attribution.empty()) table.add("data", read.attribution);
     table.print(out);
     printHeights(out, read);

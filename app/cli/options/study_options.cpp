@@ -96,6 +96,7 @@ void addPieceOptions(CLI::App& command, StudyOptions& options) {
     StudySettings& settings = options.settings;
     addMonthOption(command, settings);
     addFieldOptions(command, contributionFields().of(settings));
+    addFieldOptions(command, treeFields().of(settings));
     addPictureOption(command, options.pictureWidth);
     command.add_flag("--cells-csv", options.cellsCsv, "Also write cells.csv: one line per receiver");
 }

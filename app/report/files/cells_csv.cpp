@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/csv_text.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/measures/has_runs.h"
 
 namespace noonmark {
@@ -26,6 +27,10 @@ void addCell(CsvText& csv, const ShadowField& field, bool runs, const Frame& fra
     csv.number(centre.x, 3).number(centre.y, 3).number(place.lonDeg, 8).number(place.latDeg, 8);
     csv.number(double(field.grossMin[cell]), 3);
     if (runs) csv.number(double(field.continuousMin[cell]), 3);
+    for (const ShadeColumn& shade : listShadeColumns(field)) {
+        csv.number(double(shade.field->grossMin[cell]), 3);
+        if (runs) csv.number(double(shade.field->continuousMin[cell]), 3);
+    }
     csv.endRow();
 }
 
@@ -35,6 +40,10 @@ bool writeCellsCsv(const ShadowField& field, const Frame& frame, QIODevice& devi
     const bool runs = hasRuns(field);
     std::vector<std::string> columns{"x_m", "y_m", "lon_deg", "lat_deg", "gross_min"};
     if (runs) columns.emplace_back("continuous_min");
+    for (const ShadeColumn& shade : listShadeColumns(field)) {
+        columns.push_back("gross_min" + suffixOf(shade.column));
+        if (runs) columns.push_back("continuous_min" + suffixOf(shade.column));
+    }
     CsvText csv(columns);
     for (int row = 0; row < field.grid.rows; ++row) {
         for (int column = 0; column < field.grid.columns; ++column)

@@ -86,6 +86,11 @@ std::vector<FigureText> makeStudyFigures(const ShadowStatistics& s, const Shadow
     const double sunlit = field.sunlitMinutesPerDay;
     const FigureContext context{s.receiverAreaM2, sunlit, isInstant(field), show};
     std::vector<FigureText> figures = figureTexts(listLines(shadowFigures().of(s), context));
+    for (const ShadeColumn& shade : listShadeColumns(field)) {
+        const ShadowStatistics withTrees = computeStatistics(*shade.field);
+        const auto lines = figureTexts(listLines({treeFigures(shade.column), &withTrees}, context));
+        figures.insert(figures.end(), lines.begin(), lines.end());
+    }
     if (!context.isInstant)
         figures.push_back(
             {QStringLiteral("Sunlit time"), describeAmount(sunlit) + QStringLiteral(" min a day")});

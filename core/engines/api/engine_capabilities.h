@@ -21,6 +21,7 @@ struct EngineCapabilities {
     bool sets = false;           ///< sums minutes by sets of steps (months, weights) in one run
     bool attribution = false;    ///< and by building
     bool stepMasks = false;      ///< states which receivers are in shadow at each step (timelines of places)
+    bool trees = false;          ///< weighs what crowns take from the sun (ShadowField::trees)
     bool cache = false;          ///< has a cache for edits (HorizonCache, ShadowCache)
     bool choosesEngine = false;  ///< computes nothing itself, but chooses another engine for each case
     Independence independence = Independence::none;
@@ -38,6 +39,7 @@ constexpr EngineCapabilities combineForChoice(std::initializer_list<EngineCapabi
         choice.sets |= engine.sets;
         choice.attribution |= engine.attribution;
         choice.stepMasks |= engine.stepMasks;
+        choice.trees |= engine.trees;
         choice.cache |= engine.cache;
     }
     return choice;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Cost {
     std::map<std::string, std::uint64_t> skipped;  ///< skipped work by reason, in words
 };
 
+struct TreeShade;  // tree_shade.h
+
 /// Shadow on a grid for one period. Cells that are not receivers hold NaN.
 struct ShadowField {
     Grid grid;
@@ -32,6 +35,7 @@ struct ShadowField {
                             ///< delegate to another one
     Warnings warnings;
     Cost cost;
+    std::shared_ptr<const TreeShade> trees;  ///< the same with trees; null: none reaches a receiver
 };
 
 }  // namespace noonmark

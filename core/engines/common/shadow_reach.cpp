@@ -10,6 +10,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/city/trees/tree.h"
+
 namespace noonmark {
 
 namespace {
@@ -118,6 +120,24 @@ std::vector<std::uint32_t> findBuildingsInReach(const City& city, const Receiver
     std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, sun);
     countInReach(cost, used.size(), city.buildings.size());
     return used;
+}
+
+std::vector<std::uint32_t> findTreesInReach(const City& city, const Receivers& receivers,
+                                            const SunSteps& sun) {
+    std::vector<std::uint32_t> indices;
+    if (!city.trees || !city.trees->weighed || receivers.cells.empty()) return indices;
+    const ShadowReach reach(sun);
+    const LowestGround lowest = lowestGround(receivers);
+    for (std::uint32_t i = 0; i < city.trees->trees.size(); ++i) {
+        const Tree& tree = city.trees->trees[i];
+        const glm::vec2 place(tree.place), half(tree.crownDiameterM / 2);
+        Box2 box;
+        box.add(place - half);
+        box.add(place + half);
+        const double heightM = double(tree.groundM) + double(tree.heightM) - double(lowest.groundM);
+        if (reach.touches(box, heightM, lowest.box)) indices.push_back(i);
+    }
+    return indices;
 }
 
 void countInReach(Cost& cost, std::size_t used, std::size_t all) {

@@ -49,6 +49,11 @@ std::vector<std::uint32_t> findBuildingsInReach(const City& city, const Receiver
 std::vector<std::uint32_t> findBuildingsInReach(const City& city, const Receivers& receivers,
                                                 const SunSteps& sun, Cost& cost);
 
+/// Indices of the trees whose crown's shadow can fall on a receiver at some step, ascending; none where they
+/// are not weighed. O(cells + trees).
+std::vector<std::uint32_t> findTreesInReach(const City& city, const Receivers& receivers,
+                                            const SunSteps& sun);
+
 /// Key of Cost::skipped.
 inline constexpr const char* buildingsOutOfReach = "buildings whose shadow cannot reach a receiver";
 /// Sets in `cost` that `used` of `all` buildings can shade a receiver.

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
@@ -14,6 +16,7 @@
 #include "core/engines/horizon/counting/run_rays.h"
 #include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/sweep/period_sweep.h"
+#include "core/engines/horizon/trees/crown_sweep.h"
 
 namespace noonmark {
 
@@ -24,6 +27,29 @@ void addDecided(const RunRays& rays, const Receivers& receivers, ShadowField& fi
     if (rays.receivers() == 0) return;
     field.engine += fmt::format("; the longest run of {} of {} receivers decided by rays", rays.receivers(),
                                 receivers.cells.size());
+}
+
+// A sum of rounded altitudes may exceed what is left of the time by a trifle.
+void addTakenSteps(const ShadowField& without, const std::vector<double>& steps, ShadowField& column) {
+    for (std::size_t cell = 0; cell < steps.size(); ++cell) {
+        const double minutes =
+            double(without.grossMin[cell]) + steps[cell] * without.stepMinutes / without.days;
+        column.grossMin[cell] = float(std::min(minutes, without.sunlitMinutesPerDay));
+        column.continuousMin[cell] = std::numeric_limits<float>::quiet_NaN();
+    }
+}
+
+std::shared_ptr<const TreeShade> addTaken(const ShadowField& without, const PeriodSweep::TakenSteps& taken,
+                                          std::size_t trees) {
+    TreeShade shade = makeTreeShade(without, trees);
+    addTakenSteps(without, taken.evergreen, *shade.evergreen);
+    addTakenSteps(without, taken.seasonal, *shade.seasonal);
+    shade.how = fmt::format(
+        "Horizon sweep: the length of each path through each crown at up to {} altitudes in each azimuth "
+        "bin; "
+        "longest runs are not counted",
+        CrownSweep::maxLevels);
+    return std::make_shared<const TreeShade>(std::move(shade));
 }
 
 Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, const SunSteps& sun,
@@ -48,13 +74,18 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
         if (!made) return tl::make_unexpected(made.error());
         rays.emplace(*std::move(made));
     }
+    const CrownScene crowns = findCrowns(city, receivers, sun);
+    std::optional<CrownSweep> crownSweep;
+    if (!crowns.empty()) crownSweep.emplace(crowns, binned, receivers.grid, walls.datumM);
     PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, settings.counts, rays ? &*rays : nullptr,
                       progress, stop);
+    if (crownSweep) sweep.weigh(&*crownSweep);
     field.cost.seconds["build"] = watch.seconds();
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
     field.cost.skipped["prisms and solids whose shadow cannot reach a tile (each x azimuth bins)"] =
         sweep.outOfReach();
     if (rays) addDecided(*rays, receivers, field);
+    if (crownSweep) field.trees = addTaken(field, sweep.takenSteps(), crowns.crowns.size());
     progress.report(1, "sweeping horizons");
     return field;
 }

@@ -75,6 +75,7 @@ public:
                                              .roofs = true,
                                              .sets = true,
                                              .attribution = true,
+                                             .trees = true,
                                              .cache = true,
                                              .independence = Independence::onLevelGround};
     [[nodiscard]] const HorizonSweepSettings& settings() const { return settings_; }

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
@@ -20,6 +21,7 @@
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/ray_masks.h"
 #include "core/engines/ray/ray_scene.h"
+#include "core/engines/ray/tree_rays.h"
 #include "core/simd/flush_denormals.h"
 
 namespace noonmark {
@@ -143,6 +145,11 @@ Result<ShadowField> traceRays(const City& city, const Receivers& receivers, cons
     arena.execute([&] { Tracer(*scene, receivers, packets, field, progress, stop).run(); });
     if (stop.stop_requested()) return cancelled();
     field.cost.seconds["trace"] = watch.seconds();
+    if (const CrownScene crowns = findCrowns(city, receivers, sun); !crowns.empty()) {
+        auto shade = traceCrowns(*scene, crowns, receivers, sun, field, progress, stop);
+        if (!shade) return tl::make_unexpected(shade.error());
+        field.trees = std::make_shared<const TreeShade>(*std::move(shade));
+    }
     field.cost.rays = std::uint64_t(receivers.cells.size()) * sun.steps.size();
     progress.report(1, "tracing rays");
     return field;

@@ -29,8 +29,11 @@ public:
     explicit RayReference(RayReferenceSettings settings = {});
     [[nodiscard]] std::string_view name() const override { return "Ray reference"; }
     [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
-    static constexpr EngineCapabilities able{
-        .terrain = true, .roofs = true, .stepMasks = true, .independence = Independence::always};
+    static constexpr EngineCapabilities able{.terrain = true,
+                                             .roofs = true,
+                                             .stepMasks = true,
+                                             .trees = true,
+                                             .independence = Independence::always};
 
 protected:
     [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,

@@ -9,6 +9,7 @@
 #include "core/io/cityjson/cityjson_geometry.h"
 #include "core/io/cityjson/object_values.h"
 #include "core/io/files/stoppable_stream.h"
+#include "core/io/heights/tree_fields.h"
 
 namespace noonmark {
 
@@ -76,6 +77,14 @@ std::string firstOf(const Json& list) {
     return list.is_array() && !list.empty() ? formatText(list[0]) : std::string();
 }
 
+// The indices in nested lists.
+void collectVertices(const Json& boundaries, std::size_t vertexCount, std::vector<std::size_t>& vertices) {
+    if (boundaries.is_number_unsigned() && boundaries.get<std::size_t>() < vertexCount)
+        vertices.push_back(boundaries.get<std::size_t>());
+    if (boundaries.is_array())
+        for (const Json& inner : boundaries) collectVertices(inner, vertexCount, vertices);
+}
+
 class Loader {
 public:
     Loader(std::string file, const ReadSettings& settings, LodChoice choice, std::stop_token stop)
@@ -114,14 +123,14 @@ private:
     }
 
     void addBlock(const Json& root) {
-        CityJsonBlock block{verticesOf(root, transform_), {}};
+        CityJsonBlock block{verticesOf(root, transform_), {}, {}};
         const Json& objects = member(root, "CityObjects");
         if (!objects.is_object() || objects.empty()) return;
         for (const auto& [id, object] : objects.items()) {
             if (stop_.stop_requested()) return;
             addObject(id, object, block);
         }
-        if (!block.objects.empty()) data.blocks.push_back(std::move(block));
+        if (!block.objects.empty() || !block.trees.empty()) data.blocks.push_back(std::move(block));
     }
 
     void addObject(const std::string& id, const Json& source, CityJsonBlock& block) {
@@ -130,6 +139,7 @@ private:
                               .type = formatText(member(source, "type")),
                               .parent = firstOf(member(source, "parents"))};
         const std::string where = file_ + ": " + id;
+        if (object.type == "SolitaryVegetationObject") return addTree(source, where, block);
         if (!isOfBuilding(object.type) && object.type != "TINRelief")
             return warn(
                 WarningKind::leftOut,
@@ -142,6 +152,23 @@ private:
         chooseGeometry(member(source, "geometry"), choice_, block.vertices.size(), where, object,
                        data.warnings);
         block.objects.push_back(std::move(object));
+    }
+
+    void addTree(const Json& source, const std::string& where, CityJsonBlock& block) {
+        CityJsonTree tree;
+        const Json& geometries = member(source, "geometry");
+        for (std::size_t i = 0; geometries.is_array() && i < geometries.size() && tree.vertices.empty(); ++i)
+            collectVertices(member(geometries[i], "boundaries"), block.vertices.size(), tree.vertices);
+        if (tree.vertices.empty()) return warn(WarningKind::leftOut, "a tree without a place", where);
+        std::vector<std::string> names, values;
+        const Json& attributes = member(source, "attributes");
+        if (attributes.is_object())
+            for (const auto& [name, value] : attributes.items()) {
+                names.push_back(name);
+                values.push_back(formatText(value));
+            }
+        tree.facts = collectTreeFacts(findTreeFields(names), values, where, data.warnings);
+        block.trees.push_back(std::move(tree));
     }
 
     void addValues(const Json& attributes, CityJsonObject& object) {

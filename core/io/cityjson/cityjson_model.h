@@ -13,6 +13,7 @@
 
 #include "core/base/warnings.h"
 #include "core/city/meshes/surface_mesher.h"
+#include "core/city/trees/tree_facts.h"
 #include "core/io/heights/feature_value.h"
 #include "core/io/heights/field_roles.h"
 #include "core/io/heights/unknown_fields.h"
@@ -43,10 +44,17 @@ struct CityJsonObject {
     std::optional<CityJsonGeometry> footprint;  ///< geometry of level of detail 0
 };
 
+/// A single tree (SolitaryVegetationObject).
+struct CityJsonTree {
+    TreeFacts facts;
+    std::vector<std::size_t> vertices;  ///< of its geometry or its reference point, in range; at least one
+};
+
 /// Objects that share vertices: a whole CityJSON file, or one feature of a sequence.
 struct CityJsonBlock {
     std::vector<glm::dvec3> vertices;
     std::vector<CityJsonObject> objects;  ///< the surfaces' indices are in range
+    std::vector<CityJsonTree> trees;
 };
 
 struct CityJsonData {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "core/base/progress_share.h"
@@ -10,6 +11,7 @@
 #include "core/io/heights/height_origins.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/io/osm/osm_areas.h"
+#include "core/io/osm/osm_trees.h"
 #include "core/io/settings/place_advice.h"
 
 namespace noonmark {
@@ -104,8 +106,13 @@ Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmForm
                                       const ReadSettings& settings, Progress& progress,
                                       const std::stop_token& stop) {
     const std::vector<std::string> keys = buildingKeys(settings);
-    const auto map =
-        readOsmMap(file, format, {.keys = keys, .areaKeys = {"building", "building:part"}}, progress, stop);
+    std::vector<std::string> kept = keys;
+    std::ranges::copy(osmTreeKeys(), std::back_inserter(kept));
+    const OsmSelection selection{.keys = kept,
+                                 .areaKeys = {"building", "building:part"},
+                                 .lineKeys = {osmTreeKey},
+                                 .pointKeys = {osmTreeKey}};
+    const auto map = readOsmMap(file, format, selection, progress, stop);
     if (!map) return tl::make_unexpected(map.error());
     OsmBuildings buildings;
     const std::string name = file.filename().string();
@@ -120,6 +127,7 @@ Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmForm
         stop);
     if (stop.stop_requested()) return cancelled();
     tags.addHeights(buildings.heights, name);
+    buildings.trees = listOsmTrees(*map, buildings.warnings);
     return buildings;
 }
 

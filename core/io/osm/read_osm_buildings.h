@@ -9,6 +9,7 @@
 #include "core/io/footprints/place_features.h"
 #include "core/io/heights/height_facts.h"
 #include "core/io/osm/osm_map.h"
+#include "core/io/pieces/read_tree.h"
 
 namespace noonmark {
 
@@ -16,6 +17,7 @@ namespace noonmark {
 struct OsmBuildings {
     std::vector<UnplacedFeature> features;  ///< relations in the file's order, then ways by id
     std::size_t areas = 0;                  ///< areas of any kind in the file
+    std::vector<ReadTree> trees;            ///< listOsmTrees()
     HeightFacts heights;
     Warnings warnings;
 };

@@ -74,6 +74,7 @@ Result<FilePiece> readOsmFootprints(const Path& file, const ReadSettings& settin
                     .attribution = osmCredit,
                     .heights = std::move(buildings->heights),
                     .crs = describeCrs("WGS 84", CrsSource::file)};
+    piece.trees = std::move(buildings->trees);
     if (auto built = buildFootprints(piece, std::move(buildings->features), settings, progress, stop); !built)
         return tl::make_unexpected(built.error());
     if (!piece.buildings.empty()) return piece;

@@ -15,6 +15,7 @@
 #include "core/geo/lon_lat_box.h"
 #include "core/io/heights/height_facts.h"
 #include "core/io/heights/height_reading.h"
+#include "core/io/pieces/read_tree.h"
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {
@@ -32,6 +33,7 @@ struct FilePiece {
     std::vector<std::optional<RoofElevation>> roofs;
     /// z counts from a zero of the file's own, of unknown elevation, and not from that of the frame (meshes).
     bool ownZero = false;
+    std::vector<ReadTree> trees;
     std::shared_ptr<const Terrain> terrain;
     Warnings warnings;
     std::string format;

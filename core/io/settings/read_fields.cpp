@@ -142,6 +142,13 @@ Fields<ReadSettings> dataFields() {
                .help = NM_TEXT("Coordinate reference system of files that do not state it: EPSG:2263"),
                .hint = "CRS",
                .whenEmpty = NM_TEXT("as in the file (example: EPSG:2263)")}),
+        field(&ReadSettings::treeFiles,
+              {.key = "trees",
+               .flag = "--trees",
+               .label = NM_TEXT("Inventories of trees"),
+               .help = NM_TEXT("File with trees beside those of the city's files: points or a table with "
+                               "species, height, crown or stem; may be repeated"),
+               .hint = "FILE"}),
         field(&ReadSettings::lod,
               {.key = "lod",
                .flag = "--lod",

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/geo/frame.h"
 
@@ -61,6 +62,8 @@ struct ReadSettings {
     Stand stand = Stand::automatic;
     TerrainShows terrainShows = TerrainShows::automatic;
     bool heightsFromSurface = false;  ///< buildings without a height get that of the surface model
+
+    std::vector<std::string> treeFiles;  ///< inventories of trees beside those of the city's files
 
     // Meshes (OBJ, PLY, glTF) state neither axes, unit nor position.
     UpAxis upAxis = UpAxis::automatic;  ///< automatic: as the format says, or by the shape of the mesh

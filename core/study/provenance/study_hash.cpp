@@ -5,6 +5,7 @@
 #include "core/base/version.h"
 #include "core/city/footprints/repair_footprint.h"
 #include "core/city/map_context.h"
+#include "core/city/trees/tree.h"
 #include "core/describe/field_checks.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/sha256.h"
@@ -65,6 +66,20 @@ void addWater(Sha256& sum, const MapContext& map) {
     }
 }
 
+void addTrees(Sha256& sum, const Trees& trees) {
+    sum.add(trees.leafDays.on);
+    sum.add(trees.leafDays.off);
+    for (const Tree& tree : trees.trees) {
+        sum.add(tree.place.x);
+        sum.add(tree.place.y);
+        for (const float number : {tree.groundM, tree.heightM, tree.crownBaseM, tree.crownDiameterM,
+                                   tree.leafOnTransmissivity, tree.leafOffTransmissivity})
+            sum.add(number);
+        sum.add(int(tree.shape));
+        sum.add(tree.evergreen);
+    }
+}
+
 void addCity(Sha256& sum, const City& city) {
     const LonLat origin = city.frame.origin();
     for (const double number : {origin.lonDeg, origin.latDeg, city.frame.originElevationM()}) sum.add(number);
@@ -79,6 +94,7 @@ void addCity(Sha256& sum, const City& city) {
         addAll(sum, city.terrain->elevationM);
     }
     if (city.context) addWater(sum, *city.context);
+    if (city.trees) addTrees(sum, *city.trees);
 }
 
 void addRegion(Sha256& sum, const Region& region) {

@@ -23,8 +23,8 @@ using namespace tests;
 static_assert(countMembers<Period>() == 8);
 static_assert(countMembers<ReceiverSettings>() == 2);
 static_assert(countMembers<ErrorSampleSettings>() == 2);
-static_assert(countMembers<StudySettings>() == 11);
-static_assert(countMembers<ReadSettings>() == 19);
+static_assert(countMembers<StudySettings>() == 12);
+static_assert(countMembers<ReadSettings>() == 20);
 static_assert(countMembers<ElementSettings>() == 13);
 
 TEST(SettingsFields, NoneOfAPeriodIsForgotten) {

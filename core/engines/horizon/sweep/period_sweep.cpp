@@ -104,6 +104,7 @@ Result<void> PeriodSweep::run(ShadowField& field) {
         timed(field, "sweep", [&] { sweep(tile, field); });
         if (stop_.stop_requested()) return cancelled();
         timed(field, "count", [&] { count(tile, field); });
+        if (crowns_ != nullptr) countCrowns(tile);
         if (stop_.stop_requested()) return cancelled();
         if (count_.runs() != nullptr) timed(field, "runs", [&] { countRuns(tile, field); });
         if (stop_.stop_requested()) return cancelled();
@@ -124,7 +125,10 @@ void PeriodSweep::timed(ShadowField& field, const char* stage, Work&& work) {
 void PeriodSweep::sweep(Tile& tile, const ShadowField& field) {
     if (!overhangs_.empty()) tile.overhangs = OverhangTile(receivers_, tile.blocks, walls_.datumM);
     tile.gaps.assign(bins_.size(), {});
-    for (Workspace& workspace : workspaces_) workspace.sums.begin(tile.blocks.blocks().size());
+    for (Workspace& workspace : workspaces_) {
+        workspace.sums.begin(tile.blocks.blocks().size());
+        workspace.crownSums.end();
+    }
     PartialSink* sink = oneTile_ ? findPartialSink(progress_) : nullptr;
     const std::size_t turns =
         sink == nullptr ? 1 : std::clamp(batches_.size() / batchesPerPart, std::size_t{1}, partsShown);
@@ -144,9 +148,16 @@ void PeriodSweep::sweep(const BatchRange& batch, Tile& tile) {
     const TileScene scene{walls_, tile.blocks, tile.grounds, receivers_.grid.cellM};
     const std::span<const SweptBin> bins = std::span(bins_).subspan(batch.first, batch.size());
     if (!overhangs_.empty()) workspace.overhangs.begin(overhangs_, tile.overhangs, bins, scene.cellM, stop_);
+    if (crowns_ != nullptr) {
+        workspace.crowns.begin(*crowns_, batch.first, batch.end);
+        if (!workspace.crownSums.begun()) workspace.crownSums.begin(tile.blocks.blocks().size());
+    }
     const auto take = [&](std::size_t i, std::size_t block, const HorizonCode* codes, bool swapped) {
         const std::size_t bin = batch.first + i;
         if (!overhangs_.empty()) codes = withOverhangs(batch, i, {block, codes, swapped}, tile, workspace);
+        if (crowns_ != nullptr)
+            workspace.crowns.add(bin, block, tile.blocks, codes, swapped, tile.grounds.of(block, swapped),
+                                 workspace.crownSums);
         if (keeps_)
             writeBlock(codes, tile.blocks, tile.blocks.blocks()[block], swapped,
                        tile.horizons.of(bin).data());
@@ -167,6 +178,7 @@ const HorizonCode* PeriodSweep::withOverhangs(const BatchRange& batch, std::size
     const AzimuthBin& suns = binned_.bins[bin];
     return workspace.overhangs.raise(
         i, swept, tile.blocks, tile.grounds, [&](int cell, HorizonCode low, HorizonCode high) {
+            if (crowns_ != nullptr) workspace.crowns.hide(cell, low, high);
             const std::uint32_t steps = suns.hiddenBy(high) - suns.hiddenBy(low);
             if (steps == 0) return;
             if (keeps_)
@@ -229,6 +241,30 @@ void PeriodSweep::count(Tile& tile, ShadowField& field) {
     const Sums hidden = this->hidden(tile, {});
     for (std::size_t part = 0; part < partsOf(tile.blocks); ++part)
         writeGross(tile.blocks, part, hidden, field);
+}
+
+void PeriodSweep::weigh(const CrownSweep* crowns) {
+    crowns_ = crowns;
+    if (crowns != nullptr)
+        taken_ = {std::vector<double>(receivers_.grid.size()), std::vector<double>(receivers_.grid.size())};
+}
+
+void PeriodSweep::countCrowns(const Tile& tile) {
+    for (const Workspace& workspace : workspaces_) {
+        const std::span<const CrownSums::Steps> steps = workspace.crownSums.steps();
+        if (steps.empty()) continue;
+        for (std::size_t i = 0; i < tile.blocks.blocks().size(); ++i) {
+            const ReceiverBlocks::Block& block = tile.blocks.blocks()[i];
+            const std::uint8_t* places = tile.blocks.places(block, false);
+            for (std::uint32_t n = 0; n < block.count; ++n) {
+                const std::uint32_t cell = tile.blocks.cell(block.first + n);
+                if (cell == ReceiverBlocks::padding) continue;
+                const CrownSums::Steps& taken = steps[i * ReceiverBlocks::cells + places[n]];
+                taken_.evergreen[cell] += double(taken.evergreen) / CrownSums::fractions;
+                taken_.seasonal[cell] += double(taken.seasonal) / CrownSums::fractions;
+            }
+        }
+    }
 }
 
 void PeriodSweep::countRuns(const Tile& tile, ShadowField& field) {

@@ -24,6 +24,7 @@
 #include "core/engines/horizon/overhangs/batch_overhangs.h"
 #include "core/engines/horizon/sweep/tile_horizons.h"
 #include "core/engines/horizon/sweep/tile_sweep.h"
+#include "core/engines/horizon/trees/crown_sweep.h"
 
 namespace noonmark {
 
@@ -35,6 +36,14 @@ public:
     PeriodSweep(const WallList& walls, std::span<const OverhangShapes> overhangs, const Receivers& receivers,
                 const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts, RunRays* rays,
                 Progress& progress, std::stop_token stop);
+
+    /// Has crowns weighed along with the horizons; null: none. It must outlive this object.
+    void weigh(const CrownSweep* crowns);
+    /// Steps that crowns take from each cell, in the order of the grid; empty without crowns.
+    struct TakenSteps {
+        std::vector<double> evergreen, seasonal;
+    };
+    [[nodiscard]] const TakenSteps& takenSteps() const { return taken_; }
 
     Result<void> run(ShadowField& field);
 
@@ -61,6 +70,8 @@ private:
         TileSweep sweep;
         BlockSums sums;
         BatchOverhangs overhangs;
+        CrownBatch crowns;
+        CrownSums crownSums;
     };
     const HorizonCode* withOverhangs(const BatchRange& batch, std::size_t i, const SweptBlock& swept,
                                      Tile& tile, Workspace& workspace);
@@ -68,6 +79,7 @@ private:
     [[nodiscard]] Sums hiddenByCached(Tile& tile, const Turns& turns) const;
     PartialField partialOf(Tile& tile, const Turns& turns, const ShadowField& blank);
     void count(Tile& tile, ShadowField& field);
+    void countCrowns(const Tile& tile);
     void countRuns(const Tile& tile, ShadowField& field);
     void report(const ReceiverBlocks& blocks, double fraction);
 
@@ -80,6 +92,8 @@ private:
     PeriodCount count_;
     RunDoubts doubts_;
     RunRays* rays_;
+    const CrownSweep* crowns_ = nullptr;
+    TakenSteps taken_;
     bool keeps_;  // whether horizons are stored
     Progress& progress_;
     std::stop_token stop_;

@@ -1,0 +1,82 @@
+#pragma once
+
+// The folder core/city/trees is the model of trees: a Tree (this file) is a crown on a trunk. tree_facts.h is
+// what data state of one, tree_defaults.h what is taken where they state nothing, crown.h how much of a ray
+// a crown takes.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace noonmark {
+
+enum class CrownShape : std::uint8_t { ellipsoid, cone, cylinder };
+/// "ellipsoid", "cone", "cylinder": the names used in files.
+std::string_view nameOf(CrownShape shape);
+std::optional<CrownShape> parseCrownShape(std::string_view name);
+
+/// Origin of a tree's height or of its crown's diameter.
+enum class TreeSource : std::uint8_t {
+    measured,   ///< stated in the data
+    estimated,  ///< from another measure of the tree (resources/trees/defaults.json)
+    assumed,    ///< nothing in the data; the default of its group
+    designed,   ///< stated by the user
+};
+/// All values, in the order in which they are counted.
+inline constexpr std::array treeSources{TreeSource::measured, TreeSource::estimated, TreeSource::assumed,
+                                        TreeSource::designed};
+/// "measured", "estimated", "assumed", "designed".
+std::string_view nameOf(TreeSource source);
+std::optional<TreeSource> parseTreeSource(std::string_view name);
+
+/// Days of the year between which a tree is in leaf, 1 to 366: from `on`, up to and without `off`. Where `on`
+/// is the later one, leaves last over the new year. Equal days: always in leaf.
+struct LeafDays {
+    int on = 1;
+    int off = 1;
+    [[nodiscard]] bool inLeafOn(int dayOfYear) const {
+        if (on == off) return true;
+        return on < off ? dayOfYear >= on && dayOfYear < off : dayOfYear >= on || dayOfYear < off;
+    }
+    bool operator==(const LeafDays&) const = default;
+};
+
+/// One tree. Lengths are metres. Its trunk casts no shadow.
+struct Tree {
+    std::string sourceId;  ///< the feature it was read from: "node 2583920"
+    std::string species;   ///< as the source states it; may be empty
+    glm::dvec2 place{};    ///< local metres
+    float groundM = 0;     ///< local z of its foot
+    float heightM = 0;     ///< above its foot; > crownBaseM
+    float crownBaseM = 0;  ///< above its foot, at least 0
+    float crownDiameterM = 0;
+    CrownShape shape = CrownShape::ellipsoid;
+    bool evergreen = false;
+    TreeSource heightSource = TreeSource::assumed;
+    TreeSource crownSource = TreeSource::assumed;
+    /// Share of the sun that passes the crown on a mean chord, 0 to 1, in leaf and without.
+    float leafOnTransmissivity = 0;
+    float leafOffTransmissivity = 0;
+
+    bool operator==(const Tree&) const = default;
+};
+
+/// The trees of a city: immutable as its buildings are.
+struct Trees {
+    std::vector<Tree> trees;
+    LeafDays leafDays;  ///< of those that are not evergreen
+    /// Whether engines weigh them. Only studies have them do so: the fields of all other questions are those
+    /// without trees.
+    bool weighed = false;
+
+    bool operator==(const Trees&) const = default;
+};
+
+/// Leaf-on and leaf-off of a latitude, where none are stated: an assumption (docs/trees.md).
+LeafDays assumeLeafDays(double latDeg);
+
+}  // namespace noonmark

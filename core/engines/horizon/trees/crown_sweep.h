@@ -1,0 +1,123 @@
+#pragma once
+
+// The folder core/engines/horizon/trees weighs crowns within the horizon sweep: CrownSweep (this file) has
+// the crowns and the suns of each bin in levels of altitude, CrownBatch adds the crowns before each block,
+// and crown_rows.h has the inner loops.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/engines/horizon/geometry/azimuth_bins.h"
+#include "core/engines/horizon/geometry/block_grounds.h"
+#include "core/engines/horizon/geometry/receiver_blocks.h"
+#include "core/engines/horizon/trees/crown_rows.h"
+#include "core/engines/trees/crowns.h"
+
+namespace noonmark {
+
+/// Steps taken by crowns from each cell of a tile's blocks, in fractions of a step, so that sums are the same
+/// in whatever order they are made. For one thread.
+class CrownSums {
+public:
+    static constexpr double fractions = 4096;
+    struct Steps {
+        std::uint64_t evergreen = 0, seasonal = 0;
+    };
+    void begin(std::size_t blocks) { steps_.assign(blocks * ReceiverBlocks::cells, {}); }
+    [[nodiscard]] bool begun() const { return !steps_.empty(); }
+    void end() { steps_.clear(); }
+    void add(std::size_t block, std::size_t cell, float evergreen, float seasonal) {
+        Steps& steps = steps_[block * ReceiverBlocks::cells + cell];
+        steps.evergreen += std::uint64_t(double(evergreen) * fractions + 0.5);
+        steps.seasonal += std::uint64_t(double(seasonal) * fractions + 0.5);
+    }
+    [[nodiscard]] std::span<const Steps> steps() const { return steps_; }
+
+private:
+    std::vector<Steps> steps_;  // row by row in each block
+};
+
+/// The crowns and suns of a period.
+class CrownSweep {
+public:
+    /// At most so many levels a bin.
+    static constexpr std::size_t maxLevels = 24;
+    /// `scene` and `binned` are of the same steps; `datumM`: local z from which heights count.
+    CrownSweep(const CrownScene& scene, const BinnedSun& binned, const Grid& grid, double datumM);
+
+    [[nodiscard]] std::span<const Crown> crowns() const { return crowns_; }
+    [[nodiscard]] std::span<const CrownLevel> levels(std::size_t bin) const { return levels_[bin]; }
+    [[nodiscard]] glm::dvec2 away(std::size_t bin) const { return away_[bin]; }
+    [[nodiscard]] const Grid& grid() const { return grid_; }
+    [[nodiscard]] double datumM() const { return datumM_; }
+    [[nodiscard]] double widestM() const { return widestM_; }  ///< the largest radius
+
+private:
+    std::vector<Crown> crowns_;
+    std::vector<std::vector<CrownLevel>> levels_;  // one list a bin, from the lowest sun up
+    std::vector<glm::dvec2> away_;
+    Grid grid_;
+    double datumM_;
+    double widestM_ = 0;
+};
+
+/// The crowns at one bin after the other. Reuses its memory; one per thread.
+class CrownBatch {
+public:
+    /// Selects the bins [first, end).
+    void begin(const CrownSweep& sweep, std::size_t first, std::size_t end);
+
+    /// An overhang hides the suns of these codes, [low, high), from a cell of the block that add() is called
+    /// for next. `cell`: row by row.
+    void hide(int cell, HorizonCode low, HorizonCode high) {
+        gaps_.push_back({std::size_t(cell), low, high});
+    }
+
+    /// Adds what crowns take from a block's cells at a bin. `codes`: the cells' horizons, as from BlockSweep;
+    /// null: all level.
+    void add(std::size_t bin, std::size_t blockIndex, const ReceiverBlocks& blocks, const HorizonCode* codes,
+             bool swapped, const BlockGround& ground, CrownSums& sums);
+
+private:
+    static constexpr std::size_t rowCells = ReceiverBlocks::side;
+    /// A crown in the axes of one azimuth, metres.
+    struct PlacedCrown {
+        float aside, ahead;  ///< across the azimuth, and along it towards the sun, from the grid's corner
+        std::uint32_t crown;
+    };
+    /// Those of one bin, by bands across the azimuth.
+    struct Bands {
+        float lowest = 0;
+        std::vector<std::uint32_t> first;  // of each band, and the end
+        std::vector<PlacedCrown> crowns;
+    };
+    struct HiddenGap {
+        std::size_t cell;
+        HorizonCode low, high;
+    };
+    struct BlockView;
+
+    static void place(const CrownSweep& sweep, std::size_t bin, Bands& bands);
+    [[nodiscard]] BlockView viewOf(std::size_t bin, const ReceiverBlocks::Block& block, bool swapped) const;
+    static void setGround(BlockView& view, const BlockGround& ground);
+    bool findVisible(BlockView& view);
+    void addCrowns(const Bands& bands, const BlockView& view);
+    void addCrown(const PlacedCrown& placed, const BlockView& view);
+    void addToRow(const Crown& crown, const BlockView& view, int row, float distance, float aside);
+    void touch(int row, std::size_t first, std::size_t end);
+    void countRow(std::size_t row, std::size_t blockIndex, const BlockView& view, CrownSums& sums);
+    void takeGap(const HiddenGap& gap, std::size_t row, std::size_t cell, const BlockView& view,
+                 float& evergreen, float& seasonal) const;
+
+    const CrownSweep* sweep_ = nullptr;
+    std::size_t firstBin_ = 0;
+    std::vector<Bands> bands_;
+    std::vector<HiddenGap> gaps_;
+    std::size_t touchedFrom_[rowCells], touchedTo_[rowCells];  // levels of each row
+    alignas(64) float inLeaf_[rowCells][CrownSweep::maxLevels][rowCells];
+    alignas(64) float bare_[rowCells][CrownSweep::maxLevels][rowCells];
+};
+
+}  // namespace noonmark

@@ -1,0 +1,228 @@
+#include "core/engines/ray/tree_rays.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "core/engines/common/receiver_tiles.h"
+#include "core/engines/common/run_counter.h"
+#include "core/engines/common/shadow_reach.h"
+#include "core/engines/ray/ray_reference.h"
+#include "core/simd/flush_denormals.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int azimuthSlots = 360;
+
+int slotOf(double azimuth) {
+    const double turn = azimuth / (2 * std::numbers::pi);
+    return int((turn - std::floor(turn)) * azimuthSlots) % azimuthSlots;
+}
+
+/// The sun's steps as crowns need them.
+struct CrownSun {
+    explicit CrownSun(const SunSteps& sun) {
+        for (const SunStep& step : sun.steps) {
+            const glm::dvec3 direction = glm::normalize(glm::dvec3(step.direction));
+            directions.push_back(direction);
+            slots.push_back(std::uint16_t(slotOf(std::atan2(direction.x, direction.y))));
+            lowestTan = std::min(lowestTan, direction.z / std::hypot(direction.x, direction.y));
+        }
+    }
+    std::vector<glm::dvec3> directions;  // unit vectors, towards the sun
+    std::vector<std::uint16_t> slots;    // of azimuth
+    double lowestTan = 1e9;
+};
+
+/// The crowns that may stand between one receiver and the sun, by azimuth. Reuses its memory.
+class CrownsAround {
+public:
+    // False if there are none.
+    bool gather(const std::vector<Crown>& crowns, std::span<const std::uint32_t> some, glm::dvec3 origin,
+                double lowestTan) {
+        for (auto& slot : slots_) slot.clear();
+        any_ = false;
+        for (const std::uint32_t index : some) add(crowns[index], index, origin, lowestTan);
+        return any_;
+    }
+
+    [[nodiscard]] std::span<const std::uint32_t> at(std::uint16_t slot) const { return slots_[slot]; }
+
+private:
+    void add(const Crown& crown, std::uint32_t index, glm::dvec3 origin, double lowestTan) {
+        const double x = crown.x - origin.x, y = crown.y - origin.y, distance = std::hypot(x, y);
+        const double reach = crown.radiusM * (1 + 1e-6) + 1e-3;
+        if (crown.topM <= origin.z) return;
+        if (distance > reach && (crown.topM - origin.z) < lowestTan * (1 - 1e-6) * (distance - reach)) return;
+        const double slotWidth = 2 * std::numbers::pi / azimuthSlots;
+        const double half = distance <= reach ? std::numbers::pi : std::asin(reach / distance);
+        const int count = std::min(azimuthSlots, int(2 * half / slotWidth) + 2);
+        const int first = slotOf(std::atan2(x, y) - half);
+        for (int i = 0; i < count; ++i) slots_[std::size_t((first + i) % azimuthSlots)].push_back(index);
+        any_ = true;
+    }
+
+    std::array<std::vector<std::uint32_t>, azimuthSlots> slots_;
+    bool any_ = false;
+};
+
+/// What crowns add to one receiver's shadow.
+struct CrownColumn {
+    double added = 0;  // steps, weighted by what is taken from the sun
+    RunCounter runs;
+    std::uint32_t shaded = 0;  // steps of the current packet, as bits
+
+    void add(int lane, bool blocked, double taken, double shadedFrom) {
+        if (!blocked) added += taken;
+        if (blocked || taken >= shadedFrom) shaded |= 1U << unsigned(lane);
+    }
+    void finish(const SunPacket& packet) {
+        runs.add(shaded, packet.starts, packet.directions.count);
+        shaded = 0;
+    }
+};
+
+class CrownTracer {
+public:
+    CrownTracer(const RayScene& scene, const CrownScene& crowns, const Receivers& receivers,
+                const SunSteps& sun, TreeShade& shade, Progress& progress, const std::stop_token& stop)
+        : scene_(scene),
+          crowns_(crowns),
+          receivers_(receivers),
+          sun_(sun),
+          packets_(packSteps(sun)),
+          shade_(shade),
+          progress_(progress),
+          stop_(stop),
+          tiles_(receivers) {}
+
+    void run() {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_.count()), [&](const auto& range) {
+            const FlushDenormals flush;
+            CrownsAround around;
+            std::vector<std::uint32_t> cells;
+            for (std::size_t tile = range.begin(); tile < range.end() && !stop_.stop_requested(); ++tile)
+                traceTile(tile, cells, around);
+        });
+    }
+
+private:
+    void traceTile(std::size_t tile, std::vector<std::uint32_t>& cells, CrownsAround& around) {
+        tiles_.cellsOf(tile, cells);
+        if (cells.empty()) return;
+        const std::vector<std::uint32_t> near = findNear(cells);
+        for (const std::uint32_t cell : cells) {
+            const glm::vec3 origin = placeRayOrigin(receivers_.position(cell));
+            if (!around.gather(crowns_.crowns, near, glm::dvec3(origin), sun_.lowestTan)) continue;
+            trace(cell, origin, around);
+            if (stop_.stop_requested()) return;
+        }
+        const std::size_t now = done_.fetch_add(cells.size()) + cells.size();
+        progress_.report(double(now) / double(receivers_.cells.size()), "tracing rays through trees");
+    }
+
+    // The crowns that may shade a cell of a tile.
+    [[nodiscard]] std::vector<std::uint32_t> findNear(const std::vector<std::uint32_t>& cells) const {
+        const glm::dvec3 first(receivers_.position(cells.front()));
+        double widthM = 0, lowestM = first.z;
+        for (const std::uint32_t cell : cells) {
+            const glm::dvec3 place(receivers_.position(cell));
+            widthM = std::max(widthM, std::hypot(place.x - first.x, place.y - first.y));
+            lowestM = std::min(lowestM, place.z);
+        }
+        std::vector<std::uint32_t> near;
+        for (std::uint32_t i = 0; i < crowns_.crowns.size(); ++i) {
+            const Crown& crown = crowns_.crowns[i];
+            const double gapM = std::hypot(crown.x - first.x, crown.y - first.y) - widthM - crown.radiusM - 1;
+            if (gapM <= 0 || crown.topM - lowestM >= sun_.lowestTan * gapM) near.push_back(i);
+        }
+        return near;
+    }
+
+    void trace(std::uint32_t cell, glm::vec3 origin, const CrownsAround& around) const {
+        constexpr std::size_t packetsBetweenChecks = 1024;
+        CrownColumn evergreen, seasonal;
+        for (std::size_t i = 0; i < packets_.size(); ++i) {
+            if (i % packetsBetweenChecks == 0 && stop_.stop_requested()) return;
+            const SunPacket& packet = packets_[i];
+            std::uint32_t blocked = 0;
+            scene_.blockedLanes({&origin, 1}, packet.directions, {&blocked, 1});
+            for (int lane = 0; lane < packet.directions.count; ++lane) {
+                const std::size_t step = i * DirectionPacket::capacity + std::size_t(lane);
+                addStep(step, lane, (blocked >> unsigned(lane) & 1U) != 0, glm::dvec3(origin), around,
+                        evergreen, seasonal);
+            }
+            evergreen.finish(packet);
+            seasonal.finish(packet);
+        }
+        write(cell, evergreen, *shade_.evergreen);
+        write(cell, seasonal, *shade_.seasonal);
+    }
+
+    void addStep(std::size_t step, int lane, bool blocked, glm::dvec3 origin, const CrownsAround& around,
+                 CrownColumn& evergreen, CrownColumn& seasonal) const {
+        double inLeaf = 0, bare = 0;  // optical depths
+        if (!blocked)
+            for (const std::uint32_t index : around.at(sun_.slots[step])) {
+                const Crown& crown = crowns_.crowns[index];
+                const double chord = computeChord(crown, origin, sun_.directions[step]);
+                inLeaf += chord * crown.leafOnPerM;
+                bare += chord * crown.leafOffPerM;
+            }
+        const double season = crowns_.inLeaf[step] != 0 ? inLeaf : bare;
+        evergreen.add(lane, blocked, -std::expm1(-inLeaf), shade_.shadedFrom);
+        seasonal.add(lane, blocked, -std::expm1(-season), shade_.shadedFrom);
+    }
+
+    void write(std::uint32_t cell, const CrownColumn& column, ShadowField& field) const {
+        field.grossMin[cell] += float(column.added * field.stepMinutes / field.days);
+        field.continuousMin[cell] = float(column.runs.longest() * field.stepMinutes);
+    }
+
+    const RayScene& scene_;
+    const CrownScene& crowns_;
+    const Receivers& receivers_;
+    const CrownSun sun_;
+    const std::vector<SunPacket> packets_;
+    TreeShade& shade_;
+    Progress& progress_;
+    const std::stop_token& stop_;
+    ReceiverTiles tiles_;
+    std::atomic<std::size_t> done_{0};
+};
+
+}  // namespace
+
+Result<TreeShade> traceCrowns(const RayScene& scene, const CrownScene& crowns, const Receivers& receivers,
+                              const SunSteps& sun, const ShadowField& without, Progress& progress,
+                              const std::stop_token& stop) {
+    TreeShade shade = makeTreeShade(without, crowns.crowns.size());
+    shade.how = "rays: the exact length of each ray's path through each crown";
+    CrownTracer(scene, crowns, receivers, sun, shade, progress, stop).run();
+    if (stop.stop_requested()) return cancelled();
+    return shade;
+}
+
+Result<std::shared_ptr<const TreeShade>> traceTrees(const City& city, const Receivers& receivers,
+                                                    const SunSteps& sun, const ShadowField& without,
+                                                    Progress& progress, const std::stop_token& stop) {
+    const CrownScene crowns = findCrowns(city, receivers, sun);
+    if (crowns.empty()) return nullptr;
+    const auto scene = RayScene::over(city, findBuildingsInReach(city, receivers, sun), stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    auto shade = traceCrowns(*scene, crowns, receivers, sun, without, progress, stop);
+    if (!shade) return tl::make_unexpected(shade.error());
+    return std::make_shared<const TreeShade>(*std::move(shade));
+}
+
+}  // namespace noonmark

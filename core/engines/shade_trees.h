@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <stop_token>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/city/city.h"
+#include "core/engines/api/tree_shade.h"
+#include "core/receivers/receivers.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+/// The shade of a city's trees on top of a field of the same city, receivers and steps, by whichever engine:
+/// that engine's own (ShadowField::trees) where it weighs crowns, else by rays, or by a horizon
+/// sweep of its own where there are more than 10^8 of them (rays again where the sweep refuses). Null where
+/// no tree reaches a receiver, and for TreeColumns::without. cancelled() when stopped.
+Result<std::shared_ptr<const TreeShade>> shadeTrees(const City& city, const Receivers& receivers,
+                                                    const SunSteps& sun, const ShadowField& field,
+                                                    TreeColumns columns, Progress& progress,
+                                                    const std::stop_token& stop);
+
+}  // namespace noonmark

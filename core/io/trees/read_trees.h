@@ -1,0 +1,34 @@
+#pragma once
+
+// The folder core/io/trees reads trees from files of their own (this file) and joins those of all files into
+// a city (join_trees.h). The names of fields are in core/io/heights/tree_fields.h, OpenStreetMap's trees in
+// core/io/osm/osm_trees.h.
+
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/warnings.h"
+#include "core/io/pieces/read_tree.h"
+
+namespace noonmark {
+
+/// The trees of one file.
+struct TreesRead {
+    std::vector<ReadTree> trees;
+    Warnings warnings;
+    std::string attribution;
+};
+
+/// Reads an inventory of trees: a vector file of points, or a table with columns of longitude and latitude,
+/// or an OpenStreetMap file, or a raster of canopy heights (read_canopy.h). `crs`: of files that state none.
+/// A feature that cannot be used is left out with a warning. Error: the file cannot be read, holds no points,
+/// or more than 5 million trees; cancelled(). Some 10 us a tree. Backend: read_trees_gdal.cpp.
+Result<TreesRead> readTrees(const std::filesystem::path& file, const std::optional<std::string>& crs,
+                            Progress& progress, const std::stop_token& stop);
+
+}  // namespace noonmark

@@ -1,0 +1,96 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/cli/spoken.h"
+#include "tests/core/io/footprint_files.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using noonmark::tests::feature;
+using noonmark::tests::sizedRectangle;
+using testing::HasSubstr;
+using testing::Not;
+
+// A tower and two trees of an inventory in inches, north of it.
+class TreesCommand : public testing::Test {
+protected:
+    Spoken study(const std::vector<std::string>& more) {
+        std::vector<std::string> all{"study",      town.string(),
+                                     "--start",    "2026-01-15",
+                                     "--from",     "09:00",
+                                     "--hours",    "6",
+                                     "--step",     "10",
+                                     "--zone",     "America/New_York",
+                                     "--region",   "-73.9815,40.7495,-73.9785,40.7515",
+                                     "--cell",     "2",
+                                     "--out",      folder.path("out").string(),
+                                     "--overwrite"};
+        all.insert(all.end(), more.begin(), more.end());
+        return noonmarkCli(all);
+    }
+    nlohmann::json figures(std::vector<std::string> more) {
+        more.emplace_back("--json");
+        const Spoken spoken = study(more);
+        EXPECT_EQ(spoken.code, exitOk) << spoken.err;
+        return spoken.json();
+    }
+
+    noonmark::tests::TemporaryFolder folder;
+    std::filesystem::path town =
+        folder.file("town.geojson", R"({"type":"FeatureCollection","features":[)" +
+                                        feature(sizedRectangle(0, 0, 20, 20), R"("height":30)") + "]}");
+    std::string inventory = folder
+                                .file("trees.csv",
+                                      "tree_dbh,spc_latin,latitude,longitude\n"
+                                      "20,Platanus x acerifolia,40.7505,-73.9803\n"
+                                      "10,Pinus nigra,40.7506,-73.9797\n")
+                                .string();
+};
+
+TEST_F(TreesCommand, InfoCountsThemBySource) {
+    const nlohmann::json info = noonmarkCli({"info", town.string(), "--trees", inventory, "--json"}).json();
+    EXPECT_EQ(info["trees"]["count"], 2);
+    EXPECT_EQ(info["trees"]["evergreen"], 1);
+    EXPECT_EQ(info["trees"]["height_sources"]["estimated"], 2);
+    EXPECT_TRUE(noonmarkCli({"info", town.string(), "--json"}).json()["trees"].is_null());
+    EXPECT_NE(noonmarkCli({"info", town.string(), "--trees", "nowhere.csv"}).code, exitOk);
+}
+
+TEST_F(TreesCommand, AStudyHasThreeColumns) {
+    const nlohmann::json bare = figures({}), all = figures({"--trees", inventory});
+    EXPECT_FALSE(bare.contains("mean_gross_min_evergreen"));
+    EXPECT_EQ(all["mean_gross_min"], bare["mean_gross_min"]);
+    const double evergreen = all["mean_gross_min_evergreen"], seasonal = all["mean_gross_min_seasonal"];
+    EXPECT_GT(seasonal, all["mean_gross_min"].get<double>());
+    EXPECT_GT(evergreen, seasonal);
+    EXPECT_EQ(all["trees"]["used"], 2);
+    EXPECT_NEAR(all["trees"]["share_of_shade_evergreen"].get<double>(),
+                1 - bare["mean_gross_min"].get<double>() / evergreen, 1e-9);
+    EXPECT_TRUE(all["definitions"].contains("shadow_area_m2_seasonal"));
+    EXPECT_THAT(all["repeat"].get<std::string>(), HasSubstr("--trees"));
+}
+
+TEST_F(TreesCommand, TheColumnsAreChosen) {
+    const nlohmann::json without = figures({"--trees", inventory, "--tree-shade", "without"});
+    EXPECT_FALSE(without.contains("mean_gross_min_evergreen"));
+    const nlohmann::json seasonal = figures({"--trees", inventory, "--tree-shade", "seasonal"});
+    EXPECT_FALSE(seasonal.contains("mean_gross_min_evergreen"));
+    EXPECT_TRUE(seasonal.contains("mean_gross_min_seasonal"));
+    EXPECT_THAT(seasonal["repeat"].get<std::string>(), HasSubstr("--tree-shade seasonal"));
+    EXPECT_EQ(study({"--tree-shade", "sometimes"}).code, exitUsage);
+}
+
+TEST_F(TreesCommand, TheTableAndTheCellsStateThem) {
+    EXPECT_THAT(study({"--trees", inventory, "--cells-csv"}).out, HasSubstr("trees with their seasons"));
+    std::ifstream cells(folder.path("out") / "cells.csv");
+    std::string heading;
+    std::getline(cells, heading);
+    EXPECT_THAT(heading, HasSubstr("gross_min_evergreen,continuous_min_evergreen,gross_min_seasonal"));
+    EXPECT_THAT(study({}).out, Not(HasSubstr("trees")));
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests

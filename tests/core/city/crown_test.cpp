@@ -1,0 +1,139 @@
+#include "core/city/trees/crown.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "core/city/trees/tree_defaults.h"
+#include "core/city/trees/tree_facts.h"
+
+namespace noonmark {
+namespace {
+
+// Whether a point lies in a crown, by the definition of its shape.
+bool isInCrown(const Crown& crown, glm::dvec3 point) {
+    const double up = (point.z - crown.bottomM) / (crown.topM - crown.bottomM);
+    const double aside = std::hypot(point.x - crown.x, point.y - crown.y) / crown.radiusM;
+    if (up < 0 || up > 1) return false;
+    if (crown.shape == CrownShape::cylinder) return aside <= 1;
+    if (crown.shape == CrownShape::cone) return aside <= 1 - up;
+    return aside * aside + (2 * up - 1) * (2 * up - 1) <= 1;
+}
+
+// Adds up short pieces of the ray.
+double measureChord(const Crown& crown, glm::dvec3 origin, glm::dvec3 direction) {
+    constexpr double piece = 0.002, farthest = 60;
+    double length = 0;
+    for (double at = piece / 2; at < farthest; at += piece)
+        if (isInCrown(crown, origin + at * direction)) length += piece;
+    return length;
+}
+
+Crown crownOf(CrownShape shape) {
+    return {.x = 3, .y = -2, .bottomM = 4, .topM = 13, .radiusM = 3.5, .shape = shape};
+}
+
+TEST(Crown, ChordsThroughTheMiddleAreItsMeasures) {
+    const Crown round = crownOf(CrownShape::ellipsoid);
+    EXPECT_NEAR(computeChord(round, {3, -2, 0}, {0, 0, 1}), 9, 1e-12);
+    EXPECT_NEAR(computeChord(round, {-10, -2, 8.5}, {1, 0, 0}), 7, 1e-12);
+    EXPECT_NEAR(computeChord(crownOf(CrownShape::cylinder), {-10, -2, 8.5}, {1, 0, 0}), 7, 1e-12);
+    EXPECT_NEAR(computeChord(crownOf(CrownShape::cone), {-10, -2, 8.5}, {1, 0, 0}), 3.5, 1e-12);
+    EXPECT_NEAR(computeChord(crownOf(CrownShape::cone), {3, -2, 0}, {0, 0, 1}), 9, 1e-12);
+}
+
+TEST(Crown, ARayFromInsideHasTheRestOfItsChord) {
+    EXPECT_NEAR(computeChord(crownOf(CrownShape::ellipsoid), {3, -2, 8.5}, {0, 0, 1}), 4.5, 1e-12);
+    EXPECT_NEAR(computeChord(crownOf(CrownShape::cylinder), {3, -2, 8.5}, {0, 0, 1}), 4.5, 1e-12);
+    EXPECT_EQ(computeChord(crownOf(CrownShape::ellipsoid), {3, -2, 13.5}, {0, 0, 1}), 0);
+    EXPECT_EQ(computeChord(crownOf(CrownShape::cylinder), {20, -2, 8.5}, {1, 0, 0}), 0);
+}
+
+TEST(Crown, ChordsOfAnyRayAreTheSumOfItsPieces) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(-9, 9), turn(0, 6.283), up(0.01, 1.5);
+    for (const CrownShape shape : {CrownShape::ellipsoid, CrownShape::cone, CrownShape::cylinder})
+        for (int i = 0; i < 60; ++i) {
+            const Crown crown = crownOf(shape);
+            const glm::dvec3 target(3 + place(random) / 4, -2 + place(random) / 4, 8 + place(random) / 3);
+            const double azimuth = turn(random), altitude = up(random);
+            const glm::dvec3 direction(std::cos(altitude) * std::sin(azimuth),
+                                       std::cos(altitude) * std::cos(azimuth), std::sin(altitude));
+            const glm::dvec3 origin = target - direction * (i % 3 == 0 ? 0.5 : 20.0);
+            EXPECT_NEAR(computeChord(crown, origin, direction), measureChord(crown, origin, direction), 0.01)
+                << nameOf(shape) << " " << i;
+        }
+}
+
+TEST(Crown, KeepsItsDigitsFarAway) {
+    Crown far = crownOf(CrownShape::ellipsoid);
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(1, 0, 0.01));
+    const double near = computeChord(far, {-5, -1.5, 8.2}, direction);
+    far.x += 60'000;
+    EXPECT_NEAR(computeChord(far, {59'995, -1.5, 8.2}, direction), near, 1e-9);
+    EXPECT_NEAR(computeChord(crownOf(CrownShape::ellipsoid), glm::dvec3(-5, -1.5, 8.2) - direction * 3000.0,
+                             direction),
+                near, 1e-9);
+}
+
+TEST(Crown, OnItsMeanChordLetsThroughWhatItsTreeStates) {
+    EXPECT_NEAR(computeMeanChord(CrownShape::ellipsoid, 3, 6), 4, 1e-9);  // a sphere: 4/3 of the radius
+    EXPECT_NEAR(computeMeanChord(CrownShape::cylinder, 2, 4), 4.0 * 16 / (8 + 16), 1e-9);
+    const Tree tree{.heightM = 8,
+                    .crownBaseM = 2,
+                    .crownDiameterM = 6,
+                    .leafOnTransmissivity = 0.1F,
+                    .leafOffTransmissivity = 0.7F};
+    const Crown crown = makeCrown(tree);
+    EXPECT_NEAR(std::exp(-4 * crown.leafOnPerM), 0.1, 1e-6);
+    EXPECT_NEAR(std::exp(-4 * crown.leafOffPerM), 0.7, 1e-6);
+    EXPECT_EQ(crown.bottomM, 2);
+    Tree dark = tree;
+    dark.leafOnTransmissivity = 0;
+    EXPECT_TRUE(std::isfinite(makeCrown(dark).leafOnPerM));
+}
+
+TEST(TreeDefaults, AGroupIsFoundByTheGenusInAnyCase) {
+    ASSERT_NE(findTreeGroup("PLATANUS x hispanica"), nullptr);
+    EXPECT_EQ(findTreeGroup("PLATANUS x hispanica")->key, "dense");
+    EXPECT_EQ(findTreeGroup("Gleditsia triacanthos var. inermis")->key, "open");
+    EXPECT_EQ(findTreeGroup("lamp post"), nullptr);
+    EXPECT_EQ(findTreeGroup(""), nullptr);
+}
+
+TEST(TreeDefaults, LeavesComeLaterTowardsThePolesAndHalfAYearLaterInTheSouth) {
+    const LeafDays newYork = assumeLeafDays(40.7), stockholm = assumeLeafDays(59.3),
+                   sydney = assumeLeafDays(-40.7);
+    EXPECT_GT(stockholm.on, newYork.on);
+    EXPECT_LT(stockholm.off, newYork.off);
+    EXPECT_TRUE(newYork.inLeafOn(180));
+    EXPECT_FALSE(newYork.inLeafOn(20));
+    EXPECT_TRUE(sydney.inLeafOn(20));
+    EXPECT_FALSE(sydney.inLeafOn(200));
+    EXPECT_TRUE(assumeLeafDays(1).inLeafOn(20));
+    EXPECT_TRUE(assumeLeafDays(1).inLeafOn(200));
+}
+
+TEST(TreeFacts, AStemGivesCrownAndHeightThatAreMarkedAsEstimated) {
+    const Tree tree = completeTree({.species = "Tilia cordata", .stemDiameterM = 0.4});
+    EXPECT_NEAR(tree.crownDiameterM, 10.2, 1e-4);
+    EXPECT_EQ(tree.crownSource, TreeSource::estimated);
+    EXPECT_EQ(tree.heightSource, TreeSource::estimated);
+    EXPECT_GT(tree.heightM, tree.crownBaseM);
+    EXPECT_EQ(completeTree({.heightM = 20, .crownDiameterM = 8}).heightSource, TreeSource::measured);
+    EXPECT_EQ(completeTree({}).heightSource, TreeSource::assumed);
+}
+
+TEST(TreeFacts, LeafCycleAndTypeCountWhereTheGenusIsUnknown) {
+    EXPECT_EQ(completeTree({.needles = true}).shape, CrownShape::cone);
+    EXPECT_TRUE(completeTree({.needles = true}).evergreen);
+    EXPECT_FALSE(completeTree({.evergreen = false, .needles = true}).evergreen);
+    const Tree bareMagnolia = completeTree({.species = "Magnolia x soulangeana", .evergreen = false});
+    EXPECT_FALSE(bareMagnolia.evergreen);
+    EXPECT_GT(bareMagnolia.leafOffTransmissivity, 0.5F);
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,258 @@
+#include "core/engines/shade_trees.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "core/city/trees/tree.h"
+#include "tests/core/engines/sweep_scenes.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+
+Tree treeAt(double x, double y, double heightM = 10, double crownM = 6) {
+    return {.place = {x, y},
+            .heightM = float(heightM),
+            .crownBaseM = float(heightM) / 4,
+            .crownDiameterM = float(crownM),
+            .leafOnTransmissivity = 0.1F,
+            .leafOffTransmissivity = 0.7F};
+}
+
+std::shared_ptr<const Trees> plant(std::vector<Tree> trees, LeafDays leaf = {100, 300}) {
+    return std::make_shared<const Trees>(Trees{std::move(trees), leaf, true});
+}
+
+/// Days of a year with these dates.
+void setDates(SunSteps& sun, std::vector<std::chrono::month_day> dates) {
+    for (std::size_t i = 0; i < dates.size(); ++i)
+        sun.days[i].date = std::chrono::year(2026) / dates[i].month() / dates[i].day();
+}
+
+// Whether a point lies in the ellipsoid of a tree on flat ground.
+bool isInTree(const Tree& tree, glm::dvec3 point) {
+    const double middle = (double(tree.heightM) + double(tree.crownBaseM)) / 2;
+    const double up = (point.z - middle) / (double(tree.heightM) - middle);
+    const double aside =
+        std::hypot(point.x - tree.place.x, point.y - tree.place.y) / (double(tree.crownDiameterM) / 2);
+    return up * up + aside * aside <= 1;
+}
+
+// What a tree lets through, by adding up short pieces of the ray; its mean chord is that of a spheroid, by
+// rotation of an ellipse (numerically).
+double passes(const Tree& tree, glm::dvec3 origin, glm::dvec3 direction, bool inLeaf) {
+    constexpr double piece = 0.01;
+    double chord = 0;
+    for (double at = piece / 2; at < 120; at += piece)
+        if (isInTree(tree, origin + at * direction)) chord += piece;
+    const double a = double(tree.crownDiameterM) / 2,
+                 c = (double(tree.heightM) - double(tree.crownBaseM)) / 2;
+    double surface = 0;
+    constexpr int rings = 2000;
+    for (int i = 0; i < rings; ++i) {
+        const double t = (i + 0.5) / rings * std::numbers::pi;
+        surface += 2 * std::numbers::pi * a * std::sin(t) * std::hypot(a * std::cos(t), c * std::sin(t)) *
+                   std::numbers::pi / rings;
+    }
+    const double mean = 4 * (4.0 / 3 * std::numbers::pi * a * a * c) / surface;
+    const float share = inLeaf || tree.evergreen ? tree.leafOnTransmissivity : tree.leafOffTransmissivity;
+    return std::pow(double(share), chord / mean);
+}
+
+TEST(TreeShade, OfOneCrownAndOneSunFollowsThePathThroughIt) {
+    City city;
+    city.trees = plant({treeAt(0, 0)});
+    SunSteps sun = oneDay({{180, 45}});
+    setDates(sun, {std::chrono::July / 1});
+    const Receivers receivers = receiversOver(city, -12, -12, 12, 24, 1);
+    const ShadowField field = traced(city, receivers, sun);
+    ASSERT_TRUE(field.trees);
+    const glm::dvec3 direction(towardsSun(180, 45));
+    double most = 0;
+    for (const std::uint32_t cell : receivers.cells) {
+        const double expected =
+            1 - passes(city.trees->trees[0], glm::dvec3(receivers.position(cell)), direction, true);
+        EXPECT_NEAR(field.trees->evergreen->grossMin[cell], expected, 0.01);
+        EXPECT_EQ(field.trees->evergreen->grossMin[cell], field.trees->seasonal->grossMin[cell]);
+        EXPECT_EQ(field.trees->evergreen->continuousMin[cell] > 0,
+                  field.trees->evergreen->grossMin[cell] >= 0.5F);
+        EXPECT_EQ(field.grossMin[cell], 0);
+        most = std::max(most, expected);
+    }
+    EXPECT_GT(most, 0.9);
+}
+
+TEST(TreeShade, IsThatOfBareCrownsOutOfSeason) {
+    City city;
+    city.trees = plant({treeAt(0, 0), treeAt(10, 0)});
+    auto trees = *city.trees;
+    trees.trees[1].evergreen = true;
+    city.trees = std::make_shared<const Trees>(trees);
+    SunSteps sun = oneDay({{180, 45}});
+    setDates(sun, {std::chrono::January / 10});
+    const Receivers receivers = receiversOver(city, -5, -5, 15, 15);
+    const ShadowField field = traced(city, receivers, sun);
+    const std::size_t bare = cellAt(receivers.grid, 0.5, 6.5), green = cellAt(receivers.grid, 10.5, 6.5);
+    EXPECT_LT(field.trees->seasonal->grossMin[bare], 0.5F);
+    EXPECT_GT(field.trees->evergreen->grossMin[bare], 0.7F);
+    EXPECT_EQ(field.trees->seasonal->continuousMin[bare], 0);
+    EXPECT_EQ(field.trees->seasonal->grossMin[green], field.trees->evergreen->grossMin[green]);
+}
+
+TEST(TreeShade, ReceiversInsideACrownAreInItsShade) {
+    City city = cityOf({{{-1, -1, 0}, {1, 1, 6}}});  // a roof in the middle of the crown
+    city.trees = plant({treeAt(0, 0)});
+    SunSteps sun = oneDay({{180, 60}});
+    setDates(sun, {std::chrono::July / 1});
+    Receivers receivers = receiversOver(city, -3, -3, 3, 3);
+    receivers.groundM.assign(receivers.grid.size(), 6);
+    const ShadowField field = traced(city, receivers, sun);
+    const std::size_t cell = cellAt(receivers.grid, 1.5, 0.5);
+    const glm::dvec3 origin(receivers.position(std::uint32_t(cell)));
+    ASSERT_TRUE(isInTree(city.trees->trees[0], origin));
+    const double expected = 1 - passes(city.trees->trees[0], origin, glm::dvec3(towardsSun(180, 60)), true);
+    EXPECT_GT(expected, 0.1);
+    EXPECT_NEAR(field.trees->evergreen->grossMin[cell], expected, 0.01);
+}
+
+TEST(TreeShade, AddsUpAlongARowAndLeavesWhatBuildingsTake) {
+    City city = cityOf({{{-6, -12, 0}, {2, -10, 25}}});
+    city.trees = plant({treeAt(0, 0, 8, 4), treeAt(0, 4, 8, 4), treeAt(0, 8, 8, 4)});
+    SunSteps sun;
+    addDay(sun, arc(120, 50));
+    setDates(sun, {std::chrono::July / 1});
+    const Receivers receivers = receiversOver(city, -3, -8, 4, 16, 2);
+    const ShadowField field = traced(city, receivers, sun);
+    const std::vector<Box3> boxes{{{-6, -12, 0}, {2, -10, 25}}};
+    for (std::size_t i = 0; i < receivers.cells.size(); i += 5) {
+        const glm::dvec3 origin(receivers.position(receivers.cells[i]));
+        double expected = 0;
+        for (const SunStep& step : sun.steps) {
+            double through = inShadow(boxes, origin, glm::dvec3(step.direction)) ? 0 : 1;
+            for (const Tree& tree : city.trees->trees)
+                if (through > 0) through *= passes(tree, origin, glm::dvec3(step.direction), true);
+            expected += 1 - through;
+        }
+        EXPECT_NEAR(field.trees->evergreen->grossMin[receivers.cells[i]], expected, 1.5);
+    }
+}
+
+City townWithTrees(std::size_t count, std::uint32_t seed) {
+    City city = cityOf(randomBoxes(seed, 5));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(0, 100), height(5, 18);
+    std::vector<Tree> trees;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = place(random), y = place(random), high = height(random);
+        trees.push_back(treeAt(x, y, high, high / 1.5));
+        trees.back().shape = CrownShape(i % 3);
+        trees.back().evergreen = i % 4 == 0;
+    }
+    city.trees = plant(std::move(trees));
+    return city;
+}
+
+TEST(TreeShade, OfTheSweepIsThatOfRays) {
+    const City city = townWithTrees(40, 3);
+    SunSteps sun = threeDays();
+    setDates(sun, {std::chrono::January / 5, std::chrono::April / 20, std::chrono::July / 1});
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 2);
+    const ShadowField rays = traced(city, receivers, sun), sweep = swept(city, receivers, sun);
+    ASSERT_TRUE(rays.trees && sweep.trees);
+    const double whole = rays.sunlitMinutesPerDay > 0 ? rays.sunlitMinutesPerDay : 260;
+    for (const bool seasonal : {false, true}) {
+        const auto& exact = (seasonal ? rays.trees->seasonal : rays.trees->evergreen)->grossMin;
+        const auto& found = (seasonal ? sweep.trees->seasonal : sweep.trees->evergreen)->grossMin;
+        std::vector<double> off;
+        double meanOff = 0, added = 0;
+        for (const std::uint32_t cell : receivers.cells) {
+            const double exactAdded = double(exact[cell]) - double(rays.grossMin[cell]);
+            off.push_back(std::abs(double(found[cell]) - double(sweep.grossMin[cell]) - exactAdded) / whole);
+            meanOff += off.back() / double(receivers.cells.size());
+            added += exactAdded / double(receivers.cells.size());
+        }
+        std::ranges::sort(off);
+        EXPECT_GT(added, 5);
+        EXPECT_LT(meanOff, 0.001);
+        EXPECT_LT(off[off.size() * 99 / 100], 0.01);
+    }
+}
+
+TEST(TreeShade, OfTheSweepIsThatOfRaysOnUnevenGround) {
+    City city = townWithTrees(30, 9);
+    std::vector<float> elevations;
+    for (int i = 0; i < 49; ++i) elevations.push_back(float(i % 7));
+    city.terrain = std::make_shared<const Terrain>(Terrain{{-100, -100, 50, 7, 7}, std::move(elevations)});
+    auto trees = *city.trees;
+    for (Tree& tree : trees.trees) tree.groundM = groundAt(city, tree.place);
+    city.trees = std::make_shared<const Trees>(std::move(trees));
+    SunSteps sun = oneDay(arc(200, 40));
+    setDates(sun, {std::chrono::July / 1});
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 4);
+    const ShadowField rays = traced(city, receivers, sun), sweep = swept(city, receivers, sun);
+    ASSERT_TRUE(rays.trees && sweep.trees);
+    double meanOff = 0;
+    for (const std::uint32_t cell : receivers.cells)
+        meanOff += std::abs(double(sweep.trees->evergreen->grossMin[cell]) - double(sweep.grossMin[cell]) -
+                            double(rays.trees->evergreen->grossMin[cell]) + double(rays.grossMin[cell])) /
+                   double(receivers.cells.size());
+    EXPECT_LT(meanOff, 0.4);
+}
+
+TEST(TreeShade, WithoutATreeInReachNothingChanges) {
+    City city = cityOf(randomBoxes(5, 3));
+    const SunSteps sun = threeDays();
+    const Receivers receivers = receiversOver(city, 0, 0, 60, 60, 2);
+    const ShadowField before = swept(city, receivers, sun), beforeByRays = traced(city, receivers, sun);
+    city.trees = plant({treeAt(90'000, 0)});
+    const ShadowField after = swept(city, receivers, sun);
+    EXPECT_FALSE(after.trees);
+    EXPECT_FALSE(traced(city, receivers, sun).trees);
+    city.trees = plant({treeAt(30, 30)});
+    const ShadowField with = swept(city, receivers, sun);
+    ASSERT_TRUE(with.trees);
+    for (const std::uint32_t cell : receivers.cells) {
+        EXPECT_EQ(before.grossMin[cell], after.grossMin[cell]);
+        EXPECT_EQ(before.grossMin[cell], with.grossMin[cell]);
+        EXPECT_EQ(before.continuousMin[cell], with.continuousMin[cell]);
+        EXPECT_GE(with.trees->evergreen->grossMin[cell], with.grossMin[cell]);
+    }
+}
+
+TEST(TreeShade, IsMeasuredByRaysOnTopOfAnyFieldAndOnlyWhatIsAskedFor) {
+    City city = townWithTrees(5, 4);
+    SunSteps sun = oneDay(arc(60, 40));
+    setDates(sun, {std::chrono::July / 1});
+    const Receivers receivers = receiversOver(city, 0, 0, 60, 60, 4);
+    ShadowField field = traced(city, receivers, sun);
+    const auto byRays = field.trees;
+    field.trees.reset();
+    NoProgress quiet;
+    const auto all = shadeTrees(city, receivers, sun, field, TreeColumns::all, quiet, {}).value();
+    const auto some = shadeTrees(city, receivers, sun, field, TreeColumns::seasonal, quiet, {}).value();
+    EXPECT_EQ(shadeTrees(city, receivers, sun, field, TreeColumns::without, quiet, {}).value(), nullptr);
+    EXPECT_FALSE(some->evergreen);
+    for (const std::uint32_t cell : receivers.cells) {
+        EXPECT_EQ(all->seasonal->grossMin[cell], byRays->seasonal->grossMin[cell]);
+        EXPECT_EQ(some->seasonal->grossMin[cell], byRays->seasonal->grossMin[cell]);
+    }
+}
+
+TEST(TreeShade, StopsWhenAsked) {
+    const City city = townWithTrees(5, 4);
+    std::stop_source stop;
+    stop.request_stop();
+    const SunSteps sun = oneDay(arc(60, 40));
+    const Receivers receivers = receiversOver(city, 0, 0, 60, 60, 4);
+    NoProgress quiet;
+    const auto shade = shadeTrees(city, receivers, sun, {}, TreeColumns::all, quiet, stop.get_token());
+    ASSERT_FALSE(shade);
+    EXPECT_TRUE(isCancelled(shade.error()));
+}
+
+}  // namespace
+}  // namespace noonmark

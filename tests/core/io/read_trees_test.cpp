@@ -1,0 +1,234 @@
+#include "core/io/trees/read_trees.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/gdal_calls.h"
+#include "core/io/heights/tree_fields.h"
+#include "core/io/read_city.h"
+#include "core/io/trees/join_trees.h"
+#include "tests/core/io/cityjson_fixtures.h"
+#include "tests/core/io/footprint_files.h"
+#include "tests/core/io/terrain_files.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+using testing::Contains;
+using testing::HasSubstr;
+
+/// Headings and one row of an inventory.
+struct Inventory {
+    std::vector<std::string> fields, values;
+};
+
+TreeFacts factsOf(const Inventory& inventory) {
+    Warnings warnings;
+    TreeFacts facts =
+        collectTreeFacts(findTreeFields(inventory.fields), inventory.values, "a tree", warnings);
+    EXPECT_TRUE(warnings.empty()) << inventory.fields.front();
+    return facts;
+}
+
+TEST(TreeFields, OfNewYorkAndSanFranciscoAreInInches) {
+    const TreeFacts newYork =
+        factsOf({{"tree_id", "tree_dbh", "spc_latin"}, {"1", "10", "Quercus palustris"}});
+    EXPECT_NEAR(*newYork.stemDiameterM, 0.254, 1e-9);
+    EXPECT_EQ(newYork.species, "Quercus palustris");
+    const TreeFacts sanFrancisco =
+        factsOf({{"TreeID", "qSpecies", "DBH"}, {"1", "Platanus x hispanica :: Sycamore", "20"}});
+    EXPECT_NEAR(*sanFrancisco.stemDiameterM, 0.508, 1e-9);
+    EXPECT_EQ(sanFrancisco.species, "Platanus x hispanica");
+}
+
+TEST(TreeFields, OfParisHaveAGirthAndAnEpithet) {
+    const TreeFacts paris = factsOf(
+        {{"circonferenceencm", "genre", "espece", "hauteurenm"}, {"100", "Platanus", "x hispanica", "12"}});
+    EXPECT_NEAR(*paris.stemDiameterM, 1 / std::numbers::pi, 1e-9);
+    EXPECT_EQ(*paris.heightM, 12);
+    EXPECT_EQ(paris.species, "Platanus x hispanica");
+}
+
+TEST(TreeFields, OfBerlinAreMetresAndOfViennaClasses) {
+    const TreeFacts berlin =
+        factsOf({{"BaumHoehe", "KroneDurch", "StammUmfg", "Art_Bot"}, {"8", "6", "157", "Tilia cordata"}});
+    EXPECT_EQ(*berlin.heightM, 8);
+    EXPECT_EQ(*berlin.crownDiameterM, 6);
+    EXPECT_NEAR(*berlin.stemDiameterM, 0.4997, 1e-3);
+    const TreeFacts vienna =
+        factsOf({{"BAUMHOEHE", "KRONENDURCHMESSER", "STAMMUMFANG", "GATTUNG_ART"}, {"2", "3", "60", "Acer"}});
+    EXPECT_EQ(*vienna.heightM, 8);
+    EXPECT_EQ(*vienna.crownDiameterM, 8);
+}
+
+TEST(TreeFields, OfMelbourneTorontoMontrealSeattleAndZurichAreKnown) {
+    EXPECT_NEAR(
+        *factsOf({{"Genus", "Scientific Name", "Diameter Breast Height"}, {"Ulmus", "Ulmus procera", "50"}})
+             .stemDiameterM,
+        0.5, 1e-9);
+    EXPECT_NEAR(*factsOf({{"BOTANICAL_NAME", "DBH_TRUNK"}, {"Acer", "30"}}).stemDiameterM, 0.3, 1e-9);
+    EXPECT_NEAR(*factsOf({{"Essence_latin", "DHP"}, {"Acer", "30"}}).stemDiameterM, 0.3, 1e-9);
+    const TreeFacts seattle = factsOf({{"SCIENTIFIC", "DIAM", "TREEHEIGHT"}, {"Acer rubrum", "10", "40"}});
+    EXPECT_NEAR(*seattle.heightM, 12.192, 1e-9);
+    EXPECT_NEAR(*seattle.stemDiameterM, 0.254, 1e-9);
+    const TreeFacts zurich = factsOf({{"baumgattunglat", "baumartlat", "kronendurchmesser", "baumtyptext"},
+                                      {"Pinus", "nigra", "7", "Nadelbaum"}});
+    EXPECT_EQ(*zurich.crownDiameterM, 7);
+    EXPECT_EQ(zurich.species, "Pinus nigra");
+    EXPECT_TRUE(*zurich.needles);
+}
+
+TEST(TreeFields, LengthsMayBeClassesAndHaveUnits) {
+    EXPECT_EQ(parseTreeLength("6-10 m", LengthUnit::metres), 8);
+    EXPECT_EQ(parseTreeLength("6 - 10", LengthUnit::metres), 8);
+    EXPECT_EQ(parseTreeLength("> 35 m", LengthUnit::metres), 35);
+    EXPECT_NEAR(*parseTreeLength("40", LengthUnit::feet), 12.192, 1e-9);
+    EXPECT_FALSE(parseTreeLength("tall", LengthUnit::metres));
+    EXPECT_FALSE(parseTreeLength("10-6", LengthUnit::metres));
+    EXPECT_FALSE(parseTreeLength("", LengthUnit::metres));
+}
+
+TEST(TreeFields, WhatNoTreeHasIsLeftOutWithAWarning) {
+    Warnings warnings;
+    const std::vector<std::string> names{"height", "tree_dbh"}, values{"900", "big"};
+    const TreeFacts facts = collectTreeFacts(findTreeFields(names), values, "tree 7", warnings);
+    EXPECT_FALSE(facts.heightM);
+    EXPECT_FALSE(facts.stemDiameterM);
+    ASSERT_EQ(warnings.size(), 2);
+    EXPECT_THAT(warnings[0].where, HasSubstr("tree 7: height 900"));
+}
+
+class ReadTreesTest : public testing::Test {
+protected:
+    Result<TreesRead> tryRead(const std::filesystem::path& file) {
+        NoProgress quiet;
+        return readTrees(file, std::nullopt, quiet, {});
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(ReadTreesTest, ATableWithPlacesInInches) {
+    const auto read = tryRead(folder_.file("trees.csv",
+                                           "tree_id,tree_dbh,spc_latin,latitude,longitude\n"
+                                           "1,10,Platanus x acerifolia,40.7501,-73.9801\n"
+                                           "2,0,Tilia cordata,40.7502,-73.9802\n"
+                                           "3,12,,,\n"));
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->trees.size(), 2);
+    EXPECT_NEAR(*read->trees[0].facts.stemDiameterM, 0.254, 1e-9);
+    EXPECT_NEAR(read->trees[0].place.lonDeg, -73.9801, 1e-9);
+    EXPECT_FALSE(read->trees[1].facts.stemDiameterM);
+    EXPECT_THAT(whats(read->warnings), Contains("a tree without a place"));
+}
+
+TEST_F(ReadTreesTest, PointsOfAMap) {
+    const auto read = tryRead(folder_.file(
+        "trees.geojson",
+        R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"height":"12 m","genus":"Acer"},)"
+        R"("geometry":{"type":"Point","coordinates":[-73.98,40.75]}}]})"));
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->trees.size(), 1);
+    EXPECT_EQ(read->trees[0].facts.heightM, 12);
+    EXPECT_EQ(read->trees[0].facts.species, "Acer");
+}
+
+TEST_F(ReadTreesTest, AStemOfNoStatedUnitIsSaid) {
+    const auto read = tryRead(folder_.file("t.csv", "dbh,lat,lon\n30,40.75,-73.98\n"));
+    ASSERT_TRUE(read);
+    EXPECT_NEAR(*read->trees[0].facts.stemDiameterM, 0.3, 1e-9);
+    EXPECT_THAT(whats(read->warnings), Contains(HasSubstr("taken as centimetres")));
+}
+
+TEST_F(ReadTreesTest, ARasterOfCanopyIsAColumnForEachCell) {
+    const auto file = writeTerrain(folder_.path("canopy.tif"), manhattan,
+                                   [](double x, double y) { return std::hypot(x, y) < 5 ? 12 : 1; });
+    const auto read = tryRead(file);
+    ASSERT_TRUE(read) << read.error().text();
+    double areaM2 = 0;
+    for (const ReadTree& tree : read->trees) {
+        const Tree column = completeTree(tree.facts);
+        EXPECT_EQ(column.heightM, 12);
+        EXPECT_EQ(column.shape, CrownShape::cylinder);
+        areaM2 += std::numbers::pi / 4 * column.crownDiameterM * column.crownDiameterM;
+    }
+    EXPECT_NEAR(areaM2, 25 * std::numbers::pi, 3);
+    EXPECT_FALSE(tryRead(writeTerrain(folder_.path("low.tif"), manhattan, [](double, double) { return 1; })));
+}
+
+TEST_F(ReadTreesTest, FilesWithoutTreesAreRefused) {
+    const auto table = tryRead(folder_.file("t.csv", "a,b\n1,2\n"));
+    ASSERT_FALSE(table);
+    EXPECT_THAT(table.error().text(), HasSubstr("It holds no trees"));
+    EXPECT_FALSE(tryRead(folder_.file("t.osm", "<osm version=\"0.6\"></osm>")));
+    EXPECT_FALSE(tryRead("nowhere.csv"));
+}
+
+TEST_F(ReadTreesTest, OfCityJsonHaveTheMeasuresThatTheyOrTheirShapesState) {
+    CityJsonMaker maker;
+    maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 20, 30}));
+    maker.addBuilding("round", maker.boxSolid({30, 0, 0}, {36, 6, 14}));
+    maker.addBuilding("stated", maker.boxSolid({50, 0, 0}, {56, 6, 14}));
+    Json document = maker.document("2.0", "EPSG:28992");
+    for (const char* id : {"round", "stated"})
+        document["CityObjects"][id]["type"] = "SolitaryVegetationObject";
+    document["CityObjects"]["stated"]["attributes"] = {
+        {"height", 20}, {"trunkDiameter", 0.4}, {"species", "Acer"}};
+    const auto piece = noonmark::tests::read(document);
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_EQ(piece->buildings.size(), 1);
+    ASSERT_EQ(piece->trees.size(), 2);
+    EXPECT_NEAR(*piece->trees[0].facts.heightM, 14, 1e-3);
+    EXPECT_NEAR(*piece->trees[0].facts.crownDiameterM, 6, 0.1);
+    EXPECT_EQ(*piece->trees[1].facts.heightM, 20);
+    EXPECT_NEAR(*piece->trees[1].facts.stemDiameterM, 0.4, 1e-9);
+    const glm::dvec2 place = piece->frame->localFromLonLat(piece->trees[1].place) -
+                             piece->frame->localFromLonLat(piece->trees[0].place);
+    EXPECT_NEAR(place.x, 20, 0.1);
+}
+
+constexpr const char* osmTown = R"(<osm version="0.6">
+<node id="1" lat="40.0000" lon="0.0000"/><node id="2" lat="40.0000" lon="0.0002"/>
+<node id="3" lat="40.0002" lon="0.0002"/><node id="4" lat="40.0002" lon="0.0000"/>
+<node id="5" lat="40.0004" lon="0.0001"><tag k="natural" v="tree"/><tag k="height" v="15"/>
+<tag k="diameter_crown" v="8"/><tag k="leaf_cycle" v="evergreen"/></node>
+<node id="6" lat="40.0005" lon="0.0001"><tag k="natural" v="tree"/><tag k="circumference" v="1.57"/></node>
+<node id="7" lat="40.0006" lon="0.0000"/><node id="8" lat="40.0006" lon="0.0005"/>
+<way id="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="1"/><tag k="building" v="yes"/></way>
+<way id="2"><nd ref="7"/><nd ref="8"/><tag k="natural" v="tree_row"/><tag k="genus" v="Tilia"/></way>
+</osm>)";
+
+TEST_F(ReadTreesTest, OfOpenStreetMapComeWithTheCity) {
+    NoProgress quiet;
+    const auto read = readCity({folder_.file("town.osm", osmTown)}, {}, quiet, {});
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_TRUE(read->city.trees);
+    const auto& trees = read->city.trees->trees;
+    ASSERT_EQ(trees.size(), 8);  // two, and six along 42.6 m
+    EXPECT_EQ(trees[0].sourceId, "node 5");
+    EXPECT_EQ(trees[0].heightM, 15);
+    EXPECT_EQ(trees[0].crownDiameterM, 8);
+    EXPECT_TRUE(trees[0].evergreen);
+    EXPECT_EQ(trees[1].crownSource, TreeSource::estimated);
+    EXPECT_EQ(trees[2].species, "Tilia");
+    EXPECT_THAT(whats(read->warnings), Contains("the trees of a row stand 8 m apart"));
+}
+
+TEST_F(ReadTreesTest, AnInventoryJoinsTheTreesOfTheCity) {
+    const auto inventory =
+        folder_.file("more.csv", "height,lat,lon\n9,40.0003,0.0005\n9,40.0004,0.0001\n9,50,10\n");
+    NoProgress quiet;
+    const auto read =
+        readCity({folder_.file("town.osm", osmTown)}, {.treeFiles = {inventory.string()}}, quiet, {});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->city.trees->trees.size(), 9);
+    EXPECT_THAT(whats(read->warnings), Contains("a second tree at the same place"));
+    EXPECT_THAT(whats(read->warnings), Contains("a tree far from the buildings"));
+    EXPECT_FALSE(readCity({folder_.file("town.osm", osmTown)}, {.treeFiles = {"none.csv"}}, quiet, {}));
+}
+
+}  // namespace
+}  // namespace noonmark
