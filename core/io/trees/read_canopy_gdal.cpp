@@ -8,6 +8,7 @@
 
 #include "core/geo/crs_definition.h"
 #include "core/geo/crs_to_lon_lat.h"
+#include "core/io/settings/place_advice.h"
 #include "core/io/trees/read_canopy.h"
 
 namespace noonmark {
@@ -72,8 +73,7 @@ Result<TreesRead> readCanopy(GDALDataset& dataset, const std::string& file,
     if (dataset.GetRasterCount() < 1 || dataset.GetGeoTransform(placing.data()) != CE_None)
         return failure("It states no place", file, "Give a georeferenced raster of canopy heights");
     const std::string system = crs.value_or(wktOf(dataset.GetSpatialRef()));
-    if (system.empty())
-        return failure("It states no coordinate reference system", file, "State it: --crs EPSG:2263");
+    if (system.empty()) return failure("It states no coordinate reference system", file, crsAdvice());
     const auto toLonLat = CrsToLonLat::of(system);
     if (!toLonLat) return tl::make_unexpected(toLonLat.error());
     GDALRasterBand& band = *dataset.GetRasterBand(1);

@@ -338,8 +338,8 @@ TEST(ReadCityJson, WhatIsLeftOutIsSaid) {
     ASSERT_TRUE(piece) << piece.error().text();
     EXPECT_EQ(piece->buildings.size(), 2U);
     EXPECT_EQ(piece->features, 7U);
-    for (const char* what : {"far from the middle", "PlantCover", "geometry templates",
-                             "no usable geometry", "without a type"})
+    for (const char* what :
+         {"far from the middle", "PlantCover", "geometry templates", "no usable geometry", "without a type"})
         EXPECT_TRUE(warns(*piece, what)) << what;
 }
 
