@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace noonmark {
@@ -45,7 +46,6 @@ std::vector<CrownLevel> splitIntoLevels(std::vector<LeafySun> suns) {
     return levels;
 }
 
-// Its quadric (CrownOnRow), but for where it stands.
 CrownOnRow shapeOf(const Crown& crown, double datumM) {
     const double heightM = crown.topM - crown.bottomM, r = crown.radiusM;
     CrownOnRow row{};
@@ -91,7 +91,11 @@ CrownSweep::CrownSweep(const CrownScene& scene, const BinnedSun& binned, const G
         levels_[bin] = splitIntoLevels(std::move(suns[bin]));
         away_.push_back(binned.bins[bin].away);
     }
-    for (const Crown& crown : crowns_) widestM_ = std::max(widestM_, crown.radiusM);
+    for (const Crown& crown : crowns_) {
+        shapes_.push_back(shapeOf(crown, datumM));
+        widestM_ = std::max(widestM_, crown.radiusM);
+        highestM_ = std::max(highestM_, crown.topM - datumM);
+    }
 }
 
 /// A block at one bin.
@@ -103,6 +107,7 @@ struct CrownBatch::BlockView {
     const HorizonCode* codes = nullptr;
     bool swapped = false;
     const CacheLine<float>* groundM = nullptr;
+    float lowestTan = 0;              // of the suns that some cell sees
     float lowestM = 0, highestM = 0;  // ground of its cells above the datum
     std::array<std::size_t, rowCells>
         visible{};  // first level of each row that no horizon hides from all cells
@@ -126,7 +131,7 @@ void CrownBatch::begin(const CrownSweep& sweep, std::size_t first, std::size_t e
     for (std::size_t bin = first; bin < end; ++bin) place(sweep, bin, bands_[bin - first]);
 }
 
-// Sorted by band, then as the crowns are, so that sums do not depend on threads.
+// Sorted by all that tells crowns apart, so that sums do not depend on threads.
 void CrownBatch::place(const CrownSweep& sweep, std::size_t bin, Bands& bands) {
     const glm::dvec2 away = sweep.away(bin), right(-away.y, away.x);
     const glm::dvec2 corner(sweep.grid().westM, sweep.grid().southM);
@@ -141,7 +146,9 @@ void CrownBatch::place(const CrownSweep& sweep, std::size_t bin, Bands& bands) {
     }
     bands.lowest = lowest;
     const auto bandOf = [&](const PlacedCrown& crown) { return std::size_t((crown.aside - lowest) / bandM); };
-    std::ranges::stable_sort(bands.crowns, {}, bandOf);
+    std::ranges::sort(bands.crowns, {}, [&](const PlacedCrown& crown) {
+        return std::tuple(bandOf(crown), crown.ahead, crown.crown);
+    });
     bands.first.assign(std::size_t((highest - lowest) / bandM) + 2, 0);
     for (const PlacedCrown& crown : bands.crowns) ++bands.first[bandOf(crown) + 1];
     for (std::size_t band = 1; band < bands.first.size(); ++band) bands.first[band] += bands.first[band - 1];
@@ -192,7 +199,7 @@ void CrownBatch::setGround(BlockView& view, const BlockGround& ground) {
 
 // Whether any cell sees a sun.
 bool CrownBatch::findVisible(BlockView& view) {
-    bool any = false;
+    std::size_t lowestVisible = view.levels.size();
     for (std::size_t row = 0; row < rowCells; ++row) {
         touchedFrom_[row] = touchedTo_[row] = 0;
         const std::uint16_t receivers = (*view.masks)[row];
@@ -201,9 +208,11 @@ bool CrownBatch::findVisible(BlockView& view) {
         const auto first = std::ranges::find_if(
             view.levels, [&](const CrownLevel& level) { return level.belowCode > lowest; });
         view.visible[row] = std::size_t(first - view.levels.begin());
-        any = any || first != view.levels.end();
+        lowestVisible = std::min(lowestVisible, view.visible[row]);
     }
-    return any;
+    if (lowestVisible == view.levels.size()) return false;
+    view.lowestTan = view.levels[lowestVisible].tan;
+    return true;
 }
 
 void CrownBatch::addCrowns(const Bands& bands, const BlockView& view) {
@@ -213,9 +222,17 @@ void CrownBatch::addCrowns(const Bands& bands, const BlockView& view) {
     const int bandCount = int(bands.first.size()) - 1;
     const int firstBand = std::max(0, int(std::floor((low - bands.lowest) / bandM)));
     const int lastBand = std::min(bandCount - 1, int(std::floor((high - bands.lowest) / bandM)));
-    for (int band = firstBand; band <= lastBand; ++band)
-        for (std::uint32_t i = bands.first[std::size_t(band)]; i < bands.first[std::size_t(band) + 1]; ++i)
-            addCrown(bands.crowns[i], view);
+    const float nearest = BlockView::lowest(view.ahead, view.aheadPerRow, view.aheadPerCell) - widest;
+    const float reachM = std::max(0.0F, float(sweep_->highestM()) - view.lowestM) / view.lowestTan;
+    const float farthest =
+        BlockView::highest(view.ahead, view.aheadPerRow, view.aheadPerCell) + widest + reachM;
+    for (int band = firstBand; band <= lastBand; ++band) {
+        const auto crowns = std::span(bands.crowns)
+                                .subspan(bands.first[std::size_t(band)],
+                                         bands.first[std::size_t(band) + 1] - bands.first[std::size_t(band)]);
+        auto crown = std::ranges::lower_bound(crowns, nearest, {}, &PlacedCrown::ahead);
+        for (; crown != crowns.end() && crown->ahead <= farthest; ++crown) addCrown(*crown, view);
+    }
 }
 
 void CrownBatch::countRow(std::size_t row, std::size_t blockIndex, const BlockView& view, CrownSums& sums) {
@@ -258,24 +275,24 @@ void CrownBatch::addCrown(const PlacedCrown& placed, const BlockView& view) {
     const float nearest = placed.ahead - BlockView::highest(view.ahead, view.aheadPerRow, view.aheadPerCell);
     const float farthest = placed.ahead - BlockView::lowest(view.ahead, view.aheadPerRow, view.aheadPerCell);
     const float overM = float(crown.topM - sweep_->datumM()) - view.lowestM;
-    if (farthest < -r || overM <= 0 || (nearest - r) * view.levels.front().tan > overM) return;
+    if (farthest < -r || overM <= 0 || (nearest - r) * view.lowestTan > overM) return;
     for (int row = 0; row < int(rowCells); ++row) {
         const float aside = placed.aside - view.aside - view.asidePerRow * float(row);
         const float other = aside - view.asidePerCell * last;
         if (std::min(aside, other) > r || std::max(aside, other) < -r) continue;
-        addToRow(crown, view, row, placed.ahead - view.ahead - view.aheadPerRow * float(row), aside);
+        addToRow(placed.crown, view, row, placed.ahead - view.ahead - view.aheadPerRow * float(row), aside);
     }
 }
 
 // At the levels whose rays from some cell of the row may meet the crown.
-void CrownBatch::addToRow(const Crown& crown, const BlockView& view, int row, float distance, float aside) {
-    CrownOnRow on = shapeOf(crown, sweep_->datumM());
+void CrownBatch::addToRow(std::size_t crown, const BlockView& view, int row, float distance, float aside) {
+    CrownOnRow on = sweep_->shape(crown);
     on.distance = distance;
     on.distanceStep = -view.aheadPerCell;
     on.aside = aside;
     on.asideStep = -view.asidePerCell;
     if (view.groundM != nullptr) on.groundM = view.groundM[row].values;
-    const auto r = float(crown.radiusM);
+    const auto r = float(sweep_->crowns()[crown].radiusM);
     const float other = distance + on.distanceStep * float(rowCells - 1);
     const float nearest = std::min(distance, other) - r, farthest = std::max(distance, other) + r;
     if (farthest <= 0) return;

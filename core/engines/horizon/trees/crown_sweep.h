@@ -52,15 +52,19 @@ public:
     [[nodiscard]] glm::dvec2 away(std::size_t bin) const { return away_[bin]; }
     [[nodiscard]] const Grid& grid() const { return grid_; }
     [[nodiscard]] double datumM() const { return datumM_; }
-    [[nodiscard]] double widestM() const { return widestM_; }  ///< the largest radius
+    [[nodiscard]] double widestM() const { return widestM_; }    ///< the largest radius
+    [[nodiscard]] double highestM() const { return highestM_; }  ///< the highest top above the datum
+    /// The crown's quadric, but for where it stands before a row.
+    [[nodiscard]] const CrownOnRow& shape(std::size_t crown) const { return shapes_[crown]; }
 
 private:
     std::vector<Crown> crowns_;
+    std::vector<CrownOnRow> shapes_;
     std::vector<std::vector<CrownLevel>> levels_;  // one list a bin, from the lowest sun up
     std::vector<glm::dvec2> away_;
     Grid grid_;
     double datumM_;
-    double widestM_ = 0;
+    double widestM_ = 0, highestM_ = 0;
 };
 
 /// The crowns at one bin after the other. Reuses its memory; one per thread.
@@ -87,7 +91,7 @@ private:
         float aside, ahead;  ///< across the azimuth, and along it towards the sun, from the grid's corner
         std::uint32_t crown;
     };
-    /// Those of one bin, by bands across the azimuth.
+    /// Those of one bin, by bands across the azimuth, in each from the farthest from the sun on.
     struct Bands {
         float lowest = 0;
         std::vector<std::uint32_t> first;  // of each band, and the end
@@ -105,7 +109,7 @@ private:
     bool findVisible(BlockView& view);
     void addCrowns(const Bands& bands, const BlockView& view);
     void addCrown(const PlacedCrown& placed, const BlockView& view);
-    void addToRow(const Crown& crown, const BlockView& view, int row, float distance, float aside);
+    void addToRow(std::size_t crown, const BlockView& view, int row, float distance, float aside);
     void touch(int row, std::size_t first, std::size_t end);
     void countRow(std::size_t row, std::size_t blockIndex, const BlockView& view, CrownSums& sums);
     void takeGap(const HiddenGap& gap, std::size_t row, std::size_t cell, const BlockView& view,
