@@ -127,8 +127,13 @@ std::string describeForecast(double seconds) {
                                 : fmt::format("about {:.0f} min", seconds / minute);
 }
 
-tl::expected<std::shared_ptr<const Answer>, Failure> measurePlaces(const ByPlaceOptions& options,
-                                                                   const Console& console) {
+/// The answer, and how its files look.
+struct MeasuredPlaces {
+    std::shared_ptr<const Answer> answer;
+    BookSettings book;
+};
+
+tl::expected<MeasuredPlaces, Failure> measurePlaces(const ByPlaceOptions& options, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
     const auto request = parseStudyRequest(options.study, byPlaceFileNames(options.sheets.wanted), progress,
@@ -140,21 +145,25 @@ tl::expected<std::shared_ptr<const Answer>, Failure> measurePlaces(const ByPlace
         console.err << fmt::format("Sun of {} places: {}\n", withCommas(asked->places.size()),
                                    describeForecast(seconds));
     };
-    return orCode(byPlaceQuestion().compute(*asked, progress, interrupt.token()), exitFailed);
+    auto book = orCode(bookSettingsOf(options.sheets, sheetsOf(*request)), exitUsage);
+    if (!book) return tl::make_unexpected(book.error());
+    return orCode(byPlaceQuestion().compute(*asked, progress, interrupt.token()), exitFailed)
+        .map([&](std::shared_ptr<const Answer> answer) {
+            return MeasuredPlaces{std::move(answer), *std::move(book)};
+        });
 }
 
-Result<std::vector<std::filesystem::path>> writeFiles(const Answer& answer, const ByPlaceOptions& options) {
+Result<std::vector<std::filesystem::path>> writeFiles(const MeasuredPlaces& measured,
+                                                      const ByPlaceOptions& options) {
     const OffscreenQt qt;
-    const SunByPlace& sun = answer.as<SunOfCities>()->baseline;
-    const auto book = bookSettingsOf(options.sheets, {});
-    if (!book) return tl::make_unexpected(book.error());
+    const SunByPlace& sun = measured.answer->as<SunOfCities>()->baseline;
     AnswerFiles how;
     how.sheets = options.sheets.wanted;
-    how.book = *book;
+    how.book = measured.book;
     how.legend = options.colours.legend;
     how.thresholdHours = options.colours.thresholdHours;
     how.rules = outputRulesOf(options.study, sun.provenance.inputs);
-    return answer.write(sun.city, options.study.out, how);
+    return measured.answer->write(sun.city, options.study.out, how);
 }
 
 std::string describeSun(const SunOfPlace& of) {
@@ -234,14 +243,14 @@ void printSun(const SunOfCities& all, const std::vector<std::filesystem::path>& 
 }
 
 int runByPlace(const ByPlaceOptions& options, const Console& console) {
-    const auto answer = measurePlaces(options, console);
-    if (!answer) return fail(console, answer.error().error, answer.error().code);
-    const auto files = writeFiles(**answer, options);
+    const auto measured = measurePlaces(options, console);
+    if (!measured) return fail(console, measured.error().error, measured.error().code);
+    const auto files = writeFiles(*measured, options);
     if (!files) return fail(console, files.error(), exitFailed);
     if (options.study.json)
-        console.out << (*answer)->json() << '\n';
+        console.out << measured->answer->json() << '\n';
     else
-        printSun(*(*answer)->as<SunOfCities>(), *files, console.out);
+        printSun(*measured->answer->as<SunOfCities>(), *files, console.out);
     return exitOk;
 }
 
