@@ -1,5 +1,8 @@
 #include "core/sun/period_fields.h"
 
+#include <array>
+#include <cmath>
+
 #include "core/describe/text.h"
 
 namespace noonmark {
@@ -14,6 +17,26 @@ std::string formatOffsets(const SolarHours& window) {
     SolarHours offsets = window;
     offsets.rule = SunriseRule::upperLimb;
     return formatText(offsets);
+}
+
+constexpr std::array sunriseChoices{
+    Choice{SunriseRule::upperLimb, "upper limb", NM_TEXT("first light of the disc (-0.833°)")},
+    Choice{SunriseRule::centre, "centre", NM_TEXT("middle of the disc (0°)")}};
+
+constexpr ValueRange offsetHours{0, 12};
+
+double hoursOf(std::chrono::minutes minutes) { return double(minutes.count()) / 60; }
+
+template <std::chrono::minutes SolarHours::*member>
+Value getOffset(const SolarHours& window) {
+    return hoursOf(window.*member);
+}
+
+template <std::chrono::minutes SolarHours::*member>
+Result<void> setOffset(SolarHours& window, const Value& value) {
+    if (const auto* hours = std::get_if<double>(&value))
+        window.*member = std::chrono::minutes(std::lround(*hours * 60));
+    return {};
 }
 
 Value getCentre(const Period& period) { return period.window && period.window->rule == SunriseRule::centre; }
@@ -98,6 +121,33 @@ const Fields<Period>& periodFields() {
                                     .label = NM_TEXT("Sun as seen through the air"),
                                     .help = "Use the geometric position of the sun, as planning rules do"}),
     };
+    return fields;
+}
+
+const Fields<SolarHours>& solarHoursFields() {
+    static const Fields<SolarHours> fields{
+        derivedField(ValueKind::number, &getOffset<&SolarHours::afterSunrise>,
+                     &setOffset<&SolarHours::afterSunrise>,
+                     {.key = "after_sunrise_h",
+                      .flag = "--after-sunrise",
+                      .label = NM_TEXT("After sunrise"),
+                      .help = NM_TEXT("The window begins this many hours after sunrise"),
+                      .unit = "h",
+                      .range = offsetHours}),
+        derivedField(ValueKind::number, &getOffset<&SolarHours::beforeSunset>,
+                     &setOffset<&SolarHours::beforeSunset>,
+                     {.key = "before_sunset_h",
+                      .flag = "--before-sunset",
+                      .label = NM_TEXT("Before sunset"),
+                      .help = NM_TEXT("The window ends this many hours before sunset"),
+                      .unit = "h",
+                      .range = offsetHours}),
+        choiceField(&SolarHours::rule, sunriseChoices,
+                    {.key = "sunrise_rule",
+                     .flag = "--sunrise-rule",
+                     .label = NM_TEXT("Sunrise at"),
+                     .help = NM_TEXT("Which moment counts as sunrise and sunset: the altitude of the sun's "
+                                     "centre")})};
     return fields;
 }
 

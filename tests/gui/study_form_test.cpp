@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -12,6 +13,7 @@
 #include "app/gui/base/looks/language.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/docks/study_form/accuracy_choice.h"
+#include "app/gui/docks/study_form/period_form.h"
 #include "app/gui/docks/study_form/period_preset.h"
 #include "app/gui/docks/study_form/rule_period.h"
 #include "app/gui/docks/study_form/run_forecast.h"
@@ -34,6 +36,26 @@ using test::waitFor;
 constexpr CivilDate anyDay{2026y, std::chrono::August, 3d};
 
 Period inLeapYear() { return {.start = {2028y, std::chrono::May, 4d}, .days = 3, .from = 8h, .hours = 4}; }
+
+TEST(PeriodForm, HoldsTheHoursFromSunriseToSunset) {
+    PeriodForm form;
+    Period period = inLeapYear();
+    period.window = SolarHours{90min, 45min, SunriseRule::centre};
+    form.show(period);
+    EXPECT_EQ(form.period().window, period.window);
+    const auto isShown = [&](const char* name) {
+        return form.findChild<QWidget*>(QLatin1String(name))->isVisibleTo(&form);
+    };
+    EXPECT_TRUE(isShown("afterSunrise"));
+    EXPECT_FALSE(isShown("from"));
+    const QSignalSpy edited(&form, &PeriodForm::edited);
+    form.findChild<QDoubleSpinBox*>(QStringLiteral("afterSunrise"))->setValue(2);
+    EXPECT_EQ(edited.count(), 1);
+    EXPECT_EQ(form.period().window->afterSunrise, 2h);
+    form.show(inLeapYear());
+    EXPECT_EQ(form.period(), inLeapYear());
+    EXPECT_TRUE(isShown("from"));
+}
 
 TEST(PeriodPresets, SetTheDaysAndLeaveTheHours) {
     const Period year = applied(PeriodPreset::year, inLeapYear(), anyDay, 40);

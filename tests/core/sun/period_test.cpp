@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "core/sun/period_fields.h"
+
 namespace noonmark {
 namespace {
 
@@ -102,6 +104,17 @@ TEST(SolarHoursText, SaysWhatItCannotRead) {
         ASSERT_FALSE(window) << text;
         EXPECT_THAT(window.error().text(), HasSubstr("Write it like"));
     }
+}
+
+// As a form fills them.
+TEST(SolarHours, AreFieldsInHoursThatComeBack) {
+    const SolarHours rule{90min, 45min, SunriseRule::centre};
+    SolarHours read;
+    for (const Field& field : solarHoursFields().rows())
+        ASSERT_TRUE(field.set(&read, field.get(&rule))) << field.key;
+    EXPECT_EQ(read, rule);
+    const auto first = solarHoursFields().rows().front();
+    EXPECT_EQ(first.get(&rule), Value(1.5));
 }
 
 }  // namespace

@@ -1,37 +1,19 @@
 #include "app/gui/docks/study_form/period_form.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <cmath>
 
 #include "app/gui/base/widgets/folded_section.h"
-#include "app/gui/base/widgets/number_fields.h"
 
 namespace noonmark {
 
-namespace {
-
-std::chrono::minutes minutesOf(double hours) { return std::chrono::minutes(std::lround(hours * 60)); }
-double hoursOf(std::chrono::minutes minutes) { return double(minutes.count()) / 60; }
-
-}  // namespace
-
-PeriodForm::PeriodForm(QWidget* parent) : QWidget(parent) {
-    makeFields();
+PeriodForm::PeriodForm(QWidget* parent)
+    : QWidget(parent), window_(new QCheckBox(tr("From sunrise to sunset"))) {
     placeFields();
     tell();
     show(Period{});
-}
-
-void PeriodForm::makeFields() {
-    window_ = new QCheckBox(tr("From sunrise to sunset"));
-    afterSunrise_ = numberField(0, 12, 2, 0.25, tr(" h"));
-    beforeSunset_ = numberField(0, 12, 2, 0.25, tr(" h"));
-    rule_ = new QComboBox;
-    rule_->addItems({tr("first light of the disc (-0.833°)"), tr("middle of the disc (0°)")});
 }
 
 void PeriodForm::placeFields() {
@@ -40,36 +22,18 @@ void PeriodForm::placeFields() {
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     rows_.addRows(*form, {"--start", "--days"});
     form->addRow(QString(), window_);
-    form->addRow(tr("After sunrise"), afterSunrise_);
-    form->addRow(tr("Before sunset"), beforeSunset_);
+    solar_.addRows(*form, {"--after-sunrise", "--before-sunset"});
     rows_.addRows(*form, {"--from", "--hours"});
     auto* details = new QWidget;
     auto* more = new QFormLayout(details);
     more->setContentsMargins(12, 0, 0, 0);
     rows_.addRows(*more, {"--zone", "--step"});
-    more->addRow(tr("Sunrise at"), rule_);
+    solar_.addRows(*more, {"--sunrise-rule"});
     rows_.addRows(*more, {"--no-refraction"});
     form->addRow(new FoldedSection(tr("Time zone and sun"), "periodDetails", details));
 }
 
-void PeriodForm::follow(QWidget* field, const char* name) {
-    const auto changed = [this, name] {
-        enableFields();
-        if (!showing_) Q_EMIT edited(QString::fromLatin1(name));
-    };
-    if (auto* number = qobject_cast<QDoubleSpinBox*>(field))
-        connect(number, &QDoubleSpinBox::valueChanged, this, changed);
-    if (auto* box = qobject_cast<QCheckBox*>(field)) connect(box, &QCheckBox::toggled, this, changed);
-    if (auto* combo = qobject_cast<QComboBox*>(field))
-        connect(combo, &QComboBox::currentIndexChanged, this, changed);
-}
-
 void PeriodForm::tell() {
-    const auto add = [this](QWidget* field, const char* name, const char* objectName, const QString& tip) {
-        field->setObjectName(QString::fromLatin1(objectName));
-        field->setToolTip(tip);
-        follow(field, name);
-    };
     const auto explain = [this](std::string_view flag, const QString& tip) {
         rows_.widget(flag)->setToolTip(tip);
     };
@@ -84,13 +48,16 @@ void PeriodForm::tell() {
                "position, as some rules require"));
     for (const auto& [flag, step] : {std::pair{"--hours", 0.5}, std::pair{"--step", 1.0}})
         qobject_cast<QDoubleSpinBox*>(rows_.widget(flag))->setSingleStep(step);
-    connect(&rows_, &FieldRows::edited, this, &PeriodForm::edited);
-    add(window_, "solar window", "solarWindow", tr("Use sunrise and sunset instead of clock times"));
-    add(afterSunrise_, "after sunrise", "afterSunrise",
-        tr("The window begins this many hours after sunrise"));
-    add(beforeSunset_, "before sunset", "beforeSunset", tr("The window ends this many hours before sunset"));
-    add(rule_, "sunrise rule", "sunriseRule",
-        tr("Which moment counts as sunrise and sunset: the altitude of the sun's centre"));
+    for (const char* flag : {"--after-sunrise", "--before-sunset"})
+        qobject_cast<QDoubleSpinBox*>(solar_.widget(flag))->setSingleStep(0.25);
+    for (const FieldRows* rows : {&rows_, &solar_})
+        connect(rows, &FieldRows::edited, this, &PeriodForm::edited);
+    window_->setObjectName(QStringLiteral("solarWindow"));
+    window_->setToolTip(tr("Use sunrise and sunset instead of clock times"));
+    connect(window_, &QCheckBox::toggled, this, [this] {
+        enableFields();
+        if (!showing_) Q_EMIT edited(QStringLiteral("solar window"));
+    });
 }
 
 void PeriodForm::enableFields() {
@@ -100,19 +67,16 @@ void PeriodForm::enableFields() {
         field->setVisible(shown);
         form->labelForField(field)->setVisible(shown);
     };
-    setShown(rows_.widget("--from"), !solar);
-    setShown(rows_.widget("--hours"), !solar);
-    setShown(afterSunrise_, solar);
-    setShown(beforeSunset_, solar);
-    rule_->setEnabled(solar);
+    for (const char* flag : {"--from", "--hours"}) setShown(rows_.widget(flag), !solar);
+    for (const char* flag : {"--after-sunrise", "--before-sunset"}) setShown(solar_.widget(flag), solar);
+    solar_.widget("--sunrise-rule")->setEnabled(solar);
 }
 
 Period PeriodForm::period() const {
     Period period;
     rows_.take(periodFields().of(period));
-    if (window_->isChecked())
-        period.window = SolarHours{minutesOf(afterSunrise_->value()), minutesOf(beforeSunset_->value()),
-                                   SunriseRule(rule_->currentIndex())};
+    if (!window_->isChecked()) return period;
+    solar_.take(solarHoursFields().of(period.window.emplace()));
     return period;
 }
 
@@ -120,10 +84,7 @@ void PeriodForm::show(const Period& period) {
     showing_ = true;
     rows_.show(periodFields().of(period));
     window_->setChecked(period.window.has_value());
-    const SolarHours window = period.window.value_or(SolarHours{});
-    afterSunrise_->setValue(hoursOf(window.afterSunrise));
-    beforeSunset_->setValue(hoursOf(window.beforeSunset));
-    rule_->setCurrentIndex(int(window.rule));
+    solar_.show(solarHoursFields().of(period.window.value_or(SolarHours{})));
     showing_ = false;
     enableFields();
 }

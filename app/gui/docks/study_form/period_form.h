@@ -6,9 +6,6 @@
 #include "core/sun/period_fields.h"
 
 class QCheckBox;
-class QComboBox;
-class QDoubleSpinBox;
-class QFormLayout;
 
 namespace noonmark {
 
@@ -25,17 +22,13 @@ Q_SIGNALS:
     void edited(QString field);  ///< the name of the field: "start date"
 
 private:
-    void makeFields();
     void placeFields();
     void tell();
-    void follow(QWidget* field, const char* name);
     void enableFields();
 
-    FieldRows rows_{periodFields().rows()};  ///< all but those of the sun's hours
+    FieldRows rows_{periodFields().rows()};
+    FieldRows solar_{solarHoursFields().rows()};  ///< of the hours from sunrise to sunset
     QCheckBox* window_;
-    QDoubleSpinBox* afterSunrise_;
-    QDoubleSpinBox* beforeSunset_;
-    QComboBox* rule_;
     bool showing_ = false;
 };
 
