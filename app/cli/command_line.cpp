@@ -8,6 +8,7 @@
 #include "app/cli/base/command.h"
 #include "app/cli/clean_output.h"
 #include "app/cli/commands/point_command.h"
+#include "app/cli/commands/question_commands.h"
 #include "app/cli/help_format.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/build_facts.h"
@@ -110,6 +111,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& given) {
         addTimelineCommand(app, run);
         addPointCommand(app, run);
         addReviewCommand(app, run);
+        addQuestionCommands(app, run);
         addVerifyCommand(app, run);
         addEnginesCommand(app, run);
         addDevicesCommand(app, run);

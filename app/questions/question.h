@@ -73,6 +73,11 @@ struct Question {
     /// None: its saved results come back as the numbers of `figures`, without a page.
     std::optional<SavedForm> saved{};
     std::span<const Figure> figures{};  ///< of a kind that savedKinds() lacks
+    /// In a sentence, NM_TEXT: it asks for a city and the study's settings alone, so that a command of its
+    /// key and an entry of the menu Study ask it. Empty: it has a command and a place in the window of its
+    /// own.
+    std::string_view help{};
+    std::vector<std::string> fileNames{};  ///< that its answers write, where it has `help`
 };
 
 /// What can be asked, in one list: it reads saved results back.

@@ -12,6 +12,7 @@ namespace noonmark {
 namespace {
 
 using test::GlazingReviewWindow;
+using test::waitFor;
 
 TEST_F(GlazingReviewWindow, ARuleAboutWindowsAsksForWindowsInsteadOfPlaces) {
     EXPECT_TRUE(windows().applies());

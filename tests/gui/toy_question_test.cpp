@@ -1,90 +1,22 @@
 #include <gmock/gmock.h>
 
 #include <QComboBox>
-#include <fstream>
+#include <QMenu>
 
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/report/files/read_report.h"
 #include "tests/gui/answers_window.h"
+#include "tests/shared/toy_question.h"
 
-// A question that nobody has written a line for outside this file is asked, shown, exported, saved, marked as
-// outdated, listed, shown again and printed by the window.
+// A question that nobody has written a line for outside its file is listed in the menu, asked, shown,
+// exported, saved, marked as outdated, listed, shown again and printed by the window; by the command line,
+// see tests/cli/question_commands_test.cpp.
 namespace noonmark::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-struct Toy {
-    StudySettings settings;
-    std::string scenario;
-    double treesFelled = 0;
-};
-
-const Figures<Toy>& toyFigures() {
-    static const Figures<Toy> figures{figure(
-        &Toy::treesFelled, {.key = "trees_felled", .label = "Trees felled", .definition = "by a toy"})};
-    return figures;
-}
-
-const Question& toyQuestion();
-
-class ToyAnswer final : public AnswerOf<Toy> {
-public:
-    using AnswerOf<Toy>::AnswerOf;
-    [[nodiscard]] const Question& question() const override { return toyQuestion(); }
-    [[nodiscard]] const StudySettings* settings() const override { return &content().settings; }
-    [[nodiscard]] MeasuredPart part() const override {
-        return {content().scenario, {}, content().settings.region, {}};
-    }
-    [[nodiscard]] const Warnings& warnings() const override { return warnings_; }
-    [[nodiscard]] double seconds() const override { return 0; }
-    [[nodiscard]] std::vector<FigureLine> figures() const override {
-        return listLines(toyFigures().of(content()));
-    }
-    [[nodiscard]] std::shared_ptr<const Answer> updated(const Project&, const std::string&,
-                                                        const std::string&) const override {
-        return nullptr;
-    }
-    [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance) const override {
-        return std::make_shared<ToyAnswer>(shared());
-    }
-    [[nodiscard]] std::string json() const override { return figuresJson(toyFigures().of(content())).dump(); }
-    [[nodiscard]] SavedResult toSave(const Project&) const override {
-        return {.name = {},
-                .kind = "toy",
-                .scenario = content().scenario,
-                .settings = json(),
-                .grid = {0, 0, 1, 1, 1}};
-    }
-    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
-        return {"toy.json"};
-    }
-    [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
-                                                                   const std::filesystem::path& folder,
-                                                                   const AnswerFiles&) const override {
-        std::filesystem::create_directories(folder);
-        std::ofstream(folder / "toy.json") << json();
-        return std::vector{folder / "toy.json"};
-    }
-
-private:
-    Warnings warnings_;
-};
-
-const Question& toyQuestion() {
-    static const Question question{
-        .key = "toy",
-        .label = "Toy",
-        .compute = [](const Asked& asked, Progress&,
-                      const std::stop_token&) -> Result<std::shared_ptr<const Answer>> {
-            return std::make_shared<ToyAnswer>(std::make_shared<const Toy>(
-                Toy{asked.settings, asked.scenario, double(asked.loaded.read.city.buildings.size())}));
-        },
-        .figures = toyFigures().rows()};
-    return question;
-}
 
 struct ToyQuestion : AnswersWindow {
     void SetUp() override {
@@ -95,6 +27,19 @@ struct ToyQuestion : AnswersWindow {
         ASSERT_TRUE(waitFor([this] { return workbench().answerAs<Toy>() != nullptr; }));
     }
 };
+
+TEST_F(ToyQuestion, IsAskedFromTheMenu) {
+    workbench().showStudyAgain();
+    auto* menu = window->findChild<QMenu*>(QStringLiteral("questions"));
+    ASSERT_NE(menu, nullptr);
+    EXPECT_FALSE(menu->menuAction()->isVisible()) << "all shipped questions have a place of their own";
+    Q_EMIT qobject_cast<QMenu*>(menu->parent())->aboutToShow();
+    EXPECT_TRUE(menu->menuAction()->isVisible());
+    ASSERT_EQ(menu->actions().size(), 1);
+    EXPECT_EQ(menu->actions()[0]->text(), QStringLiteral("Toy"));
+    menu->actions()[0]->trigger();
+    EXPECT_TRUE(waitFor([this] { return workbench().answerAs<Toy>() != nullptr; }));
+}
 
 TEST_F(ToyQuestion, IsShownWithItsFigures) {
     const auto& rows = window->findChild<ResultsDock*>()->rows();

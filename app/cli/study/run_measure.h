@@ -19,7 +19,7 @@ struct Measure {
     std::function<Result<void>(const Project&, Asked&)>
         complete{};  ///< what else it asks for; empty: nothing
     /// The names of its files: provenance states the region.
-    std::vector<std::string> (*fileNames)(const Provenance&, bool withSheets);
+    std::function<std::vector<std::string>(const Provenance&, bool withSheets)> fileNames;
     std::function<ChangeScale(const Project&)> scale{};  ///< of a comparison's picture
     void (*print)(const Answer&, std::ostream&);
 };

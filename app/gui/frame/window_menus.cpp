@@ -63,6 +63,7 @@ void fillStudyMenu(QMenu& menu, const WindowActions& actions) {
     menu.addSeparator();
     menu.addActions(actions.places.actions());
     menu.addActions(actions.review.actions());
+    actions.study.listQuestions(*menu.addMenu(QObject::tr("As&k")));
     menu.addSeparator();
     menu.addActions(actions.study.measureActions());
 }

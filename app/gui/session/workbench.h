@@ -50,6 +50,7 @@ public:
     void runAgain();
     /// What can be asked, for saved results; the questions and their list must outlive the workbench.
     void setQuestions(Questions questions) { questions_ = questions; }
+    [[nodiscard]] Questions questions() const { return questions_; }
     /// Asks a question, which must outlive the workbench. `weights`: the name of the table of a score.
     void ask(const Question& question, const std::string& weights = {});
     /// Asks for the score of the displayed scenario with a weight table of the project.

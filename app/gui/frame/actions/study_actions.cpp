@@ -1,8 +1,10 @@
 #include "app/gui/frame/actions/study_actions.h"
 
+#include <QMenu>
 #include <algorithm>
 
 #include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/translated.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/docks/study_form/study_dock.h"
@@ -73,6 +75,21 @@ void StudyActions::goToRegion() {
     const Box2 box = bounds(region);
     const glm::vec2 border = (box.high - box.low) * aroundRegion;
     panel_.navigator().show({box.low - border, box.high + border});
+}
+
+void StudyActions::listQuestions(QMenu& menu) const {
+    menu.setObjectName(QStringLiteral("questions"));
+    menu.menuAction()->setVisible(false);
+    connect(qobject_cast<QMenu*>(menu.parent()), &QMenu::aboutToShow, &menu, [this, &menu] {
+        menu.clear();
+        for (const Question* question : workbench_.questions()) {
+            if (question->help.empty()) continue;
+            QAction* entry = menu.addAction(translated(question->label));
+            entry->setStatusTip(translated(question->help));
+            connect(entry, &QAction::triggered, &workbench_, [this, question] { workbench_.ask(*question); });
+        }
+        menu.menuAction()->setVisible(!menu.isEmpty());
+    });
 }
 
 void StudyActions::setPeriod(const Period& period) {

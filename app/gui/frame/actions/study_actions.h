@@ -6,6 +6,7 @@
 #include "core/sun/period.h"
 
 class QAction;
+class QMenu;
 
 namespace noonmark {
 
@@ -28,6 +29,8 @@ public:
     void listenTo(StudyDock& study, ProjectDock& tree, WeightsDock& weights);
 
     [[nodiscard]] QList<QAction*> runActions() const { return {run_, cancel_}; }
+    /// Puts the questions that need no form of their own (Question::help) into a menu whenever it is shown.
+    void listQuestions(QMenu& menu) const;
     [[nodiscard]] QList<QAction*> measureActions() const { return {gross_, continuous_}; }
 
     /// A result that took at most this many seconds is recomputed without asking.
