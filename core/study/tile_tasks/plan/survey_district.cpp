@@ -74,13 +74,30 @@ Box2 reachingBox(const Box2& region, const InputsScan& scan, const City& ground,
     return grown(box, borderM);
 }
 
+// Shadows of the dates of sun by place may reach farther than those of the period.
+Result<void> addDates(SunSteps& sun, const ByPlaceRequest& request, Period day, const Observer& observer,
+                      const std::stop_token& stop) {
+    day.days = 1;
+    for (const CivilDate& date : request.settings.dates) {
+        day.start = date;
+        const auto ofDay = computeSunSteps(day, observer, stop);
+        if (!ofDay) return tl::make_unexpected(ofDay.error());
+        sun.steps.insert(sun.steps.end(), ofDay->steps.begin(), ofDay->steps.end());
+    }
+    return {};
+}
+
 Result<SunSteps> sunOver(const City& ground, const TaskPlanRequest& request, const Region& region,
                          const std::stop_token& stop) {
     StudySettings settings = request.settings;
     settings.region = region;
     const Observer observer =
         request.timelines == nullptr ? makeObserver(ground, settings) : observerOfPlaces(ground);
-    return computeDaylightSteps(settings.period, observer, stop);
+    auto sun = computeDaylightSteps(settings.period, observer, stop);
+    if (sun && request.byPlace != nullptr)
+        if (auto added = addDates(*sun, *request.byPlace, settings.period, observer, stop); !added)
+            return tl::make_unexpected(added.error());
+    return sun;
 }
 
 Result<std::vector<Place>> placesOver(const Frame& frame, const TaskPlanRequest& request, Progress& progress,
