@@ -203,6 +203,38 @@
         <source>The dock Scenarios says why in the row of each</source>
         <translation>Das Feld Szenarien nennt in jeder Zeile den Grund</translation>
     </message>
+    <message>
+        <source>The folder holds no buildings</source>
+        <translation>Der Ordner enthält keine Gebäude</translation>
+    </message>
+    <message>
+        <source>Choose a folder of footprints, city models or meshes</source>
+        <translation>Einen Ordner mit Grundrissen, Stadtmodellen oder 3D-Modellen wählen</translation>
+    </message>
+    <message>
+        <source>The city has a terrain already</source>
+        <translation>Die Stadt hat schon ein Gelände</translation>
+    </message>
+    <message>
+        <source>Open the city without it first</source>
+        <translation>Zuerst die Stadt ohne das Gelände öffnen</translation>
+    </message>
+    <message>
+        <source>A terrain can be added to city files only, before they are saved as a project</source>
+        <translation>Ein Gelände kann nur zu Stadtdateien hinzugefügt werden, bevor sie als Projekt gespeichert sind</translation>
+    </message>
+    <message>
+        <source>Open the city files and the terrain together</source>
+        <translation>Die Stadtdateien und das Gelände zusammen öffnen</translation>
+    </message>
+    <message>
+        <source>The city has an aerial photograph already</source>
+        <translation>Die Stadt hat schon ein Luftbild</translation>
+    </message>
+    <message>
+        <source>Remove it first: File &gt; Aerial photograph</source>
+        <translation>Es zuerst entfernen: Datei &gt; Luftbild</translation>
+    </message>
 </context>
 <context>
     <name>FieldText</name>
@@ -313,6 +345,117 @@
     <message>
         <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, the verdicts of a board&apos;s rule, or the hours of sun of places.</source>
         <translation>Was die Untersuchung beantwortet: Minuten im Schatten, die Änderung durch ein Szenario, eine Bewertung erwünschten und unerwünschten Schattens, die Befunde nach der Regel einer Behörde oder die Sonnenstunden von Orten.</translation>
+    </message>
+</context>
+<context>
+    <name>KeySheet</name>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>left or middle drag</source>
+        <translation>Ziehen mit linker oder mittlerer Taste</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>right drag, Shift+drag, arrow keys</source>
+        <translation>Ziehen mit rechter Taste, Umschalt+Ziehen, Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Zoom to the cursor</source>
+        <translation>Zum Zeiger hin vergrößern</translation>
+    </message>
+    <message>
+        <source>wheel, + and -</source>
+        <translation>Mausrad, + und -</translation>
+    </message>
+    <message>
+        <source>Menu of what is there</source>
+        <translation>Menü dessen, was dort ist</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>Gebäude</translation>
+    </message>
+    <message>
+        <source>Select; another too</source>
+        <translation>Auswählen; ein weiteres dazu</translation>
+    </message>
+    <message>
+        <source>click; Ctrl+click</source>
+        <translation>Klick; Strg+Klick</translation>
+    </message>
+    <message>
+        <source>Select all in a rectangle</source>
+        <translation>Alle in einem Rechteck auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+drag</source>
+        <translation>Strg+Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>Change the height</source>
+        <translation>Die Höhe ändern</translation>
+    </message>
+    <message>
+        <source>drag the arrow, or type the height and press Enter</source>
+        <translation>am Pfeil ziehen, oder die Höhe eingeben und Eingabe drücken</translation>
+    </message>
+    <message>
+        <source>Deselect</source>
+        <translation>Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>A corner</source>
+        <translation>Eine Ecke</translation>
+    </message>
+    <message>
+        <source>click; with Shift at right angles, with Ctrl without snapping</source>
+        <translation>Klick; mit Umschalt rechtwinklig, mit Strg ohne Einrasten</translation>
+    </message>
+    <message>
+        <source>A side of a stated length</source>
+        <translation>Eine Seite mit angegebener Länge</translation>
+    </message>
+    <message>
+        <source>type it and press Enter</source>
+        <translation>sie eingeben und Eingabe drücken</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>double click, Enter or right click</source>
+        <translation>Doppelklick, Eingabe oder Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Remove the last corner; cancel</source>
+        <translation>Letzte Ecke entfernen; abbrechen</translation>
+    </message>
+    <message>
+        <source>Backspace; Esc</source>
+        <translation>Rücktaste; Esc</translation>
     </message>
 </context>
 <context>
@@ -886,10 +1029,6 @@ mit %2</translation>
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source> M rays/s</source>
-        <translation> M Strahlen/s</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -1254,34 +1393,14 @@ Zellen von %2 m</translation>
         <translation>gesamt %1 min am Tag</translation>
     </message>
     <message>
-        <source>Exploration</source>
-        <translation>Erkundung</translation>
-    </message>
-    <message>
-        <source>Analysis</source>
-        <translation>Analyse</translation>
-    </message>
-    <message>
         <source>Ray reference</source>
         <translation>Strahlreferenz</translation>
-    </message>
-    <message>
-        <source>Shadow on all visible surfaces: ground, roofs and facades.
-Updated when the view or the period changes, coarse at first, then pixel by pixel.</source>
-        <translation>Schatten auf allen sichtbaren Flächen: Boden, Dächern und Fassaden.
-Wird erneuert, wenn sich Ansicht oder Zeitraum ändern, erst grob, dann Pixel für Pixel.</translation>
     </message>
     <message>
         <source>Shadow on the ground of the region, cell by cell, with figures, report and files.
 Computed by the engine of the study when you press Run.</source>
         <translation>Schatten auf dem Boden des Gebiets, Zelle für Zelle, mit Zahlen, Bericht und Dateien.
 Wird mit dem Verfahren der Untersuchung berechnet, wenn Sie Berechnen drücken.</translation>
-    </message>
-    <message>
-        <source>Like the analysis, but with one ray per cell and minute:
-the slow, exact reference for the other engines.</source>
-        <translation>Wie die Analyse, aber mit einem Strahl je Zelle und Minute:
-die langsame, genaue Referenz für die anderen Verfahren.</translation>
     </message>
     <message>
         <source>in the middle of the picture</source>
@@ -1756,10 +1875,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>Änderung durch den Entwurf gegenüber %1: %2</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side, with Ctrl without snapping, or type the length of a side and press Enter; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels. Ctrl+Shift+L edits the corners and sides of a lot.</source>
-        <translation>Ziehen mit der linken oder mittleren Taste dreht, mit der rechten oder mit Umschalt verschiebt; ein Rechtsklick öffnet ein Menü, das Rad zoomt zum Mauszeiger. Pfeiltasten verschieben, + und - zoomen. Pos1: ganze Stadt. N: Norden oben. T: Draufsicht. Umschalt+S, E, N, W: von einer Seite. U: von der Sonne. O: Parallelprojektion. Umschalt+P: Grundriss. R: Gebiet. Umschalt+M: messen. Umschalt+X: Schnittbox. B: volle Gebäude oder Drahtmodell. G: Karte auf dem Boden. D: Sonnenbahnkuppel. C: das andere Szenario, Umschalt+C: nebeneinander, Umschalt+D: wischen. Umschalt+L: Live-Änderung, Umschalt+F: Live-Fassaden. F5: Erkundung, F6: Analyse, F7: Strahlreferenz. Strg+R: berechnen. Ein Gebäude anklicken wählt es aus (Strg+Klick: ein weiteres dazu, Ziehen mit Strg+Umschalt: alle in einem Rechteck): am Pfeil ziehen oder die Höhe tippen und Eingabe drücken; Entf reißt es ab, M verschiebt es, Strg+T ersetzt es durch einen Turm, Esc hebt die Auswahl auf. Ein Gebiet oder Grundstück zeichnen (Strg+L): Ecken anklicken, mit Umschalt rechtwinklig zur letzten Seite, mit Strg ohne Einrasten, oder die Länge einer Seite tippen und Eingabe drücken; Doppelklick, Eingabe oder Rechtsklick beendet, Rücktaste entfernt die letzte Ecke, Esc bricht ab. Strg+Umschalt+L bearbeitet Ecken und Seiten eines Grundstücks.</translation>
-    </message>
-    <message>
         <source>corner</source>
         <translation>Ecke</translation>
     </message>
@@ -2130,6 +2245,113 @@ Die Untersuchung: %2</translation>
     <message>
         <source> (top: %1)</source>
         <translation> (oberstes: %1)</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>Hides these panels, for more of the view, and shows them again</source>
+        <translation>Verbirgt diese Felder für mehr Platz in der Ansicht und zeigt sie wieder</translation>
+    </message>
+    <message>
+        <source>Panels at the left</source>
+        <translation>Felder links</translation>
+    </message>
+    <message>
+        <source>Panels at the right</source>
+        <translation>Felder rechts</translation>
+    </message>
+    <message>
+        <source>Panels below</source>
+        <translation>Felder unten</translation>
+    </message>
+    <message>
+        <source>As&amp;k</source>
+        <translation>&amp;Fragen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1-%2 % {1 ?}</translation>
+    </message>
+    <message>
+        <source>takes %1 min of sun a day, %2 % of its shadow</source>
+        <translation>nimmt %1 min Sonne am Tag, %2 % seines Schattens</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>%1: %2 compared with %3</source>
+        <translation>%1: %2 verglichen mit %3</translation>
+    </message>
+    <message>
+        <source>%1 million rays a second</source>
+        <translation>%1 Millionen Strahlen je Sekunde</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Sun and shadow of a moment or a period on all visible surfaces: ground, roofs and facades.
+Updated when the view or the time changes, coarse at first, then pixel by pixel.</source>
+        <translation>Sonne und Schatten eines Zeitpunkts oder Zeitraums auf allen sichtbaren Flächen: Boden, Dächern und Fassaden.
+Aktualisiert, wenn sich Ansicht oder Zeit ändern, zuerst grob, dann Pixel für Pixel.</translation>
+    </message>
+    <message>
+        <source>Verdicts by the rules of review boards, of a proposal or of the existing city.
+Opens the panel Review.</source>
+        <translation>Befunde nach den Regeln von Behörden, zu einem Entwurf oder zum Bestand.
+Öffnet das Feld Prüfung.</translation>
+    </message>
+</context>
+<context>
+    <name>StartQuestion</name>
+    <message>
+        <source>How sunny are our parks and streets?</source>
+        <translation>Wie sonnig sind unsere Parks und Straßen?</translation>
+    </message>
+    <message>
+        <source>Hours of sun by place and month, and what lies below a threshold</source>
+        <translation>Sonnenstunden nach Ort und Monat, und was unter einer Schwelle liegt</translation>
+    </message>
+    <message>
+        <source>What would a tower change?</source>
+        <translation>Was würde ein Turm ändern?</translation>
+    </message>
+    <message>
+        <source>New shadow, the worst spot and the places it reaches, live while you drag</source>
+        <translation>Neuer Schatten, die am stärksten betroffene Stelle und die erreichten Orte, live beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Does this proposal pass the rules?</source>
+        <translation>Erfüllt dieser Entwurf die Regeln?</translation>
+    </message>
+    <message>
+        <source>Verdicts by the rules of review boards, the site&apos;s first, and a book to file</source>
+        <translation>Befunde nach den Regeln von Behörden, die des Standorts zuerst, und ein Berichtsheft zum Einreichen</translation>
+    </message>
+    <message>
+        <source>Which facades and windows get sun?</source>
+        <translation>Welche Fassaden und Fenster bekommen Sonne?</translation>
+    </message>
+    <message>
+        <source>Hours of sun and daylight at points of the facades</source>
+        <translation>Sonnenstunden und Tageslicht an Punkten der Fassaden</translation>
+    </message>
+    <message>
+        <source>Is the shade where we want it?</source>
+        <translation>Ist der Schatten dort, wo wir ihn wollen?</translation>
+    </message>
+    <message>
+        <source>Wanted shade in summer against unwanted shadow in winter, by hour and month</source>
+        <translation>Erwünschter Schatten im Sommer gegen unerwünschten im Winter, nach Stunde und Monat</translation>
     </message>
 </context>
 <context>
@@ -3410,14 +3632,6 @@ Die Untersuchung: %2</translation>
         <translation>Orte</translation>
     </message>
     <message>
-        <source>Change of the hours of sun a day by month</source>
-        <translation>Änderung der Sonnenstunden am Tag nach Monat</translation>
-    </message>
-    <message>
-        <source>Change of the hours of sun a day of these places</source>
-        <translation>Änderung der Sonnenstunden am Tag dieser Orte</translation>
-    </message>
-    <message>
         <source>First day</source>
         <translation>Erster Tag</translation>
     </message>
@@ -4084,6 +4298,278 @@ Die Untersuchung: %2</translation>
     <message>
         <source>Fit</source>
         <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Verdicts on places</source>
+        <translation>Urteile über Orte</translation>
+    </message>
+    <message>
+        <source>Review of windows</source>
+        <translation>Prüfung der Fenster</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>without trees, as evergreens, with seasons</source>
+        <translation>ohne Bäume, als immergrüne, mit Jahreszeiten</translation>
+    </message>
+    <message>
+        <source>without trees</source>
+        <translation>ohne Bäume</translation>
+    </message>
+    <message>
+        <source>as evergreens</source>
+        <translation>als immergrüne</translation>
+    </message>
+    <message>
+        <source>with seasons</source>
+        <translation>mit Jahreszeiten</translation>
+    </message>
+    <message>
+        <source>Inventories of trees</source>
+        <translation>Baumkataster</translation>
+    </message>
+    <message>
+        <source>File with trees beside those of the city&apos;s files: points or a table with species, height, crown or stem; may be repeated</source>
+        <translation>Datei mit Bäumen zusätzlich zu denen der Stadtdateien: Punkte oder eine Tabelle mit Art, Höhe, Krone oder Stamm; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>Shadow area of a month</source>
+        <translation>Schattenfläche eines Monats</translation>
+    </message>
+    <message>
+        <source>Shadow score of a month</source>
+        <translation>Schattenbewertung eines Monats</translation>
+    </message>
+    <message>
+        <source>Weighted shade of a month</source>
+        <translation>Gewichteter Schatten eines Monats</translation>
+    </message>
+    <message>
+        <source>Shadow area of an interval</source>
+        <translation>Schattenfläche eines Intervalls</translation>
+    </message>
+    <message>
+        <source>Shadow score of an interval</source>
+        <translation>Schattenbewertung eines Intervalls</translation>
+    </message>
+    <message>
+        <source>Weighted shade of an interval</source>
+        <translation>Gewichteter Schatten eines Intervalls</translation>
+    </message>
+    <message>
+        <source>Mean sun of a small place with cells of its own</source>
+        <translation>Mittlere Sonne eines kleinen Ortes mit eigenen Zellen</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of sun a day by month</source>
+        <translation>Änderung der Minuten Sonne am Tag nach Monat</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of sun a day of these places</source>
+        <translation>Änderung der Minuten Sonne am Tag dieser Orte</translation>
+    </message>
+    <message>
+        <source>%1 and %2 take the same sun: %3 a day on average over the places.</source>
+        <translation>%1 und %2 nehmen gleich viel Sonne: %3 am Tag im Mittel über die Orte.</translation>
+    </message>
+    <message>
+        <source>%1 takes less sun than %2: %3 against %4 a day on average over the places.</source>
+        <translation>%1 nimmt weniger Sonne als %2: %3 gegenüber %4 am Tag im Mittel über die Orte.</translation>
+    </message>
+    <message>
+        <source>%1 has no open ground that was measured</source>
+        <translation>%1 hat keine freie Fläche, die gemessen wurde</translation>
+    </message>
+    <message>
+        <source>%1 has %2 of sun a day; %3 of its area has %4 or more</source>
+        <translation>%1 hat %2 Sonne am Tag; %3 der Fläche hat %4 oder mehr</translation>
+    </message>
+    <message>
+        <source>On %1 it has %2; %3 of its area has less than %4.</source>
+        <translation>Am %1 hat der Ort %2; %3 seiner Fläche hat weniger als %4.</translation>
+    </message>
+    <message>
+        <source>%1 gives it %2 of sun a day, at most %3 at one spot.</source>
+        <translation>%1 gibt dem Ort %2 Sonne am Tag, höchstens %3 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 of sun a day from it, at most %3 at one spot.</source>
+        <translation>%1 nimmt dem Ort %2 Sonne am Tag, höchstens %3 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places fail %3 in %4</source>
+        <translation>%1 von %2 Orten erfüllen %3 in %4 nicht</translation>
+    </message>
+    <message>
+        <source>No place fails %3 in %4, but %1 of %2 are borderline</source>
+        <translation>Kein Ort verfehlt %3 in %4, aber %1 von %2 sind grenzwertig</translation>
+    </message>
+    <message>
+        <source>All of the %2 places judged pass %3 in %4</source>
+        <translation>Alle %2 beurteilten Orte erfüllen %3 in %4</translation>
+    </message>
+    <message>
+        <source>%3 judges none of the places in %4</source>
+        <translation>%3 beurteilt keinen der Orte in %4</translation>
+    </message>
+    <message>
+        <source>%1 of %2 windows fail %3 in %4</source>
+        <translation>%1 von %2 Fenstern erfüllen %3 in %4 nicht</translation>
+    </message>
+    <message>
+        <source>No window fails %3 in %4, but %1 of %2 are borderline</source>
+        <translation>Kein Fenster verfehlt %3 in %4, aber %1 von %2 sind grenzwertig</translation>
+    </message>
+    <message>
+        <source>All of the %2 windows judged pass %3 in %4</source>
+        <translation>Alle %2 beurteilten Fenster erfüllen %3 in %4</translation>
+    </message>
+    <message>
+        <source>%3 judges none of the windows in %4</source>
+        <translation>%3 beurteilt keines der Fenster in %4</translation>
+    </message>
+    <message>
+        <source>Places that fail</source>
+        <translation>Orte, die nicht erfüllen</translation>
+    </message>
+    <message>
+        <source>a limit of the rule is exceeded by more than the error of what was measured</source>
+        <translation>eine Grenze der Regel ist um mehr als den Fehler der Messung überschritten</translation>
+    </message>
+    <message>
+        <source>Borderline places</source>
+        <translation>Grenzwertige Orte</translation>
+    </message>
+    <message>
+        <source>within the error of a limit of the rule</source>
+        <translation>innerhalb des Fehlers einer Grenze der Regel</translation>
+    </message>
+    <message>
+        <source>Places that pass</source>
+        <translation>Orte, die erfüllen</translation>
+    </message>
+    <message>
+        <source>they keep all limits of the rule</source>
+        <translation>sie halten alle Grenzen der Regel ein</translation>
+    </message>
+    <message>
+        <source>Places without a limit</source>
+        <translation>Orte ohne Grenze</translation>
+    </message>
+    <message>
+        <source>the rule does not cover them, or states figures only</source>
+        <translation>die Regel erfasst sie nicht oder nennt nur Zahlen</translation>
+    </message>
+    <message>
+        <source>Places not checked</source>
+        <translation>Nicht geprüfte Orte</translation>
+    </message>
+    <message>
+        <source>nothing could be measured there</source>
+        <translation>dort konnte nichts gemessen werden</translation>
+    </message>
+    <message>
+        <source>Windows that fail</source>
+        <translation>Fenster, die nicht erfüllen</translation>
+    </message>
+    <message>
+        <source>in the scenario; rooms or dwellings where the rule judges those</source>
+        <translation>im Szenario; Räume oder Wohnungen, wo die Regel diese beurteilt</translation>
+    </message>
+    <message>
+        <source>Borderline windows</source>
+        <translation>Grenzwertige Fenster</translation>
+    </message>
+    <message>
+        <source>Windows that pass</source>
+        <translation>Fenster, die erfüllen</translation>
+    </message>
+    <message>
+        <source>Windows not judged</source>
+        <translation>Nicht beurteilte Fenster</translation>
+    </message>
+    <message>
+        <source>the rule does not apply to them, or they were not checked</source>
+        <translation>die Regel gilt für sie nicht, oder sie wurden nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Windows that failed before</source>
+        <translation>Fenster, die vorher nicht erfüllten</translation>
+    </message>
+    <message>
+        <source>in the baseline, of those that stand in both</source>
+        <translation>in der Ausgangslage, von denen, die in beiden stehen</translation>
+    </message>
+    <message>
+        <source>Windows that get worse</source>
+        <translation>Fenster, die schlechter werden</translation>
+    </message>
+    <message>
+        <source>from pass to borderline or fail, or from borderline to fail</source>
+        <translation>von erfüllt zu grenzwertig oder nicht erfüllt, oder von grenzwertig zu nicht erfüllt</translation>
+    </message>
+    <message>
+        <source>Windows that get better</source>
+        <translation>Fenster, die besser werden</translation>
+    </message>
+    <message>
+        <source>from fail to borderline or pass, or from borderline to pass</source>
+        <translation>von nicht erfüllt zu grenzwertig oder erfüllt, oder von grenzwertig zu erfüllt</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 more places fail or are borderline.</source>
+        <translation>%1 weitere Orte erfüllen nicht oder sind grenzwertig.</translation>
+    </message>
+    <message>
+        <source>%1 windows get worse than in %2, %3 get better.</source>
+        <translation>%1 Fenster werden schlechter als in %2, %3 werden besser.</translation>
+    </message>
+    <message>
+        <source>Shade of trees</source>
+        <translation>Schatten von Bäumen</translation>
+    </message>
+    <message>
+        <source>What is measured beside the shadow without trees, where the city has some: without, evergreen, seasonal or all (default)</source>
+        <translation>Was neben dem Schatten ohne Bäume gemessen wird, wo die Stadt welche hat: ohne, immergrün, mit Jahreszeiten oder alles (Vorgabe)</translation>
+    </message>
+    <message>
+        <source>first light of the disc (-0.833°)</source>
+        <translation>erstes Licht (-0,833°)</translation>
+    </message>
+    <message>
+        <source>middle of the disc (0°)</source>
+        <translation>Mitte der Scheibe (0°)</translation>
+    </message>
+    <message>
+        <source>After sunrise</source>
+        <translation>Nach Sonnenaufgang</translation>
+    </message>
+    <message>
+        <source>The window begins this many hours after sunrise</source>
+        <translation>Das Fenster beginnt so viele Stunden nach Sonnenaufgang</translation>
+    </message>
+    <message>
+        <source>Before sunset</source>
+        <translation>Vor Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>The window ends this many hours before sunset</source>
+        <translation>Das Fenster endet so viele Stunden vor Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>Sunrise at</source>
+        <translation>Sonnenaufgang bei</translation>
+    </message>
+    <message>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
+        <translation>Welcher Zeitpunkt als Sonnenauf- und -untergang gilt: die Höhe der Sonnenmitte</translation>
     </message>
 </context>
 <context>
@@ -4898,14 +5384,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Ein PDF mit Karten, Zahlen, Diagrammen und Verfahren auf mehreren Seiten</translation>
     </message>
     <message>
-        <source>Landscape</source>
-        <translation>Querformat</translation>
-    </message>
-    <message>
-        <source>Paper</source>
-        <translation>Papier</translation>
-    </message>
-    <message>
         <source>a folder; it is created if missing</source>
         <translation>ein Ordner; fehlt er, wird er angelegt</translation>
     </message>
@@ -4930,12 +5408,40 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Ordner</translation>
     </message>
     <message>
-        <source>The sheets are shown first</source>
-        <translation>Die Blätter werden zuerst gezeigt</translation>
+        <source>With the project</source>
+        <translation>Mit dem Projekt</translation>
     </message>
     <message>
-        <source>Show the sheets</source>
-        <translation>Blätter zeigen</translation>
+        <source>Puts a copy of the project&apos;s file into the folder, so that the result can be verified from there</source>
+        <translation>Legt eine Kopie der Projektdatei in den Ordner, damit sich das Ergebnis von dort aus nachprüfen lässt</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Shows the written files</source>
+        <translation>Zeigt die geschriebenen Dateien</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>Geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Any change lays the sheets out again.</source>
+        <translation>Abgebrochen. Jede Änderung setzt die Blätter neu.</translation>
+    </message>
+    <message>
+        <source>Title block</source>
+        <translation>Schriftfeld</translation>
+    </message>
+    <message>
+        <source>Laying out the sheets</source>
+        <translation>Die Blätter werden gesetzt</translation>
     </message>
 </context>
 <context>
@@ -5118,10 +5624,6 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
         <translation>Nicht aktuell: Gebäude, Fenster oder die Regel haben sich geändert. Erneut ausführen.</translation>
     </message>
     <message>
-        <source>Writing the review</source>
-        <translation>Prüfung wird geschrieben</translation>
-    </message>
-    <message>
         <source>Estimating</source>
         <translation>Zeit wird geschätzt</translation>
     </message>
@@ -5187,6 +5689,22 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Lists the pages with these words; Enter goes to the next place</source>
+        <translation>Listet die Seiten mit diesen Wörtern auf; Eingabe geht zur nächsten Stelle</translation>
+    </message>
+    <message>
+        <source>Pages of the guide</source>
+        <translation>Seiten des Handbuchs</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::HelpActions</name>
@@ -5201,10 +5719,6 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <message>
         <source>&amp;Start page</source>
         <translation>&amp;Startseite</translation>
-    </message>
-    <message>
-        <source>Samples and recent projects</source>
-        <translation>Beispiele und zuletzt geöffnete Projekte</translation>
     </message>
     <message>
         <source>&amp;About Noonmark</source>
@@ -5225,6 +5739,56 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <message>
         <source>Explains the field that is clicked next; in a field, Shift+F1</source>
         <translation>Erklärt das nächste angeklickte Feld</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>All keys and what the mouse does, as a table</source>
+        <translation>Alle Tasten und was die Maus tut, als Tabelle</translation>
+    </message>
+    <message>
+        <source>Recent projects, samples and questions</source>
+        <translation>Zuletzt geöffnete Projekte, Beispiele und Fragen</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::HoursOf</name>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>Sonnenstunden am Tag nach Monat</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::KeySheet</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Find a key or what it does</source>
+        <translation>Eine Taste suchen oder was sie tut</translation>
+    </message>
+    <message>
+        <source>Shows the rows that contain these words</source>
+        <translation>Zeigt die Zeilen, die diese Wörter enthalten</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Keys, mouse</source>
+        <translation>Tasten, Maus</translation>
     </message>
 </context>
 <context>
@@ -5343,16 +5907,20 @@ Dauerschatten bleibt in Minuten: Die längste Sonne ohne Unterbrechung folgt nic
         <translation>Was gezeigt wird, hat feste Farben: es gibt nichts zu wählen</translation>
     </message>
     <message>
-        <source>The panel Places divides the classes of sun by place</source>
-        <translation>Das Feld Orte teilt die Klassen der Sonne nach Orten ein</translation>
-    </message>
-    <message>
         <source>A difference has its range beside the legend; a score is fitted</source>
         <translation>Ein Unterschied hat seinen Bereich neben der Legende; eine Bewertung wird angepasst</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>By the threshold of the panel Places</source>
+        <translation>Nach der Schwelle des Felds Orte</translation>
+    </message>
+    <message>
+        <source>Range and numbers are hours of sun a day</source>
+        <translation>Bereich und Zahlen sind Sonnenstunden am Tag</translation>
     </message>
 </context>
 <context>
@@ -5554,6 +6122,20 @@ Dauerschatten bleibt, wie er ist: Die längste Sonne ohne Unterbrechung folgt ni
         <source>%1[*] - Noonmark</source>
         <translation>%1[*] - Noonmark</translation>
     </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>Wie im Artikel</translation>
+    </message>
+    <message>
+        <source>Now by shadow accrual maps, studies and reviews by inverse accrual maps through the direction graph.
+Approximate: the legend states the measured error. Undo takes the method of the study back</source>
+        <translation>Jetzt mit Schattenakkumulationskarten, Untersuchungen und Prüfungen mit inversen Akkumulationskarten über den Richtungsgraphen.
+Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfahren der Untersuchung zurück</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation>Messpunkte</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MapLayer</name>
@@ -5745,13 +6327,6 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
             <numerusform>%1 weitere Zeile</numerusform>
             <numerusform>%1 weitere Zeilen</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::ModeSwitch</name>
-    <message>
-        <source>engine</source>
-        <translation>Verfahren</translation>
     </message>
 </context>
 <context>
@@ -5979,6 +6554,10 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <source>Zoom to all</source>
         <translation>Alles zeigen</translation>
     </message>
+    <message>
+        <source>Open a folder of city files</source>
+        <translation>Einen Ordner mit Stadtdateien öffnen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -5990,32 +6569,8 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
 <context>
     <name>noonmark::PeriodForm</name>
     <message>
-        <source> h</source>
-        <translation> h</translation>
-    </message>
-    <message>
         <source>From sunrise to sunset</source>
         <translation>Sonnenauf- bis -untergang</translation>
-    </message>
-    <message>
-        <source>first light of the disc (-0.833°)</source>
-        <translation>erstes Licht (-0,833°)</translation>
-    </message>
-    <message>
-        <source>middle of the disc (0°)</source>
-        <translation>Mitte der Scheibe (0°)</translation>
-    </message>
-    <message>
-        <source>After sunrise</source>
-        <translation>Nach Sonnenaufgang</translation>
-    </message>
-    <message>
-        <source>Before sunset</source>
-        <translation>Vor Sonnenuntergang</translation>
-    </message>
-    <message>
-        <source>Sunrise at</source>
-        <translation>Sonnenaufgang bei</translation>
     </message>
     <message>
         <source>Time zone and sun</source>
@@ -6038,18 +6593,6 @@ Beim Öffnen einer Datei die der nächsten Stadt: nahe Grenzen prüfen.</transla
     <message>
         <source>Use sunrise and sunset instead of clock times</source>
         <translation>Sonnenauf- und -untergang statt Uhrzeiten verwenden</translation>
-    </message>
-    <message>
-        <source>The window begins this many hours after sunrise</source>
-        <translation>Das Fenster beginnt so viele Stunden nach Sonnenaufgang</translation>
-    </message>
-    <message>
-        <source>The window ends this many hours before sunset</source>
-        <translation>Das Fenster endet so viele Stunden vor Sonnenuntergang</translation>
-    </message>
-    <message>
-        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
-        <translation>Welcher Zeitpunkt als Sonnenauf- und -untergang gilt: die Höhe der Sonnenmitte</translation>
     </message>
     <message>
         <source>On: the air lifts the sun a little near the horizon (refraction).
@@ -6237,6 +6780,14 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <source>Without it, the outline of the chosen place is shown, and of the one under the cursor</source>
         <translation>Sonst werden der Umriss des gewählten Ortes und der des Ortes unter dem Zeiger gezeigt</translation>
     </message>
+    <message>
+        <source>Add to the &amp;city...</source>
+        <translation>Zur Stadt &amp;hinzufügen ...</translation>
+    </message>
+    <message>
+        <source>A terrain, an aerial photograph, or parks and other places; what the city has stays</source>
+        <translation>Ein Gelände, ein Luftbild oder Parks und andere Orte; was die Stadt hat, bleibt</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceLinks</name>
@@ -6340,6 +6891,10 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <source>Remarks</source>
         <translation>Bemerkungen</translation>
     </message>
+    <message>
+        <source>Minutes of sun a day more than in the baseline, mean over the days and the place; negative: less</source>
+        <translation>Minuten Sonne am Tag mehr als in der Ausgangslage, Mittel über die Tage und den Ort; negativ: weniger</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesDock</name>
@@ -6390,10 +6945,6 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>%1: no cell on open ground</source>
         <translation>%1: keine Zelle auf freier Fläche</translation>
-    </message>
-    <message>
-        <source>%1: %2 min of sun a day more or less</source>
-        <translation>%1: %2 min Sonne am Tag mehr oder weniger</translation>
     </message>
     <message>
         <source>%1: %2 h of sun a day</source>
@@ -6455,6 +7006,14 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>%1: %2 of %3</source>
         <translation>%1: %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of sun a day less</source>
+        <translation>%1: %2 min Sonne am Tag weniger</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of sun a day more</source>
+        <translation>%1: %2 min Sonne am Tag mehr</translation>
     </message>
 </context>
 <context>
@@ -6754,10 +7313,6 @@ Nachher: %3
         <translation>Sprache, Farben, Einheiten, Papier und Startseite</translation>
     </message>
     <message>
-        <source>Language and units apply when Noonmark starts again.</source>
-        <translation>Sprache und Einheiten gelten beim nächsten Start von Noonmark.</translation>
-    </message>
-    <message>
         <source>Pr&amp;eferences...</source>
         <translation>E&amp;instellungen ...</translation>
     </message>
@@ -6771,10 +7326,6 @@ Nachher: %3
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>Of menus, panels and numbers; applies when Noonmark starts again. Files, sheets and error messages stay English</source>
-        <translation>Von Menüs, Feldern und Zahlen; gilt beim nächsten Start von Noonmark. Dateien, Blätter und Fehlermeldungen bleiben englisch</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -6845,8 +7396,12 @@ Nachher: %3
         <translation>Nur wenn keine Datei mit dem Programm geöffnet wird. Hilfe &gt; Startseite zeigt sie jederzeit</translation>
     </message>
     <message>
-        <source>In which areas, lengths and heights are shown and lengths are typed; applies when Noonmark starts again</source>
-        <translation>In denen Flächen, Längen und Höhen gezeigt und Längen eingegeben werden; gilt beim nächsten Start von Noonmark</translation>
+        <source>Of menus, panels and numbers; applies at once. Files, sheets and error messages stay English</source>
+        <translation>Von Menüs, Feldern und Zahlen; gilt sofort. Dateien, Blätter und Fehlermeldungen bleiben englisch</translation>
+    </message>
+    <message>
+        <source>In which areas, lengths and heights are shown and lengths are typed; applies at once</source>
+        <translation>Worin Flächen, Längen und Höhen gezeigt und Längen eingegeben werden; gilt sofort</translation>
     </message>
 </context>
 <context>
@@ -7228,10 +7783,6 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <translation>%1 verglichen mit %2</translation>
     </message>
     <message>
-        <source>Review: sheets, tables and drawings</source>
-        <translation>Prüfung: Blätter, Tabellen und Zeichnungen</translation>
-    </message>
-    <message>
         <source>&amp;Export (%1)...</source>
         <translation>E&amp;xportieren (%1) ...</translation>
     </message>
@@ -7345,6 +7896,25 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
             <numerusform>%1 Warnungen zu den Daten</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Shows the figures of all places again</source>
+        <translation>Zeigt wieder die Zahlen aller Orte</translation>
+    </message>
+    <message>
+        <source>Who shades it</source>
+        <translation>Wer ihn beschattet</translation>
+    </message>
+    <message>
+        <source>Shows which buildings take sun from this place, and how much</source>
+        <translation>Zeigt, welche Gebäude diesem Ort Sonne nehmen, und wie viel</translation>
+    </message>
+    <message numerus="yes">
+        <source>Back to all %1 place(s)</source>
+        <translation>
+            <numerusform>Zurück zu %1 Ort</numerusform>
+            <numerusform>Zurück zu allen %1 Orten</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewActions</name>
@@ -7365,20 +7935,12 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Zeigt die Blätter der Prüfung und schreibt sie mit ihren Tabellen und Zeichnungen</translation>
     </message>
     <message>
-        <source>The review was exported to %1</source>
-        <translation>Die Prüfung wurde nach %1 exportiert</translation>
-    </message>
-    <message>
-        <source>S&amp;heets of the review...</source>
-        <translation>B&amp;lätter der Prüfung ...</translation>
-    </message>
-    <message>
-        <source>Export the review</source>
-        <translation>Prüfung exportieren</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Export t&amp;he review...</source>
+        <translation>Prüfung e&amp;xportieren ...</translation>
     </message>
 </context>
 <context>
@@ -7774,6 +8336,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>No chart</source>
         <translation>Kein Diagramm</translation>
     </message>
+    <message>
+        <source>All of these together</source>
+        <translation>Alle diese zusammen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioTable</name>
@@ -7922,6 +8488,26 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Best of this column</source>
         <translation>Bester Wert dieser Spalte</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1</source>
+        <translation>Gemessener Fehler gegen Strahlen: %1</translation>
+    </message>
+    <message>
+        <source>%1 changes the shadow area by %2: area times its share of the sunlit time. Ground with over %3 min more shadow a day: %4.</source>
+        <translation>%1 ändert die Schattenfläche um %2: Fläche mal ihr Anteil der besonnten Zeit. Boden mit über %3 min mehr Schatten am Tag: %4.</translation>
+    </message>
+    <message>
+        <source>All scenarios change the shadow area by %1.</source>
+        <translation>Alle Szenarien ändern die Schattenfläche um %1.</translation>
+    </message>
+    <message>
+        <source>%1 adds less shadow than %2: %3 of shadow area against %4 (area times its share of the sunlit time), and %5 against %6 of ground with over %7 min more a day.</source>
+        <translation>%1 fügt weniger Schatten hinzu als %2: %3 Schattenfläche gegenüber %4 (Fläche mal ihr Anteil der besonnten Zeit) und %5 gegenüber %6 Boden mit über %7 min mehr am Tag.</translation>
+    </message>
+    <message>
+        <source>By the weights %1, %2 scores best (%3) and %4 worst (%5).</source>
+        <translation>Nach den Gewichten %1 ist %2 am besten (%3) und %4 am schlechtesten bewertet (%5).</translation>
     </message>
 </context>
 <context>
@@ -8302,93 +8888,46 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
 </context>
 <context>
-    <name>noonmark::SheetsDialog</name>
+    <name>noonmark::StartPage</name>
     <message>
-        <source>Write files...</source>
-        <translation>Dateien schreiben ...</translation>
-    </message>
-    <message>
-        <source>Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, GeoPackage) to a folder</source>
-        <translation>Schreibt die Blätter (PDF), die Tabelle (CSV), die Daten (JSON) und die Schatten für CAD und GIS (DXF, GeoPackage) in einen Ordner</translation>
-    </message>
-    <message>
-        <source>Sheets of the review</source>
-        <translation>Blätter der Prüfung</translation>
+        <source>Open a city</source>
+        <translation>Eine Stadt öffnen</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Title block</source>
-        <translation>Schriftfeld</translation>
+        <source>Closes the start page (Esc)</source>
+        <translation>Schließt die Startseite (Esc)</translation>
     </message>
     <message>
-        <source>Laying out the sheets</source>
-        <translation>Die Blätter werden gesetzt</translation>
+        <source>Drop files or a folder here: OpenStreetMap, GeoPackage, CityJSON, CityGML, IFC, meshes, terrain.</source>
+        <translation>Dateien oder einen Ordner hier ablegen: OpenStreetMap, GeoPackage, CityJSON, CityGML, IFC, 3D-Modelle, Gelände.</translation>
     </message>
     <message>
-        <source>Writing the files</source>
-        <translation>Die Dateien werden geschrieben</translation>
+        <source>Open file...</source>
+        <translation>Datei öffnen ...</translation>
     </message>
     <message>
-        <source>Written to %1</source>
-        <translation>Geschrieben nach %1</translation>
+        <source>A project or city files (Ctrl+O)</source>
+        <translation>Ein Projekt oder Stadtdateien (Strg+O)</translation>
     </message>
     <message>
-        <source>Write the files of the review to folder</source>
-        <translation>Die Dateien der Prüfung in Ordner schreiben</translation>
+        <source>Open folder...</source>
+        <translation>Ordner öffnen ...</translation>
     </message>
     <message>
-        <source>Cancelled. Any change lays the sheets out again.</source>
-        <translation>Abgebrochen. Jede Änderung setzt die Blätter neu.</translation>
+        <source>A folder of city files, such as tiles or a file geodatabase</source>
+        <translation>Ein Ordner mit Stadtdateien, etwa Kacheln oder eine File-Geodatabase</translation>
     </message>
     <message>
-        <source>With the project</source>
-        <translation>Mit dem Projekt</translation>
+        <source>Recent</source>
+        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
-        <source>Open folder</source>
-        <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>Shows the written files</source>
-        <translation>Zeigt die geschriebenen Dateien</translation>
-    </message>
-    <message>
-        <source>Puts a copy of the project&apos;s file into the folder, so that the report can be verified from there</source>
-        <translation>Legt eine Kopie der Projektdatei in den Ordner, damit der Bericht von dort geprüft werden kann</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::StartDialog</name>
-    <message>
-        <source>Start</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>Noonmark measures the shadows that buildings cast on a city.</source>
-        <translation>Noonmark misst die Schatten, die Gebäude auf eine Stadt werfen.</translation>
-    </message>
-    <message>
-        <source>Open a city or a project...</source>
-        <translation>Eine Stadt oder ein Projekt öffnen ...</translation>
-    </message>
-    <message>
-        <source>Footprints, OpenStreetMap, CityJSON, meshes, terrain</source>
-        <translation>Grundrisse, OpenStreetMap, CityJSON, 3D-Modelle, Gelände</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
-    </message>
-    <message>
-        <source>User guide</source>
-        <translation>Handbuch</translation>
-    </message>
-    <message>
-        <source>How to study, compare and review</source>
-        <translation>Wie man untersucht, vergleicht und prüft</translation>
+        <source>No longer there: %1</source>
+        <translation>Nicht mehr vorhanden: %1</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -8411,12 +8950,24 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Eine synthetische Stadt aus Blöcken und Grundstücken</translation>
     </message>
     <message>
-        <source>Recent</source>
-        <translation>Zuletzt geöffnet</translation>
+        <source>Guided tours and help</source>
+        <translation>Führungen und Hilfe</translation>
     </message>
     <message>
-        <source>Guided tours</source>
-        <translation>Führungen</translation>
+        <source>User guide (F1)</source>
+        <translation>Handbuch (F1)</translation>
+    </message>
+    <message>
+        <source>How to study, compare and review</source>
+        <translation>Wie man untersucht, vergleicht und prüft</translation>
+    </message>
+    <message>
+        <source>What do you want to know?</source>
+        <translation>Was möchten Sie wissen?</translation>
+    </message>
+    <message>
+        <source>Of which city?</source>
+        <translation>Über welche Stadt?</translation>
     </message>
 </context>
 <context>
@@ -9049,14 +9600,6 @@ vom Jahr ebenso viele Wochen</translation>
         <translation>Wie im Artikel statt mit Strahlen: an Schattenkanten ungenau, aber ähnliche Stunden werden nur einmal berechnet</translation>
     </message>
     <message>
-        <source>&amp;Mouse and keys</source>
-        <translation>&amp;Maus und Tasten</translation>
-    </message>
-    <message>
-        <source>Ctrl+F1</source>
-        <translation>Ctrl+F1</translation>
-    </message>
-    <message>
         <source>Me&amp;asure distances</source>
         <translation>Abst&amp;ände messen</translation>
     </message>
@@ -9086,6 +9629,14 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>View of the city</source>
+        <translation>Ansicht der Stadt</translation>
+    </message>
+    <message>
+        <source>Arrow keys pan, plus and minus zoom; Ctrl+F1 lists all keys</source>
+        <translation>Pfeiltasten verschieben, Plus und Minus zoomen; Ctrl+F1 listet alle Tasten auf</translation>
     </message>
 </context>
 <context>
@@ -9387,10 +9938,6 @@ Fassaden, Fenster und Ebenen werden an Punkten gemessen, jeder mit seinen Sonnen
         <translation>Die Tage, die gemessen werden. Die Stunden bleiben, wie sie sind</translation>
     </message>
     <message>
-        <source>As in a rule</source>
-        <translation>Nach Regel</translation>
-    </message>
-    <message>
         <source>The day and the hours of a review board&apos;s rule</source>
         <translation>Der Tag und die Stunden aus der Regel einer Behörde</translation>
     </message>
@@ -9405,6 +9952,10 @@ Fassaden, Fenster und Ebenen werden an Punkten gemessen, jeder mit seinen Sonnen
     <message>
         <source>period</source>
         <translation>Zeitraum</translation>
+    </message>
+    <message>
+        <source>Days of a rule</source>
+        <translation>Tage einer Regel</translation>
     </message>
 </context>
 <context>

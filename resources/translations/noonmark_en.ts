@@ -326,6 +326,13 @@
             <numerusform>%1 warnings about the data</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Back to all %1 place(s)</source>
+        <translation>
+            <numerusform>Back to the %1 place</numerusform>
+            <numerusform>Back to all %1 places</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioActions</name>

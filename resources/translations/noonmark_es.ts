@@ -203,6 +203,38 @@
         <source>The dock Scenarios says why in the row of each</source>
         <translation>El panel Escenarios dice el motivo en la fila de cada uno</translation>
     </message>
+    <message>
+        <source>The folder holds no buildings</source>
+        <translation>La carpeta no contiene edificios</translation>
+    </message>
+    <message>
+        <source>Choose a folder of footprints, city models or meshes</source>
+        <translation>Elija una carpeta con huellas, modelos de ciudad o mallas</translation>
+    </message>
+    <message>
+        <source>The city has a terrain already</source>
+        <translation>La ciudad ya tiene terreno</translation>
+    </message>
+    <message>
+        <source>Open the city without it first</source>
+        <translation>Abra antes la ciudad sin él</translation>
+    </message>
+    <message>
+        <source>A terrain can be added to city files only, before they are saved as a project</source>
+        <translation>Solo se puede añadir un terreno a archivos de ciudad, antes de guardarlos como proyecto</translation>
+    </message>
+    <message>
+        <source>Open the city files and the terrain together</source>
+        <translation>Abra juntos los archivos de ciudad y el terreno</translation>
+    </message>
+    <message>
+        <source>The city has an aerial photograph already</source>
+        <translation>La ciudad ya tiene una fotografía aérea</translation>
+    </message>
+    <message>
+        <source>Remove it first: File &gt; Aerial photograph</source>
+        <translation>Quítela antes: Archivo &gt; Fotografía aérea</translation>
+    </message>
 </context>
 <context>
     <name>FieldText</name>
@@ -313,6 +345,117 @@
     <message>
         <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, the verdicts of a board&apos;s rule, or the hours of sun of places.</source>
         <translation>Qué responde el estudio: minutos de sombra, el cambio que causa un escenario, una puntuación de sombra deseada y no deseada, los dictámenes según la norma de una autoridad o las horas de sol de los lugares.</translation>
+    </message>
+</context>
+<context>
+    <name>KeySheet</name>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Girar</translation>
+    </message>
+    <message>
+        <source>left or middle drag</source>
+        <translation>arrastrar con el botón izquierdo o central</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Desplazar</translation>
+    </message>
+    <message>
+        <source>right drag, Shift+drag, arrow keys</source>
+        <translation>arrastrar con el botón derecho, Mayús+arrastrar, teclas de flecha</translation>
+    </message>
+    <message>
+        <source>Zoom to the cursor</source>
+        <translation>Acercar hacia el cursor</translation>
+    </message>
+    <message>
+        <source>wheel, + and -</source>
+        <translation>rueda, + y -</translation>
+    </message>
+    <message>
+        <source>Menu of what is there</source>
+        <translation>Menú de lo que hay ahí</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>clic derecho</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>Edificios</translation>
+    </message>
+    <message>
+        <source>Select; another too</source>
+        <translation>Seleccionar; otro más</translation>
+    </message>
+    <message>
+        <source>click; Ctrl+click</source>
+        <translation>clic; Ctrl+clic</translation>
+    </message>
+    <message>
+        <source>Select all in a rectangle</source>
+        <translation>Seleccionar todo en un rectángulo</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+drag</source>
+        <translation>Ctrl+Mayús+arrastrar</translation>
+    </message>
+    <message>
+        <source>Change the height</source>
+        <translation>Cambiar la altura</translation>
+    </message>
+    <message>
+        <source>drag the arrow, or type the height and press Enter</source>
+        <translation>arrastrar la flecha, o escribir la altura y pulsar Intro</translation>
+    </message>
+    <message>
+        <source>Deselect</source>
+        <translation>Deseleccionar</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Dibujo</translation>
+    </message>
+    <message>
+        <source>A corner</source>
+        <translation>Una esquina</translation>
+    </message>
+    <message>
+        <source>click; with Shift at right angles, with Ctrl without snapping</source>
+        <translation>clic; con Mayús en ángulo recto, con Ctrl sin ajuste</translation>
+    </message>
+    <message>
+        <source>A side of a stated length</source>
+        <translation>Un lado de longitud indicada</translation>
+    </message>
+    <message>
+        <source>type it and press Enter</source>
+        <translation>escribirla y pulsar Intro</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>double click, Enter or right click</source>
+        <translation>doble clic, Intro o clic derecho</translation>
+    </message>
+    <message>
+        <source>Remove the last corner; cancel</source>
+        <translation>Quitar la última esquina; cancelar</translation>
+    </message>
+    <message>
+        <source>Backspace; Esc</source>
+        <translation>Retroceso; Esc</translation>
     </message>
 </context>
 <context>
@@ -886,10 +1029,6 @@ con %2</translation>
         <translation>Velocidad</translation>
     </message>
     <message>
-        <source> M rays/s</source>
-        <translation> M rayos/s</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Tiempo</translation>
     </message>
@@ -1254,34 +1393,14 @@ celdas de %2 m</translation>
         <translation>total %1 min al día</translation>
     </message>
     <message>
-        <source>Exploration</source>
-        <translation>Exploración</translation>
-    </message>
-    <message>
-        <source>Analysis</source>
-        <translation>Análisis</translation>
-    </message>
-    <message>
         <source>Ray reference</source>
         <translation>Referencia por rayos</translation>
-    </message>
-    <message>
-        <source>Shadow on all visible surfaces: ground, roofs and facades.
-Updated when the view or the period changes, coarse at first, then pixel by pixel.</source>
-        <translation>Sombra en todas las superficies visibles: suelo, cubiertas y fachadas.
-Se actualiza al cambiar la vista o el periodo, primero a grandes rasgos y luego píxel a píxel.</translation>
     </message>
     <message>
         <source>Shadow on the ground of the region, cell by cell, with figures, report and files.
 Computed by the engine of the study when you press Run.</source>
         <translation>Sombra en el suelo de la zona, celda a celda, con cifras, informe y archivos.
 La calcula el motor del estudio al pulsar Calcular.</translation>
-    </message>
-    <message>
-        <source>Like the analysis, but with one ray per cell and minute:
-the slow, exact reference for the other engines.</source>
-        <translation>Como el análisis, pero con un rayo por celda y minuto:
-la referencia lenta y exacta de los demás motores.</translation>
     </message>
     <message>
         <source>in the middle of the picture</source>
@@ -1756,10 +1875,6 @@ Todos los lados %2, área %3</translation>
         <translation>Cambio por la propuesta respecto a %1: %2</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side, with Ctrl without snapping, or type the length of a side and press Enter; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels. Ctrl+Shift+L edits the corners and sides of a lot.</source>
-        <translation>Arrastrar con el botón izquierdo o central gira; con el derecho o Mayús desplaza; un clic derecho abre un menú y la rueda acerca hacia el cursor. Las flechas desplazan, + y - acercan y alejan. Inicio: toda la ciudad. N: norte arriba. T: vista superior. Mayús+S, E, N, W: desde un lado. U: desde el sol. O: proyección paralela. Mayús+P: planta. R: zona. Mayús+M: medir. Mayús+X: caja de corte. B: edificios sólidos o alámbricos. G: mapa sobre el suelo. D: cúpula de trayectorias solares. C: el otro escenario, Mayús+C: lado a lado, Mayús+D: deslizar. Mayús+L: cambio en vivo, Mayús+F: fachadas en vivo. F5: exploración, F6: análisis, F7: referencia por rayos. Ctrl+R: calcular. Haga clic en un edificio para seleccionarlo (Ctrl+clic: otro más; arrastrar con Ctrl+Mayús: todos los de un rectángulo): arrastre su flecha o escriba su altura y pulse Intro; Supr lo derriba, M lo mueve, Ctrl+T lo sustituye por una torre, Esc anula la selección. Para dibujar una zona o una parcela (Ctrl+L): haga clic en las esquinas, con Mayús en ángulo recto con el último lado, con Ctrl sin ajuste, o escriba la longitud de un lado y pulse Intro; doble clic, Intro o clic derecho termina, Retroceso quita la última esquina, Esc cancela. Ctrl+Mayús+L edita las esquinas y los lados de una parcela.</translation>
-    </message>
-    <message>
         <source>corner</source>
         <translation>esquina</translation>
     </message>
@@ -2130,6 +2245,113 @@ El estudio: %2</translation>
     <message>
         <source> (top: %1)</source>
         <translation> (última: %1)</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>Hides these panels, for more of the view, and shows them again</source>
+        <translation>Oculta estos paneles, para ver más, y los vuelve a mostrar</translation>
+    </message>
+    <message>
+        <source>Panels at the left</source>
+        <translation>Paneles de la izquierda</translation>
+    </message>
+    <message>
+        <source>Panels at the right</source>
+        <translation>Paneles de la derecha</translation>
+    </message>
+    <message>
+        <source>Panels below</source>
+        <translation>Paneles inferiores</translation>
+    </message>
+    <message>
+        <source>As&amp;k</source>
+        <translation>&amp;Preguntar</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1-%2 % {1 ?}</translation>
+    </message>
+    <message>
+        <source>takes %1 min of sun a day, %2 % of its shadow</source>
+        <translation>quita %1 min de sol al día, el %2 % de su sombra</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Observación</translation>
+    </message>
+    <message>
+        <source>%1: %2 compared with %3</source>
+        <translation>%1: %2 comparado con %3</translation>
+    </message>
+    <message>
+        <source>%1 million rays a second</source>
+        <translation>%1 millones de rayos por segundo</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ahora</translation>
+    </message>
+    <message>
+        <source>Sun and shadow of a moment or a period on all visible surfaces: ground, roofs and facades.
+Updated when the view or the time changes, coarse at first, then pixel by pixel.</source>
+        <translation>Sol y sombra de un momento o un periodo en todas las superficies visibles: suelo, tejados y fachadas.
+Se actualiza al cambiar la vista o la hora, primero de forma aproximada y luego píxel a píxel.</translation>
+    </message>
+    <message>
+        <source>Verdicts by the rules of review boards, of a proposal or of the existing city.
+Opens the panel Review.</source>
+        <translation>Dictámenes según las normas de las autoridades, de una propuesta o de la ciudad existente.
+Abre el panel Evaluación.</translation>
+    </message>
+</context>
+<context>
+    <name>StartQuestion</name>
+    <message>
+        <source>How sunny are our parks and streets?</source>
+        <translation>¿Cuánto sol tienen nuestros parques y calles?</translation>
+    </message>
+    <message>
+        <source>Hours of sun by place and month, and what lies below a threshold</source>
+        <translation>Horas de sol por lugar y mes, y lo que queda por debajo de un umbral</translation>
+    </message>
+    <message>
+        <source>What would a tower change?</source>
+        <translation>¿Qué cambiaría una torre?</translation>
+    </message>
+    <message>
+        <source>New shadow, the worst spot and the places it reaches, live while you drag</source>
+        <translation>Sombra nueva, el peor punto y los lugares a los que llega, en vivo al arrastrar</translation>
+    </message>
+    <message>
+        <source>Does this proposal pass the rules?</source>
+        <translation>¿Cumple esta propuesta las normas?</translation>
+    </message>
+    <message>
+        <source>Verdicts by the rules of review boards, the site&apos;s first, and a book to file</source>
+        <translation>Dictámenes según las normas de las autoridades, primero las del lugar, y un informe para presentar</translation>
+    </message>
+    <message>
+        <source>Which facades and windows get sun?</source>
+        <translation>¿Qué fachadas y ventanas reciben sol?</translation>
+    </message>
+    <message>
+        <source>Hours of sun and daylight at points of the facades</source>
+        <translation>Horas de sol y luz natural en puntos de las fachadas</translation>
+    </message>
+    <message>
+        <source>Is the shade where we want it?</source>
+        <translation>¿Está la sombra donde la queremos?</translation>
+    </message>
+    <message>
+        <source>Wanted shade in summer against unwanted shadow in winter, by hour and month</source>
+        <translation>Sombra deseada en verano frente a no deseada en invierno, por hora y mes</translation>
     </message>
 </context>
 <context>
@@ -3410,14 +3632,6 @@ El estudio: %2</translation>
         <translation>lugares</translation>
     </message>
     <message>
-        <source>Change of the hours of sun a day by month</source>
-        <translation>Cambio de las horas de sol al día por mes</translation>
-    </message>
-    <message>
-        <source>Change of the hours of sun a day of these places</source>
-        <translation>Cambio de las horas de sol al día de estos lugares</translation>
-    </message>
-    <message>
         <source>First day</source>
         <translation>Primer día</translation>
     </message>
@@ -4084,6 +4298,278 @@ El estudio: %2</translation>
     <message>
         <source>Fit</source>
         <translation>Ajustar</translation>
+    </message>
+    <message>
+        <source>Verdicts on places</source>
+        <translation>Veredictos de los lugares</translation>
+    </message>
+    <message>
+        <source>Review of windows</source>
+        <translation>Evaluación de ventanas</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Evaluación</translation>
+    </message>
+    <message>
+        <source>without trees, as evergreens, with seasons</source>
+        <translation>sin árboles, como perennes, con estaciones</translation>
+    </message>
+    <message>
+        <source>without trees</source>
+        <translation>sin árboles</translation>
+    </message>
+    <message>
+        <source>as evergreens</source>
+        <translation>como perennes</translation>
+    </message>
+    <message>
+        <source>with seasons</source>
+        <translation>con estaciones</translation>
+    </message>
+    <message>
+        <source>Inventories of trees</source>
+        <translation>Inventarios de árboles</translation>
+    </message>
+    <message>
+        <source>File with trees beside those of the city&apos;s files: points or a table with species, height, crown or stem; may be repeated</source>
+        <translation>Archivo con árboles además de los de los archivos de ciudad: puntos o una tabla con especie, altura, copa o tronco; se puede repetir</translation>
+    </message>
+    <message>
+        <source>Shadow area of a month</source>
+        <translation>Área de sombra de un mes</translation>
+    </message>
+    <message>
+        <source>Shadow score of a month</source>
+        <translation>Puntuación de sombra de un mes</translation>
+    </message>
+    <message>
+        <source>Weighted shade of a month</source>
+        <translation>Sombra ponderada de un mes</translation>
+    </message>
+    <message>
+        <source>Shadow area of an interval</source>
+        <translation>Área de sombra de un intervalo</translation>
+    </message>
+    <message>
+        <source>Shadow score of an interval</source>
+        <translation>Puntuación de sombra de un intervalo</translation>
+    </message>
+    <message>
+        <source>Weighted shade of an interval</source>
+        <translation>Sombra ponderada de un intervalo</translation>
+    </message>
+    <message>
+        <source>Mean sun of a small place with cells of its own</source>
+        <translation>Sol medio de un lugar pequeño con celdas propias</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of sun a day by month</source>
+        <translation>Cambio de los minutos de sol al día por mes</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of sun a day of these places</source>
+        <translation>Cambio de los minutos de sol al día de estos lugares</translation>
+    </message>
+    <message>
+        <source>%1 and %2 take the same sun: %3 a day on average over the places.</source>
+        <translation>%1 y %2 quitan el mismo sol: %3 al día de media en los lugares.</translation>
+    </message>
+    <message>
+        <source>%1 takes less sun than %2: %3 against %4 a day on average over the places.</source>
+        <translation>%1 quita menos sol que %2: %3 frente a %4 al día de media en los lugares.</translation>
+    </message>
+    <message>
+        <source>%1 has no open ground that was measured</source>
+        <translation>%1 no tiene suelo libre que se haya medido</translation>
+    </message>
+    <message>
+        <source>%1 has %2 of sun a day; %3 of its area has %4 or more</source>
+        <translation>%1 tiene %2 de sol al día; el %3 de su área tiene %4 o más</translation>
+    </message>
+    <message>
+        <source>On %1 it has %2; %3 of its area has less than %4.</source>
+        <translation>El %1 tiene %2; el %3 de su área tiene menos de %4.</translation>
+    </message>
+    <message>
+        <source>%1 gives it %2 of sun a day, at most %3 at one spot.</source>
+        <translation>%1 le da %2 de sol al día, como máximo %3 en un punto.</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 of sun a day from it, at most %3 at one spot.</source>
+        <translation>%1 le quita %2 de sol al día, como máximo %3 en un punto.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places fail %3 in %4</source>
+        <translation>%1 de %2 lugares no cumplen %3 en %4</translation>
+    </message>
+    <message>
+        <source>No place fails %3 in %4, but %1 of %2 are borderline</source>
+        <translation>Ningún lugar incumple %3 en %4, pero %1 de %2 están en el límite</translation>
+    </message>
+    <message>
+        <source>All of the %2 places judged pass %3 in %4</source>
+        <translation>Los %2 lugares juzgados cumplen %3 en %4</translation>
+    </message>
+    <message>
+        <source>%3 judges none of the places in %4</source>
+        <translation>%3 no juzga ninguno de los lugares en %4</translation>
+    </message>
+    <message>
+        <source>%1 of %2 windows fail %3 in %4</source>
+        <translation>%1 de %2 ventanas no cumplen %3 en %4</translation>
+    </message>
+    <message>
+        <source>No window fails %3 in %4, but %1 of %2 are borderline</source>
+        <translation>Ninguna ventana incumple %3 en %4, pero %1 de %2 están en el límite</translation>
+    </message>
+    <message>
+        <source>All of the %2 windows judged pass %3 in %4</source>
+        <translation>Las %2 ventanas juzgadas cumplen %3 en %4</translation>
+    </message>
+    <message>
+        <source>%3 judges none of the windows in %4</source>
+        <translation>%3 no juzga ninguna de las ventanas en %4</translation>
+    </message>
+    <message>
+        <source>Places that fail</source>
+        <translation>Lugares que no cumplen</translation>
+    </message>
+    <message>
+        <source>a limit of the rule is exceeded by more than the error of what was measured</source>
+        <translation>se supera un límite de la norma en más que el error de lo medido</translation>
+    </message>
+    <message>
+        <source>Borderline places</source>
+        <translation>Lugares en el límite</translation>
+    </message>
+    <message>
+        <source>within the error of a limit of the rule</source>
+        <translation>dentro del error de un límite de la norma</translation>
+    </message>
+    <message>
+        <source>Places that pass</source>
+        <translation>Lugares que cumplen</translation>
+    </message>
+    <message>
+        <source>they keep all limits of the rule</source>
+        <translation>respetan todos los límites de la norma</translation>
+    </message>
+    <message>
+        <source>Places without a limit</source>
+        <translation>Lugares sin límite</translation>
+    </message>
+    <message>
+        <source>the rule does not cover them, or states figures only</source>
+        <translation>la norma no los abarca o solo indica cifras</translation>
+    </message>
+    <message>
+        <source>Places not checked</source>
+        <translation>Lugares no comprobados</translation>
+    </message>
+    <message>
+        <source>nothing could be measured there</source>
+        <translation>allí no se pudo medir nada</translation>
+    </message>
+    <message>
+        <source>Windows that fail</source>
+        <translation>Ventanas que no cumplen</translation>
+    </message>
+    <message>
+        <source>in the scenario; rooms or dwellings where the rule judges those</source>
+        <translation>en el escenario; habitaciones o viviendas donde la norma juzga esas</translation>
+    </message>
+    <message>
+        <source>Borderline windows</source>
+        <translation>Ventanas en el límite</translation>
+    </message>
+    <message>
+        <source>Windows that pass</source>
+        <translation>Ventanas que cumplen</translation>
+    </message>
+    <message>
+        <source>Windows not judged</source>
+        <translation>Ventanas no juzgadas</translation>
+    </message>
+    <message>
+        <source>the rule does not apply to them, or they were not checked</source>
+        <translation>la norma no se les aplica o no se comprobaron</translation>
+    </message>
+    <message>
+        <source>Windows that failed before</source>
+        <translation>Ventanas que antes no cumplían</translation>
+    </message>
+    <message>
+        <source>in the baseline, of those that stand in both</source>
+        <translation>en la referencia, de las que existen en ambos</translation>
+    </message>
+    <message>
+        <source>Windows that get worse</source>
+        <translation>Ventanas que empeoran</translation>
+    </message>
+    <message>
+        <source>from pass to borderline or fail, or from borderline to fail</source>
+        <translation>de cumple a en el límite o no cumple, o de en el límite a no cumple</translation>
+    </message>
+    <message>
+        <source>Windows that get better</source>
+        <translation>Ventanas que mejoran</translation>
+    </message>
+    <message>
+        <source>from fail to borderline or pass, or from borderline to pass</source>
+        <translation>de no cumple a en el límite o cumple, o de en el límite a cumple</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 more places fail or are borderline.</source>
+        <translation>Otros %1 lugares no cumplen o están en el límite.</translation>
+    </message>
+    <message>
+        <source>%1 windows get worse than in %2, %3 get better.</source>
+        <translation>%1 ventanas empeoran respecto a %2 y %3 mejoran.</translation>
+    </message>
+    <message>
+        <source>Shade of trees</source>
+        <translation>Sombra de los árboles</translation>
+    </message>
+    <message>
+        <source>What is measured beside the shadow without trees, where the city has some: without, evergreen, seasonal or all (default)</source>
+        <translation>Qué se mide además de la sombra sin árboles, si la ciudad los tiene: sin ellos, perennes, estacionales o todo (predeterminado)</translation>
+    </message>
+    <message>
+        <source>first light of the disc (-0.833°)</source>
+        <translation>primera luz (-0,833°)</translation>
+    </message>
+    <message>
+        <source>middle of the disc (0°)</source>
+        <translation>centro del disco (0°)</translation>
+    </message>
+    <message>
+        <source>After sunrise</source>
+        <translation>Después del amanecer</translation>
+    </message>
+    <message>
+        <source>The window begins this many hours after sunrise</source>
+        <translation>La franja empieza estas horas después del amanecer</translation>
+    </message>
+    <message>
+        <source>Before sunset</source>
+        <translation>Antes del ocaso</translation>
+    </message>
+    <message>
+        <source>The window ends this many hours before sunset</source>
+        <translation>La franja termina estas horas antes del ocaso</translation>
+    </message>
+    <message>
+        <source>Sunrise at</source>
+        <translation>Amanecer en</translation>
+    </message>
+    <message>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
+        <translation>Qué momento cuenta como amanecer y ocaso: la altura del centro del sol</translation>
     </message>
 </context>
 <context>
@@ -4898,14 +5384,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Un PDF con mapas, cifras, gráficos y método en varias páginas</translation>
     </message>
     <message>
-        <source>Landscape</source>
-        <translation>Horizontal</translation>
-    </message>
-    <message>
-        <source>Paper</source>
-        <translation>Papel</translation>
-    </message>
-    <message>
         <source>a folder; it is created if missing</source>
         <translation>una carpeta; se crea si no existe</translation>
     </message>
@@ -4930,12 +5408,40 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Carpeta</translation>
     </message>
     <message>
-        <source>The sheets are shown first</source>
-        <translation>Primero se muestran las láminas</translation>
+        <source>With the project</source>
+        <translation>Con el proyecto</translation>
     </message>
     <message>
-        <source>Show the sheets</source>
-        <translation>Mostrar las láminas</translation>
+        <source>Puts a copy of the project&apos;s file into the folder, so that the result can be verified from there</source>
+        <translation>Pone una copia del archivo del proyecto en la carpeta para poder verificar el resultado desde allí</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Abrir carpeta</translation>
+    </message>
+    <message>
+        <source>Shows the written files</source>
+        <translation>Muestra los archivos escritos</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>Escrito en %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Any change lays the sheets out again.</source>
+        <translation>Cancelado. Cualquier cambio vuelve a componer las láminas.</translation>
+    </message>
+    <message>
+        <source>Title block</source>
+        <translation>Cajetín</translation>
+    </message>
+    <message>
+        <source>Laying out the sheets</source>
+        <translation>Componiendo las láminas</translation>
     </message>
 </context>
 <context>
@@ -5118,10 +5624,6 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
         <translation>No está al día: han cambiado los edificios, las ventanas o la norma. Vuelva a ejecutarla.</translation>
     </message>
     <message>
-        <source>Writing the review</source>
-        <translation>Escribiendo la revisión</translation>
-    </message>
-    <message>
         <source>Estimating</source>
         <translation>Estimando el tiempo</translation>
     </message>
@@ -5187,6 +5689,22 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
         <source>Back</source>
         <translation>Atrás</translation>
     </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Buscar en la guía</translation>
+    </message>
+    <message>
+        <source>Lists the pages with these words; Enter goes to the next place</source>
+        <translation>Muestra las páginas con estas palabras; Intro va al siguiente resultado</translation>
+    </message>
+    <message>
+        <source>Pages of the guide</source>
+        <translation>Páginas de la guía</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::HelpActions</name>
@@ -5201,10 +5719,6 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <message>
         <source>&amp;Start page</source>
         <translation>Página de &amp;inicio</translation>
-    </message>
-    <message>
-        <source>Samples and recent projects</source>
-        <translation>Ejemplos y proyectos recientes</translation>
     </message>
     <message>
         <source>&amp;About Noonmark</source>
@@ -5225,6 +5739,56 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <message>
         <source>Explains the field that is clicked next; in a field, Shift+F1</source>
         <translation>Explica el campo en que se haga clic</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Ratón y teclas</translation>
+    </message>
+    <message>
+        <source>All keys and what the mouse does, as a table</source>
+        <translation>Todas las teclas y lo que hace el ratón, en una tabla</translation>
+    </message>
+    <message>
+        <source>Recent projects, samples and questions</source>
+        <translation>Proyectos recientes, ejemplos y preguntas</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::HoursOf</name>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>Horas de sol al día por mes</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::KeySheet</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Ratón y teclas</translation>
+    </message>
+    <message>
+        <source>Find a key or what it does</source>
+        <translation>Buscar una tecla o lo que hace</translation>
+    </message>
+    <message>
+        <source>Shows the rows that contain these words</source>
+        <translation>Muestra las filas que contienen estas palabras</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Dónde</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>Keys, mouse</source>
+        <translation>Teclas, ratón</translation>
     </message>
 </context>
 <context>
@@ -5343,16 +5907,20 @@ La sombra continua sigue en minutos: de ella no se deduce el tramo más largo al
         <translation>Lo que se muestra tiene colores fijos: no hay nada que elegir</translation>
     </message>
     <message>
-        <source>The panel Places divides the classes of sun by place</source>
-        <translation>El panel Lugares divide las clases del sol por lugar</translation>
-    </message>
-    <message>
         <source>A difference has its range beside the legend; a score is fitted</source>
         <translation>Una diferencia tiene su intervalo junto a la leyenda; una puntuación se ajusta</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>By the threshold of the panel Places</source>
+        <translation>Según el umbral del panel Lugares</translation>
+    </message>
+    <message>
+        <source>Range and numbers are hours of sun a day</source>
+        <translation>El intervalo y los números son horas de sol al día</translation>
     </message>
 </context>
 <context>
@@ -5554,6 +6122,20 @@ La sombra continua no cambia: de ella no se deduce el tramo más largo al sol.</
         <source>%1[*] - Noonmark</source>
         <translation>%1[*] - Noonmark</translation>
     </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>Como en el artículo</translation>
+    </message>
+    <message>
+        <source>Now by shadow accrual maps, studies and reviews by inverse accrual maps through the direction graph.
+Approximate: the legend states the measured error. Undo takes the method of the study back</source>
+        <translation>Ahora con mapas de acumulación de sombra; estudios y evaluaciones con mapas de acumulación inversos mediante el grafo de direcciones.
+Aproximado: la leyenda indica el error medido. Deshacer recupera el método anterior del estudio</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation>receptores</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MapLayer</name>
@@ -5745,13 +6327,6 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
             <numerusform>%1 línea más</numerusform>
             <numerusform>%1 líneas más</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::ModeSwitch</name>
-    <message>
-        <source>engine</source>
-        <translation>motor</translation>
     </message>
 </context>
 <context>
@@ -5979,6 +6554,10 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <source>Zoom to all</source>
         <translation>Ver todo</translation>
     </message>
+    <message>
+        <source>Open a folder of city files</source>
+        <translation>Abrir una carpeta de archivos de ciudad</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -5990,32 +6569,8 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
 <context>
     <name>noonmark::PeriodForm</name>
     <message>
-        <source> h</source>
-        <translation> h</translation>
-    </message>
-    <message>
         <source>From sunrise to sunset</source>
         <translation>Del amanecer al ocaso</translation>
-    </message>
-    <message>
-        <source>first light of the disc (-0.833°)</source>
-        <translation>primera luz (-0,833°)</translation>
-    </message>
-    <message>
-        <source>middle of the disc (0°)</source>
-        <translation>centro del disco (0°)</translation>
-    </message>
-    <message>
-        <source>After sunrise</source>
-        <translation>Después del amanecer</translation>
-    </message>
-    <message>
-        <source>Before sunset</source>
-        <translation>Antes del ocaso</translation>
-    </message>
-    <message>
-        <source>Sunrise at</source>
-        <translation>Amanecer en</translation>
     </message>
     <message>
         <source>Time zone and sun</source>
@@ -6038,18 +6593,6 @@ Al abrir un archivo se toma la de la ciudad más cercana: compruébela cerca de 
     <message>
         <source>Use sunrise and sunset instead of clock times</source>
         <translation>Usar amanecer y ocaso en lugar de horas de reloj</translation>
-    </message>
-    <message>
-        <source>The window begins this many hours after sunrise</source>
-        <translation>La franja empieza estas horas después del amanecer</translation>
-    </message>
-    <message>
-        <source>The window ends this many hours before sunset</source>
-        <translation>La franja termina estas horas antes del ocaso</translation>
-    </message>
-    <message>
-        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
-        <translation>Qué momento cuenta como amanecer y ocaso: la altura del centro del sol</translation>
     </message>
     <message>
         <source>On: the air lifts the sun a little near the horizon (refraction).
@@ -6237,6 +6780,14 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <source>Without it, the outline of the chosen place is shown, and of the one under the cursor</source>
         <translation>Sin ello se muestran el contorno del lugar elegido y el del que está bajo el cursor</translation>
     </message>
+    <message>
+        <source>Add to the &amp;city...</source>
+        <translation>Añadir a la ciu&amp;dad...</translation>
+    </message>
+    <message>
+        <source>A terrain, an aerial photograph, or parks and other places; what the city has stays</source>
+        <translation>Un terreno, una fotografía aérea, o parques y otros lugares; se conserva lo que la ciudad tiene</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceLinks</name>
@@ -6340,6 +6891,10 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <source>Remarks</source>
         <translation>Observaciones</translation>
     </message>
+    <message>
+        <source>Minutes of sun a day more than in the baseline, mean over the days and the place; negative: less</source>
+        <translation>Minutos de sol al día más que en la referencia, media de los días y del lugar; negativo: menos</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesDock</name>
@@ -6390,10 +6945,6 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>%1: no cell on open ground</source>
         <translation>%1: ninguna celda en suelo libre</translation>
-    </message>
-    <message>
-        <source>%1: %2 min of sun a day more or less</source>
-        <translation>%1: %2 min de sol al día más o menos</translation>
     </message>
     <message>
         <source>%1: %2 h of sun a day</source>
@@ -6455,6 +7006,14 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>%1: %2 of %3</source>
         <translation>%1: %2 de %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of sun a day less</source>
+        <translation>%1: %2 min de sol al día menos</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of sun a day more</source>
+        <translation>%1: %2 min de sol al día más</translation>
     </message>
 </context>
 <context>
@@ -6754,10 +7313,6 @@ Después: %3
         <translation>Idioma, colores, unidades, papel y página de inicio</translation>
     </message>
     <message>
-        <source>Language and units apply when Noonmark starts again.</source>
-        <translation>El idioma y las unidades se aplican al reiniciar Noonmark.</translation>
-    </message>
-    <message>
         <source>Pr&amp;eferences...</source>
         <translation>Prefere&amp;ncias...</translation>
     </message>
@@ -6771,10 +7326,6 @@ Después: %3
     <message>
         <source>Language</source>
         <translation>Idioma</translation>
-    </message>
-    <message>
-        <source>Of menus, panels and numbers; applies when Noonmark starts again. Files, sheets and error messages stay English</source>
-        <translation>De menús, paneles y números; se aplica al reiniciar Noonmark. Archivos, láminas y mensajes de error siguen en inglés</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -6845,8 +7396,12 @@ Después: %3
         <translation>Solo si el programa no se abre con un archivo. Ayuda &gt; Página de inicio la muestra siempre</translation>
     </message>
     <message>
-        <source>In which areas, lengths and heights are shown and lengths are typed; applies when Noonmark starts again</source>
-        <translation>En las que se muestran áreas, longitudes y alturas y se escriben longitudes; se aplica al volver a iniciar Noonmark</translation>
+        <source>Of menus, panels and numbers; applies at once. Files, sheets and error messages stay English</source>
+        <translation>De menús, paneles y números; se aplica enseguida. Los archivos, las láminas y los mensajes de error siguen en inglés</translation>
+    </message>
+    <message>
+        <source>In which areas, lengths and heights are shown and lengths are typed; applies at once</source>
+        <translation>En qué se muestran áreas, longitudes y alturas y se escriben las longitudes; se aplica enseguida</translation>
     </message>
 </context>
 <context>
@@ -7228,10 +7783,6 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <translation>%1 comparado con %2</translation>
     </message>
     <message>
-        <source>Review: sheets, tables and drawings</source>
-        <translation>Evaluación: láminas, tablas y dibujos</translation>
-    </message>
-    <message>
         <source>&amp;Export (%1)...</source>
         <translation>&amp;Exportar (%1)...</translation>
     </message>
@@ -7345,6 +7896,25 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
             <numerusform>%1 avisos sobre los datos</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Shows the figures of all places again</source>
+        <translation>Vuelve a mostrar las cifras de todos los lugares</translation>
+    </message>
+    <message>
+        <source>Who shades it</source>
+        <translation>Quién le da sombra</translation>
+    </message>
+    <message>
+        <source>Shows which buildings take sun from this place, and how much</source>
+        <translation>Muestra qué edificios quitan sol a este lugar, y cuánto</translation>
+    </message>
+    <message numerus="yes">
+        <source>Back to all %1 place(s)</source>
+        <translation>
+            <numerusform>Volver a %1 lugar</numerusform>
+            <numerusform>Volver a los %1 lugares</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewActions</name>
@@ -7365,20 +7935,12 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Muestra las láminas de la evaluación y las escribe con sus tablas y dibujos</translation>
     </message>
     <message>
-        <source>The review was exported to %1</source>
-        <translation>La evaluación se exportó a %1</translation>
-    </message>
-    <message>
-        <source>S&amp;heets of the review...</source>
-        <translation>Láminas de la evaluación...</translation>
-    </message>
-    <message>
-        <source>Export the review</source>
-        <translation>Exportar la revisión</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Export t&amp;he review...</source>
+        <translation>E&amp;xportar evaluación...</translation>
     </message>
 </context>
 <context>
@@ -7774,6 +8336,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <source>No chart</source>
         <translation>Sin gráfico</translation>
     </message>
+    <message>
+        <source>All of these together</source>
+        <translation>Todos estos juntos</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioTable</name>
@@ -7922,6 +8488,26 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Best of this column</source>
         <translation>El mejor de esta columna</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1</source>
+        <translation>Error medido frente a rayos: %1</translation>
+    </message>
+    <message>
+        <source>%1 changes the shadow area by %2: area times its share of the sunlit time. Ground with over %3 min more shadow a day: %4.</source>
+        <translation>%1 cambia el área de sombra en %2: área por su parte del tiempo con sol. Suelo con más de %3 min más de sombra al día: %4.</translation>
+    </message>
+    <message>
+        <source>All scenarios change the shadow area by %1.</source>
+        <translation>Todos los escenarios cambian el área de sombra en %1.</translation>
+    </message>
+    <message>
+        <source>%1 adds less shadow than %2: %3 of shadow area against %4 (area times its share of the sunlit time), and %5 against %6 of ground with over %7 min more a day.</source>
+        <translation>%1 añade menos sombra que %2: %3 de área de sombra frente a %4 (área por su parte del tiempo con sol), y %5 frente a %6 de suelo con más de %7 min más al día.</translation>
+    </message>
+    <message>
+        <source>By the weights %1, %2 scores best (%3) and %4 worst (%5).</source>
+        <translation>Según los pesos %1, %2 obtiene la mejor puntuación (%3) y %4 la peor (%5).</translation>
     </message>
 </context>
 <context>
@@ -8302,93 +8888,46 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     </message>
 </context>
 <context>
-    <name>noonmark::SheetsDialog</name>
+    <name>noonmark::StartPage</name>
     <message>
-        <source>Write files...</source>
-        <translation>Escribir archivos...</translation>
-    </message>
-    <message>
-        <source>Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, GeoPackage) to a folder</source>
-        <translation>Escribe en una carpeta las láminas (PDF), la tabla (CSV), los datos (JSON) y las sombras para CAD y SIG (DXF, GeoPackage)</translation>
-    </message>
-    <message>
-        <source>Sheets of the review</source>
-        <translation>Láminas de la evaluación</translation>
+        <source>Open a city</source>
+        <translation>Abrir una ciudad</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>Title block</source>
-        <translation>Cajetín</translation>
+        <source>Closes the start page (Esc)</source>
+        <translation>Cierra la página de inicio (Esc)</translation>
     </message>
     <message>
-        <source>Laying out the sheets</source>
-        <translation>Componiendo las láminas</translation>
+        <source>Drop files or a folder here: OpenStreetMap, GeoPackage, CityJSON, CityGML, IFC, meshes, terrain.</source>
+        <translation>Suelte aquí archivos o una carpeta: OpenStreetMap, GeoPackage, CityJSON, CityGML, IFC, mallas, terreno.</translation>
     </message>
     <message>
-        <source>Writing the files</source>
-        <translation>Escribiendo los archivos</translation>
+        <source>Open file...</source>
+        <translation>Abrir archivo...</translation>
     </message>
     <message>
-        <source>Written to %1</source>
-        <translation>Escrito en %1</translation>
+        <source>A project or city files (Ctrl+O)</source>
+        <translation>Un proyecto o archivos de ciudad (Ctrl+O)</translation>
     </message>
     <message>
-        <source>Write the files of the review to folder</source>
-        <translation>Escribir los archivos de la evaluación en una carpeta</translation>
+        <source>Open folder...</source>
+        <translation>Abrir carpeta...</translation>
     </message>
     <message>
-        <source>Cancelled. Any change lays the sheets out again.</source>
-        <translation>Cancelado. Cualquier cambio vuelve a componer las láminas.</translation>
+        <source>A folder of city files, such as tiles or a file geodatabase</source>
+        <translation>Una carpeta de archivos de ciudad, como teselas o una geodatabase de archivos</translation>
     </message>
     <message>
-        <source>With the project</source>
-        <translation>Con el proyecto</translation>
+        <source>Recent</source>
+        <translation>Recientes</translation>
     </message>
     <message>
-        <source>Open folder</source>
-        <translation>Abrir carpeta</translation>
-    </message>
-    <message>
-        <source>Shows the written files</source>
-        <translation>Muestra los archivos escritos</translation>
-    </message>
-    <message>
-        <source>Puts a copy of the project&apos;s file into the folder, so that the report can be verified from there</source>
-        <translation>Pone una copia del archivo del proyecto en la carpeta, para que el informe se pueda verificar desde allí</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::StartDialog</name>
-    <message>
-        <source>Start</source>
-        <translation>Inicio</translation>
-    </message>
-    <message>
-        <source>Noonmark measures the shadows that buildings cast on a city.</source>
-        <translation>Noonmark mide las sombras que los edificios proyectan sobre una ciudad.</translation>
-    </message>
-    <message>
-        <source>Open a city or a project...</source>
-        <translation>Abrir una ciudad o un proyecto...</translation>
-    </message>
-    <message>
-        <source>Footprints, OpenStreetMap, CityJSON, meshes, terrain</source>
-        <translation>Huellas, OpenStreetMap, CityJSON, mallas, terreno</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Ayuda</translation>
-    </message>
-    <message>
-        <source>User guide</source>
-        <translation>Guía del usuario</translation>
-    </message>
-    <message>
-        <source>How to study, compare and review</source>
-        <translation>Cómo estudiar, comparar y evaluar</translation>
+        <source>No longer there: %1</source>
+        <translation>Ya no está: %1</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -8411,12 +8950,24 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Una ciudad sintética de manzanas y parcelas</translation>
     </message>
     <message>
-        <source>Recent</source>
-        <translation>Recientes</translation>
+        <source>Guided tours and help</source>
+        <translation>Visitas guiadas y ayuda</translation>
     </message>
     <message>
-        <source>Guided tours</source>
-        <translation>Visitas guiadas</translation>
+        <source>User guide (F1)</source>
+        <translation>Guía del usuario (F1)</translation>
+    </message>
+    <message>
+        <source>How to study, compare and review</source>
+        <translation>Cómo estudiar, comparar y evaluar</translation>
+    </message>
+    <message>
+        <source>What do you want to know?</source>
+        <translation>¿Qué quiere saber?</translation>
+    </message>
+    <message>
+        <source>Of which city?</source>
+        <translation>¿De qué ciudad?</translation>
     </message>
 </context>
 <context>
@@ -9049,14 +9600,6 @@ del año, otras tantas semanas</translation>
         <translation>Como en el artículo, en lugar de rayos: inexacto en los bordes, pero las horas parecidas se calculan una vez</translation>
     </message>
     <message>
-        <source>&amp;Mouse and keys</source>
-        <translation>&amp;Ratón y teclas</translation>
-    </message>
-    <message>
-        <source>Ctrl+F1</source>
-        <translation>Ctrl+F1</translation>
-    </message>
-    <message>
         <source>Me&amp;asure distances</source>
         <translation>Med&amp;ir distancias</translation>
     </message>
@@ -9086,6 +9629,14 @@ del año, otras tantas semanas</translation>
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>View of the city</source>
+        <translation>Vista de la ciudad</translation>
+    </message>
+    <message>
+        <source>Arrow keys pan, plus and minus zoom; Ctrl+F1 lists all keys</source>
+        <translation>Las teclas de flecha desplazan, más y menos acercan y alejan; Ctrl+F1 muestra todas las teclas</translation>
     </message>
 </context>
 <context>
@@ -9387,10 +9938,6 @@ Fachadas, ventanas y planos se miden en puntos, cada uno con sus horas de sol.</
         <translation>Los días que se miden. Las horas no cambian</translation>
     </message>
     <message>
-        <source>As in a rule</source>
-        <translation>Según norma</translation>
-    </message>
-    <message>
         <source>The day and the hours of a review board&apos;s rule</source>
         <translation>El día y las horas de la norma de una autoridad</translation>
     </message>
@@ -9405,6 +9952,10 @@ Fachadas, ventanas y planos se miden en puntos, cada uno con sus horas de sol.</
     <message>
         <source>period</source>
         <translation>periodo</translation>
+    </message>
+    <message>
+        <source>Days of a rule</source>
+        <translation>Días de una norma</translation>
     </message>
 </context>
 <context>

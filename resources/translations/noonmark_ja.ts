@@ -203,6 +203,38 @@
         <source>The dock Scenarios says why in the row of each</source>
         <translation>理由はパネル「シナリオ」の各行にあります</translation>
     </message>
+    <message>
+        <source>The folder holds no buildings</source>
+        <translation>フォルダーに建物がありません</translation>
+    </message>
+    <message>
+        <source>Choose a folder of footprints, city models or meshes</source>
+        <translation>建物外形、都市モデル、またはメッシュのフォルダーを選んでください</translation>
+    </message>
+    <message>
+        <source>The city has a terrain already</source>
+        <translation>都市にはすでに地形があります</translation>
+    </message>
+    <message>
+        <source>Open the city without it first</source>
+        <translation>先に地形なしで都市を開いてください</translation>
+    </message>
+    <message>
+        <source>A terrain can be added to city files only, before they are saved as a project</source>
+        <translation>地形を追加できるのは、プロジェクトとして保存する前の都市ファイルだけです</translation>
+    </message>
+    <message>
+        <source>Open the city files and the terrain together</source>
+        <translation>都市ファイルと地形を一緒に開いてください</translation>
+    </message>
+    <message>
+        <source>The city has an aerial photograph already</source>
+        <translation>都市にはすでに航空写真があります</translation>
+    </message>
+    <message>
+        <source>Remove it first: File &gt; Aerial photograph</source>
+        <translation>先に削除してください: ファイル &gt; 航空写真</translation>
+    </message>
 </context>
 <context>
     <name>FieldText</name>
@@ -313,6 +345,117 @@
     <message>
         <source>What the study answers: minutes of shadow, the change that a scenario makes, a score of wanted and unwanted shadow, the verdicts of a board&apos;s rule, or the hours of sun of places.</source>
         <translation>検討の内容: 日影の分、シナリオによる変化、望ましい影と望ましくない影のスコア、審査機関の規定による判定、または場所の日照時間。</translation>
+    </message>
+</context>
+<context>
+    <name>KeySheet</name>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>left or middle drag</source>
+        <translation>左または中ボタンでドラッグ</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>right drag, Shift+drag, arrow keys</source>
+        <translation>右ボタンでドラッグ、Shift+ドラッグ、矢印キー</translation>
+    </message>
+    <message>
+        <source>Zoom to the cursor</source>
+        <translation>カーソル位置を拡大</translation>
+    </message>
+    <message>
+        <source>wheel, + and -</source>
+        <translation>ホイール、+ と -</translation>
+    </message>
+    <message>
+        <source>Menu of what is there</source>
+        <translation>その場所にあるもののメニュー</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>右クリック</translation>
+    </message>
+    <message>
+        <source>Buildings</source>
+        <translation>建物</translation>
+    </message>
+    <message>
+        <source>Select; another too</source>
+        <translation>選択; 追加で選択</translation>
+    </message>
+    <message>
+        <source>click; Ctrl+click</source>
+        <translation>クリック; Ctrl+クリック</translation>
+    </message>
+    <message>
+        <source>Select all in a rectangle</source>
+        <translation>長方形の中をすべて選択</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+drag</source>
+        <translation>Ctrl+Shift+ドラッグ</translation>
+    </message>
+    <message>
+        <source>Change the height</source>
+        <translation>高さを変更</translation>
+    </message>
+    <message>
+        <source>drag the arrow, or type the height and press Enter</source>
+        <translation>矢印をドラッグ、または高さを入力して Enter</translation>
+    </message>
+    <message>
+        <source>Deselect</source>
+        <translation>選択を解除</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>描画</translation>
+    </message>
+    <message>
+        <source>A corner</source>
+        <translation>角</translation>
+    </message>
+    <message>
+        <source>click; with Shift at right angles, with Ctrl without snapping</source>
+        <translation>クリック。Shift で直角、Ctrl でスナップなし</translation>
+    </message>
+    <message>
+        <source>A side of a stated length</source>
+        <translation>長さを指定した辺</translation>
+    </message>
+    <message>
+        <source>type it and press Enter</source>
+        <translation>長さを入力して Enter</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>double click, Enter or right click</source>
+        <translation>ダブルクリック、Enter、または右クリック</translation>
+    </message>
+    <message>
+        <source>Remove the last corner; cancel</source>
+        <translation>最後の角を削除; 中止</translation>
+    </message>
+    <message>
+        <source>Backspace; Esc</source>
+        <translation>Backspace; Esc</translation>
     </message>
 </context>
 <context>
@@ -886,10 +1029,6 @@ with %2</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source> M rays/s</source>
-        <translation> M レイ/秒</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>時間</translation>
     </message>
@@ -1254,34 +1393,14 @@ cells of %2 m</source>
         <translation>累計 %1 分/日</translation>
     </message>
     <message>
-        <source>Exploration</source>
-        <translation>探索</translation>
-    </message>
-    <message>
-        <source>Analysis</source>
-        <translation>解析</translation>
-    </message>
-    <message>
         <source>Ray reference</source>
         <translation>レイ基準</translation>
-    </message>
-    <message>
-        <source>Shadow on all visible surfaces: ground, roofs and facades.
-Updated when the view or the period changes, coarse at first, then pixel by pixel.</source>
-        <translation>見えるすべての面 (地面、屋根、外壁) の日影。
-視点や期間が変わると更新され、粗い表示から画素ごとに細かくなります。</translation>
     </message>
     <message>
         <source>Shadow on the ground of the region, cell by cell, with figures, report and files.
 Computed by the engine of the study when you press Run.</source>
         <translation>範囲の地面の日影をセルごとに、数値・報告書・ファイルとともに求めます。
 計算を押すと検討のエンジンで計算します。</translation>
-    </message>
-    <message>
-        <source>Like the analysis, but with one ray per cell and minute:
-the slow, exact reference for the other engines.</source>
-        <translation>解析と同じですが、セルと分ごとにレイ 1 本を使います。
-遅いが厳密な、他のエンジンの基準です。</translation>
     </message>
     <message>
         <source>in the middle of the picture</source>
@@ -1734,10 +1853,6 @@ All sides %2, area %3</source>
         <translation>提案による変化（%1 と比較）: %2</translation>
     </message>
     <message>
-        <source>Left or middle drag rotates, right drag or Shift pans, a right click opens a menu, the wheel zooms to the cursor. Arrow keys pan, + and - zoom. Home: whole city. N: north up. T: top view. Shift+S, E, N, W: from a side. U: from the sun. O: parallel projection. Shift+P: plan. R: region. Shift+M: measure. Shift+X: section box. B: solid buildings or wireframe. G: map on the ground. D: sun path dome. C: the other scenario, Shift+C: side by side, Shift+D: swipe. Shift+L: live change, Shift+F: live facades. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to select it (Ctrl+click: another too; a drag with Ctrl+Shift: all in a rectangle): drag its arrow or type its height and press Enter, Delete demolishes it, M moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): click corners, with Shift at right angles to the last side, with Ctrl without snapping, or type the length of a side and press Enter; double click, Enter or right click finishes, Backspace removes the last corner, Esc cancels. Ctrl+Shift+L edits the corners and sides of a lot.</source>
-        <translation>左または中ボタンのドラッグで回転、右ドラッグまたは Shift で移動、右クリックでメニュー、ホイールでカーソル位置に拡大します。矢印キーで移動、+ と - で拡大縮小。Home: 都市全体。N: 北を上に。T: 平面。Shift+S、E、N、W: 各方位から。U: 太陽から。O: 平行投影。Shift+P: 平面図。R: 範囲。Shift+M: 計測。Shift+X: 断面ボックス。B: 面またはワイヤーフレーム。G: 地面の地図。D: 太陽軌道ドーム。C: 比較するシナリオ、Shift+C: 並べて表示、Shift+D: スワイプ。Shift+L: ライブ変化、Shift+F: ライブファサード。F5: 探索、F6: 解析、F7: レイ基準。Ctrl+R: 計算。建物をクリックして選択し (Ctrl+クリックで追加、Ctrl+Shift+ドラッグで矩形内すべて)、矢印をドラッグするか高さを入力して Enter を押します。Delete で除却、M で移動、Ctrl+T で塔に置換、Esc で選択解除。範囲や敷地の作図 (Ctrl+L): 角をクリック、Shift で直前の辺に直角、Ctrl でスナップなし。辺の長さを入力して Enter を押すこともできます。ダブルクリック、Enter、右クリックで終了、Backspace で最後の角を取り消し、Esc で中止します。Ctrl+Shift+L で敷地の角と辺を編集します。</translation>
-    </message>
-    <message>
         <source>corner</source>
         <translation>角</translation>
     </message>
@@ -2104,6 +2219,113 @@ The study: %2</source>
     <message>
         <source> (top: %1)</source>
         <translation> （最上階：%1）</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>Hides these panels, for more of the view, and shows them again</source>
+        <translation>これらのパネルを隠して表示を広げ、再び表示します</translation>
+    </message>
+    <message>
+        <source>Panels at the left</source>
+        <translation>左のパネル</translation>
+    </message>
+    <message>
+        <source>Panels at the right</source>
+        <translation>右のパネル</translation>
+    </message>
+    <message>
+        <source>Panels below</source>
+        <translation>下のパネル</translation>
+    </message>
+    <message>
+        <source>As&amp;k</source>
+        <translation>質問(&amp;K)</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1-%2 % {1 ?}</translation>
+    </message>
+    <message>
+        <source>takes %1 min of sun a day, %2 % of its shadow</source>
+        <translation>日照を 1 日 %1 分減らす。その影の %2 %</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>備考</translation>
+    </message>
+    <message>
+        <source>%1: %2 compared with %3</source>
+        <translation>%1：%2を%3と比較</translation>
+    </message>
+    <message>
+        <source>%1 million rays a second</source>
+        <translation>毎秒 %1 百万レイ</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>現在</translation>
+    </message>
+    <message>
+        <source>Sun and shadow of a moment or a period on all visible surfaces: ground, roofs and facades.
+Updated when the view or the time changes, coarse at first, then pixel by pixel.</source>
+        <translation>ある時点または期間の日なたと影を、地面・屋根・ファサードなど見えるすべての面に示します。
+表示や時刻が変わると、まず粗く、次に画素ごとに更新します。</translation>
+    </message>
+    <message>
+        <source>Verdicts by the rules of review boards, of a proposal or of the existing city.
+Opens the panel Review.</source>
+        <translation>審査機関の規定による、計画案または既存の街の判定。
+「審査」パネルを開きます。</translation>
+    </message>
+</context>
+<context>
+    <name>StartQuestion</name>
+    <message>
+        <source>How sunny are our parks and streets?</source>
+        <translation>公園や街路の日当たりは？</translation>
+    </message>
+    <message>
+        <source>Hours of sun by place and month, and what lies below a threshold</source>
+        <translation>場所・月別の日照時間と、しきい値を下回るところ</translation>
+    </message>
+    <message>
+        <source>What would a tower change?</source>
+        <translation>塔で何が変わるか？</translation>
+    </message>
+    <message>
+        <source>New shadow, the worst spot and the places it reaches, live while you drag</source>
+        <translation>新しい影、影響が最大の地点、影が届く場所をドラッグしながらライブ表示</translation>
+    </message>
+    <message>
+        <source>Does this proposal pass the rules?</source>
+        <translation>この計画案は規定に適合するか？</translation>
+    </message>
+    <message>
+        <source>Verdicts by the rules of review boards, the site&apos;s first, and a book to file</source>
+        <translation>審査機関の規定による判定 (その土地の規定を先に) と、提出用の冊子</translation>
+    </message>
+    <message>
+        <source>Which facades and windows get sun?</source>
+        <translation>どのファサードと窓に日が当たるか？</translation>
+    </message>
+    <message>
+        <source>Hours of sun and daylight at points of the facades</source>
+        <translation>ファサードの点での日照時間と昼光</translation>
+    </message>
+    <message>
+        <source>Is the shade where we want it?</source>
+        <translation>影は望む場所にあるか？</translation>
+    </message>
+    <message>
+        <source>Wanted shade in summer against unwanted shadow in winter, by hour and month</source>
+        <translation>夏の望ましい影と冬の望ましくない影を、時刻と月ごとに比べます</translation>
     </message>
 </context>
 <context>
@@ -3384,14 +3606,6 @@ The study: %2</source>
         <translation>場所</translation>
     </message>
     <message>
-        <source>Change of the hours of sun a day by month</source>
-        <translation>月別の 1 日の日照時間の変化</translation>
-    </message>
-    <message>
-        <source>Change of the hours of sun a day of these places</source>
-        <translation>これらの場所の 1 日の日照時間の変化</translation>
-    </message>
-    <message>
         <source>First day</source>
         <translation>初日</translation>
     </message>
@@ -4058,6 +4272,278 @@ The study: %2</source>
     <message>
         <source>Fit</source>
         <translation>調整</translation>
+    </message>
+    <message>
+        <source>Verdicts on places</source>
+        <translation>場所の判定</translation>
+    </message>
+    <message>
+        <source>Review of windows</source>
+        <translation>窓の審査</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>審査</translation>
+    </message>
+    <message>
+        <source>without trees, as evergreens, with seasons</source>
+        <translation>樹木なし、常緑として、季節あり</translation>
+    </message>
+    <message>
+        <source>without trees</source>
+        <translation>樹木なし</translation>
+    </message>
+    <message>
+        <source>as evergreens</source>
+        <translation>常緑として</translation>
+    </message>
+    <message>
+        <source>with seasons</source>
+        <translation>季節あり</translation>
+    </message>
+    <message>
+        <source>Inventories of trees</source>
+        <translation>樹木台帳</translation>
+    </message>
+    <message>
+        <source>File with trees beside those of the city&apos;s files: points or a table with species, height, crown or stem; may be repeated</source>
+        <translation>都市ファイルの樹木に加える樹木のファイル: 点、または樹種・高さ・樹冠・幹の表。複数指定できます</translation>
+    </message>
+    <message>
+        <source>Shadow area of a month</source>
+        <translation>月の日影面積</translation>
+    </message>
+    <message>
+        <source>Shadow score of a month</source>
+        <translation>月の日影スコア</translation>
+    </message>
+    <message>
+        <source>Weighted shade of a month</source>
+        <translation>月の重み付き日陰</translation>
+    </message>
+    <message>
+        <source>Shadow area of an interval</source>
+        <translation>区間の日影面積</translation>
+    </message>
+    <message>
+        <source>Shadow score of an interval</source>
+        <translation>区間の日影スコア</translation>
+    </message>
+    <message>
+        <source>Weighted shade of an interval</source>
+        <translation>区間の重み付き日陰</translation>
+    </message>
+    <message>
+        <source>Mean sun of a small place with cells of its own</source>
+        <translation>専用のセルを持つ小さな場所の平均日照</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of sun a day by month</source>
+        <translation>月別の 1 日の日照の分数の変化</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of sun a day of these places</source>
+        <translation>これらの場所の 1 日の日照の分数の変化</translation>
+    </message>
+    <message>
+        <source>%1 and %2 take the same sun: %3 a day on average over the places.</source>
+        <translation>%1 と %2 が減らす日照は同じです: 場所の平均で 1 日 %3。</translation>
+    </message>
+    <message>
+        <source>%1 takes less sun than %2: %3 against %4 a day on average over the places.</source>
+        <translation>%1 が減らす日照は %2 より少なくなります: 場所の平均で 1 日 %3、%2 は %4。</translation>
+    </message>
+    <message>
+        <source>%1 has no open ground that was measured</source>
+        <translation>%1 には測定した空地がありません</translation>
+    </message>
+    <message>
+        <source>%1 has %2 of sun a day; %3 of its area has %4 or more</source>
+        <translation>%1 の日照は 1 日 %2。面積の %3 が %4 以上</translation>
+    </message>
+    <message>
+        <source>On %1 it has %2; %3 of its area has less than %4.</source>
+        <translation>%1 の日照は %2。面積の %3 が %4 未満です。</translation>
+    </message>
+    <message>
+        <source>%1 gives it %2 of sun a day, at most %3 at one spot.</source>
+        <translation>%1 はこの場所の日照を 1 日 %2、最大の地点で %3 増やします。</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 of sun a day from it, at most %3 at one spot.</source>
+        <translation>%1 はこの場所の日照を 1 日 %2、最大の地点で %3 減らします。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places fail %3 in %4</source>
+        <translation>%4 では %2 か所中 %1 か所が %3 に不適合</translation>
+    </message>
+    <message>
+        <source>No place fails %3 in %4, but %1 of %2 are borderline</source>
+        <translation>%4 では %3 に不適合の場所はないが、%2 か所中 %1 か所が境界</translation>
+    </message>
+    <message>
+        <source>All of the %2 places judged pass %3 in %4</source>
+        <translation>%4 では判定した %2 か所すべてが %3 に適合</translation>
+    </message>
+    <message>
+        <source>%3 judges none of the places in %4</source>
+        <translation>%4 では %3 が判定する場所なし</translation>
+    </message>
+    <message>
+        <source>%1 of %2 windows fail %3 in %4</source>
+        <translation>%4 では %2 個中 %1 個の窓が %3 に不適合</translation>
+    </message>
+    <message>
+        <source>No window fails %3 in %4, but %1 of %2 are borderline</source>
+        <translation>%4 では %3 に不適合の窓はないが、%2 個中 %1 個が境界</translation>
+    </message>
+    <message>
+        <source>All of the %2 windows judged pass %3 in %4</source>
+        <translation>%4 では判定した %2 個の窓すべてが %3 に適合</translation>
+    </message>
+    <message>
+        <source>%3 judges none of the windows in %4</source>
+        <translation>%4 では %3 が判定する窓なし</translation>
+    </message>
+    <message>
+        <source>Places that fail</source>
+        <translation>不適合の場所</translation>
+    </message>
+    <message>
+        <source>a limit of the rule is exceeded by more than the error of what was measured</source>
+        <translation>規定の限度を測定の誤差より大きく超えています</translation>
+    </message>
+    <message>
+        <source>Borderline places</source>
+        <translation>境界の場所</translation>
+    </message>
+    <message>
+        <source>within the error of a limit of the rule</source>
+        <translation>規定の限度の誤差の範囲内</translation>
+    </message>
+    <message>
+        <source>Places that pass</source>
+        <translation>適合の場所</translation>
+    </message>
+    <message>
+        <source>they keep all limits of the rule</source>
+        <translation>規定の限度をすべて守っています</translation>
+    </message>
+    <message>
+        <source>Places without a limit</source>
+        <translation>限度のない場所</translation>
+    </message>
+    <message>
+        <source>the rule does not cover them, or states figures only</source>
+        <translation>規定の対象外、または数値のみを示す規定</translation>
+    </message>
+    <message>
+        <source>Places not checked</source>
+        <translation>未確認の場所</translation>
+    </message>
+    <message>
+        <source>nothing could be measured there</source>
+        <translation>何も測定できませんでした</translation>
+    </message>
+    <message>
+        <source>Windows that fail</source>
+        <translation>不適合の窓</translation>
+    </message>
+    <message>
+        <source>in the scenario; rooms or dwellings where the rule judges those</source>
+        <translation>シナリオでの数。規定が部屋や住戸を判定する場合はその数</translation>
+    </message>
+    <message>
+        <source>Borderline windows</source>
+        <translation>境界の窓</translation>
+    </message>
+    <message>
+        <source>Windows that pass</source>
+        <translation>適合の窓</translation>
+    </message>
+    <message>
+        <source>Windows not judged</source>
+        <translation>判定していない窓</translation>
+    </message>
+    <message>
+        <source>the rule does not apply to them, or they were not checked</source>
+        <translation>規定の対象外、または未確認</translation>
+    </message>
+    <message>
+        <source>Windows that failed before</source>
+        <translation>以前に不適合だった窓</translation>
+    </message>
+    <message>
+        <source>in the baseline, of those that stand in both</source>
+        <translation>比較基準で、両方にあるもののうちの数</translation>
+    </message>
+    <message>
+        <source>Windows that get worse</source>
+        <translation>悪化する窓</translation>
+    </message>
+    <message>
+        <source>from pass to borderline or fail, or from borderline to fail</source>
+        <translation>適合から境界または不適合へ、あるいは境界から不適合へ</translation>
+    </message>
+    <message>
+        <source>Windows that get better</source>
+        <translation>改善する窓</translation>
+    </message>
+    <message>
+        <source>from fail to borderline or pass, or from borderline to pass</source>
+        <translation>不適合から境界または適合へ、あるいは境界から適合へ</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2。</translation>
+    </message>
+    <message>
+        <source>%1 more places fail or are borderline.</source>
+        <translation>ほかに %1 か所が不適合または境界です。</translation>
+    </message>
+    <message>
+        <source>%1 windows get worse than in %2, %3 get better.</source>
+        <translation>%2 より悪化する窓は %1 個、改善する窓は %3 個です。</translation>
+    </message>
+    <message>
+        <source>Shade of trees</source>
+        <translation>樹木の影</translation>
+    </message>
+    <message>
+        <source>What is measured beside the shadow without trees, where the city has some: without, evergreen, seasonal or all (default)</source>
+        <translation>都市に樹木がある場合、樹木なしの影のほかに測るもの: なし、常緑、季節、すべて (既定)</translation>
+    </message>
+    <message>
+        <source>first light of the disc (-0.833°)</source>
+        <translation>上縁が出る時 (-0.833°)</translation>
+    </message>
+    <message>
+        <source>middle of the disc (0°)</source>
+        <translation>中心が出る時 (0°)</translation>
+    </message>
+    <message>
+        <source>After sunrise</source>
+        <translation>日の出後</translation>
+    </message>
+    <message>
+        <source>The window begins this many hours after sunrise</source>
+        <translation>日の出からこの時間後に始まる</translation>
+    </message>
+    <message>
+        <source>Before sunset</source>
+        <translation>日没前</translation>
+    </message>
+    <message>
+        <source>The window ends this many hours before sunset</source>
+        <translation>日没のこの時間前に終わる</translation>
+    </message>
+    <message>
+        <source>Sunrise at</source>
+        <translation>日の出の定義</translation>
+    </message>
+    <message>
+        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
+        <translation>日の出・日没とみなす時点: 太陽中心の高度</translation>
     </message>
 </context>
 <context>
@@ -4867,14 +5353,6 @@ as published. Approximate: the legend states the measured error</source>
         <translation>図、数値、グラフ、方法を数ページにまとめた PDF</translation>
     </message>
     <message>
-        <source>Landscape</source>
-        <translation>横</translation>
-    </message>
-    <message>
-        <source>Paper</source>
-        <translation>用紙</translation>
-    </message>
-    <message>
         <source>a folder; it is created if missing</source>
         <translation>フォルダー。なければ作ります</translation>
     </message>
@@ -4899,12 +5377,40 @@ as published. Approximate: the legend states the measured error</source>
         <translation>フォルダー</translation>
     </message>
     <message>
-        <source>The sheets are shown first</source>
-        <translation>先に図面を表示します</translation>
+        <source>With the project</source>
+        <translation>プロジェクトも含める</translation>
     </message>
     <message>
-        <source>Show the sheets</source>
-        <translation>図面を表示</translation>
+        <source>Puts a copy of the project&apos;s file into the folder, so that the result can be verified from there</source>
+        <translation>結果をその場で検証できるように、プロジェクトファイルのコピーをフォルダーに入れます</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>フォルダーを開く</translation>
+    </message>
+    <message>
+        <source>Shows the written files</source>
+        <translation>書き出したファイルを表示します</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>%1 に書き出しました</translation>
+    </message>
+    <message>
+        <source>Cancelled. Any change lays the sheets out again.</source>
+        <translation>中止しました。変更すると配置し直します。</translation>
+    </message>
+    <message>
+        <source>Title block</source>
+        <translation>表題欄</translation>
+    </message>
+    <message>
+        <source>Laying out the sheets</source>
+        <translation>図面を配置中</translation>
     </message>
 </context>
 <context>
@@ -5087,10 +5593,6 @@ A click on a tile selects its row, a click on a row frames its window.</source>
         <translation>最新ではありません: 建物、窓、または規則が変わりました。もう一度実行してください。</translation>
     </message>
     <message>
-        <source>Writing the review</source>
-        <translation>審査を書き出しています</translation>
-    </message>
-    <message>
         <source>Estimating</source>
         <translation>所要時間を見積もっています</translation>
     </message>
@@ -5156,6 +5658,22 @@ A click on a tile selects its row, a click on a row frames its window.</source>
         <source>Back</source>
         <translation>戻る</translation>
     </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>ガイド内を検索</translation>
+    </message>
+    <message>
+        <source>Lists the pages with these words; Enter goes to the next place</source>
+        <translation>この語を含むページを一覧にします。Enter で次の箇所へ移ります</translation>
+    </message>
+    <message>
+        <source>Pages of the guide</source>
+        <translation>ガイドのページ</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::HelpActions</name>
@@ -5170,10 +5688,6 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     <message>
         <source>&amp;Start page</source>
         <translation>スタートページ(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Samples and recent projects</source>
-        <translation>サンプルと最近のプロジェクト</translation>
     </message>
     <message>
         <source>&amp;About Noonmark</source>
@@ -5194,6 +5708,56 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     <message>
         <source>Explains the field that is clicked next; in a field, Shift+F1</source>
         <translation>次にクリックした欄を説明します</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>マウスとキー(&amp;M)</translation>
+    </message>
+    <message>
+        <source>All keys and what the mouse does, as a table</source>
+        <translation>すべてのキーとマウス操作の一覧表</translation>
+    </message>
+    <message>
+        <source>Recent projects, samples and questions</source>
+        <translation>最近のプロジェクト、サンプル、質問</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::HoursOf</name>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>月別の 1 日の日照時間</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::KeySheet</name>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>マウスとキー</translation>
+    </message>
+    <message>
+        <source>Find a key or what it does</source>
+        <translation>キーまたはその働きを探す</translation>
+    </message>
+    <message>
+        <source>Shows the rows that contain these words</source>
+        <translation>この語を含む行を表示します</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>対象</translation>
+    </message>
+    <message>
+        <source>Keys, mouse</source>
+        <translation>キー、マウス</translation>
     </message>
 </context>
 <context>
@@ -5312,16 +5876,20 @@ Continuous shadow stays in minutes: the longest run in the sun does not follow f
         <translation>表示中のものの色は固定で、選ぶものがありません</translation>
     </message>
     <message>
-        <source>The panel Places divides the classes of sun by place</source>
-        <translation>場所別の日照の区分はパネル「場所」で決めます</translation>
-    </message>
-    <message>
         <source>A difference has its range beside the legend; a score is fitted</source>
         <translation>差の範囲は凡例の横にあります。得点は自動で合わせます</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>By the threshold of the panel Places</source>
+        <translation>「場所」パネルのしきい値による</translation>
+    </message>
+    <message>
+        <source>Range and numbers are hours of sun a day</source>
+        <translation>範囲と数値は 1 日の日照時間です</translation>
     </message>
 </context>
 <context>
@@ -5523,6 +6091,20 @@ Continuous shadow stays as it is: the longest run in the sun does not follow fro
         <source>%1[*] - Noonmark</source>
         <translation>%1[*] - Noonmark</translation>
     </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>論文の通り</translation>
+    </message>
+    <message>
+        <source>Now by shadow accrual maps, studies and reviews by inverse accrual maps through the direction graph.
+Approximate: the legend states the measured error. Undo takes the method of the study back</source>
+        <translation>「現在」は影累積マップ、検討と審査は方向グラフを通した逆累積マップによります。
+近似で、凡例に実測誤差を示します。元に戻すと検討の方法が戻ります</translation>
+    </message>
+    <message>
+        <source>receivers</source>
+        <translation>測定点</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MapLayer</name>
@@ -5713,13 +6295,6 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>
             <numerusform>あと %1 行</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::ModeSwitch</name>
-    <message>
-        <source>engine</source>
-        <translation>エンジン</translation>
     </message>
 </context>
 <context>
@@ -5945,6 +6520,10 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <source>Zoom to all</source>
         <translation>全体を表示</translation>
     </message>
+    <message>
+        <source>Open a folder of city files</source>
+        <translation>都市ファイルのフォルダーを開く</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -5956,32 +6535,8 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
 <context>
     <name>noonmark::PeriodForm</name>
     <message>
-        <source> h</source>
-        <translation> 時間</translation>
-    </message>
-    <message>
         <source>From sunrise to sunset</source>
         <translation>日の出から日没まで</translation>
-    </message>
-    <message>
-        <source>first light of the disc (-0.833°)</source>
-        <translation>上縁が出る時 (-0.833°)</translation>
-    </message>
-    <message>
-        <source>middle of the disc (0°)</source>
-        <translation>中心が出る時 (0°)</translation>
-    </message>
-    <message>
-        <source>After sunrise</source>
-        <translation>日の出後</translation>
-    </message>
-    <message>
-        <source>Before sunset</source>
-        <translation>日没前</translation>
-    </message>
-    <message>
-        <source>Sunrise at</source>
-        <translation>日の出の定義</translation>
     </message>
     <message>
         <source>Time zone and sun</source>
@@ -6004,18 +6559,6 @@ Set to that of the nearest city when a file is opened: check it near borders.</s
     <message>
         <source>Use sunrise and sunset instead of clock times</source>
         <translation>時刻の代わりに日の出と日没を使う</translation>
-    </message>
-    <message>
-        <source>The window begins this many hours after sunrise</source>
-        <translation>日の出からこの時間後に始まる</translation>
-    </message>
-    <message>
-        <source>The window ends this many hours before sunset</source>
-        <translation>日没のこの時間前に終わる</translation>
-    </message>
-    <message>
-        <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
-        <translation>日の出・日没とみなす時点: 太陽中心の高度</translation>
     </message>
     <message>
         <source>On: the air lifts the sun a little near the horizon (refraction).
@@ -6202,6 +6745,14 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>Without it, the outline of the chosen place is shown, and of the one under the cursor</source>
         <translation>オフの場合、選択した場所とカーソル下の場所の輪郭だけを表示します</translation>
     </message>
+    <message>
+        <source>Add to the &amp;city...</source>
+        <translation>都市に追加(&amp;C)...</translation>
+    </message>
+    <message>
+        <source>A terrain, an aerial photograph, or parks and other places; what the city has stays</source>
+        <translation>地形、航空写真、または公園などの場所。都市に今あるものは残ります</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceLinks</name>
@@ -6303,6 +6854,10 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>Remarks</source>
         <translation>備考</translation>
     </message>
+    <message>
+        <source>Minutes of sun a day more than in the baseline, mean over the days and the place; negative: less</source>
+        <translation>比較基準より増えた 1 日の日照の分数（日と場所の平均）。負は減少</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesDock</name>
@@ -6353,10 +6908,6 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>%1: no cell on open ground</source>
         <translation>%1: 建物のない地面のセルなし</translation>
-    </message>
-    <message>
-        <source>%1: %2 min of sun a day more or less</source>
-        <translation>%1: 日照の増減 1 日 %2 分</translation>
     </message>
     <message>
         <source>%1: %2 h of sun a day</source>
@@ -6415,6 +6966,14 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>%1: %2 of %3</source>
         <translation>%1：%3 中 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of sun a day less</source>
+        <translation>%1: 日照が 1 日 %2 分減少</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of sun a day more</source>
+        <translation>%1: 日照が 1 日 %2 分増加</translation>
     </message>
 </context>
 <context>
@@ -6714,10 +7273,6 @@ After: %3
         <translation>言語、配色、単位、用紙、スタートページ</translation>
     </message>
     <message>
-        <source>Language and units apply when Noonmark starts again.</source>
-        <translation>言語と単位は次回の起動時に適用されます。</translation>
-    </message>
-    <message>
         <source>Pr&amp;eferences...</source>
         <translation>環境設定(&amp;E)...</translation>
     </message>
@@ -6731,10 +7286,6 @@ After: %3
     <message>
         <source>Language</source>
         <translation>言語</translation>
-    </message>
-    <message>
-        <source>Of menus, panels and numbers; applies when Noonmark starts again. Files, sheets and error messages stay English</source>
-        <translation>メニュー、パネル、数値の言語。次回の起動時に適用。ファイル、図面、エラーは英語のままです</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -6805,8 +7356,12 @@ After: %3
         <translation>ファイルを開かずに起動したときだけ。ヘルプ &gt; スタートページ でいつでも表示できます</translation>
     </message>
     <message>
-        <source>In which areas, lengths and heights are shown and lengths are typed; applies when Noonmark starts again</source>
-        <translation>面積・長さ・高さの表示と長さの入力に使う単位。Noonmark の次回起動時に適用されます</translation>
+        <source>Of menus, panels and numbers; applies at once. Files, sheets and error messages stay English</source>
+        <translation>メニュー、パネル、数値の言語。すぐに適用。ファイル、図面、エラーメッセージは英語のままです</translation>
+    </message>
+    <message>
+        <source>In which areas, lengths and heights are shown and lengths are typed; applies at once</source>
+        <translation>面積・長さ・高さの表示と長さの入力の単位。すぐに適用</translation>
     </message>
 </context>
 <context>
@@ -7188,10 +7743,6 @@ Off: at the origin of the city from the other files.</source>
         <translation>%1 と %2 の比較</translation>
     </message>
     <message>
-        <source>Review: sheets, tables and drawings</source>
-        <translation>審査: 図面、表、作図</translation>
-    </message>
-    <message>
         <source>&amp;Export (%1)...</source>
         <translation>書き出す (%1)(&amp;E)...</translation>
     </message>
@@ -7303,6 +7854,24 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
             <numerusform>データに関する警告 %1 件</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Shows the figures of all places again</source>
+        <translation>すべての場所の数値を再び表示します</translation>
+    </message>
+    <message>
+        <source>Who shades it</source>
+        <translation>影を落とす建物</translation>
+    </message>
+    <message>
+        <source>Shows which buildings take sun from this place, and how much</source>
+        <translation>この場所の日照を奪う建物とその量を表示します</translation>
+    </message>
+    <message numerus="yes">
+        <source>Back to all %1 place(s)</source>
+        <translation>
+            <numerusform>全 %1 か所に戻る</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewActions</name>
@@ -7323,20 +7892,12 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>審査の図面を表示し、表や作図とともに書き出します</translation>
     </message>
     <message>
-        <source>The review was exported to %1</source>
-        <translation>審査を %1 に書き出しました</translation>
-    </message>
-    <message>
-        <source>S&amp;heets of the review...</source>
-        <translation>審査の図面(&amp;H)...</translation>
-    </message>
-    <message>
-        <source>Export the review</source>
-        <translation>審査を書き出す</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Export t&amp;he review...</source>
+        <translation>審査を書き出す(&amp;H)...</translation>
     </message>
 </context>
 <context>
@@ -7731,6 +8292,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>No chart</source>
         <translation>グラフなし</translation>
     </message>
+    <message>
+        <source>All of these together</source>
+        <translation>これらすべて</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioTable</name>
@@ -7879,6 +8444,26 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Best of this column</source>
         <translation>この列の最良値</translation>
+    </message>
+    <message>
+        <source>Measured error against rays: %1</source>
+        <translation>光線に対する計測誤差：%1</translation>
+    </message>
+    <message>
+        <source>%1 changes the shadow area by %2: area times its share of the sunlit time. Ground with over %3 min more shadow a day: %4.</source>
+        <translation>%1 による日影面積の変化は %2（面積 × 可照時間に占める割合）。影が 1 日 %3 分を超えて増える地面: %4。</translation>
+    </message>
+    <message>
+        <source>All scenarios change the shadow area by %1.</source>
+        <translation>どのシナリオでも日影面積の変化は %1 です。</translation>
+    </message>
+    <message>
+        <source>%1 adds less shadow than %2: %3 of shadow area against %4 (area times its share of the sunlit time), and %5 against %6 of ground with over %7 min more a day.</source>
+        <translation>%1 が加える影は %2 より少なくなります: 日影面積は %3 に対し %4（面積 × 可照時間に占める割合）、1 日 %7 分を超えて増える地面は %5 に対し %6。</translation>
+    </message>
+    <message>
+        <source>By the weights %1, %2 scores best (%3) and %4 worst (%5).</source>
+        <translation>重み %1 では、スコアが最もよいのは %2 (%3)、最も悪いのは %4 (%5) です。</translation>
     </message>
 </context>
 <context>
@@ -8259,93 +8844,46 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     </message>
 </context>
 <context>
-    <name>noonmark::SheetsDialog</name>
+    <name>noonmark::StartPage</name>
     <message>
-        <source>Write files...</source>
-        <translation>ファイルに書き出す...</translation>
-    </message>
-    <message>
-        <source>Writes the sheets (PDF), the table (CSV), the data (JSON), and the shadows for CAD and GIS (DXF, GeoPackage) to a folder</source>
-        <translation>図面 (PDF)、表 (CSV)、データ (JSON)、CAD と GIS 用の影 (DXF, GeoPackage) をフォルダーに書き出す</translation>
-    </message>
-    <message>
-        <source>Sheets of the review</source>
-        <translation>審査の図面</translation>
+        <source>Open a city</source>
+        <translation>都市を開く</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>Title block</source>
-        <translation>表題欄</translation>
+        <source>Closes the start page (Esc)</source>
+        <translation>スタートページを閉じます (Esc)</translation>
     </message>
     <message>
-        <source>Laying out the sheets</source>
-        <translation>図面を配置中</translation>
+        <source>Drop files or a folder here: OpenStreetMap, GeoPackage, CityJSON, CityGML, IFC, meshes, terrain.</source>
+        <translation>ファイルまたはフォルダーをここにドロップ: OpenStreetMap、GeoPackage、CityJSON、CityGML、IFC、メッシュ、地形。</translation>
     </message>
     <message>
-        <source>Writing the files</source>
-        <translation>ファイルを書き出し中</translation>
+        <source>Open file...</source>
+        <translation>ファイルを開く...</translation>
     </message>
     <message>
-        <source>Written to %1</source>
-        <translation>%1 に書き出しました</translation>
+        <source>A project or city files (Ctrl+O)</source>
+        <translation>プロジェクトまたは都市ファイル (Ctrl+O)</translation>
     </message>
     <message>
-        <source>Write the files of the review to folder</source>
-        <translation>審査のファイルをフォルダーに書き出す</translation>
+        <source>Open folder...</source>
+        <translation>フォルダーを開く...</translation>
     </message>
     <message>
-        <source>Cancelled. Any change lays the sheets out again.</source>
-        <translation>中止しました。変更すると配置し直します。</translation>
+        <source>A folder of city files, such as tiles or a file geodatabase</source>
+        <translation>タイルやファイルジオデータベースなど、都市ファイルのフォルダー</translation>
     </message>
     <message>
-        <source>With the project</source>
-        <translation>プロジェクトも含める</translation>
+        <source>Recent</source>
+        <translation>最近のファイル</translation>
     </message>
     <message>
-        <source>Open folder</source>
-        <translation>フォルダーを開く</translation>
-    </message>
-    <message>
-        <source>Shows the written files</source>
-        <translation>書き出したファイルを表示します</translation>
-    </message>
-    <message>
-        <source>Puts a copy of the project&apos;s file into the folder, so that the report can be verified from there</source>
-        <translation>報告書をその場で検証できるように、プロジェクトファイルのコピーをフォルダーに入れます</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::StartDialog</name>
-    <message>
-        <source>Start</source>
-        <translation>開始</translation>
-    </message>
-    <message>
-        <source>Noonmark measures the shadows that buildings cast on a city.</source>
-        <translation>Noonmark は建物が都市に落とす影を測ります。</translation>
-    </message>
-    <message>
-        <source>Open a city or a project...</source>
-        <translation>都市またはプロジェクトを開く...</translation>
-    </message>
-    <message>
-        <source>Footprints, OpenStreetMap, CityJSON, meshes, terrain</source>
-        <translation>建物外形、OpenStreetMap、CityJSON、メッシュ、地形</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>ヘルプ</translation>
-    </message>
-    <message>
-        <source>User guide</source>
-        <translation>ユーザーガイド</translation>
-    </message>
-    <message>
-        <source>How to study, compare and review</source>
-        <translation>検討、比較、審査のしかた</translation>
+        <source>No longer there: %1</source>
+        <translation>見つかりません: %1</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -8368,12 +8906,24 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>街区と敷地からなる合成都市</translation>
     </message>
     <message>
-        <source>Recent</source>
-        <translation>最近のファイル</translation>
+        <source>Guided tours and help</source>
+        <translation>ガイドツアーとヘルプ</translation>
     </message>
     <message>
-        <source>Guided tours</source>
-        <translation>ガイドツアー</translation>
+        <source>User guide (F1)</source>
+        <translation>ユーザーガイド (F1)</translation>
+    </message>
+    <message>
+        <source>How to study, compare and review</source>
+        <translation>検討、比較、審査のしかた</translation>
+    </message>
+    <message>
+        <source>What do you want to know?</source>
+        <translation>何を知りたいですか？</translation>
+    </message>
+    <message>
+        <source>Of which city?</source>
+        <translation>どの都市について？</translation>
     </message>
 </context>
 <context>
@@ -9006,14 +9556,6 @@ of the year, as many weeks</source>
         <translation>論文の通り、レイの代わりに。影の縁は不正確ですが、似た時刻は 1 回だけ計算します</translation>
     </message>
     <message>
-        <source>&amp;Mouse and keys</source>
-        <translation>マウスとキー(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Ctrl+F1</source>
-        <translation>Ctrl+F1</translation>
-    </message>
-    <message>
         <source>Me&amp;asure distances</source>
         <translation>距離を測る(&amp;A)</translation>
     </message>
@@ -9043,6 +9585,14 @@ of the year, as many weeks</source>
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>View of the city</source>
+        <translation>都市の表示</translation>
+    </message>
+    <message>
+        <source>Arrow keys pan, plus and minus zoom; Ctrl+F1 lists all keys</source>
+        <translation>矢印キーで移動、プラスとマイナスで拡大・縮小。Ctrl+F1 で全キーを一覧表示</translation>
     </message>
 </context>
 <context>
@@ -9344,10 +9894,6 @@ Facades, windows and planes are measured at points, each with its hours of sun.<
         <translation>測定する日。時間帯は変わりません</translation>
     </message>
     <message>
-        <source>As in a rule</source>
-        <translation>規定の通り</translation>
-    </message>
-    <message>
         <source>The day and the hours of a review board&apos;s rule</source>
         <translation>審査機関の規定の日と時間帯</translation>
     </message>
@@ -9362,6 +9908,10 @@ Facades, windows and planes are measured at points, each with its hours of sun.<
     <message>
         <source>period</source>
         <translation>期間</translation>
+    </message>
+    <message>
+        <source>Days of a rule</source>
+        <translation>規定の日</translation>
     </message>
 </context>
 <context>
