@@ -82,7 +82,6 @@ TEST_F(ExportWindow, APictureIsAsWideAsAsked) {
     ASSERT_NE(dialog, nullptr);
     EXPECT_FALSE(fieldOf<QPushButton>(*dialog, "exportWrite")->isEnabled()) << "no folder yet";
     EXPECT_FALSE(choose(*dialog, ExportChoice::Subject::scenarios)) << "one scenario alone";
-    EXPECT_FALSE(choose(*dialog, ExportChoice::Subject::review)) << "there is no review";
     fieldOf<QSpinBox>(*dialog, "exportPixels")->setValue(800);
     write(*dialog);
     EXPECT_EQ(QImage(inFolder("shadow.png")).width(), 800) << message();

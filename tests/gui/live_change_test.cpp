@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QStringList>
+
 #include "app/gui/tools/preview/effect_words.h"
 #include "tests/gui/live_scene.h"
 

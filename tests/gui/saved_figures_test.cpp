@@ -13,7 +13,6 @@ namespace noonmark {
 namespace {
 
 using test::smallProject;
-using test::square;
 
 StudySettings quickQuestion(const Project& project) {
     StudySettings settings;

@@ -16,7 +16,8 @@
 namespace noonmark {
 namespace {
 
-using namespace tests;
+using tests::cityOf;
+using tests::TemporaryFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -63,7 +64,7 @@ TEST(LayerStyles, TextsAreSafeInXmlAndSql) {
 
 TEST(LayerStyles, ContributionsAreColouredByTheirShare) {
     const TemporaryFolder folder;
-    const City city = cityOf({Box3{{0, 0, 0}, {10, 10, 20}}});
+    const City city = cityOf({tests::Box3{{0, 0, 0}, {10, 10, 20}}});
     ASSERT_TRUE(writeCityGeoPackage(folder.path("c.gpkg"), city, {{"share", {0.2}}}, contributionStyle()));
     const std::string qml = styleIn(folder.path("c.gpkg"), "buildings");
     EXPECT_THAT(qml, HasSubstr(R"(attr="share")"));

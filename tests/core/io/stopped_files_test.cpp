@@ -55,17 +55,17 @@ protected:
     NoProgress quiet_;
 };
 
-constexpr const char* square =
+constexpr const char* squareFeature =
     R"({"type":"Feature","properties":{"height":9},"geometry":{"type":"Polygon","coordinates":)"
     R"([[[-73.98,40.75],[-73.979,40.75],[-73.979,40.751],[-73.98,40.75]]]}},)";
 
 TEST_F(StoppedFile, OfGeoJsonIsGivenUp) {
-    expectGivenUp("city.geojson", repeated(R"({"type":"FeatureCollection","features":[)", square, "]}"));
+    expectGivenUp("city.geojson", repeated(R"({"type":"FeatureCollection","features":[)", squareFeature, "]}"));
 }
 
 TEST_F(StoppedFile, OfLinesOfGeoJsonIsGivenUp) {
     expectGivenUp("city.geojsonl",
-                  repeated("", std::string(square).substr(0, std::strlen(square) - 1) + "\n", ""));
+                  repeated("", std::string(squareFeature).substr(0, std::strlen(squareFeature) - 1) + "\n", ""));
 }
 
 TEST_F(StoppedFile, OfGmlIsGivenUp) {
