@@ -402,8 +402,8 @@
         <translation>Alle in einem Rechteck auswählen</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+drag</source>
-        <translation>Strg+Umschalt+Ziehen</translation>
+        <source>drag with Ctrl+Shift</source>
+        <translation>Ziehen mit Strg+Umschalt</translation>
     </message>
     <message>
         <source>Change the height</source>
@@ -2272,7 +2272,7 @@ Die Untersuchung: %2</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1-%2 % {1 ?}</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>takes %1 min of sun a day, %2 % of its shadow</source>
@@ -6135,6 +6135,10 @@ Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfa
     <message>
         <source>receivers</source>
         <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>Tabs of panels</source>
+        <translation>Reiter der Felder</translation>
     </message>
 </context>
 <context>

@@ -402,8 +402,8 @@
         <translation>Seleccionar todo en un rectángulo</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+drag</source>
-        <translation>Ctrl+Mayús+arrastrar</translation>
+        <source>drag with Ctrl+Shift</source>
+        <translation>arrastrar con Ctrl+Mayús</translation>
     </message>
     <message>
         <source>Change the height</source>
@@ -2272,7 +2272,7 @@ El estudio: %2</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1-%2 % {1 ?}</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>takes %1 min of sun a day, %2 % of its shadow</source>
@@ -6135,6 +6135,10 @@ Aproximado: la leyenda indica el error medido. Deshacer recupera el método ante
     <message>
         <source>receivers</source>
         <translation>receptores</translation>
+    </message>
+    <message>
+        <source>Tabs of panels</source>
+        <translation>Pestañas de los paneles</translation>
     </message>
 </context>
 <context>

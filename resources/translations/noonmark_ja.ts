@@ -402,8 +402,8 @@
         <translation>長方形の中をすべて選択</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+drag</source>
-        <translation>Ctrl+Shift+ドラッグ</translation>
+        <source>drag with Ctrl+Shift</source>
+        <translation>Ctrl+Shift を押しながらドラッグ</translation>
     </message>
     <message>
         <source>Change the height</source>
@@ -2246,7 +2246,7 @@ The study: %2</source>
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1-%2 % {1 ?}</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>takes %1 min of sun a day, %2 % of its shadow</source>
@@ -6104,6 +6104,10 @@ Approximate: the legend states the measured error. Undo takes the method of the 
     <message>
         <source>receivers</source>
         <translation>測定点</translation>
+    </message>
+    <message>
+        <source>Tabs of panels</source>
+        <translation>パネルのタブ</translation>
     </message>
 </context>
 <context>

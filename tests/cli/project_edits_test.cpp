@@ -157,7 +157,7 @@ TEST_F(ProjectEdits, MistakesSayWhatWhereAndWhatToDo) {
     EXPECT_THAT(refused("replace", {"nothing", "--scenario", "A", "--with", mesh_}),
                 HasSubstr("There is no such building"));
     EXPECT_THAT(refused("replace", {"One57", "--scenario", "A", "--with", file_}),
-                HasSubstr("OBJ, PLY, glTF, GLB, IFC, DXF, CityJSON"));
+                HasSubstr("OBJ, PLY, glTF, GLB, STL, COLLADA, IFC, DXF, CityJSON"));
     EXPECT_THAT(refused("extrude", {"--lot", "One57", "--id", "x"}), HasSubstr("--scenario is required"));
     EXPECT_THAT(refused("rename-scenario", {"A", "Existing"}), HasSubstr("Existing"));
     EXPECT_THAT(refused("rename-scenario", {"C", "D"}), HasSubstr("The scenarios are: Existing, A"));

@@ -89,6 +89,7 @@ TEST_F(ProjectWindow, APanelSideCollapsesAndComesBackAsItWas) {
         QStringList names;
         for (const QDockWidget* dock : window->findChildren<QDockWidget*>())
             if (!dock->isHidden()) names << dock->objectName();
+        names.sort();  // the window orders its children anew when they are shown
         return names;
     };
     const QStringList before = shown();

@@ -7,6 +7,7 @@
 #include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTimer>
 #include <QToolBar>
 
@@ -495,6 +496,13 @@ ProjectSaving::Compose MainWindow::projectToSave() {
     };
 }
 
+// Bars of tabs come and go as panels are laid over each other.
+void MainWindow::childEvent(QChildEvent* event) {
+    QMainWindow::childEvent(event);
+    if (!event->polished()) return;
+    if (auto* tabs = qobject_cast<QTabBar*>(event->child())) tabs->setAccessibleName(tr("Tabs of panels"));
+}
+
 // The last message stays: recovery comes before what was assumed of the files.
 void MainWindow::showProject() {
     panel_->messages().hide();
@@ -511,7 +519,6 @@ void MainWindow::showProject() {
     study_.repeatSaved();
     recovery_.offer();
     if (mode_.mode() == ViewMode::exploration) time_.showPresent();
-    nameForScreenReaders(*this);  // tabs of panels are there by now
 }
 
 void MainWindow::showDocument() {

@@ -29,7 +29,7 @@ constexpr MouseRow mouseRows[] = {
     {QT_TRANSLATE_NOOP("KeySheet", "Buildings"), QT_TRANSLATE_NOOP("KeySheet", "Select; another too"),
      QT_TRANSLATE_NOOP("KeySheet", "click; Ctrl+click")},
     {QT_TRANSLATE_NOOP("KeySheet", "Buildings"), QT_TRANSLATE_NOOP("KeySheet", "Select all in a rectangle"),
-     QT_TRANSLATE_NOOP("KeySheet", "Ctrl+Shift+drag")},
+     QT_TRANSLATE_NOOP("KeySheet", "drag with Ctrl+Shift")},
     {QT_TRANSLATE_NOOP("KeySheet", "Buildings"), QT_TRANSLATE_NOOP("KeySheet", "Change the height"),
      QT_TRANSLATE_NOOP("KeySheet", "drag the arrow, or type the height and press Enter")},
     {QT_TRANSLATE_NOOP("KeySheet", "Buildings"), QT_TRANSLATE_NOOP("KeySheet", "Deselect"),
