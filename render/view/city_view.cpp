@@ -321,12 +321,30 @@ void CityView::capture(std::function<void(QImage)> done) {
     if (cameraMoved_) applyCamera();
     places_->layNames(pose_, lens());
     dome_->layNames(pose_, lens());
-    Qt3DRender::QRenderCaptureReply* reply = frames_->capture()->requestCapture();
-    connect(reply, &Qt3DRender::QRenderCaptureReply::completed, this, [reply, done = std::move(done)] {
+    requestPicture(std::move(done));
+}
+
+// A frame that is left out, as where another window covers the view at that moment, takes its request with
+// it: it is made again until a picture comes.
+void CityView::requestPicture(std::function<void(QImage)> done) {
+    constexpr int patienceMs = 1500;
+    using Reply = Qt3DRender::QRenderCaptureReply;
+    Reply* reply = frames_->capture()->requestCapture();
+    auto* late = new QTimer(reply);
+    late->setSingleShot(true);
+    connect(reply, &Reply::completed, this, [reply, late, done] {
+        late->stop();
         const QImage image = reply->image();
         reply->deleteLater();
         done(image);
     });
+    connect(late, &QTimer::timeout, this, [this, reply, done] {
+        disconnect(reply, nullptr, this, nullptr);
+        reply->deleteLater();
+        displayed_.redraw();
+        requestPicture(done);
+    });
+    late->start(patienceMs);
 }
 
 }  // namespace noonmark

@@ -124,6 +124,7 @@ protected:
     void exposeEvent(QExposeEvent* event) override;
 
 private:
+    void requestPicture(std::function<void(QImage)> done);
     void makeLayers();
     void followFrames();
     void tellTraced();

@@ -6136,10 +6136,6 @@ Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfa
         <source>receivers</source>
         <translation>Messpunkte</translation>
     </message>
-    <message>
-        <source>Tabs of panels</source>
-        <translation>Reiter der Felder</translation>
-    </message>
 </context>
 <context>
     <name>noonmark::MapLayer</name>

@@ -6136,10 +6136,6 @@ Aproximado: la leyenda indica el error medido. Deshacer recupera el método ante
         <source>receivers</source>
         <translation>receptores</translation>
     </message>
-    <message>
-        <source>Tabs of panels</source>
-        <translation>Pestañas de los paneles</translation>
-    </message>
 </context>
 <context>
     <name>noonmark::MapLayer</name>

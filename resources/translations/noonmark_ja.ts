@@ -4351,7 +4351,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>%1 takes less sun than %2: %3 against %4 a day on average over the places.</source>
-        <translation>%1 が減らす日照は %2 より少なくなります: 場所の平均で 1 日 %3、%2 は %4。</translation>
+        <translation>%1 が奪う日照は %2 より少なくなります：場所の平均で 1 日、前者は %3、後者は %4 です。</translation>
     </message>
     <message>
         <source>%1 has no open ground that was measured</source>
@@ -6104,10 +6104,6 @@ Approximate: the legend states the measured error. Undo takes the method of the 
     <message>
         <source>receivers</source>
         <translation>測定点</translation>
-    </message>
-    <message>
-        <source>Tabs of panels</source>
-        <translation>パネルのタブ</translation>
     </message>
 </context>
 <context>

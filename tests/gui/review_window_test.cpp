@@ -354,7 +354,7 @@ TEST_F(SheetsWindow, HowMuchTheyHoldIsThatChosen) {
     settings.allPages = true;
     settings.leastPlaceM2 = 250;
     sheets.form().show(settings);
-    EXPECT_TRUE(sheets.findChild<QWidget*>(QStringLiteral("all-pages"))->isVisible());
+    EXPECT_TRUE(sheets.findChild<QWidget*>(QStringLiteral("allPages"))->isVisible());
     EXPECT_TRUE(sheets.form().settings().allPages);
     EXPECT_EQ(sheets.form().settings().leastPlaceM2, 250);
 }

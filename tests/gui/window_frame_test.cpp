@@ -7,6 +7,7 @@
 #include <QSet>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTabBar>
 
 #include "app/gui/docks/results/warnings_dock.h"
 #include "app/gui/session/study/warning_place.h"
@@ -71,19 +72,6 @@ TEST(WarningPlaces, NameABuildingByItsWholeIdOrAPartsAndTheLongestWins) {
     EXPECT_EQ(buildingNamed(city, ""), std::nullopt);
 }
 
-TEST_F(ProjectWindow, MessagesLieOverTheViewAndDoNotMoveIt) {
-    ViewPanel& panel = window->panel();
-    const auto view = [&] { return panel.view().size(); };
-    panel.messages().hide();
-    QCoreApplication::processEvents();
-    const QSize before = view();
-    panel.messages().showHelp(QStringLiteral("a message\nof two lines"));
-    ASSERT_TRUE(test::waitFor([&] { return panel.messages().width() > 200; }));
-    EXPECT_EQ(view(), before);
-    EXPECT_GE(panel.messages().height(), panel.messages().heightForWidth(panel.messages().width()));
-    EXPECT_TRUE(panel.rect().contains(panel.messages().geometry()));
-}
-
 TEST_F(ProjectWindow, APanelSideCollapsesAndComesBackAsItWas) {
     const auto shown = [this] {
         QStringList names;
@@ -106,6 +94,8 @@ TEST_F(ProjectWindow, ScreenReadersHaveANameForEverythingThatTakesTheKeyboard) {
     QStringList silent;
     for (QWidget* widget : window->findChildren<QWidget*>()) {
         if (widget->focusPolicy() == Qt::NoFocus) continue;
+        const auto* tabs = qobject_cast<QTabBar*>(widget);
+        if (tabs && tabs->count() == 0) continue;  // a spare one, which is never shown; tabs name themselves
         QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
         if (spoken == nullptr || spoken->text(QAccessible::Name).isEmpty())
             silent << QStringLiteral("%1 '%2'").arg(QLatin1String(widget->metaObject()->className()),

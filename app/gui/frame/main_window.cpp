@@ -7,7 +7,6 @@
 #include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
-#include <QTabBar>
 #include <QTimer>
 #include <QToolBar>
 
@@ -494,13 +493,6 @@ ProjectSaving::Compose MainWindow::projectToSave() {
     return [project = std::move(project), measured = workbench_.measured()] {
         return withMeasured(project, measured);
     };
-}
-
-// Bars of tabs come and go as panels are laid over each other.
-void MainWindow::childEvent(QChildEvent* event) {
-    QMainWindow::childEvent(event);
-    if (!event->polished()) return;
-    if (auto* tabs = qobject_cast<QTabBar*>(event->child())) tabs->setAccessibleName(tr("Tabs of panels"));
 }
 
 // The last message stays: recovery comes before what was assumed of the files.

@@ -110,7 +110,6 @@ Q_SIGNALS:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    void childEvent(QChildEvent* event) override;
 
 private:
     void makeStatusBar();

@@ -26,9 +26,6 @@ namespace noonmark {
 namespace {
 
 constexpr double straightDownDeg = 89;
-constexpr int messageGapPx = 8;
-constexpr int messagePx = 760;      // widest message
-constexpr int bareMessagePx = 480;  // beside the start page
 
 bool isInPlace(const Place& place, glm::dvec2 point) {
     return std::ranges::any_of(place.polygons, [&](const Footprint& polygon) {
@@ -72,13 +69,12 @@ ViewPanel::ViewPanel(QWidget* parent)
     container_->setAccessibleDescription(tr("Arrow keys pan, plus and minus zoom; Ctrl+F1 lists all keys"));
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(0);
+    column_->addWidget(messages_);
     column_->addWidget(container_, 1);
     column_->addWidget(time_);
     column_->addWidget(legend_);
     label_->setLeft([this] { return navigator_->pictureLeft(); });
     setAcceptDrops(true);
-    messages_->setAttribute(Qt::WA_NativeWindow);  // the view's own window would lie above it
-    for (QWidget* placed : {static_cast<QWidget*>(messages_), container_}) placed->installEventFilter(this);
     view_->installEventFilter(this);  // the native window inside the container receives the drops
     connect(view_, &CityView::poseChanged, this, [this] {
         legend_->setHeading(view_->pose().headingDeg);
@@ -102,18 +98,6 @@ ViewPanel::ViewPanel(QWidget* parent)
 void ViewPanel::setBare(bool bare) {
     for (QWidget* strip : {static_cast<QWidget*>(time_), static_cast<QWidget*>(legend_)})
         strip->setHidden(bare);
-    bare_ = bare;
-    placeMessages();
-}
-
-// Over the upper edge of the view, so that the picture does not move when a message comes or goes.
-void ViewPanel::placeMessages() {
-    if (messages_->isHidden()) return;
-    const QRect view = container_->geometry();
-    const int width = std::min(view.width() - 2 * messageGapPx, bare_ ? bareMessagePx : messagePx);
-    const int height = std::min(messages_->heightForWidth(width), view.height());
-    messages_->setGeometry(view.center().x() - width / 2, view.y() + messageGapPx, width, height);
-    messages_->raise();
 }
 
 void ViewPanel::connectNavigator() {
@@ -304,11 +288,6 @@ void ViewPanel::takePicture(const QString& title, const QString& when, std::func
 }
 
 bool ViewPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == messages_ || watched == container_) {
-        const auto type = event->type();
-        if (type == QEvent::LayoutRequest || type == QEvent::Show || watched == container_) placeMessages();
-        return false;
-    }
     if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
         dragEnterEvent(static_cast<QDragEnterEvent*>(event));
         return true;

@@ -82,7 +82,6 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    void placeMessages();
     void connectNavigator();
     void connectDrawing();
     void showCrossCursor(bool cross);
@@ -114,7 +113,6 @@ private:
     std::shared_ptr<const OpenCity> city_;
     std::unique_ptr<ResultLayer> results_;
     std::unique_ptr<MapLayer> map_;
-    bool bare_ = false;
     Region region_;
     std::vector<Place> places_;
     std::string highlighted_;  ///< name of a place
