@@ -144,8 +144,8 @@ TEST_F(ExportWindow, FollowsWhatIsShown) {
     const QString before = fieldOf<QComboBox>(*dialog, "exportSubject")->currentText();
     keep("June");
     showSaved("June");
-    ASSERT_TRUE(waitFor(
-        [&] { return fieldOf<QComboBox>(*dialog, "exportSubject")->currentText() != before; }));
+    ASSERT_TRUE(
+        waitFor([&] { return fieldOf<QComboBox>(*dialog, "exportSubject")->currentText() != before; }));
     EXPECT_THAT(fieldOf<QLabel>(*dialog, "exportFiles")->text().toStdString(), HasSubstr("result.json"));
 }
 

@@ -112,8 +112,7 @@ TEST(StudyFiles, HaveABookOfSheetsOnRequest) {
     const QTemporaryDir folder;
     BookSettings book;
     book.titleBlock.author = "A. Planner";
-    const auto files =
-        writeStudyFiles(tests::syntheticStudy(), folder.path().toStdString(), {.book = book});
+    const auto files = writeStudyFiles(tests::syntheticStudy(), folder.path().toStdString(), {.book = book});
     ASSERT_TRUE(files) << files.error().text();
     QFile pdf(folder.filePath("sheets.pdf"));
     ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));

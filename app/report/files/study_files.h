@@ -29,10 +29,10 @@ std::vector<std::string> studyFileNames(const StudySettings& settings, const Stu
 
 /// Writes all outputs of a study into a folder, which is created if missing: shadow.tif
 /// with its style for QGIS shadow.qml, shadow.png,
-/// report.pdf, study.json; sheets.pdf on request; region.geojson where the region is not a lon/lat box; cells.csv on request;
-/// by_month.tif, .qml and .csv, contributions.csv, .gpkg and .pdf where the study has them. The window and
-/// the command line write the same files. Returns the paths written; a file is written completely or not at
-/// all. Needs a QGuiApplication (the `offscreen` platform suffices).
+/// report.pdf, study.json; sheets.pdf on request; region.geojson where the region is not a lon/lat box;
+/// cells.csv on request; by_month.tif, .qml and .csv, contributions.csv, .gpkg and .pdf where the study has
+/// them. The window and the command line write the same files. Returns the paths written; a file is written
+/// completely or not at all. Needs a QGuiApplication (the `offscreen` platform suffices).
 Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
                                                            const std::filesystem::path& folder,
                                                            const StudyFileOptions& options);

@@ -61,7 +61,8 @@ QRect pixelsIn(const QRectF& shown, const QRectF& place, const QSize& picture) {
         .intersected(QRect(QPoint(0, 0), picture));
 }
 
-/// The part of the field that a map shows: the whole one may be larger than any picture, scaled to its pixels.
+/// The part of the field that a map shows: the whole one may be larger than any picture, scaled to its
+/// pixels.
 void cutTo(const QRectF& shown, QImage& picture, QRectF& place) {
     const QRect pixels = pixelsIn(shown, place, picture.size());
     if (pixels.size() == picture.size()) return;

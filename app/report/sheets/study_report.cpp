@@ -34,7 +34,8 @@ Sheet makeSheet(const Study& study, const LegendChoice& legend) {
                            extendRepeat(studyJson(study), listLegendOptions(legend, false))}};
     const AnswerPage page =
         makePage(study.field, study.statistics, nameOf(study.settings.region), legend.show);
-    if (!page.headline.source.empty()) sheet.finding = QString::fromStdString(formatText(page.headline)) + u'.';
+    if (!page.headline.source.empty())
+        sheet.finding = QString::fromStdString(formatText(page.headline)) + u'.';
     if (!isInstant(study.field) && hasRuns(study.statistics))
         sheet.smallMap.emplace(mapOf(study, ShadowMeasure::continuous, legend));
     return sheet;

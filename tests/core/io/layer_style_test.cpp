@@ -16,10 +16,10 @@
 namespace noonmark {
 namespace {
 
-using tests::cityOf;
-using tests::TemporaryFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using tests::cityOf;
+using tests::TemporaryFolder;
 
 // The default style of a layer, as QGIS finds it.
 std::string styleIn(const std::filesystem::path& file, const std::string& layer) {

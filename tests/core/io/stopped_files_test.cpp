@@ -60,12 +60,14 @@ constexpr const char* squareFeature =
     R"([[[-73.98,40.75],[-73.979,40.75],[-73.979,40.751],[-73.98,40.75]]]}},)";
 
 TEST_F(StoppedFile, OfGeoJsonIsGivenUp) {
-    expectGivenUp("city.geojson", repeated(R"({"type":"FeatureCollection","features":[)", squareFeature, "]}"));
+    expectGivenUp("city.geojson",
+                  repeated(R"({"type":"FeatureCollection","features":[)", squareFeature, "]}"));
 }
 
 TEST_F(StoppedFile, OfLinesOfGeoJsonIsGivenUp) {
-    expectGivenUp("city.geojsonl",
-                  repeated("", std::string(squareFeature).substr(0, std::strlen(squareFeature) - 1) + "\n", ""));
+    expectGivenUp(
+        "city.geojsonl",
+        repeated("", std::string(squareFeature).substr(0, std::strlen(squareFeature) - 1) + "\n", ""));
 }
 
 TEST_F(StoppedFile, OfGmlIsGivenUp) {
