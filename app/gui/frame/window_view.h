@@ -10,6 +10,7 @@ namespace noonmark {
 class ModeSwitch;
 class ReviewSession;
 class ViewPanel;
+struct ViewState;
 class Workbench;
 
 /// The window's state that is saved in the project: camera, mode, measure, scenario, study, review.
