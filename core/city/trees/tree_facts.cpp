@@ -47,16 +47,16 @@ double findCrownBase(const TreeFacts& facts, const TreeGroup& group, double heig
     return isBelowTop ? *facts.crownBaseM : group.crownBaseShare * heightM;
 }
 
-// As dense as a crown of medium density and usual size, whose ratios it has.
+// As dense as a crown of medium density and default size, whose ratios it has.
 Tree makeCanopyColumn(const TreeFacts& facts) {
     const TreeGroup& group = listTreeGroups().front();
     const double heightM = facts.heightM.value_or(group.heightM);
     const double baseM = group.crownBaseShare * heightM,
                  radiusM = std::sqrt(*facts.canopyCellM2 / std::numbers::pi);
-    const double usualRadiusM = group.heightM / group.heightPerCrown / 2;
-    const double usualChordM =
-        computeMeanChord(group.shape, usualRadiusM, group.heightM * (1 - group.crownBaseShare));
-    const double chords = computeMeanChord(CrownShape::cylinder, radiusM, heightM - baseM) / usualChordM;
+    const double groupRadiusM = group.heightM / group.heightPerCrown / 2;
+    const double groupChordM =
+        computeMeanChord(group.shape, groupRadiusM, group.heightM * (1 - group.crownBaseShare));
+    const double chords = computeMeanChord(CrownShape::cylinder, radiusM, heightM - baseM) / groupChordM;
     return {.sourceId = facts.sourceId,
             .heightM = float(heightM),
             .crownBaseM = float(baseM),

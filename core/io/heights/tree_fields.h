@@ -37,7 +37,7 @@ struct TreeFieldName {
     /// another unit. Empty: always.
     std::string_view besides = {};
     std::span<const double> classes = {};  ///< metres in the middle of class 0, 1, 2, ...: values are classes
-    bool unsure = false;                   ///< the unit is an assumption, which is said
+    bool unsure = false;                   ///< the unit is an assumption, which a warning states
 };
 
 /// All of them; where a layer has several of one role, the first in this list counts.
