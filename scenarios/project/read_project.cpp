@@ -8,7 +8,6 @@
 
 #include "core/base/clean_text.h"
 #include "core/receivers/place_names.h"
-#include "core/sun/period_fields.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/tables/checked_row.h"
 #include "scenarios/project/tables/geometry_blob.h"
@@ -117,45 +116,6 @@ std::vector<TimeWeights> readWeights(Database& database) {
                                            checked.number(9, "weight", {-1, 1})});
     }
     return tables;
-}
-
-constexpr NumberLimits countedMinutes{-12 * 60, 12 * 60};
-
-// Of a field of a period, which has a range.
-NumberLimits limitsOf(std::string_view key) {
-    const auto fields = periodFields().rows();
-    const ValueRange range = std::ranges::find(fields, key, &Field::key)->range.value();
-    return {range.min, range.max};
-}
-
-Period periodOf(const Statement& row) {
-    Period period;
-    const auto start = parseDate(row.text(1));
-    if (!start) throwDamaged("a period has an invalid date");
-    period.start = *start;
-    const CheckedRow checked(row, "periods", 11);
-    period.days = checked.integer(2, "days", limitsOf("days"));
-    period.from = std::chrono::minutes(checked.integer(3, "from_min", dayMinutes));
-    period.hours = checked.number(4, "hours", limitsOf("hours"));
-    period.stepMinutes = checked.number(5, "step_min", limitsOf("step_min"));
-    if (!row.isNull(6))
-        period.window =
-            SolarHours{std::chrono::minutes(checked.integer(6, "after_sunrise_min", countedMinutes)),
-                       std::chrono::minutes(checked.integer(7, "before_sunset_min", countedMinutes)),
-                       row.text(8) == "centre" ? SunriseRule::centre : SunriseRule::upperLimb};
-    period.zone = row.text(9);
-    period.refraction = row.integer(10) != 0;
-    return period;
-}
-
-std::vector<NamedPeriod> readPeriods(Database& database) {
-    std::vector<NamedPeriod> periods;
-    Statement row = database.prepare(
-        "SELECT name, start, days, from_min, hours, step_min, after_sunrise_min, before_sunset_min, "
-        "sunrise_rule, zone, "
-        "refraction, id FROM periods ORDER BY id");
-    while (row.step()) periods.push_back({cleanText(row.text(0)), periodOf(row)});
-    return periods;
 }
 
 std::map<std::string, std::string> readView(Database& database) {

@@ -13,6 +13,7 @@ std::shared_ptr<const City> readCityTables(Database& database);
 std::shared_ptr<const CityReading> readReading(Database& database);
 std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database);
 std::vector<MeasuredElement> readElements(Database& database, std::int64_t result);
+std::vector<NamedPeriod> readPeriods(Database& database);
 std::vector<SavedView> readSavedViews(Database& database);
 SheetSettings readSheetSettings(Database& database);
 std::shared_ptr<const MapContext> readContext(Database& database);  ///< null where there is none

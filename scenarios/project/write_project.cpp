@@ -83,25 +83,6 @@ void writeWeights(Database& database, const std::vector<TimeWeights>& tables) {
     }
 }
 
-void writePeriods(Database& database, const std::vector<NamedPeriod>& periods) {
-    database.execute("DELETE FROM periods");
-    Statement add = database.prepare(
-        "INSERT INTO periods (name, start, days, from_min, hours, step_min, after_sunrise_min, "
-        "before_sunset_min, "
-        "sunrise_rule, zone, refraction) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    for (const auto& [name, period] : periods) {
-        std::optional<int> after, before;
-        std::optional<std::string> rule;
-        if (period.window) {
-            after = int(period.window->afterSunrise.count());
-            before = int(period.window->beforeSunset.count());
-            rule = period.window->rule == SunriseRule::centre ? "centre" : "upper limb";
-        }
-        add.run(name, formatText(period.start), period.days, int(period.from.count()), period.hours,
-                period.stepMinutes, after, before, rule, period.zone, period.refraction);
-    }
-}
-
 void writeView(Database& database, const std::map<std::string, std::string>& view) {
     database.execute("DELETE FROM view_state");
     Statement add = database.prepare("INSERT INTO view_state (key, value) VALUES (?, ?)");

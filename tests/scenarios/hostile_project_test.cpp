@@ -132,11 +132,12 @@ TEST_F(HostileProject, PeriodsWeightsAndEditsAreChecked) {
     for (const char* change : {"first_month = 257", "first_month = 0", "last_day = 99", "from_min = -5",
                                "to_min = 1e10", "weight = 9e999", "weight = 'heavy'"})
         expectRefused(std::string("UPDATE time_weights SET ") + change, "time_weights");
-    for (const char* change : {"days = 0", "days = 1e12", "hours = -1", "hours = 9e999", "step_min = 0",
-                               "step_min = 1e-300", "from_min = 99999999999"})
-        expectRefused(std::string("UPDATE periods SET ") + change, "periods");
-    expectRefused("UPDATE periods SET after_sunrise_min = 1e9 WHERE after_sunrise_min IS NOT NULL",
-                  "periods");
+    for (const char* settings :
+         {R"({"days":0})", R"({"days":1e12})", R"({"hours":-1})", R"({"step_min":0})",
+          R"({"step_min":1e-300})", R"({"from":"99999999999"})", R"({"window":"sunrise+1000h..sunset"})",
+          R"({"start":"May"})", R"({"zone":7})", "[]", "{", "", "nonsense"})
+        expectRefused(std::string("UPDATE periods SET settings = '") + settings + "'", "periods");
+    expectRefused("UPDATE periods SET settings = NULL", "periods");
     for (const char* value : {R"({"building":"c","height_m":1e300})", R"({"building":"c","height_m":1e999})",
                               R"({"building":"c","height_m":"tall"})", "{", "[]", "nonsense"})
         expectRefused(std::string("UPDATE edits SET value = '") + value + "' WHERE kind = 'height'", "edit");

@@ -318,6 +318,44 @@ TEST_F(ProjectFileTest, AFileOfVersion8IsOpened) {
     expectSame(opened(), sampleWithPoints());
 }
 
+TEST_F(ProjectFileTest, AFileOfVersion8WithAColumnOfThatNameIsRefused) {
+    fs::copy_file(testFile("scenarios/files/version-8.noonmark.gpkg"), file());
+    Database(file(), Database::Access::write).execute("ALTER TABLE periods ADD COLUMN Settings TEXT");
+    EXPECT_THAT(troubleOfOpening(), HasSubstr("column 'settings'"));
+}
+
+TEST_F(ProjectFileTest, APeriodOfVersion8ThatMakesNoSenseIsDamage) {
+    for (const char* harm : {"days = 0", "from_min = -1", "step_min = 1e-300", "start = 'May'",
+                             "after_sunrise_min = 1e9, before_sunset_min = 0"}) {
+        fs::remove(file());
+        fs::copy_file(testFile("scenarios/files/version-8.noonmark.gpkg"), file());
+        Database(file(), Database::Access::write).execute(std::string("UPDATE periods SET ") + harm);
+        EXPECT_THAT(troubleOfOpening(), HasSubstr("periods")) << harm;
+    }
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion9IsOpened) {
+    fs::copy_file(testFile("scenarios/files/version-9.noonmark.gpkg"), file());
+    expectSame(opened(), sampleWithPoints());
+}
+
+// Each field of a period, other than its default.
+TEST_F(ProjectFileTest, EveryFieldOfAPeriodIsSaved) {
+    Period byClock{.days = 5,
+                   .from = std::chrono::minutes(7 * 60 + 23),
+                   .hours = 7.1,
+                   .stepMinutes = 0.1,
+                   .zone = "Asia/Tokyo",
+                   .refraction = false};
+    byClock.start = CivilDate{std::chrono::year{2028}, std::chrono::February, std::chrono::day{29}};
+    Period bySun = byClock;
+    bySun.window = SolarHours{std::chrono::minutes(-7), std::chrono::minutes(95), SunriseRule::centre};
+    Project project = sampleWithPoints();
+    project.periods = {{"by clock", byClock}, {"by sun", bySun}};
+    made(project);
+    EXPECT_EQ(opened().periods, project.periods);
+}
+
 TEST_F(ProjectFileTest, PointsThatMakeNoSenseAreDamage) {
     for (const char* harm : {"kind = 'door'", "x_m = 9e999", "z_m = 'high'", "normal_x = 2", "floor = 1e9",
                              "sunlit_min = -1", "azimuth_deg = 361", "sunlit_min_06 = 'much'"}) {

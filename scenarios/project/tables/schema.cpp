@@ -96,6 +96,9 @@ CREATE INDEX result_elements_result ON result_elements (result);
 // Since version 8.
 constexpr const char* sectionColumn = "ALTER TABLE saved_views ADD COLUMN section TEXT";
 
+// Since version 9.
+constexpr const char* periodSettingsColumn = "ALTER TABLE periods ADD COLUMN settings TEXT";
+
 struct FeatureTable {
     const char* table;
     const char* type;
@@ -201,9 +204,18 @@ void toVersion4(Database& database) {
     addContextTable(database);
 }
 
+// A column of that name can only be one that another program added; it is not overwritten.
+void refuseForeignColumn(Database& database, const char* table, const char* column) {
+    Statement found = database.prepare("SELECT 1 FROM pragma_table_info(?) WHERE name = ? COLLATE NOCASE");
+    found.begin(table, column);
+    if (found.step())
+        throwDamaged(fmt::format(
+            "its table '{}' has a column '{}' that is not the program's; rename it in a GIS program", table,
+            column));
+}
+
 void toVersion5(Database& database) {
-    if (database.value("SELECT 1 FROM pragma_table_info('lots') WHERE name = 'roads' COLLATE NOCASE"))
-        throwDamaged("its lots have a column 'roads' that is not the program's; rename it in a GIS program");
+    refuseForeignColumn(database, "lots", "roads");
     database.execute("ALTER TABLE lots ADD COLUMN roads TEXT");
 }
 
@@ -218,17 +230,20 @@ void toVersion7(Database& database) {
 }
 
 void toVersion8(Database& database) {
-    if (database.value(
-            "SELECT 1 FROM pragma_table_info('saved_views') WHERE name = 'section' COLLATE NOCASE"))
-        throwDamaged(
-            "its saved views have a column 'section' that is not the program's; rename it in a GIS program");
+    refuseForeignColumn(database, "saved_views", "section");
     database.execute(sectionColumn);
+}
+
+void toVersion9(Database& database) {
+    refuseForeignColumn(database, "periods", "settings");
+    database.execute(periodSettingsColumn);
+    addPeriodSettings(database);
 }
 
 // Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {
     static const std::vector<std::function<void(Database&)>> steps{
-        toVersion2, toVersion3, toVersion4, toVersion5, toVersion6, toVersion7, toVersion8};
+        toVersion2, toVersion3, toVersion4, toVersion5, toVersion6, toVersion7, toVersion8, toVersion9};
     return steps;
 }
 
@@ -244,6 +259,7 @@ void createSchema(Database& database, const std::string& localWkt) {
     addContextTable(database);
     addViewTable(database);
     database.execute(sectionColumn);
+    database.execute(periodSettingsColumn);
     addElementTable(database);
     addLayerStyles(database);
     database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")

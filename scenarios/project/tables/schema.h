@@ -8,7 +8,7 @@
 namespace noonmark {
 
 /// Schema version that this program writes; docs/project-file.md lists all versions.
-inline constexpr int schemaVersion = 8;
+inline constexpr int schemaVersion = 9;
 
 /// Warning added to files of version 1, which store no warnings.
 inline constexpr const char* noReadingText =
@@ -17,6 +17,10 @@ inline constexpr const char* noReadingText =
 
 /// Creates all tables in an empty database, a GeoPackage 1.3. `localWkt`: the project's coordinate system.
 void createSchema(Database& database, const std::string& localWkt);
+
+/// Fills the column `settings` of the table `periods`, which version 9 added, from the others. Throws
+/// DatabaseTrouble for a period that makes no sense.
+void addPeriodSettings(Database& database);
 
 /// Schema version of the file; 0 where it is not a Noonmark project.
 int versionOf(Database& database);
