@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "tests/cli/spoken.h"
@@ -72,6 +73,24 @@ TEST_F(StudyCommand, MonthsAndContributionsComeFromTheHorizonSweep) {
     const Spoken refused = study({"--engine", "ray", "--contributions"});
     EXPECT_NE(refused.code, exitOk);
     EXPECT_THAT(refused.err, HasSubstr("Choose one of: horizon, auto"));
+}
+
+// The value of the style's last colour.
+double endOfStyle(const std::string& qml) {
+    const std::size_t last = qml.rfind("<item value=\"");
+    return last == qml.npos ? 0 : std::stod(qml.substr(last + std::string("<item value=\"").size()));
+}
+
+// Eleven days of March and 29 of April, 6 h each. A day's range and classes say nothing about a month.
+TEST_F(StudyCommand, TheStyleOfMonthsEndsAtTheSunOfTheLongestMonth) {
+    const Spoken spoken = study({"--days", "40", "--by", "month", "--range", "0:200", "--classes", "50,100"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    constexpr double longest = 29 * 6 * 60;
+    EXPECT_THAT(contentOf(out / "by_month.csv"), HasSubstr("\n2026-04,10440,"));
+    const double end = endOfStyle(contentOf(out / "by_month.qml"));
+    EXPECT_GE(end, longest);
+    EXPECT_LT(end, 1.5 * longest);
+    EXPECT_EQ(endOfStyle(contentOf(out / "shadow.qml")), std::numeric_limits<double>::infinity());
 }
 
 TEST_F(StudyCommand, StandardOutputIsTheJsonFileAndNothingElse) {

@@ -106,6 +106,13 @@ TEST_F(TilesCommand, MonthsAreThoseOfCityStudy) {
     ASSERT_EQ(figures.size(), 3U);  // March and April
     EXPECT_THAT(figures[1], HasSubstr("2026-03,"));
     EXPECT_EQ(figures, figuresOf(folder.path("whole/by_month.csv")));
+    const auto textOf = [](const std::filesystem::path& file) {
+        std::ifstream stream(file);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    const std::string style = textOf(folder.path("whole/by_month.qml"));
+    EXPECT_EQ(style, textOf(folder.path("plan/merged/by_month.qml")));
+    EXPECT_THAT(style, HasSubstr("label=\"2880 min\""));  // eleven days of March, 4 h each: 2640 min
 }
 
 TEST_F(TilesCommand, ExitCodesTellErrorsThatStay) {

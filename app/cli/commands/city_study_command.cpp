@@ -68,7 +68,7 @@ Result<std::vector<std::filesystem::path>> writeTexts(const TiledStudy& tiled, c
     files.add(styleName, textContent(style));
     files.add(jsonName, textContent(json));
     if (study.settings.byMonth) {
-        files.add(monthStyleName, textContent(style));
+        files.add(monthStyleName, textContent(rasterStyle(makeMonthScale(study.sun, options.legend))));
         files.add(monthTableName, textContent(monthsCsv(tiled.months, study.provenance)));
     }
     if (needsRegionFile(study))

@@ -19,6 +19,7 @@
 #include "core/study/text/breakdown_text.h"
 #include "core/study/text/region_text.h"
 #include "core/study/tiles/map_bands.h"
+#include "core/study/tiles/tile_maps.h"
 #include "core/study/timed_study_json.h"
 
 namespace noonmark {
@@ -91,7 +92,7 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     if (study.breakdown && study.settings.byMonth) {
         files.add("by_month.tif",
                   [&](const std::filesystem::path& file) { return writeMonths(study, file); });
-        files.add("by_month.qml", textContent(style));
+        files.add("by_month.qml", textContent(rasterStyle(makeMonthScale(study.sun, options.legend))));
         files.add("by_month.csv", textContent(monthsCsv(study)));
     }
     if (study.breakdown && study.settings.contributions) {

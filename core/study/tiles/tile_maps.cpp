@@ -9,7 +9,8 @@ namespace noonmark {
 namespace {
 
 TileMap mapOfMonths(const SunSteps& sun, std::size_t firstBand) {
-    TileMap map{.name = "by_month", .title = "Shadow by month", .bands = {}, .firstBand = firstBand};
+    TileMap map{
+        .name = std::string(monthMap), .title = "Shadow by month", .bands = {}, .firstBand = firstBand};
     for (const std::string& month : monthsOf(sun).names) map.bands.push_back({month, "min", nullptr});
     return map;
 }
@@ -26,6 +27,14 @@ ColourScale makeShadowScale(const ShadowStatistics& figures, double sunlitMinute
                             const LegendChoice& legend) {
     return makeColourScale(withoutQuantiles(legend), {legend.show, sunlitMinutesPerDay},
                            std::max(sunlitMinutesPerDay, figures.maxGrossMin), {});
+}
+
+ColourScale makeMonthScale(const SunSteps& sun, const LegendChoice& legend) {
+    LegendChoice ofMonths = withoutQuantiles(legend);
+    ofMonths.range.reset();
+    if (ofMonths.classes.kind == LegendClasses::Kind::breaks) ofMonths.classes = {};
+    const std::vector<double> sunlit = monthsOf(sun).sunlitMinutes(sun);
+    return makeColourScale(ofMonths, {}, sunlit.empty() ? 0 : std::ranges::max(sunlit), {});
 }
 
 std::vector<TileMap> listTileMaps(const StudySettings& settings, const SunSteps& sun) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/io/write_raster.h"
@@ -25,8 +26,14 @@ struct TileMap {
 /// as many equal classes.
 ColourScale makeShadowScale(const ShadowStatistics& figures, double sunlitMinutesPerDay,
                             const LegendChoice& legend = {});
+/// The colours of maps of months, which hold the minutes of shadow of the whole month: up to those with the
+/// sun up in the month that has most of them. Range and typed classes of the legend, which are of a day, do
+/// not count; quantiles as above.
+ColourScale makeMonthScale(const SunSteps& sun, const LegendChoice& legend = {});
 /// Of maps around zero whose cells are never together.
 LegendChoice withoutQuantiles(LegendChoice legend);
+
+inline constexpr std::string_view monthMap = "by_month";  ///< the name of that of months
 
 /// The maps that the settings of a study ask for: `shadow` (gross and continuous), and `by_month`, with a
 /// band for each month of the sun.

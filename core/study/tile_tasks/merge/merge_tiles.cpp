@@ -86,8 +86,10 @@ private:
         figures.waterM2 = waterM2;
         addStatistics(district, figures, finished.size());
         addFigures(ownFigures);
-        const std::vector<TileMap> maps =
+        std::vector<TileMap> maps =
             listWrittenMaps(merge_.maps.empty() ? listTileMaps(own, *sun) : merge_.maps, hasRuns(figures));
+        for (TileMap& map : maps)
+            if (map.name == monthMap) map.colours = makeMonthScale(*sun, merge_.legend);
         return writeMaps(district, files, maps, makeShadowScale(figures, sunlit, merge_.legend))
             .and_then([&]() -> Result<void> {
                 if (!own.byMonth) return {};
