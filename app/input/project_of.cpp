@@ -1,7 +1,7 @@
 #include "app/input/project_of.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/city/trees/tree.h"
@@ -21,11 +21,12 @@ void addSamplePlaces(Project& project, const LoadedCity& loaded) {
         project.lots.push_back({lot.tower, lot.ground});
 }
 
+constexpr std::string_view whyNoTrees =
+    "projects do not hold them; all questions measure the shadow of buildings and terrain only";
+
 // A project has no table of trees: what it is asked now and after it is saved must be the same.
 void leaveOutTrees(City& city, Warnings& warnings) {
-    if (!city.trees) return;
-    warnings.push_back({WarningKind::leftOut, "trees: projects do not hold them",
-                        fmt::format("{} trees", city.trees->trees.size())});
+    std::ranges::move(warnOfTrees(city.trees, whyNoTrees), std::back_inserter(warnings));
     city.trees.reset();
 }
 

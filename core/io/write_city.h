@@ -36,8 +36,9 @@ struct BuildingColumn {
 ///
 /// A layer of polygons cannot hold a mesh: a part with a mesh is written as the prism of its footprint from
 /// bottomM to topM, keeps "mesh" as its height source, and gives one of the returned `leftOut` warnings.
-/// Terrain is not written and gives a warning too. Written beside the target and renamed, so that a killed
-/// process leaves no incomplete file. Error: the file cannot be written. Backend: write_city_gdal.cpp.
+/// Terrain and trees are not written and give a warning each, too. Written beside the target and renamed, so
+/// that a killed process leaves no incomplete file. Error: the file cannot be written. Backend:
+/// write_city_gdal.cpp.
 Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const City& city,
                                      const std::vector<BuildingColumn>& figures = {},
                                      const LayerStyle& style = {});

@@ -8,6 +8,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/city/terrain/building_ground.h"
+#include "core/city/trees/tree.h"
 #include "core/geo/earth_drop.h"
 #include "core/geo/longitude.h"
 #include "core/io/files/pending_file.h"
@@ -161,6 +162,8 @@ Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const Ci
     if (city.terrain)
         warnings->push_back(
             {WarningKind::leftOut, "terrain; keep its raster and read both files", file.filename().string()});
+    std::ranges::move(warnOfTrees(city.trees, "a GeoPackage of buildings does not hold them"),
+                      std::back_inserter(*warnings));
     return *std::move(warnings);
 }
 

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/base/memory_guard.h"
+#include "core/city/trees/tree.h"
 #include "core/measures/place_run.h"
 
 namespace noonmark {
@@ -39,6 +40,7 @@ Result<PlaceStudy> computePlaceStudy(const City& baseline, const City* scenario,
                      .cellM = settings.cellM};
     study.stepMinutes = sun->stepMinutes;
     for (const Place& place : places) study.places.push_back({.place = place});
+    study.warnings = warnOfTrees(baseline.trees);
     warnOfEmptyPlaces(*cells, study);
     const TimelineSettings wanted{settings.allSteps, settings.longestStays};
     const auto take = [&](std::size_t, std::span<const PlaceShadow> shadows) -> Result<void> {

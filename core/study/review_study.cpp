@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/progress_share.h"
+#include "core/city/trees/tree.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
 #include "core/measures/place_sums.h"
@@ -187,6 +188,7 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
         notCheckedIn(rule, baseline),
         {}};
     study.warnings = days.warnings;
+    std::ranges::move(warnOfTrees(scenario.trees), std::back_inserter(study.warnings));
     if (areSame(baseline, scenario))
         study.warnings.push_back({WarningKind::assumed,
                                   "the scenario changes nothing: it has the buildings of the baseline",

@@ -7,6 +7,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
+#include "core/city/trees/tree.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/reached_receivers.h"
 #include "core/measures/error_sample.h"
@@ -90,6 +91,7 @@ private:
         for (ShadowField* field : {&study.before, &study.after})
             if (field->engineKey.empty()) field->engineKey = settings_.study.engine;
         study.total = computeDifference(study.before, study.after, common_.change);
+        std::ranges::move(warnOfTrees(after.trees), std::back_inserter(study.total.warnings));
         for (const std::size_t i : fresh)
             if (auto added = addBuilding(after, i, study); !added) return tl::make_unexpected(added.error());
         if (auto done = measureError(before, after, study); !done) return tl::make_unexpected(done.error());

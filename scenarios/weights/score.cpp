@@ -9,6 +9,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
+#include "core/city/trees/tree.h"
 #include "core/measures/compared_cells.h"
 #include "core/measures/error_sample.h"
 #include "core/receivers/rasterize.h"
@@ -259,6 +260,7 @@ Result<Score> placeAndScore(const City& city, const StudySettings& settings, con
             return tl::make_unexpected(done.error());
     if (auto mismatch = findSeasonMismatch(weights, city.frame.origin().latDeg))
         score->warnings.push_back(*std::move(mismatch));
+    std::ranges::move(warnOfTrees(city.trees), std::back_inserter(score->warnings));
     return score;
 }
 

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "tests/cli/spoken.h"
@@ -90,6 +91,59 @@ TEST_F(TreesCommand, TheTableAndTheCellsStateThem) {
     std::getline(cells, heading);
     EXPECT_THAT(heading, HasSubstr("gross_min_evergreen,continuous_min_evergreen,gross_min_seasonal"));
     EXPECT_THAT(study({}).out, Not(HasSubstr("trees")));
+}
+
+// A question about the town with its two trees; `says`: why they are left out.
+class TreesLeftOut : public TreesCommand {
+protected:
+    void expectSaid(std::vector<std::string> question, const std::string& says) {
+        for (const char* word : {"--trees", inventory.c_str(), "--json"}) question.emplace_back(word);
+        const Spoken spoken = noonmarkCli(question);
+        ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+        const nlohmann::json warnings = spoken.json().at("warnings");
+        const auto isAboutTrees = [&](const nlohmann::json& warning) {
+            return warning.at("what") == "trees: " + says;
+        };
+        const auto found = std::ranges::find_if(warnings, isAboutTrees);
+        ASSERT_NE(found, warnings.end()) << question.front() << ": " << warnings;
+        EXPECT_EQ(found->at("kind"), "left out");
+        EXPECT_EQ(found->at("where"), nlohmann::json{"2 trees"});
+    }
+    std::vector<std::string> over(std::vector<std::string> question) const {
+        for (const char* word : {"--start", "2026-01-15", "--zone", "America/New_York", "--step", "30",
+                                 "--cell", "4", "--out", "--overwrite"}) {
+            question.emplace_back(word);
+            if (question.back() == "--out") question.push_back(folder.path(question.front()).string());
+        }
+        return question;
+    }
+
+    const std::string notMeasured = "this question measures the shadow of buildings and terrain only";
+    const std::string region = "-73.9815,40.7495,-73.9785,40.7515";
+};
+
+TEST_F(TreesLeftOut, QuestionsThatMeasureNoneSaySo) {
+    expectSaid(over({"by-place", town.string(), "--region", region}), notMeasured);
+    expectSaid(over({"city-study", town.string(), "--region", region}), notMeasured);
+    expectSaid(over({"study", town.string(), "--region", region, "--receivers", "facades"}), notMeasured);
+    expectSaid({"point", town.string(), "--at", "-73.9800,40.7504"}, notMeasured);
+}
+
+TEST_F(TreesLeftOut, FilesWithoutThemSaySo) {
+    expectSaid({"import", town.string(), "--out", folder.path("city.gpkg").string()},
+               "a GeoPackage of buildings does not hold them");
+}
+
+TEST_F(TreesLeftOut, OfAProjectEveryAnswerRepeatsIt) {
+    const std::string project = folder.path("town.noonmark.gpkg").string();
+    ASSERT_EQ(noonmarkCli({"project", "new", project, town.string(), "--trees", inventory}).code, exitOk);
+    const Spoken point = noonmarkCli({"point", project, "--at", "-73.9800,40.7504"});
+    EXPECT_THAT(point.out, HasSubstr("1 left out: trees: projects do not hold them")) << point.err;
+}
+
+TEST_F(TreesLeftOut, AStudyCountsThem) {
+    EXPECT_THAT(study({"--trees", inventory}).out, Not(HasSubstr("left out: trees")));
+    EXPECT_EQ(figures({"--trees", inventory}).at("warnings"), figures({}).at("warnings"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -18,6 +19,7 @@
 #include "app/cli/study/load_city.h"
 #include "app/input/output_rules.h"
 #include "app/report/skyline/skyline_svg.h"
+#include "core/city/trees/tree.h"
 #include "core/describe/command_flags.h"
 #include "core/io/files/write_text.h"
 #include "core/study/point_cases.h"
@@ -49,6 +51,7 @@ struct PointCities {
     std::optional<City> scenario;
     std::string zone;
     std::vector<PointCase> cases{};  ///< the existing city and all scenarios, if asked for
+    Warnings warnings{};             ///< of reading, and of what is not measured
 };
 
 void parsePlace(const std::string& text, PointQuestion& question) {
@@ -84,6 +87,7 @@ Result<PointCities> citiesOfProject(const PointOptions& options) {
     const auto before = cityOf(disk->project(), options.baseline.empty() ? existingCity : options.baseline);
     if (!before) return tl::make_unexpected(before.error());
     PointCities cities{before->city, std::nullopt, commonZone(disk->project()).value_or("UTC")};
+    cities.warnings = disk->project().reading->warnings;
     if (!options.scenario.empty()) {
         const auto after = cityOf(disk->project(), options.scenario);
         if (!after) return tl::make_unexpected(after.error());
@@ -103,7 +107,10 @@ Result<PointCities> citiesOf(const PointOptions& options, const Console& console
         return failure("Only a project has scenarios", options.read.files.front(),
                        "Omit --scenario, --against and --all-scenarios, or give a project file");
     return loadCity(options.read, console).map([](const LoadedCity& loaded) {
-        return PointCities{loaded.read.city, std::nullopt, "UTC"};
+        PointCities cities{loaded.read.city, std::nullopt, "UTC"};
+        cities.warnings = loaded.read.warnings;
+        std::ranges::move(warnOfTrees(loaded.read.city.trees), std::back_inserter(cities.warnings));
+        return cities;
     });
 }
 
@@ -187,11 +194,13 @@ int runPoint(const PointOptions& options, const Console& console) {
     if (options.json) {
         auto json = pointJson(*study, cities->baseline, scenario, *zone);
         if (!cases->empty()) json["scenarios"] = pointCasesJson(*cases, wall);
+        json["warnings"] = warningsJson(cities->warnings);
         console.out << toJsonText(json) << '\n';
         return exitOk;
     }
     print(*study, cities->baseline, scenario, *zone, console.out);
     printCases(*cases, wall, console.out);
+    printWarnings(console.out, cities->warnings);
     return exitOk;
 }
 

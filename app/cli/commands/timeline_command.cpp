@@ -19,6 +19,7 @@
 #include "core/study/text/timeline_text.h"
 #include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_file.h"
+#include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
 
@@ -88,6 +89,7 @@ Result<TimelineAnswer> computeTimelines(const TimelineOptions& options, bool hou
     return runPlaceStudy(before->city, options.to.empty() ? nullptr : &after->city, *places, settings,
                          AutoEngine(), progress, interrupt.token())
         .map([&](PlaceStudy study) {
+            putBefore(study.warnings, project.reading->warnings);
             return TimelineAnswer{std::move(study), {options.from, options.to, *zone}};
         });
 }

@@ -120,7 +120,9 @@ Result<MergeReport> mergeByPlace(const MergeOptions& options, const TaskPlan& pl
     merged->sun.baseline.asked = askedLike(plan, study);
     const auto folder = makeMergedFolder(options.folder);
     if (!folder) return tl::make_unexpected(folder.error());
-    MergeReport report{.places = merged->sun.baseline.places.size(), .missingTiles = merged->missingTiles};
+    MergeReport report{.places = merged->sun.baseline.places.size(),
+                       .missingTiles = merged->missingTiles,
+                       .warnings = merged->sun.baseline.warnings};
     const OffscreenQt qt;
     const auto answer = makeByPlaceAnswer(std::move(merged->sun), question->settings);
     auto files = answer->write(cities->back(), *folder, filesOf(options, plan, *book));
@@ -177,6 +179,7 @@ int runMerge(const MergeOptions& options, const Console& console) {
     if (report->missingTiles > 0)
         console.out << fmt::format("{} tiles are missing: their cells have no value\n", report->missingTiles);
     for (const auto& file : report->files) console.out << "Wrote " << file.string() << '\n';
+    printWarnings(console.out, report->warnings);
     return exitOk;
 }
 

@@ -1,5 +1,9 @@
 #include "core/city/trees/tree.h"
 
+#include <fmt/format.h>
+
+#include <utility>
+
 #include "core/describe/choice.h"
 
 namespace noonmark {
@@ -23,6 +27,15 @@ std::optional<CrownShape> parseCrownShape(std::string_view name) {
 std::string_view nameOf(TreeSource source) { return keyOf<TreeSource>(treeSourceNames, source); }
 std::optional<TreeSource> parseTreeSource(std::string_view name) {
     return findChoice<TreeSource>(treeSourceNames, name);
+}
+
+Warning makeTreeWarning(std::string where, std::string_view why) {
+    return {WarningKind::leftOut, fmt::format("trees: {}", why), std::move(where)};
+}
+
+Warnings warnOfTrees(const std::shared_ptr<const Trees>& trees, std::string_view why) {
+    if (!trees || trees->trees.empty()) return {};
+    return {makeTreeWarning(fmt::format("{} trees", trees->trees.size()), why)};
 }
 
 }  // namespace noonmark

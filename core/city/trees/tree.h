@@ -7,10 +7,13 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/base/warnings.h"
 
 namespace noonmark {
 
@@ -78,5 +81,15 @@ struct Trees {
 
 /// Leaf-on and leaf-off of a latitude, where none are stated: an assumption (docs/trees.md).
 LeafDays assumeLeafDays(double latDeg);
+
+/// Why trees are left out by the questions that measure without them: all but the study.
+inline constexpr std::string_view treesNotMeasured =
+    "this question measures the shadow of buildings and terrain only";
+
+/// The warning that trees are left out; `where`: "2931 trees", "in 3 tiles".
+Warning makeTreeWarning(std::string where, std::string_view why = treesNotMeasured);
+
+/// The same about the trees of a city, with their number. None where there are none.
+Warnings warnOfTrees(const std::shared_ptr<const Trees>& trees, std::string_view why = treesNotMeasured);
 
 }  // namespace noonmark

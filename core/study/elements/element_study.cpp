@@ -7,6 +7,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
+#include "core/city/trees/tree.h"
 #include "core/describe/command_options.h"
 #include "core/study/elements/element_sample.h"
 #include "core/study/study_fields.h"
@@ -22,6 +23,7 @@ Result<void> placePoints(ElementStudy& study, Progress& progress, const std::sto
     study.receivers = std::move(placed->receivers);
     study.planeM = placed->planeM;
     study.warnings = std::move(placed->warnings);
+    std::ranges::move(warnOfTrees(study.city.trees), std::back_inserter(study.warnings));
     study.seconds["receivers"] = watch.seconds();
     return {};
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
+#include "core/city/trees/tree.h"
 #include "core/geo/earth_drop.h"
 #include "core/review/glazing/glazing_points.h"
 #include "core/study/glazing/glazing_scene.h"
@@ -108,6 +109,7 @@ GlazingStudy beginStudy(const GlazingScene& scene, const GlazingReviewSettings& 
     study.seconds["build"] = scene.buildSeconds;
     addAssumptions(study, scene.placed, study.warnings);
     for (const Warning& warning : scene.days.warnings) study.warnings.push_back(warning);
+    std::ranges::move(warnOfTrees(scene.city.trees), std::back_inserter(study.warnings));
     return study;
 }
 

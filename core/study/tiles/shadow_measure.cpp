@@ -1,6 +1,7 @@
 #include "core/study/tiles/shadow_measure.h"
 
 #include "core/base/stopwatch.h"
+#include "core/city/trees/tree.h"
 #include "core/engines/api/blank_field.h"
 #include "core/measures/compared_cells.h"
 #include "core/receivers/roof_receivers.h"
@@ -31,6 +32,7 @@ Result<TileAnswer> ShadowMeasure::measure(const Grid& tile, Progress& progress, 
 Result<TileAnswer> ShadowMeasure::computed(const Receivers& receivers, Progress& progress,
                                            const std::stop_token& stop) {
     TileAnswer answer;
+    answer.result.hasTrees = !warnOfTrees(city_.trees).empty();
     if (receivers.cells.empty()) {
         answer.result.cost = makeBlankField(receivers, question_.sun).cost;
         return answer;

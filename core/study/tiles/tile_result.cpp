@@ -32,6 +32,7 @@ TileResult resultFrom(const Json& json) {
     if (json.contains("months")) result.monthMinutes = json.at("months").get<std::vector<double>>();
     if (json.contains("figures")) result.figures = json.at("figures").get<std::map<std::string, double>>();
     if (json.contains("lines")) result.lines = wholeNumberFrom<std::size_t>(json.at("lines"));
+    if (json.contains("has_trees")) result.hasTrees = json.at("has_trees");
     result.cost.rays = wholeNumberFrom<std::uint64_t>(json.at("rays"));
     for (const auto& [reason, count] : json.at("skipped").items())
         result.cost.skipped[reason] = wholeNumberFrom<std::uint64_t>(count);
@@ -68,6 +69,7 @@ Json toJson(const TileResult& result) {
     if (!result.monthMinutes.empty()) json["months"] = result.monthMinutes;
     if (!result.figures.empty()) json["figures"] = result.figures;
     if (result.lines > 0) json["lines"] = result.lines;
+    if (result.hasTrees) json["has_trees"] = true;
     if (result.contentHash.empty()) return json;
     json["content"] = result.contentHash;
     json["file_bytes"] = result.fileBytes;

@@ -21,6 +21,7 @@ struct TileResult {
     /// Sums that only some measures have, by name; their tiles are added up
     std::map<std::string, double> figures{};
     std::size_t lines = 0;  ///< of JSON in the tile's file; 0: the file is a raster
+    bool hasTrees = false;  ///< the city that it read has some, which are not measured
     Cost cost;
     std::string engineKey;  ///< key of the engine that computed it; empty if there was nothing to do
     std::string engine;     ///< its name for display

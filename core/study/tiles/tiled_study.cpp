@@ -7,6 +7,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
+#include "core/city/trees/tree.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/measures/has_runs.h"
@@ -157,6 +158,7 @@ Result<TiledStudy> computeTiles(TiledStudy tiled, const Engine& engine, const Ma
     if (auto covered = checkCoverage(study.terrainCoverage, study.settings.region.name); !covered)
         return tl::make_unexpected(covered.error());
     study.warnings = makeWarnings(study.terrainCoverage);
+    std::ranges::move(warnOfTrees(study.city.trees), std::back_inserter(study.warnings));
     auto journal =
         TileJournal::open(file.path.string() + ".tiles", hashStudy(study.city, study.settings), tiled.plan);
     if (!journal) return tl::make_unexpected(journal.error());

@@ -9,14 +9,25 @@ namespace noonmark {
 
 namespace {
 
+// About it, or about no place of its own.
+Warnings warningsAbout(const Place& place, const PlaceStudy& study, const Warnings& all) {
+    const auto isAbout = [](const Warning& warning, const PlaceTimeline& one) {
+        return warning.where == one.place.name;
+    };
+    Warnings about;
+    std::ranges::copy_if(all, std::back_inserter(about), [&](const Warning& warning) {
+        return warning.where == place.name ||
+               std::ranges::none_of(study.places, [&](const auto& one) { return isAbout(warning, one); });
+    });
+    return about;
+}
+
 /// A line for each place of a study, with the warnings about it.
 std::string linesOf(PlaceStudy study, const TimelineLabels& labels) {
     const Warnings all = std::move(study.warnings);
     std::string lines;
     for (const PlaceTimeline& place : study.places) {
-        study.warnings.clear();
-        std::ranges::copy_if(all, std::back_inserter(study.warnings),
-                             [&](const Warning& warning) { return warning.where == place.place.name; });
+        study.warnings = warningsAbout(place.place, study, all);
         lines += timelineJson(study, place, labels).dump() + '\n';
     }
     return lines;

@@ -1,12 +1,17 @@
 #include "core/study/tile_tasks/merge/merge_by_place.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <unordered_map>
 
+#include "core/city/trees/tree.h"
 #include "core/io/files/plain_file.h"
 #include "core/study/tiles/by_place_lines.h"
 #include "core/sun/zone_question.h"
@@ -116,6 +121,7 @@ private:
         std::vector<JoinedError> dateErrors;
         std::vector<ShownError> errors;
         Warnings warnings;
+        std::size_t tilesWithTrees = 0;
     };
 
     // Each once, in the order in which they are read.
@@ -154,8 +160,17 @@ private:
             for (std::size_t date = 0; date < own.dateErrors.size(); ++date)
                 if (own.dateErrors[date]) city.dateErrors.at(date).add(*own.dateErrors[date]);
             for (const ShownError& error : own.errors) addError(city.errors, error);
-            city.warnings.insert(city.warnings.end(), own.warnings.begin(), own.warnings.end());
+            takeWarnings(city, own.warnings);
         }
+    }
+
+    // Each tile has trees of its own extent, some of them in several.
+    static void takeWarnings(OfCity& city, const Warnings& ofTile) {
+        const auto isAboutTrees = [about = makeTreeWarning({})](const Warning& warning) {
+            return warning.what == about.what;
+        };
+        city.tilesWithTrees += std::size_t(std::ranges::count_if(ofTile, isAboutTrees));
+        std::ranges::copy_if(ofTile, std::back_inserter(city.warnings), std::not_fn(isAboutTrees));
     }
 
     void takePlace(PlaceLine line) {
@@ -226,6 +241,8 @@ private:
         for (const JoinedError& error : own.dateErrors) sun.dateErrors.push_back(error.get());
         sun.errors = own.errors;
         sun.warnings = own.warnings;
+        if (own.tilesWithTrees > 0)
+            sun.warnings.push_back(makeTreeWarning(fmt::format("in {} tiles", own.tilesWithTrees)));
         sun.seconds = {{"total", seconds_}};
         return sun;
     }

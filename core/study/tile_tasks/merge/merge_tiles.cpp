@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/base/progress_share.h"
+#include "core/city/trees/tree.h"
 #include "core/describe/command_flags.h"
 #include "core/describe/figure_text.h"
 #include "core/engines/api/blank_field.h"
@@ -17,6 +18,7 @@
 #include "core/measures/has_runs.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_tags.h"
+#include "core/study/text/warnings_json.h"
 #include "core/study/tile_tasks/merge/cloud_map.h"
 #include "core/study/tile_tasks/merge/stac_item.h"
 #include "core/study/tile_tasks/merge/tile_mosaic.h"
@@ -67,6 +69,7 @@ private:
         double waterM2 = 0;
         for (const auto& [tile, done] : finished) {
             sums.add(done.result.sums);
+            if (done.result.hasTrees) ++tilesWithTrees_;
             waterM2 += findWaterM2(done.result.cost, district.tiles.whole);
             for (const auto& [name, value] : done.result.figures) ownFigures[name] += value;
             months.add(done.result);
@@ -166,6 +169,9 @@ private:
         json["compute_seconds"] = status_.doneSeconds;
         json["districts"] = districts_;
         if (!report_.figures.empty()) json["figures"] = report_.figures;
+        if (tilesWithTrees_ > 0)
+            report_.warnings = {makeTreeWarning(fmt::format("in {} tiles", tilesWithTrees_))};
+        json["warnings"] = warningsJson(report_.warnings);
         auto written = writeFile("statistics.json", json.dump(2) + "\n");
         for (const auto& [name, places] : places_)
             if (written) written = writeFile(name + "places.csv", formatPlaces(places));
@@ -186,6 +192,7 @@ private:
     MergeReport report_;
     std::map<std::string, PlaceShadows> places_;  ///< by the beginning of their file's name
     Json districts_ = Json::array();
+    std::size_t tilesWithTrees_ = 0;
 };
 
 }  // namespace

@@ -28,6 +28,7 @@ struct MergeReport {
     std::map<std::string, double> figures;  ///< sums of the measure's own figures
     std::size_t places = 0;                 ///< of timelines
     std::size_t missingTiles = 0;
+    Warnings warnings{};  ///< those of timelines are in their files
 };
 
 /// The folder `merged` of a plan, made if it is missing.
