@@ -83,23 +83,23 @@ Result<std::vector<std::vector<double>>> traceSets(const City& city, const Recei
     return minutes;
 }
 
-std::vector<std::vector<double>> minutesAt(std::span<const std::vector<float>> minutes,
+std::vector<std::vector<double>> minutesAt(const ShadowBreakdown& sums,
                                            const std::vector<std::uint32_t>& cells) {
-    std::vector<std::vector<double>> some;
-    for (const std::vector<float>& ofSet : minutes) {
-        auto& values = some.emplace_back();
-        for (const std::uint32_t cell : cells) values.push_back(double(ofSet[cell]));
+    std::vector<std::vector<double>> some(sums.minutes.size());
+    for (const std::uint32_t cell : cells) {
+        const std::size_t receiver = findReceiver(sums, cell);
+        for (std::size_t set = 0; set < some.size(); ++set)
+            some[set].push_back(double(sums.minutes[set][receiver]));
     }
     return some;
 }
 
 Result<ComparedSets> compareSets(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                 const StepSets& sets, std::span<const std::vector<float>> minutes,
-                                 const std::vector<std::uint32_t>& cells, Progress& progress,
-                                 const std::stop_token& stop) {
-    return traceSets(city, receivers, sun, sets, cells, progress, stop)
+                                 const ShadowBreakdown& sums, const std::vector<std::uint32_t>& cells,
+                                 Progress& progress, const std::stop_token& stop) {
+    return traceSets(city, receivers, sun, sums.sets, cells, progress, stop)
         .map([&](std::vector<std::vector<double>>&& reference) {
-            return ComparedSets{minutesAt(minutes, cells), std::move(reference)};
+            return ComparedSets{minutesAt(sums, cells), std::move(reference)};
         });
 }
 

@@ -38,15 +38,14 @@ Result<std::vector<std::vector<double>>> traceSets(const City& city, const Recei
                                                    const std::vector<std::uint32_t>& cells,
                                                    Progress& progress, const std::stop_token& stop);
 
-/// The minutes of an engine, by set and cell of the grid, at these cells.
-std::vector<std::vector<double>> minutesAt(std::span<const std::vector<float>> minutes,
+/// An engine's sums by set at the cells of these receivers, by set and then by cell.
+std::vector<std::vector<double>> minutesAt(const ShadowBreakdown& sums,
                                            const std::vector<std::uint32_t>& cells);
 
-/// Holds an engine's sums by set against the ray reference at these receivers, ascending. `minutes`: by set
-/// and cell of the grid. Costs as of traceSets().
+/// Holds an engine's sums by set against the ray reference at these receivers, ascending. Costs as of
+/// traceSets().
 Result<ComparedSets> compareSets(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                 const StepSets& sets, std::span<const std::vector<float>> minutes,
-                                 const std::vector<std::uint32_t>& cells, Progress& progress,
-                                 const std::stop_token& stop);
+                                 const ShadowBreakdown& sums, const std::vector<std::uint32_t>& cells,
+                                 Progress& progress, const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -115,8 +115,7 @@ Result<std::optional<ShownError>> compareMonths(const Study& study, const std::s
     const auto cells =
         spreadReceivers(study.receivers, std::max<std::size_t>(1, size / 4), study.settings.errorSample.seed);
     NoProgress quiet;
-    const auto compared =
-        compareSets(study.city, study.receivers, study.sun, by.sets, by.minutes, cells, quiet, stop);
+    const auto compared = compareSets(study.city, study.receivers, study.sun, by, cells, quiet, stop);
     if (!compared) return tl::make_unexpected(compared.error());
     std::vector<double> off;
     for (std::size_t month = 0; month < by.sets.names.size(); ++month) {

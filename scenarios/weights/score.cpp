@@ -167,9 +167,9 @@ private:
     }
 
     Score summed(const ShadowBreakdown& breakdown) {
-        minutes_ = minutesAt(breakdown.minutes, sampled_);
+        minutes_ = minutesAt(breakdown, sampled_);
         ScoreSum sum(receivers_, weights_, pieces_);
-        for (std::size_t i = 0; i < pieces_.size(); ++i) sum.add(pieces_[i], breakdown.minutes[i]);
+        for (std::size_t i = 0; i < pieces_.size(); ++i) sum.add(pieces_[i], spreadOverGrid(breakdown, i));
         Score score = std::move(sum).finish();
         score.engine = breakdown.engine;
         return score;
@@ -186,8 +186,8 @@ private:
             if (!field) return tl::make_unexpected(field.error());
             const auto days = double(pieces_[i].sun.dayCount());
             sum.add(pieces_[i], field->grossMin, days);
-            minutes_.push_back(minutesAt(std::span(&field->grossMin, 1), sampled_).front());
-            for (double& minutes : minutes_.back()) minutes *= days;
+            std::vector<double>& minutes = minutes_.emplace_back();
+            for (const std::uint32_t cell : sampled_) minutes.push_back(double(field->grossMin[cell]) * days);
             words = field->engine;
             if (warnings.empty()) warnings = field->warnings;
         }

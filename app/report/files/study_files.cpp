@@ -35,8 +35,11 @@ Result<void> writeRaster(const Study& study, const std::filesystem::path& file) 
 Result<void> writeMonths(const Study& study, const std::filesystem::path& file) {
     std::vector<RasterBand> bands;
     const ShadowBreakdown& months = *study.breakdown;
+    std::vector<std::vector<float>> ofGrid;
     for (std::size_t set = 0; set < months.sets.names.size(); ++set)
-        bands.push_back({months.sets.names[set], "min", &months.minutes[set]});
+        ofGrid.push_back(spreadOverGrid(months, set));
+    for (std::size_t set = 0; set < months.sets.names.size(); ++set)
+        bands.push_back({months.sets.names[set], "min", &ofGrid[set]});
     return writeGeoTiff(file, study.city.frame, months.grid, bands, makeProvenanceTags(study.provenance));
 }
 

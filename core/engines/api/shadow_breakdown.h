@@ -26,10 +26,20 @@ struct ShadowBreakdown {
     Grid grid;
     StepSets sets;
     std::vector<double> sunlitMinutes;        ///< of each set
-    std::vector<std::vector<float>> minutes;  ///< of each set: in shadow, in all; grid order, NaN elsewhere
+    std::vector<std::uint32_t> cells;         ///< of the receivers: indices of the grid, ascending
+    std::vector<std::vector<float>> minutes;  ///< of each set and receiver: in shadow, in all
     std::vector<BuildingShadow> buildings;    ///< those that shade a receiver, ascending; empty unless wanted
     std::optional<BuildingShadow> terrain;    ///< where there is terrain and it shades a receiver
     std::string engine;                       ///< name and settings in words
 };
+
+/// The minutes of a set in grid order, NaN where there is no receiver.
+std::vector<float> spreadOverGrid(const ShadowBreakdown& breakdown, std::size_t set);
+
+/// The values of these cells of a grid.
+std::vector<float> valuesAt(const std::vector<std::uint32_t>& cells, const std::vector<float>& ofGrid);
+
+/// Place of a receiver's cell in ShadowBreakdown::cells. O(log cells)
+std::size_t findReceiver(const ShadowBreakdown& breakdown, std::uint32_t cell);
 
 }  // namespace noonmark

@@ -71,15 +71,17 @@ bool EngineInUse::isIndependent() const {
 
 Result<ShadowBreakdown> EngineInUse::sumSetBySet(const City& city, const StepSets& sets, Progress& progress,
                                                  const std::stop_token& stop) const {
-    ShadowBreakdown breakdown{
-        .grid = receivers_.grid, .sets = sets, .sunlitMinutes = sets.sunlitMinutes(sun_)};
+    ShadowBreakdown breakdown{.grid = receivers_.grid,
+                              .sets = sets,
+                              .sunlitMinutes = sets.sunlitMinutes(sun_),
+                              .cells = receivers_.cells};
     for (std::size_t set = 0; set < sets.names.size(); ++set) {
         ProgressShare share(progress, set, sets.names.size());
         const SunSteps own = sets.stepsOf(set, sun_);
         auto field = choice_->engine->accumulate(city, receivers_, own, share, stop);
         if (!field) return tl::make_unexpected(field.error());
-        for (float& minutes : field->grossMin) minutes *= float(own.dayCount());
-        breakdown.minutes.push_back(std::move(field->grossMin));
+        auto& minutes = breakdown.minutes.emplace_back(valuesAt(breakdown.cells, field->grossMin));
+        for (float& one : minutes) one *= float(own.dayCount());
         breakdown.engine = std::move(field->engine);
     }
     return breakdown;

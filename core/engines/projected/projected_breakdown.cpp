@@ -12,7 +12,7 @@ Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receiv
                                                   Progress& progress, const std::stop_token& stop) {
     const ShadowCasters casters =
         makeShadowCasters(city, findBuildingsInReach(city, receivers, sun), receivers.grid);
-    ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), {}, {}, {}, {}};
+    ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), receivers.cells, {}, {}, {}, {}};
     breakdown.engine = "Projected shadows: exact on flat ground, one run for all months and intervals";
     for (std::size_t set = 0; set < sets.names.size(); ++set) {
         const SunSteps own = sets.stepsOf(set, sun);
@@ -21,7 +21,7 @@ Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receiv
         ProgressShare share(progress, set, sets.names.size());
         if (const auto filled = Projection(casters, receivers, own, share, stop).run(field); !filled)
             return tl::make_unexpected(filled.error());
-        breakdown.minutes.push_back(std::move(field.grossMin));
+        breakdown.minutes.push_back(valuesAt(receivers.cells, field.grossMin));
     }
     return breakdown;
 }

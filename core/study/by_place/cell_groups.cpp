@@ -23,7 +23,7 @@ std::vector<CountedCell> listCells(const PlaceReceivers& on, std::size_t place) 
     auto uneven = on.unevenOf[place].begin();
     for (const CellSpan& span : on.cellsOf[place])
         for (std::uint32_t i = 0; i < span.count; ++i) {
-            CountedCell one{on.receivers.cells[span.first + i]};
+            CountedCell one{on.receivers.cells[span.first + i], span.first + i};
             if (uneven != on.unevenOf[place].end() && uneven->bit == cells.size()) {
                 one.share += uneven->extra;
                 one.isInside = !uneven->isBeside;

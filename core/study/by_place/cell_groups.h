@@ -10,9 +10,10 @@
 
 namespace noonmark {
 
-/// A cell of a place: its index in the grid, and how much of it counts.
+/// A cell of a place: its index in the grid, its place in Receivers::cells, and how much of it counts.
 struct CountedCell {
     std::uint32_t cell = 0;
+    std::uint32_t receiver = 0;
     double share = 1;
     bool isInside = true;  ///< its centre lies in the place
 };

@@ -3,10 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "core/engines/api/blank_field.h"
 #include "core/engines/auto_engine.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/reached_receivers.h"
@@ -33,10 +30,15 @@ Buildings listChanged(const City& before, const City& after) {
 }
 
 // The receivers that were not swept have the minutes of the first city.
-void fillFrom(const ShadowBreakdown& first, ShadowBreakdown& part) {
-    for (std::size_t set = 0; set < part.minutes.size(); ++set)
-        for (std::size_t cell = 0; cell < part.minutes[set].size(); ++cell)
-            if (std::isnan(part.minutes[set][cell])) part.minutes[set][cell] = first.minutes[set][cell];
+ShadowBreakdown fillFrom(const ShadowBreakdown& first, const ShadowBreakdown& part) {
+    ShadowBreakdown all = first;
+    all.engine = part.engine;
+    for (std::size_t i = 0; i < part.cells.size(); ++i) {
+        const std::size_t receiver = findReceiver(first, part.cells[i]);
+        for (std::size_t set = 0; set < part.minutes.size(); ++set)
+            all.minutes[set][receiver] = part.minutes[set][i];
+    }
+    return all;
 }
 
 }  // namespace
@@ -59,9 +61,8 @@ Result<ShadowBreakdown> CitySweeps::sweepOther(std::size_t city, const ShadowBre
     const auto reached = findChanged(city);
     if (!reached) return engine_.breakDown(other, sets_, false, progress, stop);
     if (reached->cells.empty()) return first;
-    auto part = engine_.breakDownPart(other, *reached, sets_, progress, stop);
-    if (part) fillFrom(first, *part);
-    return part;
+    return engine_.breakDownPart(other, *reached, sets_, progress, stop)
+        .map([&](const ShadowBreakdown& part) { return fillFrom(first, part); });
 }
 
 std::optional<Receivers> CitySweeps::findChanged(std::size_t city) {
@@ -92,18 +93,6 @@ double CitySweeps::forecastOne(const City& city, const Receivers& receivers, std
     load.receivers = std::min(sample, receivers_.cells.size());
     const double rays = sample == 0 ? 0 : estimateSeconds(load).ray;
     return (sweep * placesOverModel + rays) * modelCores / double(tbb::this_task_arena::max_concurrency());
-}
-
-ShadowField makeField(const ShadowBreakdown& sums, const Receivers& receivers, const SunSteps& sun) {
-    ShadowField field = makeBlankField(receivers, sun);
-    std::ranges::fill(field.continuousMin, std::numeric_limits<float>::quiet_NaN());
-    for (const std::uint32_t cell : receivers.cells) {
-        double minutes = 0;
-        for (const auto& ofSet : sums.minutes) minutes += double(ofSet[cell]);
-        field.grossMin[cell] = float(minutes / double(sun.dayCount()));
-    }
-    field.engine = sums.engine;
-    return field;
 }
 
 }  // namespace noonmark

@@ -49,7 +49,4 @@ private:
     std::optional<ShadowReach> reach_;  // created on first use
 };
 
-/// Minutes a day in shadow, from the minutes of all sets.
-ShadowField makeField(const ShadowBreakdown& sums, const Receivers& receivers, const SunSteps& sun);
-
 }  // namespace noonmark

@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "core/engines/api/blank_field.h"
 
 namespace noonmark {
 
 namespace {
 
-double hoursAt(const ShadowField& field, std::uint32_t cell) {
-    return std::max(0.0, field.sunlitMinutesPerDay - double(field.grossMin[cell])) / 60;
+double hoursAt(const MeanDay& day, const CountedCell& one) {
+    return std::max(0.0, day.sunlitMin - double(day.grossMin[one.receiver])) / 60;
 }
 
 /// Shares of the area of a place, from hours a day at its cells.
@@ -24,7 +27,7 @@ template <class Hours>
 AreaSums sumUp(const std::vector<CountedCell>& cells, double enoughHours, Hours&& hours) {
     AreaSums sums;
     for (const CountedCell& one : cells) {
-        const double at = hours(one.cell);
+        const double at = hours(one);
         sums.cells += one.share;
         sums.hours += one.share * at;
         if (float(at) >= float(enoughHours)) sums.enough += one.share;  // as computeEnoughShare() compares
@@ -32,23 +35,24 @@ AreaSums sumUp(const std::vector<CountedCell>& cells, double enoughHours, Hours&
     return sums;
 }
 
-SunOfPlace summarize(const ShadowField& field, const std::vector<CountedCell>& cells, double enoughHours) {
+SunOfPlace summarize(const Grid& grid, const MeanDay& day, const std::vector<CountedCell>& cells,
+                     double enoughHours) {
     SunOfPlace sun;
     if (cells.empty()) return sun;
-    const auto hours = [&](std::uint32_t cell) { return hoursAt(field, cell); };
+    const auto hours = [&](const CountedCell& one) { return hoursAt(day, one); };
     const AreaSums sums = sumUp(cells, enoughHours, hours);
-    sun.cellM = field.grid.cellM;
-    sun.areaM2 = sums.cells * field.grid.cellAreaM2();
+    sun.cellM = grid.cellM;
+    sun.areaM2 = sums.cells * grid.cellAreaM2();
     sun.meanHours = sums.hours / sums.cells;
     sun.enoughShare = sums.enough / sums.cells;
     for (const CountedCell& one : cells)
-        sun.ofCells.push_back({float(hours(one.cell)), float(one.share), one.isInside});
+        sun.ofCells.push_back({float(hours(one)), float(one.share), one.isInside});
     const bool anyInside = std::ranges::any_of(cells, &CountedCell::isInside);
     for (const CountedCell& one : cells) {
         if (anyInside && !one.isInside) continue;
         ++sun.cells;
-        sun.minHours = std::fmin(sun.minHours, hours(one.cell));
-        sun.maxHours = std::fmax(sun.maxHours, hours(one.cell));
+        sun.minHours = std::fmin(sun.minHours, hours(one));
+        sun.maxHours = std::fmax(sun.maxHours, hours(one));
     }
     return sun;
 }
@@ -57,8 +61,8 @@ std::vector<double> averageMonths(const ShadowBreakdown& sums, const std::vector
                                   const std::vector<CountedCell>& cells) {
     std::vector<double> means;
     for (std::size_t month = 0; month < days.size(); ++month) {
-        const AreaSums all = sumUp(cells, 0, [&](std::uint32_t cell) {
-            return (sums.sunlitMinutes[month] - double(sums.minutes[month][cell])) / 60 / days[month];
+        const AreaSums all = sumUp(cells, 0, [&](const CountedCell& one) {
+            return (sums.sunlitMinutes[month] - double(sums.minutes[month][one.receiver])) / 60 / days[month];
         });
         means.push_back(all.hours / all.cells);
     }
@@ -115,24 +119,44 @@ std::vector<double> countDays(const SunSteps& sun) {
     return days;
 }
 
-void takeMonths(SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums,
-                const ShadowField& field) {
+MeanDay averageDay(const ShadowBreakdown& sums, const SunSteps& sun) {
+    MeanDay day{.grossMin = std::vector<float>(sums.cells.size()),
+                .sunlitMin = sun.sunlitMinutes() / double(sun.dayCount())};
+    for (std::size_t i = 0; i < day.grossMin.size(); ++i) {
+        double minutes = 0;
+        for (const auto& ofSet : sums.minutes) minutes += double(ofSet[i]);
+        day.grossMin[i] = float(minutes / double(sun.dayCount()));
+    }
+    return day;
+}
+
+ShadowField makeField(const ShadowBreakdown& sums, const MeanDay& day, const Receivers& receivers,
+                      const SunSteps& sun) {
+    ShadowField field = makeBlankField(receivers, sun);
+    std::ranges::fill(field.continuousMin, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < day.grossMin.size(); ++i)
+        field.grossMin[receivers.cells[i]] = day.grossMin[i];
+    field.engine = sums.engine;
+    return field;
+}
+
+void takeMonths(SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums, const MeanDay& day) {
     const std::vector<double> days = countDays(made.daylight);
     for (std::size_t i = 0; i < group.places.size(); ++i) {
         SunOfPlace& sun = made.sun[group.places[i]];
-        sun = summarize(field, group.cells[i], made.settings.enoughHours);
+        sun = summarize(sums.grid, day, group.cells[i], made.settings.enoughHours);
         sun.monthHours = averageMonths(sums, days, group.cells[i]);
         sun.seasonHours = averageSeasons(made.months, days, sun.monthHours);
     }
 }
 
-void takeDate(SunByPlace& made, const CellGroup& group, const ShadowField& field) {
+void takeDate(SunByPlace& made, const CellGroup& group, const MeanDay& day) {
     for (std::size_t i = 0; i < group.places.size(); ++i) {
         const AreaSums sums = sumUp(group.cells[i], made.settings.enoughHours,
-                                    [&](std::uint32_t cell) { return hoursAt(field, cell); });
+                                    [&](const CountedCell& one) { return hoursAt(day, one); });
         SunOfPlace& sun = made.sun[group.places[i]];
         std::vector<float>& ofCells = sun.dateHoursOfCells.emplace_back();
-        for (const CountedCell& one : group.cells[i]) ofCells.push_back(float(hoursAt(field, one.cell)));
+        for (const CountedCell& one : group.cells[i]) ofCells.push_back(float(hoursAt(day, one)));
         sun.dateHours.push_back(sums.hours / sums.cells);
         sun.belowShare.push_back(1 - sums.enough / sums.cells);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/engines/api/shadow_breakdown.h"
 #include "core/study/by_place/cell_groups.h"
 
 namespace noonmark {
@@ -12,12 +13,23 @@ std::vector<SunSeason> listSeasons(const std::vector<std::string>& months, doubl
 /// not rise.
 std::vector<double> countDays(const SunSteps& sun);
 
+/// The mean of the days of a period.
+struct MeanDay {
+    std::vector<float> grossMin;  ///< of each receiver, minutes in shadow
+    double sunlitMin = 0;         ///< minutes with the sun above the horizon
+};
+/// From the minutes of all sets. `sun`: with a day.
+MeanDay averageDay(const ShadowBreakdown& sums, const SunSteps& sun);
+
+/// The same as a field over the grid, as `sums` state its engine.
+ShadowField makeField(const ShadowBreakdown& sums, const MeanDay& day, const Receivers& receivers,
+                      const SunSteps& sun);
+
 /// States the figures of the period, its months and seasons of the places of a group. `sums`: by month, of
-/// which `field` is the mean day. Places without a cell have NaN.
-void takeMonths(SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums,
-                const ShadowField& field);
+/// which `day` is the mean day. Places without a cell have NaN.
+void takeMonths(SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums, const MeanDay& day);
 
 /// Adds the figures of the next date. Places without a cell have NaN.
-void takeDate(SunByPlace& made, const CellGroup& group, const ShadowField& field);
+void takeDate(SunByPlace& made, const CellGroup& group, const MeanDay& day);
 
 }  // namespace noonmark

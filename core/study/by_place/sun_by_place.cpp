@@ -10,7 +10,6 @@
 #include "core/base/rising_progress.h"
 #include "core/base/stopwatch.h"
 #include "core/describe/text.h"
-#include "core/engines/api/blank_field.h"
 #include "core/measures/error_sample.h"
 #include "core/study/by_place/city_sweeps.h"
 #include "core/study/by_place/place_errors.h"
@@ -162,7 +161,7 @@ public:
     Result<void> takeSmall(std::size_t city, const ShadowBreakdown& sums) {
         if (!wanted_) return {};
         const SunlitTime time{m_.daylight.sunlitMinutes(), countDays(m_.daylight), 0};
-        const auto compared = compare(city, m_.daylight, m_.months, sums);
+        const auto compared = compare(city, m_.daylight, sums);
         if (!compared) return warn(m_.made[city], compared.error());
         std::vector<double>& off = m_.smallOff[city];
         std::ranges::copy(listMeanDifferences(places_, *compared, time), std::back_inserter(off));
@@ -173,7 +172,7 @@ public:
         if (!wanted_) return {};
         SunByPlace& made = m_.made[city];
         const SunlitTime time{m_.daylight.sunlitMinutes(), countDays(m_.daylight), made.settings.enoughHours};
-        auto compared = compare(city, m_.daylight, m_.months, sums);
+        auto compared = compare(city, m_.daylight, sums);
         if (!compared) return warn(made, compared.error());
         if (made.error) {
             const ShownError cells = listErrors(*made.error, false).front();
@@ -188,23 +187,21 @@ public:
         return {};
     }
 
-    Result<void> takeDate(std::size_t city, const SunSteps& sun, const StepSets& one,
-                          const ShadowBreakdown& sums, const CivilDate& date) {
+    Result<void> takeDate(std::size_t city, const SunSteps& sun, const ShadowBreakdown& sums,
+                          const CivilDate& date) {
         if (!wanted_) return {};
         SunByPlace& made = m_.made[city];
         const SunlitTime time{sun.sunlitMinutes(), {1}, made.settings.enoughHours};
-        const auto compared = compare(city, sun, one, sums);
+        const auto compared = compare(city, sun, sums);
         if (!compared) return warn(made, compared.error());
         append(made, listDateErrors(places_, *compared, time, formatText(date)));
         return {};
     }
 
 private:
-    Result<ComparedSets> compare(std::size_t city, const SunSteps& sun, const StepSets& sets,
-                                 const ShadowBreakdown& sums) {
+    Result<ComparedSets> compare(std::size_t city, const SunSteps& sun, const ShadowBreakdown& sums) {
         NoProgress quiet;
-        return compareSets(*m_.cities[city], receivers_, sun, sets, sums.minutes, places_.cells, quiet,
-                           m_.stop);
+        return compareSets(*m_.cities[city], receivers_, sun, sums, places_.cells, quiet, m_.stop);
     }
 
     static void append(SunByPlace& made, std::vector<ShownError> errors) {
@@ -328,9 +325,10 @@ private:
 
     Result<void> take(std::size_t city, const ShadowBreakdown& sums) {
         SunByPlace& made = m_.made[city];
-        ShadowField field = makeField(sums, receivers_, m_.daylight);
-        takeMonths(made, group_, sums, field);
+        const MeanDay day = averageDay(sums, m_.daylight);
+        takeMonths(made, group_, sums, day);
         if (!isMain_) return {};
+        ShadowField field = makeField(sums, day, receivers_, m_.daylight);
         const Stopwatch watch;
         auto error = measureError(m_, city, receivers_, m_.daylight, field);
         made.seconds["error_sample"] += watch.seconds();
@@ -345,8 +343,7 @@ private:
         const SunSteps& sun = m_.dates[date];
         const StepSets one = makeOneSet(sun);
         if (sun.steps.empty()) {
-            for (std::size_t city = 0; city < m_.cities.size(); ++city)
-                if (auto taken = takeDay(city, sun, makeBlankField(receivers_, sun)); !taken) return taken;
+            for (std::size_t city = 0; city < m_.cities.size(); ++city) takeSunlessDay(city);
             return {};
         }
         CitySweeps sweeps(engineOf(date + 1), m_.cities, receivers_, sun, one);
@@ -356,21 +353,25 @@ private:
             auto sums = city == 0 ? sweeps.sweepFirst(share, m_.stop)
                                   : sweeps.sweepOther(city, *first, share, m_.stop);
             if (!sums) return tl::make_unexpected(sums.error());
-            if (auto taken = takeDay(city, sun, makeField(*sums, receivers_, sun)); !taken) return taken;
+            if (auto taken = takeDay(city, sun, *sums); !taken) return taken;
             if (isMain_ && errors_)
-                if (auto taken = errors_->takeDate(city, sun, one, *sums, m_.settings().dates[date]); !taken)
+                if (auto taken = errors_->takeDate(city, sun, *sums, m_.settings().dates[date]); !taken)
                     return taken;
             if (city == 0) first = *std::move(sums);
         }
         return {};
     }
 
-    Result<void> takeDay(std::size_t city, const SunSteps& sun, const ShadowField& field) {
-        takeDate(m_.made[city], group_, field);
+    void takeSunlessDay(std::size_t city) {
+        takeDate(m_.made[city], group_, {std::vector<float>(receivers_.cells.size()), 0});
+        if (isMain_) m_.made[city].dateErrors.emplace_back();
+    }
+
+    Result<void> takeDay(std::size_t city, const SunSteps& sun, const ShadowBreakdown& sums) {
+        const MeanDay day = averageDay(sums, sun);
+        takeDate(m_.made[city], group_, day);
         if (!isMain_) return {};
-        std::optional<SampledError> none;
-        auto error = sun.steps.empty() ? Result<std::optional<SampledError>>(none)
-                                       : measureError(m_, city, receivers_, sun, field);
+        auto error = measureError(m_, city, receivers_, sun, makeField(sums, day, receivers_, sun));
         if (!error) return tl::make_unexpected(error.error());
         m_.made[city].dateErrors.push_back(*error);
         return {};

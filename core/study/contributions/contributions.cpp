@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/csv_text.h"
 #include "core/describe/figure_text.h"
@@ -16,12 +15,6 @@ namespace noonmark {
 namespace {
 
 constexpr double minutesOfHour = 60;
-
-std::size_t countCells(const ShadowBreakdown& breakdown) {
-    if (breakdown.minutes.empty()) return 0;
-    return std::size_t(
-        std::ranges::count_if(breakdown.minutes.front(), [](float minutes) { return !std::isnan(minutes); }));
-}
 
 /// What turns sums over cells and days into means.
 struct CellDays {
@@ -42,7 +35,7 @@ Contribution makeContribution(const BuildingShadow& shadow, const CellDays& of) 
 }
 
 CellDays sumUpBreakdown(const ShadowBreakdown& breakdown, std::size_t days) {
-    CellDays all{double(countCells(breakdown)) * breakdown.grid.cellAreaM2() * double(days)};
+    CellDays all{double(breakdown.cells.size()) * breakdown.grid.cellAreaM2() * double(days)};
     if (breakdown.terrain) all.allMinM2 = sumOf(breakdown.terrain->attributedMinM2);
     for (const BuildingShadow& shadow : breakdown.buildings) all.allMinM2 += sumOf(shadow.attributedMinM2);
     return all;

@@ -67,10 +67,7 @@ std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown) {
     if (breakdown.minutes.empty()) return {};
     std::vector<double> sums;
     for (const std::vector<float>& minutes : breakdown.minutes) sums.push_back(sumOf(minutes));
-    const auto nothing =
-        std::ranges::count_if(breakdown.minutes.front(), [](float value) { return std::isnan(value); });
-    const std::size_t receivers = breakdown.minutes.front().size() - std::size_t(nothing);
-    return monthsFromSums(breakdown.sets, breakdown.sunlitMinutes, sums, receivers,
+    return monthsFromSums(breakdown.sets, breakdown.sunlitMinutes, sums, breakdown.cells.size(),
                           breakdown.grid.cellAreaM2());
 }
 

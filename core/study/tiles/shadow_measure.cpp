@@ -86,9 +86,9 @@ Result<void> ShadowMeasure::addMonths(TileAnswer& answer, const EngineInUse& eng
     if (!question_.settings.byMonth) return {};
     auto months = engine.breakDown(city_, monthsOf(question_.sun), false, progress, stop);
     if (!months) return tl::make_unexpected(months.error());
-    for (std::vector<float>& minutes : months->minutes) {
-        answer.result.monthMinutes.push_back(sumOf(minutes));
-        answer.bands.push_back(std::move(minutes));
+    for (std::size_t month = 0; month < months->minutes.size(); ++month) {
+        answer.result.monthMinutes.push_back(sumOf(months->minutes[month]));
+        answer.bands.push_back(spreadOverGrid(*months, month));
     }
     return {};
 }

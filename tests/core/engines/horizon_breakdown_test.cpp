@@ -70,9 +70,9 @@ TEST(HorizonBreakdown, SetsAddUpToTheSweepsField) {
     const ShadowField field = swept(city, receivers, sun);
     for (const bool byBuilding : {false, true}) {
         const ShadowBreakdown months = breakDown(city, receivers, sun, monthsOf(sun), byBuilding);
-        for (const std::uint32_t cell : receivers.cells) {
-            const float minutes = months.minutes[0][cell] + months.minutes[1][cell] + months.minutes[2][cell];
-            ASSERT_EQ(float(double(minutes) / field.days), field.grossMin[cell]);
+        for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
+            const float minutes = months.minutes[0][i] + months.minutes[1][i] + months.minutes[2][i];
+            ASSERT_EQ(float(double(minutes) / field.days), field.grossMin[receivers.cells[i]]);
         }
     }
 }
@@ -88,8 +88,8 @@ TEST(HorizonBreakdown, ASetIsThePeriodOfItsSteps) {
     january.steps.resize(january.days[3].first + january.days[3].count);
     const ShadowField alone = traced(city, receivers, january);
     double off = 0;
-    for (const std::uint32_t cell : receivers.cells)
-        off += std::abs(double(months.minutes[0][cell]) - 4 * double(alone.grossMin[cell]));
+    for (std::size_t i = 0; i < receivers.cells.size(); ++i)
+        off += std::abs(double(months.minutes[0][i]) - 4 * double(alone.grossMin[receivers.cells[i]]));
     EXPECT_LE(off / double(receivers.cells.size()) / months.sunlitMinutes[0], 0.005);
 }
 
@@ -150,9 +150,9 @@ TEST(HorizonBreakdown, WhatHangsAddsUpToTheSweepsField) {
     const ShadowField field = swept(city, receivers, sun);
     for (const bool byBuilding : {false, true}) {
         const ShadowBreakdown months = breakDown(city, receivers, sun, monthsOf(sun), byBuilding);
-        for (const std::uint32_t cell : receivers.cells) {
-            const float minutes = months.minutes[0][cell] + months.minutes[1][cell] + months.minutes[2][cell];
-            ASSERT_EQ(float(double(minutes) / field.days), field.grossMin[cell]);
+        for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
+            const float minutes = months.minutes[0][i] + months.minutes[1][i] + months.minutes[2][i];
+            ASSERT_EQ(float(double(minutes) / field.days), field.grossMin[receivers.cells[i]]);
         }
         double attributed = 0;
         for (const BuildingShadow& shadow : months.buildings) attributed += sum(shadow.attributedMinM2);

@@ -152,7 +152,7 @@ TEST_F(TiledStudyTest, MonthsAreThoseOfOnePiece) {
     ASSERT_EQ(cells.size(), 2U);
     ASSERT_EQ(months.minutes.size(), 2U);
     for (std::size_t month = 0; month < 2; ++month)
-        EXPECT_LE(differences(cells[month], months.minutes[month]), whole.statistics.receivers / 500);
+        EXPECT_LE(differences(cells[month], spreadOverGrid(months, month)), whole.statistics.receivers / 500);
     const auto expected = monthsOf(months);
     ASSERT_EQ(tiled->months.size(), 2U);
     for (std::size_t month = 0; month < 2; ++month) {

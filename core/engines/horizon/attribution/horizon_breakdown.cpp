@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <glm/common.hpp>
-#include <limits>
 
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/horizon/check_horizon_study.h"
@@ -48,6 +48,27 @@ TileBox cropToReceivers(const TileBox& box, const Receivers& receivers) {
     return {box.firstColumn + low.x, box.firstRow + low.y, high.x - low.x, high.y - low.y};
 }
 
+/// A receiver of a tile: its number there, and its place among all receivers.
+struct NumberedReceiver {
+    std::uint32_t number, receiver;
+};
+
+// Most receivers follow the one before in the row of their block.
+std::vector<NumberedReceiver> listReceivers(const ReceiverBlocks& blocks, const ShadowBreakdown& breakdown) {
+    std::vector<NumberedReceiver> list;
+    list.reserve(blocks.receivers());
+    std::uint32_t before = ReceiverBlocks::padding - 1;  // the cell of the last one
+    for (std::uint32_t n = 0; n < blocks.numbers(); ++n) {
+        const std::uint32_t cell = blocks.cell(n);
+        if (cell == ReceiverBlocks::padding) continue;
+        const bool follows = !list.empty() && cell == before + 1;
+        list.push_back(
+            {n, follows ? list.back().receiver + 1 : std::uint32_t(findReceiver(breakdown, cell))});
+        before = cell;
+    }
+    return list;
+}
+
 class Breakdown {
 public:
     /// All arguments must outlive it.
@@ -79,10 +100,7 @@ public:
             receiversDone_ += tile.blocks.receivers();
         }
         tbb::parallel_for(std::size_t{0}, breakdown.minutes.size(), [&](std::size_t set) {
-            for (const std::uint32_t cell : receivers_.cells) {
-                float& minutes = breakdown.minutes[set][cell];
-                minutes = float(double(minutes) * stepMinutes);
-            }
+            for (float& minutes : breakdown.minutes[set]) minutes = float(double(minutes) * stepMinutes);
         });
         addCasters(breakdown, stepMinutes * receivers_.grid.cellAreaM2());
         return {};
@@ -158,11 +176,14 @@ private:
 
     // Whole numbers of steps: their order does not matter.
     void addCells(const ReceiverBlocks& blocks, ShadowBreakdown& breakdown) const {
+        const std::vector<NumberedReceiver> numbered = listReceivers(blocks, breakdown);
         tbb::parallel_for(std::size_t{0}, breakdown.minutes.size(), [&](std::size_t set) {
-            for (const Work& work : works_)
-                for (std::size_t n = 0; n < blocks.numbers(); ++n)
-                    if (blocks.cell(n) != ReceiverBlocks::padding)
-                        breakdown.minutes[set][blocks.cell(n)] += float(work.sums.cells(set)[n]);
+            std::vector<float>& minutes = breakdown.minutes[set];
+            for (const Work& work : works_) {
+                const auto steps = work.sums.cells(set);
+                for (const NumberedReceiver& one : numbered)
+                    minutes[one.receiver] += float(steps[one.number]);
+            }
         });
     }
 
@@ -204,14 +225,10 @@ private:
 
 ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const StepSets& sets,
                       const BinnedSun& binned) {
-    ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), {}, {}, {}, {}};
+    ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), receivers.cells, {}, {}, {}, {}};
     breakdown.engine =
         fmt::format("Horizon sweep: {}, one sweep for all months and intervals", formatText(binned));
-    std::vector<float> none(receivers.grid.size(), std::numeric_limits<float>::quiet_NaN());
-    for (const std::uint32_t cell : receivers.cells) none[cell] = 0;
-    breakdown.minutes.resize(sets.names.size());
-    tbb::parallel_for(std::size_t{0}, sets.names.size(),
-                      [&](std::size_t set) { breakdown.minutes[set] = none; });
+    breakdown.minutes.assign(sets.names.size(), std::vector<float>(receivers.cells.size()));
     return breakdown;
 }
 
