@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/base/stop_scope.h"
+#include "core/engines/horizon/geometry/receiver_blocks.h"
 #include "core/measures/place_areas.h"
 #include "core/measures/place_cells.h"
 #include "core/receivers/rasterize.h"
@@ -22,6 +23,19 @@ Region regionOfAll(std::span<const Place> places) {
     for (const Place& place : places)
         region.polygons.insert(region.polygons.end(), place.polygons.begin(), place.polygons.end());
     return region;
+}
+
+// From multiples of blocks on, in which engines compute: so they find the same, to the last bit, whichever
+// places are measured together.
+Grid alignToBlocks(const Grid& grid) {
+    constexpr int side = ReceiverBlocks::side;
+    const auto padding = [&](double edgeM) {
+        const auto cells = std::llround(edgeM / grid.cellM);
+        return int((cells % side + side) % side);
+    };
+    const int west = padding(grid.westM), south = padding(grid.southM);
+    return {grid.westM - west * grid.cellM, grid.southM - south * grid.cellM, grid.cellM, grid.columns + west,
+            grid.rows + south};
 }
 
 // Leaves out the cells of `from` that are no receivers in `other`.
@@ -198,7 +212,7 @@ Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> citie
                                               std::span<const Place> places, const ReceiverSettings& settings,
                                               const std::stop_token& stop) {
     if (places.empty()) return failure("There is no place to measure", "places", "Read or draw places first");
-    const auto grid = gridOver(regionOfAll(places), settings);
+    const auto grid = gridOver(regionOfAll(places), settings).map(alignToBlocks);
     if (!grid) return tl::make_unexpected(grid.error());
     const auto parts = listOpenParts(cities, places, *grid, stop);
     if (stop.stop_requested()) return cancelled();

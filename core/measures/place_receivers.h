@@ -43,9 +43,9 @@ Result<Receivers> placeCommonReceivers(std::span<const City* const> cities, cons
                                        const Grid& grid, const std::stop_token& stop = {});
 
 /// The cells of the places that are receivers on the ground in every city: what a building of any of them
-/// covers is left out. Open ground in a cell whose centre is built on counts for the cell beside it. Errors
-/// as of gridOver(), of which the grid covers all places, and cancelled(). Cost: that of placing receivers
-/// for each city, plus O(cells of the places).
+/// covers is left out. The grid begins at multiples of blocks of 16 cells. Open ground in a cell whose centre
+/// is built on counts for the cell beside it. Errors as of gridOver(), of which the grid covers all places,
+/// and cancelled(). Cost: that of placing receivers for each city, plus O(cells of the places).
 Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> cities,
                                               std::span<const Place> places, const ReceiverSettings& settings,
                                               const std::stop_token& stop = {});

@@ -89,6 +89,30 @@ TEST(SunByPlace, EqualsEveryRayOverTheSameCells) {
     EXPECT_NEAR(measured(tower(), {park}, six).sun[0].enoughShare, enough / count, 0.01);
 }
 
+std::vector<float> listHours(const SunOfPlace& of) {
+    std::vector<float> hours;
+    for (const SunOfCell& cell : of.ofCells) hours.push_back(cell.hours);
+    return hours;
+}
+
+// The sweep computes in blocks of 16 cells, in coordinates of each block. Where blocks began at the first
+// place, 3 cells of the field differed by a minute or so.
+TEST(SunByPlace, EveryCellIsTheSameWhicheverPlacesAreMeasuredWithIt) {
+    City city = cityOf(randomBoxes(11, 25));
+    city.frame = Frame({-73.98, 40.75});
+    SunByPlaceSettings settings = ofDays(300);
+    settings.study.engine = "horizon";
+    settings.study.errorSample.receivers = 0;
+    const Place field = namedPlace("Field", -20, -20, 220, 220);
+    const std::vector<float> alone = listHours(measured(city, {field}, settings).sun[0]);
+    ASSERT_GT(alone.size(), 5000U);
+    EXPECT_LT(std::ranges::min(alone), std::ranges::max(alone) - 1) << "shadow is there to be measured";
+    for (const float beside : {-22.0F, -30.0F, -46.0F}) {
+        const Place corner = namedPlace("Corner", beside, beside - 4, beside + 2, beside + 2);
+        EXPECT_EQ(listHours(measured(city, {field, corner}, settings).sun[0]), alone) << beside;
+    }
+}
+
 // Two months of 9 and 11 days.
 TEST(SunByPlace, MonthsAddUpToThePeriod) {
     const SunByPlace sun = measured(tower(), {namedPlace("Park", -30, 20, 50, 60)}, ofDays(20));
