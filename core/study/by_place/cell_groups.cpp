@@ -59,7 +59,7 @@ double countCells(const std::vector<CountedCell>& cells) {
 // Small places, those in one square together: a fine grid over a whole city would be too large, and each
 // square takes its own walls of buildings.
 std::map<std::pair<int, int>, std::vector<std::size_t>> listSmall(const Placing& on, const CellGroup& all) {
-    constexpr double cellsOfSide = 3000;
+    constexpr double cellsOfSide = 6000;
     const auto squareM = float(cellsOfSide * on.settings.smallCellM);
     std::map<std::pair<int, int>, std::vector<std::size_t>> small;
     if (on.settings.smallCellM >= on.settings.study.receivers.cellM) return small;

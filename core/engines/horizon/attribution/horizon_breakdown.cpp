@@ -19,7 +19,18 @@ namespace noonmark {
 
 namespace {
 
-constexpr int tileSide = 512;
+// The sums of a tile's receivers shall stay in the second-level cache. Each tile examines all walls in reach,
+// so tiles are larger where receivers lie far apart.
+int chooseTileSide(const Receivers& receivers) {
+    constexpr double most = 65536;  // receivers of a tile
+    constexpr int least = 512;      // cells
+    const double share =
+        double(receivers.cells.size()) / double(std::max<std::size_t>(1, receivers.grid.size()));
+    const int largest = std::max(receivers.grid.columns, receivers.grid.rows);
+    int side = least;
+    while (side < largest && share * 4 * side * side <= most) side *= 2;
+    return side;
+}
 
 /// The receivers of a tile, in the forms that walls and overhangs need.
 struct Tile {
@@ -87,7 +98,7 @@ public:
           stop_(std::move(stop)) {}
 
     Result<void> run(ShadowBreakdown& breakdown, double stepMinutes) {
-        for (const TileBox& whole : splitIntoTiles(receivers_.grid, tileSide)) {
+        for (const TileBox& whole : splitIntoTiles(receivers_.grid, chooseTileSide(receivers_))) {
             const TileBox box = cropToReceivers(whole, receivers_);
             if (box.columns == 0) continue;
             const Tile tile(receivers_, box, walls_.datumM);

@@ -98,6 +98,7 @@ void OverhangSweep::addBlocks(std::uint32_t layer, int row, const Range& across,
     for (int place = first; place <= last; ++place) {
         const std::size_t block = axes_.swapped ? std::size_t(place) * columns() + std::size_t(row)
                                                 : std::size_t(row) * columns() + std::size_t(place);
+        if (view_->tile.firstOfBlock[block] < 0) continue;
         entries_.push_back({layer, firsts_[block], most});
         firsts_[block] = std::int32_t(entries_.size()) - 1;
     }
@@ -134,15 +135,12 @@ BlockAxes OverhangSweep::axesOf(std::size_t block) const {
 // Stores the numbers of the block's cells in numbers_.
 ViewingBlock OverhangSweep::blockAt(std::size_t block, std::span<const HorizonCode> horizons) {
     const OverhangTile& tile = view_->tile;
-    const glm::ivec2 first = firstOf(block) - glm::ivec2(tile.box.firstColumn, tile.box.firstRow);
+    const std::int32_t first = tile.firstOfBlock[block];
     ViewingBlock at;
     at.groundsM = tile.groundsM.empty() ? nullptr : groundsM_.data();
     for (int cell = 0; cell < ReceiverBlocks::cells; ++cell) {
-        const int row = cell / side, place = cell % side;
-        const int x = first.x + (axes_.swapped ? row : place), y = first.y + (axes_.swapped ? place : row);
-        const bool inside = x < tile.box.columns && y < tile.box.rows;
-        const std::int32_t number =
-            inside ? tile.numbers[std::size_t(y) * std::size_t(tile.box.columns) + std::size_t(x)] : -1;
+        const int place = axes_.swapped ? cell % side * side + cell / side : cell;
+        const std::int32_t number = first < 0 ? -1 : tile.numbers[std::size_t(first + place)];
         numbers_[std::size_t(cell)] = number;
         at.horizons.values[cell] = number < 0 ? blind : horizons[std::size_t(number)];
         if (at.groundsM != nullptr)

@@ -11,15 +11,22 @@ namespace noonmark {
 /// The numbered cells of a tile.
 struct OverhangTile {
     TileBox box;
-    std::vector<std::int32_t> numbers;      ///< row by row; -1: none
+    std::vector<std::int32_t> numbers;      ///< of the cells of each block that has any, row by row; -1: none
     std::vector<float> groundsM;            ///< one per number, above the datum; empty: all are at the datum
     std::vector<NumberRange> blockNumbers;  ///< numbers of each block of cells (ReceiverBlocks), row by row
+    std::vector<std::int32_t>
+        firstOfBlock;  ///< of each of these: place of its first cell in `numbers`; -1: none
 
+    /// Index of a block among all of the tile.
+    [[nodiscard]] std::size_t indexOf(const ReceiverBlocks::Block& block) const {
+        constexpr int side = ReceiverBlocks::side;
+        const int columns = (box.columns + side - 1) / side;
+        return std::size_t((block.row - box.firstRow) / side) * std::size_t(columns) +
+               std::size_t((block.column - box.firstColumn) / side);
+    }
     /// Number of a block's cell 16 x row + column.
     [[nodiscard]] std::uint32_t numberOf(const ReceiverBlocks::Block& block, int cell) const {
-        const int column = block.column - box.firstColumn + cell % ReceiverBlocks::side,
-                  row = block.row - box.firstRow + cell / ReceiverBlocks::side;
-        return std::uint32_t(numbers[std::size_t(row) * std::size_t(box.columns) + std::size_t(column)]);
+        return std::uint32_t(numbers[std::size_t(firstOfBlock[indexOf(block)] + cell)]);
     }
 
     OverhangTile() = default;
