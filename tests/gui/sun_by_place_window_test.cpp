@@ -3,6 +3,7 @@
 #include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -424,6 +425,22 @@ TEST_F(SunByPlaceWindow, ASavedAnswerComesBack) {
     EXPECT_NEAR(sun()->baseline.sun[0].meanHours, measured->baseline.sun[0].meanHours, 1e-4);
     EXPECT_FALSE(dock().view()->marked);
     EXPECT_EQ(window->panel().legend().legend()->title, QStringLiteral("Sun by place"));
+}
+
+// Its cells are not saved: the map and the count follow the threshold, shares of the area cannot.
+TEST_F(SunByPlaceWindow, ASavedAnswerSaysWhichThresholdItsSharesAreFor) {
+    measure();
+    keep("Sunny");
+    const auto* below = dock().findChild<QLabel*>(QStringLiteral("placesBelow"));
+    auto* threshold = dock().findChild<QDoubleSpinBox*>(QStringLiteral("placesThreshold"));
+    ASSERT_TRUE(below && threshold);
+    threshold->setValue(threshold->value() + 1);
+    EXPECT_FALSE(below->text().contains(QStringLiteral("as they were saved"))) << "its cells are known";
+    workbench().showStudyAgain();
+    showSaved("Sunny");
+    EXPECT_FALSE(below->text().contains(QStringLiteral("as they were saved")));
+    threshold->setValue(threshold->value() + 1);
+    EXPECT_TRUE(below->text().contains(QStringLiteral("as they were saved")));
 }
 
 TEST_F(SunByPlaceWindow, AnEditMarksTheAnswerAsOutdated) {

@@ -35,7 +35,14 @@ constexpr double maxThreshold = 12;  // hours
 constexpr int ticksOfHour = 10;
 constexpr double minutesOfHour = 60;
 constexpr int thresholdRestMs = 250;
+
 constexpr int fittedRows = 200;  // that columns are made wide enough for
+
+// From them the shares for another threshold follow; a saved answer has none.
+bool knowsCells(const SunByPlace& sun) {
+    return std::ranges::none_of(sun.sun,
+                                [](const SunOfPlace& of) { return of.cells > 0 && of.ofCells.empty(); });
+}
 
 QString longNameOf(const CivilDate& date) {
     return QLocale().toString(QDate(int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))),
@@ -372,11 +379,17 @@ void PlacesDock::describeCount() {
     if (const auto kind = filter_->kind())
         counts = tr("%1: %2 of %3").arg(describeKinds(*kind), formatCount(below), formatCount(measured));
     const QString hours = groupDigits(threshold_->value(), 1);
-    count_->setText(ofChange ? tr("%1 lose more than a minute of sun a day").arg(counts)
-                    : what.what == ShownSun::What::period
-                        ? tr("%1 have less than %2 h of sun a day").arg(counts, hours)
-                        : tr("%1 have less than %2 h of sun on %3")
-                              .arg(counts, hours, longNameOf(sun->baseline.settings.dates[what.date])));
+    const QString counted =
+        ofChange ? tr("%1 lose more than a minute of sun a day").arg(counts)
+        : what.what == ShownSun::What::period
+            ? tr("%1 have less than %2 h of sun a day").arg(counts, hours)
+            : tr("%1 have less than %2 h of sun on %3")
+                  .arg(counts, hours, longNameOf(sun->baseline.settings.dates[what.date]));
+    const double enough = sun->baseline.settings.enoughHours;
+    const bool isOfAnother = !ofChange && !knowsCells(sun->baseline) && threshold_->value() != enough;
+    count_->setText(isOfAnother ? tr("%1. Headline and shares of the area are for %2 h, as they were saved")
+                                      .arg(counted, groupDigits(enough, 1))
+                                : counted);
 }
 
 bool PlacesDock::isCounted(std::size_t place) const {
