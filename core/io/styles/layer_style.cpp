@@ -144,12 +144,13 @@ std::vector<std::string> styleTableSql() {
         "'attributes', 'layer_styles')"};
 }
 
-std::string addStyleSql(std::string_view layer, std::string_view geometryColumn, const LayerStyle& style) {
+std::string addStyleSql(std::string_view layer, std::string_view geometryColumn, const LayerStyle& style,
+                        bool isDefault) {
     return fmt::format(
         "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
         "styleName, styleQML, styleSLD, useAsDefault, description, owner) VALUES ('', '', {}, {}, {}, {}, "
-        "'', 1, {}, 'Noonmark')",
-        sqlText(layer), sqlText(geometryColumn), sqlText(style.name), sqlText(style.qml),
+        "'', {}, {}, 'Noonmark')",
+        sqlText(layer), sqlText(geometryColumn), sqlText(style.name), sqlText(style.qml), int(isDefault),
         sqlText(style.description));
 }
 

@@ -18,6 +18,7 @@ struct LayerStyle {
     std::string name;
     std::string qml;  ///< empty: none
     std::string description{};
+    std::vector<LayerStyle> others{};  ///< to choose instead of it, in QGIS
 };
 
 enum class StyledShape { points, lines, polygons };
@@ -45,7 +46,8 @@ std::vector<ColourClass> styleClasses(const ColourScale& scale, double factor = 
 
 /// SQL that creates the table of styles of a GeoPackage where it is missing: two statements.
 std::vector<std::string> styleTableSql();
-/// SQL that adds the default style of a layer to that table.
-std::string addStyleSql(std::string_view layer, std::string_view geometryColumn, const LayerStyle& style);
+/// SQL that adds a style of a layer to that table, without its others.
+std::string addStyleSql(std::string_view layer, std::string_view geometryColumn, const LayerStyle& style,
+                        bool isDefault = true);
 
 }  // namespace noonmark

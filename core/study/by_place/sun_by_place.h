@@ -223,8 +223,11 @@ struct PlaceColours {
 /// The scale of their mean hours, as in the window.
 ColourScale makeScale(const SunByPlace& sun, const PlaceColours& colours = {});
 
+/// The column of that table with the hours of a month ("2026-01"), a season or a date.
+std::string hoursColumn(std::string_view of);
+
 /// The style of the places for QGIS: coloured by hours_mean in the classes of their scale; places without
-/// figures are not drawn.
+/// figures are not drawn. Others, to choose from: by the hours of each date, season and month.
 LayerStyle makeStyle(const SunByPlace& sun, const PlaceColours& colours = {});
 
 /// The command line that repeats it; see core/study/provenance/repeat_command.h. Error also where it is not

@@ -34,8 +34,7 @@ Figure hours(double SunOfPlace::*member, std::string_view key, std::string_view 
                            .better = Better::higher});
 }
 
-std::string monthKey(const std::string& month) { return "hours_" + month; }
-std::string dateHoursKey(const CivilDate& date) { return "hours_" + formatText(date); }
+std::string dateHoursKey(const CivilDate& date) { return hoursColumn(formatText(date)); }
 std::string dateKey(const CivilDate& date) { return "share_below_" + formatText(date); }
 
 LonLat middleOf(const Place& place, const Frame& frame) {
@@ -126,8 +125,8 @@ std::vector<ElementColumn> columnsOf(const SunByPlace& sun, std::span<const Comp
         {"name", std::string()}, {"kind", std::string()}, {"part_of", std::string()}};
     for (const Figure& figure : sunOfPlaceFigures().rows())
         columns.push_back({std::string(figure.key), 0.0, figure.decimals});
-    for (const SunSeason& season : sun.seasons) columns.push_back({monthKey(season.key), 0.0, digits});
-    for (const std::string& month : sun.months) columns.push_back({monthKey(month), 0.0, digits});
+    for (const SunSeason& season : sun.seasons) columns.push_back({hoursColumn(season.key), 0.0, digits});
+    for (const std::string& month : sun.months) columns.push_back({hoursColumn(month), 0.0, digits});
     for (const CivilDate& date : sun.settings.dates) columns.push_back({dateHoursKey(date), 0.0, digits});
     for (const CivilDate& date : sun.settings.dates) columns.push_back({dateKey(date), 0.0, digits});
     addComparedColumns(columns, compared);
@@ -220,6 +219,8 @@ constexpr std::array placeRemarkList{
 };
 
 }  // namespace
+
+std::string hoursColumn(std::string_view of) { return fmt::format("hours_{}", of); }
 
 std::span<const Choice<PlaceRemark>> placeRemarkChoices() { return placeRemarkList; }
 

@@ -594,6 +594,21 @@ TEST(SunByPlace, StyleHasTheClassesAroundEnoughSunInTheColoursOfTheLegend) {
     EXPECT_NE(makeStyle(sun, {{.ramp = Ramp::viridis}, {}}).qml, qml);
 }
 
+TEST(SunByPlace, OtherStylesColourByTheHoursOfDatesSeasonsAndMonths) {
+    SunByPlaceSettings settings = ofDays(20);
+    settings.dates = {std::chrono::year(2026) / 12 / 21};
+    const SunByPlace sun = measured(tower(), {namedPlace("Park", -30, 20, 50, 60)}, settings);
+    const std::vector<LayerStyle> others = makeStyle(sun).others;
+    std::vector<std::string> columns;
+    for (const ElementColumn& column : makeTable(sun).columns) columns.push_back(column.name);
+    ASSERT_EQ(others.size(), 1U + 2 + 2) << "winter and spring, February and March";
+    for (const LayerStyle& one : others) {
+        const std::size_t first = one.qml.find("attr=\"") + 6, end = one.qml.find('"', first);
+        EXPECT_THAT(columns, testing::Contains(one.qml.substr(first, end - first))) << one.name;
+    }
+    EXPECT_EQ(others.front().name, "Hours of sun a day, 2026-12-21");
+}
+
 TEST(SunByPlace, TheCommandNamesPlacesScenariosAndSettings) {
     SunByPlace sun;
     EXPECT_FALSE(makeRepeatCommand(sun));
