@@ -53,7 +53,8 @@ TEST_F(StartPageWindow, TheViewStaysInSightBetweenItsSides) {
     window->resize(1366, 728);
     StartPage* page = begin();
     QCoreApplication::processEvents();
-    const QWidget& panel = window->panel();
+    const ViewPanel& panel = window->panel();
+    EXPECT_EQ(panel.internalWinId(), 0U) << "a panel with a window of its own lies above the view's";
     const int middle = page->questions()->x() - page->geometry().right();
     EXPECT_GT(middle, 400);
     EXPECT_GE(page->geometry().right() + 1, std::min(panel.mapTo(window.get(), QPoint()).x(), 400));

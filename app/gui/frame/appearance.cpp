@@ -16,6 +16,8 @@ namespace noonmark {
 
 void chooseRenderer() {
     if (!qEnvironmentVariableIsSet("QT3D_RENDERER")) qputenv("QT3D_RENDERER", "opengl");
+    // The start page is a window of its own. Its siblings would become such windows, too, and cover the view.
+    QCoreApplication::setAttribute(Qt::AA_DontCreateNativeWidgetSiblings);
 }
 
 void applyAppearance(QApplication& application) {
