@@ -84,6 +84,18 @@ TEST_F(OpeningWindow, ATerrainOpensAloneWhereThatIsWanted) {
     EXPECT_NE(shown().terrain, nullptr);
 }
 
+TEST_F(OpeningWindow, AFolderNamesItsTerrainsAndOffersToAddOne) {
+    window.opening().openFilesOf(folder.path());
+    ASSERT_TRUE(waitFor([this] { return !window.opening().terrainsBeside().isEmpty(); }));
+    EXPECT_EQ(window.opening().terrainsBeside(), QStringList{terrain});
+    ASSERT_TRUE(waitFor([this] { return message().contains(QStringLiteral("ground.asc")); }))
+        << message().toStdString();
+    EXPECT_EQ(shown().terrain, nullptr);
+    click("otherRemedy");
+    ASSERT_TRUE(waitFor([this] { return shown().terrain != nullptr; })) << message().toStdString();
+    EXPECT_TRUE(window.opening().terrainsBeside().isEmpty()) << "it is in the city";
+}
+
 void turnWheel(QWidget& field) {
     const QPointF middle = field.rect().center();
     QWheelEvent wheel(middle, field.mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,

@@ -1,4 +1,5 @@
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLineEdit>
@@ -45,6 +46,10 @@ struct PlacesWindow : test::ProjectWindow {
                 .toUtf8());
         return name;
     }
+    void add(const QString& name) {
+        window->places().addFiles({name});
+        ASSERT_TRUE(waitFor([this] { return !window->places().reading().busy(); }));
+    }
     void read(const QString& name) {
         window->places().read({name});
         ASSERT_TRUE(waitFor([this] { return !window->places().reading().busy(); }));
@@ -70,6 +75,33 @@ TEST_F(PlacesWindow, AFileReadAgainReplacesItsPlacesAndKeepsNamesGivenByTheUser)
     ASSERT_EQ(places().size(), 2U);
     EXPECT_EQ(places()[0].name, "Our green");
     EXPECT_TRUE(message().contains(QStringLiteral("2 replace earlier ones")));
+}
+
+TEST_F(PlacesWindow, AFileAddedToTheCityReplacesNoPlace) {
+    read(polygonFile());
+    tree().setKind("Green", PlaceKind::cemetery);
+    const int steps = undo().count();
+    add(polygonFile("Grass"));
+    ASSERT_EQ(places().size(), 2U);
+    EXPECT_EQ(places()[0].name, "Green");
+    EXPECT_EQ(places()[0].kind, PlaceKind::cemetery);
+    EXPECT_EQ(undo().count(), steps) << "nothing changed";
+    EXPECT_TRUE(message().contains(QStringLiteral("2 of them were there before"))) << message().toStdString();
+}
+
+TEST_F(PlacesWindow, AnotherFileOfTheSameNameIsAddedBesideTheFirst) {
+    read(polygonFile());
+    QFile file(polygonFile());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray moved = file.readAll().replace("40.7612", "40.7610");
+    QDir(folder.path()).mkdir(QStringLiteral("other"));
+    QFile other(folder.filePath(QStringLiteral("other/parks.geojson")));
+    ASSERT_TRUE(other.open(QIODevice::WriteOnly));
+    other.write(moved);
+    other.close();
+    add(other.fileName());
+    ASSERT_EQ(places().size(), 4U) << message().toStdString();
+    EXPECT_NE(places()[2].name, places()[0].name);
 }
 
 TEST_F(PlacesWindow, KindNameAndRemovalAreUndone) {

@@ -59,8 +59,9 @@ TEST_F(Languages, CountsChooseThePluralForm) {
 
 TEST_F(Languages, EachCountOfASentenceHasItsOwnForm) {
     use(Language::english);
-    EXPECT_EQ(describePlacesRead(1, 1, {}), QStringLiteral("1 place was read; 1 replaces an earlier one."));
-    EXPECT_EQ(describePlacesRead(1234, 0, {}), QStringLiteral("1,234 places were read."));
+    EXPECT_EQ(describePlacesRead(1, {.replaced = 1}, {}),
+              QStringLiteral("1 place was read; 1 replaces an earlier one."));
+    EXPECT_EQ(describePlacesRead(1234, {}, {}), QStringLiteral("1,234 places were read."));
     EXPECT_TRUE(describe(RunEstimate{.receivers = 1, .steps = 540})
                     .startsWith(QStringLiteral("1 cell, 540 positions of the sun. ")));
     use(Language::german);

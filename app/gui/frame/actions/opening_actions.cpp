@@ -1,5 +1,6 @@
 #include "app/gui/frame/actions/opening_actions.h"
 
+#include <QCursor>
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "app/gui/frame/actions/saving_actions.h"
 #include "app/gui/session/study/open_options.h"
 #include "app/gui/session/workbench.h"
+#include "app/gui/tools/photograph/photograph_actions.h"
 #include "app/input/load_city.h"
 #include "core/io/files/file_kind.h"
 #include "core/io/settings/place_advice.h"
@@ -37,11 +39,37 @@ ReadSettings withTerrain(ReadSettings city, const ReadSettings& terrain) {
     return city;
 }
 
-bool areTerrain(const QStringList& files) {
-    return std::ranges::all_of(files, [](const QString& file) {
-        const auto kind = detectFileKind(file.toStdString());
-        return kind && *kind == FileKind::terrain;
-    });
+bool isTerrain(const QString& file) {
+    const auto kind = detectFileKind(file.toStdString());
+    return kind && *kind == FileKind::terrain;
+}
+
+bool areTerrain(const QStringList& files) { return std::ranges::all_of(files, isTerrain); }
+
+QStringList listFiles(const QString& folder, const QStringList& endings) {
+    QStringList patterns, files;
+    for (const QString& ending : endings) patterns << QStringLiteral("*.") + ending;
+    for (const QFileInfo& file : QDir(folder).entryInfoList(patterns, QDir::Files, QDir::Name))
+        files << file.absoluteFilePath();
+    return files;
+}
+
+// Without photographs, which have the same endings.
+QStringList listTerrains(const QString& folder) {
+    QStringList terrains;
+    for (const QString& file : listFiles(folder, endingsOf({FileKind::terrain})))
+        if (isTerrain(file) && !isPhotograph({file})) terrains << file;
+    return terrains;
+}
+
+QString nameOfFile(const QString& file) { return QFileInfo(file).fileName(); }
+
+QString listFileNames(const QStringList& files) {
+    constexpr qsizetype maxNames = 4;
+    QStringList names;
+    for (const QString& file : files.first(std::min(files.size(), maxNames))) names << nameOfFile(file);
+    if (files.size() > maxNames) names << QObject::tr("and %1 more").arg(files.size() - maxNames);
+    return names.join(QObject::tr(", "));
 }
 
 }  // namespace
@@ -106,20 +134,39 @@ void OpeningActions::openFolder() {
 }
 
 // A folder may be one data set (a file geodatabase, shapefiles); of any other its buildings are opened. A
-// terrain may be that of roofs: the user adds it, and says what it is.
+// terrain may be that of roofs or of crowns above the ground: such files are listed, and the user adds one.
 void OpeningActions::openFilesOf(const QString& folder) {
     const auto kind = detectFileKind(folder.toStdString());
     if (kind && *kind != FileKind::terrain) return open({folder});
-    QStringList patterns;
-    for (const QString& ending : endingsOf({FileKind::footprints, FileKind::cityJson, FileKind::mesh}))
-        patterns << QStringLiteral("*.") + ending;
-    QStringList files;
-    for (const QFileInfo& file : QDir(folder).entryInfoList(patterns, QDir::Files, QDir::Name))
-        files << file.absoluteFilePath();
+    const QStringList files =
+        listFiles(folder, endingsOf({FileKind::footprints, FileKind::cityJson, FileKind::mesh}));
+    const QStringList terrains = listTerrains(folder);
     if (files.isEmpty())
         return messages_.showError({"The folder holds no buildings", folder.toStdString(),
-                                    "Choose a folder of footprints, city models or meshes"});
+                                    terrains.isEmpty()
+                                        ? "Choose a folder of footprints, city models or meshes"
+                                        : "It holds terrains only: open one by Open, or choose a folder of "
+                                          "footprints, city models or meshes"});
+    filesOfFolder_ = files;
+    terrainsOfFolder_ = terrains;
     open(files);
+}
+
+QStringList OpeningActions::terrainsBeside() const {
+    const bool isOpen = !filesOfFolder_.isEmpty() && workbench_.source().files == filesOfFolder_;
+    return isOpen ? terrainsOfFolder_ : QStringList();
+}
+
+// Of several the user knows which is the ground: beside it lie models of roofs and of crowns.
+void OpeningActions::chooseTerrain() {
+    const QStringList terrains = terrainsBeside();
+    if (terrains.size() == 1) return addTerrain(terrains);
+    auto* menu = new QMenu(&window_);
+    menu->setObjectName(QStringLiteral("terrainsBeside"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const QString& file : terrains)
+        menu->addAction(nameOfFile(file), this, [this, file] { addTerrain({file}); });
+    menu->popup(QCursor::pos());
 }
 
 // A terrain has no buildings: alone it would take the place of the city that it was meant for.
@@ -165,16 +212,24 @@ void OpeningActions::takeProject() {
     Q_EMIT opened();
 }
 
-void OpeningActions::showGuesses() {
+QStringList OpeningActions::describeGuesses() const {
     const CityRead& city = workbench_.city()->loaded.read;
-    const auto heights = makeAssumedHeightsMessage(countHeights(city.city), city.heights);
-    const ZoneGuess& zone = workbench_.zone();
     QStringList lines;
-    if (heights) lines << QString::fromStdString(*heights) + u'.';
-    const auto doubt = makeDoubtHeadline(city.heights);
-    if (doubt) lines << QString::fromStdString(*doubt) + u'.';
-    const auto stand = makeStandHeadline(city.heights);
-    if (stand) lines << QString::fromStdString(*stand) + u'.';
+    for (const auto& line : {makeAssumedHeightsMessage(countHeights(city.city), city.heights),
+                             makeDoubtHeadline(city.heights), makeStandHeadline(city.heights)})
+        if (line) lines << QString::fromStdString(*line) + u'.';
+    return lines;
+}
+
+void OpeningActions::showGuesses() {
+    QStringList lines = describeGuesses();
+    const bool areHeightsDoubtful = !lines.isEmpty();
+    const QStringList terrains = terrainsBeside();
+    if (!terrains.isEmpty())
+        lines.prepend(tr("%1 terrain(s) in the folder are not in the city: %2.", "",
+                         pluralNumber(quint64(terrains.size())))
+                          .arg(formatCount(std::size_t(terrains.size())), listFileNames(terrains)));
+    const ZoneGuess& zone = workbench_.zone();
     if (!zone.others.isEmpty() && !workbench_.openedView().study)
         lines << tr("The time zone %1 is a guess; %2 is also nearby.")
                      .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
@@ -182,14 +237,17 @@ void OpeningActions::showGuesses() {
     if (far > 0) lines << tr("%1 far building(s) left aside.", "", pluralNumber(far)).arg(formatCount(far));
     const bool read = !workbench_.session().file() && !workbench_.session().project().places.empty();
     if (read || !workbench_.placeWarnings().empty())
-        lines << describePlacesRead(workbench_.session().project().places.size(), 0,
+        lines << describePlacesRead(workbench_.session().project().places.size(), {},
                                     workbench_.placeWarnings());
     if (lines.isEmpty()) return;
     if (lines.size() == 1 && read && workbench_.placeWarnings().empty()) return messages_.showNote(lines[0]);
     messages_.showHelp(lines.join(u'\n'));
-    if ((heights || doubt || stand) && !workbench_.source().files.isEmpty() && !workbench_.session().file())
-        offerOptions();
-    if (far > 0) messages_.offerToo(tr("Zoom to all"), [this] { Q_EMIT wholeCityWanted(); });
+    const bool canReadAgain = !workbench_.source().files.isEmpty() && !workbench_.session().file();
+    if (areHeightsDoubtful && canReadAgain) offerOptions();
+    if (!terrains.isEmpty())
+        messages_.offerToo(tr("Add terrain"), [this] { chooseTerrain(); });
+    else if (far > 0)
+        messages_.offerToo(tr("Zoom to all"), [this] { Q_EMIT wholeCityWanted(); });
 }
 
 // If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.

@@ -30,6 +30,8 @@ public:
     /// Asks first if there is unsaved work, and whether a terrain alone belongs to the city that is open.
     void open(const QStringList& files);
     void openFolder();  ///< asks for one: its city files, or what it is itself
+    /// Terrains that lay in the folder which was opened last and are not in the city: listed, and offered.
+    [[nodiscard]] QStringList terrainsBeside() const;
     /// Reads the city again with these terrains, unless it has one.
     void addTerrain(const QStringList& files, const ReadSettings& reading = {});
     void openFilesOf(const QString& folder);
@@ -54,6 +56,8 @@ private:
     void addSample(const QString& text, const QString& tip, const QString& sample);
     void showFailure(const Error& error);
     void offerOptions();
+    void chooseTerrain();
+    [[nodiscard]] QStringList describeGuesses() const;
 
     Workbench& workbench_;
     SavingActions& saving_;
@@ -64,6 +68,8 @@ private:
     RecentMenu recent_;
     OpenOptions* options_;
     QList<QAction*> actions_;
+    QStringList filesOfFolder_;
+    QStringList terrainsOfFolder_;
 };
 
 }  // namespace noonmark

@@ -55,11 +55,15 @@ QString describeMoreKinds(std::size_t kinds) {
 
 }  // namespace
 
-QString describePlacesRead(std::size_t places, std::size_t replaced, const Warnings& warnings) {
+QString describePlacesRead(std::size_t places, const PlacesAdded& added, const Warnings& warnings) {
     QString text = QObject::tr("%1 place(s) were read", "", pluralNumber(places)).arg(formatCount(places));
-    if (replaced > 0)
-        text += QObject::tr("; %1 replace(s) earlier ones", "", pluralNumber(replaced))
-                    .arg(formatCount(replaced));
+    if (added.replaced > 0)
+        text += QObject::tr("; %1 replace(s) earlier ones", "", pluralNumber(added.replaced))
+                    .arg(formatCount(added.replaced));
+    if (added.same > 0)
+        text +=
+            QObject::tr("; %1 of them were there before and stay as they are", "", pluralNumber(added.same))
+                .arg(formatCount(added.same));
     text += u'.';
     constexpr std::size_t most = 3;
     const auto groups = groupWarnings(warnings);
@@ -164,7 +168,7 @@ void PlaceActions::readStreets() {
                                                             .sidewalkM = PlaceSettings::defaultSidewalkM});
 }
 
-void PlaceActions::read(const QStringList& files, const PlaceSettings& settings) {
+void PlaceActions::read(const QStringList& files, const PlaceSettings& settings, Earlier earlier) {
     if (files.isEmpty() || !workbench_.city()) return;
     std::vector<std::string> names;
     for (const QString& file : files) names.push_back(file.toStdString());
@@ -174,20 +178,22 @@ void PlaceActions::read(const QStringList& files, const PlaceSettings& settings)
                                                                    const std::stop_token& stop) {
             return loadPlaceFiles(names, settings, frame, {}, progress, stop);
         },
-        [this](Result<PlacesRead> read) {
-            if (read) return take(*read);
+        [this, earlier](Result<PlacesRead> read) {
+            if (read) return take(*read, earlier);
             if (!isCancelled(read.error())) panel_.messages().showError(read.error());
         });
 }
 
-void PlaceActions::take(const PlacesRead& read) {
+void PlaceActions::take(const PlacesRead& read, Earlier earlier) {
     if (read.places.empty())
         return panel_.messages().showError(
             {"The file holds no places", {}, "Choose a map with parks, or a file of polygons"});
-    std::size_t replaced = 0;
-    Project next = withPlaces(workbench_.session().project(), read.places, replaced);
-    if (!workbench_.session().change(std::move(next), tr("read places"))) return;
-    const QString text = describePlacesRead(read.places.size(), replaced, read.warnings);
+    PlacesAdded added;
+    const auto join = earlier == Earlier::stay ? withMorePlaces : withPlaces;
+    Project next = join(workbench_.session().project(), read.places, added);
+    const bool changes = added.added + added.replaced > 0;
+    if (changes && !workbench_.session().change(std::move(next), tr("read places"))) return;
+    const QString text = describePlacesRead(read.places.size(), added, read.warnings);
     read.warnings.empty() ? panel_.messages().showNote(text) : panel_.messages().showHelp(text);
 }
 
@@ -210,7 +216,7 @@ void PlaceActions::addFiles(const QStringList& files) {
         const auto kind = detectFileKind(file.toStdString());
         return kind && *kind == FileKind::terrain;
     });
-    areTerrain ? opening_.addTerrain(files) : read(files);
+    areTerrain ? opening_.addTerrain(files) : read(files, {}, Earlier::stay);
 }
 
 void PlaceActions::addPhotograph(const QString& file) {

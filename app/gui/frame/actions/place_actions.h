@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/session/project/project_changes.h"
 #include "core/io/places/read_places.h"
 
 class QAction;
@@ -34,8 +35,11 @@ public:
     [[nodiscard]] QAction* showAction() const { return show_; }          ///< shows and hides names
     [[nodiscard]] QAction* outlinesAction() const { return outlines_; }  ///< shows outlines of all places
 
-    /// Reads places into the open project; those of the same source are replaced.
-    void read(const QStringList& files, const PlaceSettings& settings = {});
+    /// What becomes of the project's places of the same source: read again, they are replaced.
+    enum class Earlier { areReplaced, stay };
+    /// Reads places into the open project.
+    void read(const QStringList& files, const PlaceSettings& settings = {},
+              Earlier earlier = Earlier::areReplaced);
     /// Reads the streets of the city's OpenStreetMap files, or of files that the user chooses.
     void readStreets();
     /// Files dropped on the window. A mesh dropped on an open city becomes a proposal, placed on the lot
@@ -62,7 +66,7 @@ private:
     void connectTree(ProjectDock& tree);
     void askForFiles();
     void addPhotograph(const QString& file);
-    void take(const PlacesRead& read);
+    void take(const PlacesRead& read, Earlier earlier);
     void takeDrawn(const std::vector<Footprint>& pieces);
     void add(Place place, const QString& what);
     void follow();
@@ -85,6 +89,6 @@ private:
 };
 
 /// "212 places were read; 3 replace earlier ones. 2 repaired: outline crossed itself (way 7)"
-QString describePlacesRead(std::size_t places, std::size_t replaced, const Warnings& warnings);
+QString describePlacesRead(std::size_t places, const PlacesAdded& added, const Warnings& warnings);
 
 }  // namespace noonmark

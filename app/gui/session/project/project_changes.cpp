@@ -139,20 +139,48 @@ Project withPlaceKind(Project project, const std::string& place, PlaceKind kind)
     return project;
 }
 
+namespace {
+
+using PlacesBySource = std::map<std::string, std::size_t>;
+
+PlacesBySource findSources(const std::vector<Place>& places) {
+    PlacesBySource bySource;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (!places[i].source.empty()) bySource.emplace(places[i].source, i);
+    return bySource;
+}
+
+}  // namespace
+
 // A name that the user has given stays with a place that is read again.
-Project withPlaces(Project project, std::vector<Place> places, std::size_t& replaced) {
-    replaced = 0;
-    std::map<std::string, std::size_t> bySource;
-    for (std::size_t i = 0; i < project.places.size(); ++i) bySource.emplace(project.places[i].source, i);
+Project withPlaces(Project project, std::vector<Place> places, PlacesAdded& added) {
+    added = {};
+    const PlacesBySource bySource = findSources(project.places);
     for (Place& place : places) {
-        const auto before = place.source.empty() ? bySource.end() : bySource.find(place.source);
+        const auto before = bySource.find(place.source);
         if (before == bySource.end()) {
             project.places.push_back(std::move(place));
+            ++added.added;
             continue;
         }
         place.name = project.places[before->second].name;
         project.places[before->second] = std::move(place);
-        ++replaced;
+        ++added.replaced;
+    }
+    nameApart(project.places);
+    return project;
+}
+
+// Another file may have the same name, and so the same sources: its outlines tell.
+Project withMorePlaces(Project project, std::vector<Place> places, PlacesAdded& added) {
+    added = {};
+    const PlacesBySource bySource = findSources(project.places);
+    for (Place& place : places) {
+        const auto before = bySource.find(place.source);
+        const bool isThere =
+            before != bySource.end() && project.places[before->second].polygons == place.polygons;
+        if (!isThere) project.places.push_back(std::move(place));
+        ++(isThere ? added.same : added.added);
     }
     nameApart(project.places);
     return project;

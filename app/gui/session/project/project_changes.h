@@ -30,9 +30,17 @@ Project rebase(Project project, const std::string& scenario, const std::string& 
 Project withPlaceKind(Project project, const std::string& place, PlaceKind kind);
 Project withOutline(Project project, const std::string& lot, Footprint outline);
 Project withRoads(Project project, const std::string& lot, const std::vector<RoadFront>& roads);
+/// What became of places that were added.
+struct PlacesAdded {
+    std::size_t added = 0;
+    std::size_t replaced = 0;  ///< earlier places of the same source
+    std::size_t same = 0;      ///< left out: the project has them, outline and all
+};
 /// Adds places. One with the source of an earlier place replaces it, so that a file can be read again; one
-/// whose name is taken is numbered. `replaced` receives how many were.
-Project withPlaces(Project project, std::vector<Place> places, std::size_t& replaced);
+/// whose name is taken is numbered.
+Project withPlaces(Project project, std::vector<Place> places, PlacesAdded& added);
+/// The same, but every place of the project stays as it is.
+Project withMorePlaces(Project project, std::vector<Place> places, PlacesAdded& added);
 Project withoutEdit(Project project, const std::string& scenario, std::size_t position);
 
 }  // namespace noonmark
