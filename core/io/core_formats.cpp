@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/io/footprints/footprint_scan.h"
+#include "core/io/footprints/list_fields.h"
 #include "core/io/formats/format.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/osm/read_osm_buildings.h"
@@ -26,7 +27,7 @@ Result<FilePiece> readWhole(const std::filesystem::path& file, const ReadSetting
     return reader(file, settings, progress, std::move(stop));
 }
 
-constexpr FormatReader maps{FileKind::footprints, readFootprints, scanFootprints};
+constexpr FormatReader maps{FileKind::footprints, readFootprints, scanFootprints, listMapLayers};
 constexpr FormatReader osmMaps{FileKind::footprints, readWhole<readOsmFootprints>, scanOsmFootprints};
 constexpr FormatReader cities{FileKind::cityJson, readWhole<readCityJson>};
 constexpr FormatReader gmlCities{FileKind::cityJson, readWhole<readCityGml>};

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
+#include <QAction>
+#include <QCompleter>
 #include <QDialogButtonBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -12,6 +16,7 @@
 
 #include "app/gui/base/widgets/reading_form.h"
 #include "app/gui/frame/main_window.h"
+#include "app/gui/session/study/massing_preview.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "core/study/provenance/repeat_command.h"
 #include "tests/gui/wait_for.h"
@@ -23,13 +28,14 @@ using test::waitFor;
 
 /// The ReadSettings that have a field in the form, so that two can be compared.
 auto fieldsOf(const ReadSettings& s) {
-    return std::tuple(s.heightField, s.heightUnit, s.metresPerLevel, s.defaultHeightM, s.layer, s.crs, s.lod,
-                      s.farAwayM, s.upAxis, s.meshUnit, s.meshNorthDeg, s.meshAnchor);
+    return std::tuple(s.heightField, s.nameField, s.heightUnit, s.metresPerLevel, s.defaultHeightM, s.layer,
+                      s.crs, s.lod, s.farAwayM, s.upAxis, s.meshUnit, s.meshNorthDeg, s.meshAnchor);
 }
 
 ReadSettings stated() {
     ReadSettings settings;
     settings.heightField = "HEIGHT_ROO";
+    settings.nameField = "TITLE";
     settings.heightUnit = LengthUnit::usSurveyFeet;
     settings.metresPerLevel = 3.75;
     settings.defaultHeightM = 12.25;
@@ -59,8 +65,8 @@ TEST(ReadingForm, GivesBackWhatItShows) {
 TEST(ReadingForm, EveryFieldSaysWhatItIs) {
     const ReadingForm form;
     for (const char* name :
-         {"heightField", "heightUnit", "metresPerLevel", "defaultHeight", "layer", "crs", "lod", "farAway",
-          "up", "meshUnit", "meshNorth", "anchored", "longitude", "latitude", "toMiddle"}) {
+         {"heightField", "nameField", "heightUnit", "metresPerLevel", "defaultHeight", "layer", "crs", "lod",
+          "farAway", "up", "meshUnit", "meshNorth", "anchored", "longitude", "latitude", "toMiddle"}) {
         const auto* field = form.findChild<QWidget*>(QString::fromLatin1(name));
         ASSERT_NE(field, nullptr) << name;
         EXPECT_FALSE(field->toolTip().isEmpty()) << name;
@@ -74,6 +80,64 @@ TEST(ReadingForm, TheMiddleOfTheCityBecomesTheAnchor) {
     form.setMiddle(LonLat{2.3522, 48.8566});
     button->click();
     EXPECT_EQ(form.settings().meshAnchor, (LonLat{2.3522, 48.8566}));
+}
+
+/// A file of two houses, 4 m and 30 m high by a field whose name says nothing.
+struct FieldLists : ::testing::Test {
+    QTemporaryDir folder;
+    QString file = folder.filePath(QStringLiteral("houses.geojson"));
+    OpenOptions dialog;
+
+    void SetUp() override {
+        QFile houses(file);
+        ASSERT_TRUE(houses.open(QIODevice::WriteOnly));
+        houses.write(R"({"type":"FeatureCollection","features":[
+            {"type":"Feature","properties":{"QX7":4,"title":"Mill"},"geometry":{"type":"Polygon","coordinates":
+            [[[10,50],[10.0002,50],[10.0002,50.0002],[10,50.0002],[10,50]]]}},
+            {"type":"Feature","properties":{"QX7":30,"title":"Barn"},"geometry":{"type":"Polygon","coordinates":
+            [[[10.0005,50],[10.0007,50],[10.0007,50.0002],[10.0005,50.0002],[10.0005,50]]]}}]})");
+        houses.close();
+        dialog.ask({file}, {});
+        ASSERT_TRUE(waitFor([this] { return line("heightField").completer() != nullptr && !waits(); }));
+    }
+    [[nodiscard]] bool waits() { return dialog.reading().busy(); }
+    QLineEdit& line(const char* name) { return *dialog.findChild<QLineEdit*>(QString::fromLatin1(name)); }
+    // Clicks an entry of a field's list.
+    void choose(const char* name, const QString& field) {
+        QCompleter& list = *line(name).completer();
+        const auto found = list.model()->match(list.model()->index(0, 0), Qt::UserRole, field);
+        ASSERT_EQ(found.size(), 1);
+        Q_EMIT list.popup()->activated(list.completionModel()->index(found.front().row(), 0));
+        ASSERT_TRUE(waitFor([&] { return line(name).text() == field; })) << line(name).text().toStdString();
+    }
+};
+
+TEST_F(FieldLists, ShowSampleValuesAndWhatIsFoundByName) {
+    const QAbstractItemModel& heights = *line("heightField").completer()->model();
+    EXPECT_EQ(heights.index(0, 0).data().toString(),
+              QStringLiteral("QX7   4, 30 (4 to 30 in 2 of 2 features)"));
+    EXPECT_EQ(line("heightField").placeholderText(), QStringLiteral("none is found by name"));
+    EXPECT_NE(line("heightField").findChild<QAction*>(QStringLiteral("openList")), nullptr);
+    EXPECT_EQ(line("layer").completer()->model()->rowCount(), 1);
+}
+
+TEST_F(FieldLists, TheChosenFieldGivesThePreviewItsHeights) {
+    EXPECT_TRUE(dialog.preview().words().contains(QStringLiteral("2 assumed")))
+        << dialog.preview().words().toStdString();
+    choose("heightField", QStringLiteral("QX7"));
+    ASSERT_TRUE(waitFor([this] { return dialog.preview().words().contains(QStringLiteral("2 measured")); }))
+        << dialog.preview().words().toStdString();
+    EXPECT_TRUE(dialog.preview().words().contains(QStringLiteral("Lowest 4 m, median 30 m, tallest 30 m")))
+        << dialog.preview().words().toStdString();
+}
+
+TEST_F(FieldLists, AMistakeIsSaidInThePreview) {
+    ReadSettings settings;
+    settings.heightField = "none";
+    dialog.ask({file}, settings);
+    ASSERT_TRUE(waitFor([this] { return !waits(); }));
+    EXPECT_TRUE(dialog.preview().words().contains(QStringLiteral("There is no field \"none\"")))
+        << dialog.preview().words().toStdString();
 }
 
 /// The window without a city, and a cube of 10 units that states no location.

@@ -9,6 +9,7 @@
 #include "app/cli/base/table.h"
 #include "app/cli/study/load_city.h"
 #include "app/input/load_project.h"
+#include "core/io/footprints/list_fields.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/next_steps.h"
 #include "core/study/text/terrain_text.h"
@@ -21,6 +22,7 @@ namespace {
 
 struct InfoOptions {
     ReadOptions read;
+    bool fields = false;
     bool json = false;
 };
 
@@ -106,7 +108,70 @@ void printProjectAdvice(const std::string& file, std::ostream& out) {
             << file << '\n';
 }
 
+struct FileFields {
+    std::string file;
+    std::vector<ListedLayer> layers;
+};
+
+Result<std::vector<FileFields>> listFieldsOf(const std::vector<std::string>& files) {
+    std::vector<FileFields> all;
+    for (const std::string& file : files) {
+        auto layers = listLayers(file, {});
+        if (!layers) return tl::make_unexpected(layers.error());
+        all.push_back({file, *std::move(layers)});
+    }
+    return all;
+}
+
+nlohmann::ordered_json fieldJson(const ListedField& field) {
+    nlohmann::ordered_json json{{"name", field.name}, {"values", field.values}, {"samples", field.samples}};
+    if (!field.alias.empty()) json["alias"] = field.alias;
+    if (field.low) json["range"] = {*field.low, *field.high};
+    if (const auto role = nameOfRole(field.role); !role.empty()) json["taken_for"] = role;
+    return json;
+}
+
+nlohmann::ordered_json fieldsJsonOf(const std::vector<FileFields>& files) {
+    auto json = nlohmann::ordered_json::array();
+    for (const auto& [file, layers] : files)
+        for (const ListedLayer& layer : layers) {
+            auto fields = nlohmann::ordered_json::array();
+            for (const ListedField& field : layer.fields) fields.push_back(fieldJson(field));
+            json.push_back({{"file", file},
+                            {"layer", layer.name},
+                            {"features", layer.features},
+                            {"sampled", layer.sampled},
+                            {"holds_buildings", layer.isRead},
+                            {"fields", fields}});
+        }
+    return {{"layers", json}};
+}
+
+void printFields(const FileFields& file, std::ostream& out) {
+    if (file.layers.empty()) out << file.file << ": no layers with fields to choose from\n";
+    for (const ListedLayer& layer : file.layers) {
+        out << fmt::format("{}: layer {}, {} features{}\n", file.file, layer.name, withCommas(layer.features),
+                           layer.isRead ? "" : ", not read");
+        for (const ListedField& field : layer.fields) {
+            const std::string_view role = nameOfRole(field.role);
+            out << fmt::format("  {}{}: {}\n", field.name, role.empty() ? "" : fmt::format(" [{}]", role),
+                               describeValues(field, layer.sampled));
+        }
+    }
+}
+
+int runInfoFields(const InfoOptions& options, const Console& console) {
+    const auto files = listFieldsOf(options.read.files);
+    if (!files) return fail(console, files.error(), exitUsage);
+    if (options.json)
+        console.out << toJsonText(fieldsJsonOf(*files)) << '\n';
+    else
+        for (const FileFields& file : *files) printFields(file, console.out);
+    return exitOk;
+}
+
 int runInfo(const InfoOptions& options, const Console& console) {
+    if (options.fields) return runInfoFields(options, console);
     const auto loaded = loadCity(options.read, console);
     if (!loaded) return fail(console, loaded.error(), exitUsage);
     const bool isProject = namesProject(options.read);
@@ -131,6 +196,9 @@ void addInfoCommand(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("info", "Describe the contents of city files, and what was repaired or left out");
     addReadOptions(*command, options->read);
+    command->add_flag("--fields", options->fields,
+                      "List the layers of the files and their fields with sample values instead, to choose "
+                      "one with --height-field, --levels-field or --name-field");
     addJsonFlag(*command, options->json);
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runInfo(*options, console); }; });

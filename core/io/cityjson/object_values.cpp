@@ -36,7 +36,7 @@ void ObjectValues::learnFields(const std::vector<ObjectAttribute>& attributes, C
     for (const ObjectAttribute& attribute : attributes) names_.push_back(attribute.name);
     unknown_ = names_;
     std::erase_if(unknown_, [](const std::string& name) { return findMeaning(name).has_value(); });
-    fields_ = knownFields(names_, {settings_.heightField, settings_.levelsField}, false);
+    fields_ = knownFields(names_, {settings_.heightField, settings_.levelsField, settings_.nameField}, false);
     settleUnits(fields_, {settings_.heightUnit, false}, file_, data.warnings);
     for (const KnownField& field : fields_)
         if (std::ranges::find(data.fields, field.name, &KnownField::name) == data.fields.end())

@@ -9,6 +9,9 @@ class OGRLayer;
 
 namespace noonmark {
 
+/// Whether a layer's type of geometry is polygons, or any.
+bool mayHavePolygons(OGRLayer& layer);
+
 /// The polygon layers of a file that hold buildings. One polygon layer is taken as it is. Of several, those
 /// whose name says building are; else, of those that neither their name (plots, streets, districts) nor their
 /// shapes, which fill the ground, exclude, those with fields of buildings (heights, storeys, OpenStreetMap's

@@ -16,12 +16,6 @@ namespace noonmark {
 
 namespace {
 
-bool mayHavePolygons(OGRLayer& layer) {
-    const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
-    return type == wkbUnknown || OGR_GT_IsSurface(type) || OGR_GT_IsSubClassOf(type, wkbMultiSurface) ||
-           type == wkbGeometryCollection;
-}
-
 // The layer that writeCityGeoPackage() writes; other layers of such a file are not buildings.
 bool isOurOwn(OGRLayer& layer) {
     const OGRFeatureDefn& fields = *layer.GetLayerDefn();
@@ -78,6 +72,12 @@ std::string whyLeft(const JudgedLayer& layer, Likeness best) {
 }
 
 }  // namespace
+
+bool mayHavePolygons(OGRLayer& layer) {
+    const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+    return type == wkbUnknown || OGR_GT_IsSurface(type) || OGR_GT_IsSubClassOf(type, wkbMultiSurface) ||
+           type == wkbGeometryCollection;
+}
 
 std::vector<OGRLayer*> chooseBuildingLayers(GDALDataset& dataset, Warnings& warnings) {
     std::vector<JudgedLayer> judged;

@@ -182,9 +182,10 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
     const OGRFeatureDefn& definition = *layer.GetLayerDefn();
     made.names_ = tellingNames(definition, source);
     const FieldChoice choice{tellingName(definition, source, made.names_, settings.heightField),
-                             tellingName(definition, source, made.names_, settings.levelsField)};
+                             tellingName(definition, source, made.names_, settings.levelsField),
+                             tellingName(definition, source, made.names_, settings.nameField)};
     const LayerSample sample = sampleLayer(layer);
-    for (const std::string& chosen : {choice.height, choice.levels})
+    for (const std::string& chosen : {choice.height, choice.levels, choice.name})
         if (!chosen.empty() && !hasField(made.names_, chosen) && !isOutlineZ(chosen, definition, sample))
             return failure(fmt::format("There is no field \"{}\"", chosen), source.file,
                            fmt::format("Its fields are: {}", fmt::join(made.names_, ", ")));

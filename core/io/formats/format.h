@@ -22,6 +22,7 @@ namespace noonmark {
 class Progress;
 struct FilePiece;
 struct FootprintScan;
+struct ListedLayer;
 struct LonLatBox;
 struct ReadSettings;
 
@@ -63,6 +64,8 @@ struct FormatReader {
     FileKind kind = FileKind::footprints;
     Read* read = nullptr;  ///< null: not read. Takes the extent that is wanted; null: everything
     Scan* scan = nullptr;  ///< in one pass that stores nothing; null: it has to be read whole
+    using List = Result<std::vector<ListedLayer>>(const std::filesystem::path&, std::stop_token);
+    List* list = nullptr;  ///< its layers and fields; null: none to choose from
 };
 
 /// A file format: one row for each.

@@ -266,6 +266,7 @@ std::vector<KnownField> knownFields(const std::vector<std::string>& names, const
     chooser.takeRoofHeightsAsHeights();
     chooser.take(choice.height, height, names);
     chooser.take(choice.levels, levels, names);
+    chooser.take(choice.name, FieldRole::name, names);
     return chooser.ordered();
 }
 

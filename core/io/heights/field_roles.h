@@ -54,6 +54,7 @@ inline constexpr std::string_view heightOfRoof = "roof";
 struct FieldChoice {
     std::string height;
     std::string levels;
+    std::string name;
 };
 
 /// The known fields of a layer, best first within a role. A field that the user chose is the only one of its

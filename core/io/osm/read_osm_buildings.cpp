@@ -38,7 +38,7 @@ std::vector<std::string> buildingKeys(const ReadSettings& settings) {
                                   "tunnel",
                                   "entrance",
                                   "status"};
-    for (const std::string& chosen : {settings.heightField, settings.levelsField})
+    for (const std::string& chosen : {settings.heightField, settings.levelsField, settings.nameField})
         if (!chosen.empty() && std::ranges::find(keys, chosen) == keys.end()) keys.push_back(chosen);
     return keys;
 }
@@ -48,7 +48,8 @@ class BuildingTags {
 public:
     BuildingTags(const std::vector<std::string>& keys, const ReadSettings& settings, const std::string& file,
                  Warnings& warnings)
-        : fields_(knownFields(keys, {settings.heightField, settings.levelsField}, false)) {
+        : fields_(
+              knownFields(keys, {settings.heightField, settings.levelsField, settings.nameField}, false)) {
         settleUnits(fields_, {settings.heightUnit, false}, file, warnings);
         rules_.heights = {settings.metresPerLevel, settings.defaultHeightM};
         rules_.heights.decimalComma = false;

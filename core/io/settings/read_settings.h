@@ -50,6 +50,7 @@ enum class TerrainShows { automatic, ground, surface };
 struct ReadSettings {
     std::string heightField;               ///< empty: found by its name
     std::string levelsField;               ///< field with the number of storeys; empty: found by its name
+    std::string nameField;                 ///< field with the buildings' names; empty: found by its name
     std::optional<LengthUnit> heightUnit;  ///< empty: metres unless the value or the field says otherwise
     double metresPerLevel = 3.2;           ///< 2 to 6
     double defaultHeightM = 9.6;           ///< for buildings without any height, 1 to 1000

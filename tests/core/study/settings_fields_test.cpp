@@ -24,7 +24,7 @@ static_assert(countMembers<Period>() == 8);
 static_assert(countMembers<ReceiverSettings>() == 2);
 static_assert(countMembers<ErrorSampleSettings>() == 2);
 static_assert(countMembers<StudySettings>() == 12);
-static_assert(countMembers<ReadSettings>() == 20);
+static_assert(countMembers<ReadSettings>() == 21);
 static_assert(countMembers<ElementSettings>() == 13);
 
 TEST(SettingsFields, NoneOfAPeriodIsForgotten) {

@@ -21,6 +21,7 @@ ReadingForm::ReadingForm(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     for (QGroupBox* group : {makeHeights(), makeData(), makeMeshes()}) column->addWidget(group);
     setMiddle({});
+    connect(rows_, &FieldRows::edited, this, &ReadingForm::edited);
 }
 
 void ReadingForm::makeFields() {
@@ -42,9 +43,9 @@ void ReadingForm::makeFields() {
 }
 
 QGroupBox* ReadingForm::makeHeights() {
-    auto* group = new QGroupBox(tr("Heights"));
-    rows_->addRows(*new QFormLayout(group), {"--height-field", "--levels-field", "--height-unit",
-                                             "--metres-per-level", "--default-height"});
+    auto* group = new QGroupBox(tr("Heights and names"));
+    rows_->addRows(*new QFormLayout(group), {"--height-field", "--levels-field", "--name-field",
+                                             "--height-unit", "--metres-per-level", "--default-height"});
     return group;
 }
 

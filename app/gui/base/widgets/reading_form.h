@@ -23,6 +23,9 @@ public:
     void show(const ReadSettings& settings);
     void setMiddle(std::optional<LonLat> middle);  ///< of the open city; none: disables the button
 
+Q_SIGNALS:
+    void edited();  ///< by the user
+
 private:
     void makeFields();
     QGroupBox* makeHeights();
