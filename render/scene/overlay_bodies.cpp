@@ -29,7 +29,8 @@ constexpr QColor litHandleColour{0xff, 0x5c, 0xc8, 255};
 constexpr QColor pinColour{0xd5, 0x5e, 0x00, 255};
 constexpr QColor worstColour{0x7b, 0x0d, 0x2c, 255};
 // Towards the eye, as shares of the depth: between the faces of the city and its edges (edge.vert).
-constexpr float colouredLift = 0.00002F, tintLift = 0.00003F;
+constexpr std::array colouredLifts{0.00001F, 0.00002F};  // of OverlayBodies::ColouredBy
+constexpr float tintLift = 0.00003F;
 constexpr double pinPx = 34, worstPx = 24;
 
 glm::vec4 componentsOf(const QColor& c) { return {c.redF(), c.greenF(), c.blueF(), c.alphaF()}; }
@@ -106,22 +107,22 @@ void OverlayBodies::show(Tint tint, const City& some) {
         edited_, blended_);
 }
 
-void OverlayBodies::showColoured(const std::vector<Coloured>& groups) {
-    for (Body& body : coloured_) {
+void OverlayBodies::showColoured(const std::vector<Coloured>& groups, ColouredBy by) {
+    ColouredBodies& coloured = coloured_[std::size_t(by)];
+    for (Body& body : coloured.bodies) {
         drop(body.faces);
         drop(body.material);
     }
-    coloured_.clear();
-    colouredCount_ = 0;
+    coloured = {};
     for (const Coloured& group : groups) {
         if (group.some.buildings.empty()) continue;
         const CityArrays arrays = makeBuildingArrays(group.some, 0);
-        Body body{makeTint({group.colour, 1}, colouredLift)};
+        Body body{makeTint({group.colour, 1}, colouredLifts[std::size_t(by)])};
         body.faces = makeArrayEntity(
             makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrays.points, arrays.triangles),
             *body.material, edited_);
-        coloured_.push_back(body);
-        colouredCount_ += group.some.buildings.size();
+        coloured.bodies.push_back(body);
+        coloured.count += group.some.buildings.size();
     }
 }
 

@@ -49,10 +49,14 @@ public:
         glm::vec3 colour{0};
         City some;
     };
-    /// Shows buildings in the colours of a result, behind the tints; replaces those before. About 0.1 ms per
+    /// What buildings are coloured by: of the two, a result lies over the sources of heights.
+    enum class ColouredBy { heightSource, result };
+    /// Shows buildings in colours, behind the tints; replaces those before of the same kind. About 0.1 ms per
     /// building.
-    void showColoured(const std::vector<Coloured>& groups);
-    [[nodiscard]] std::size_t colouredCount() const { return colouredCount_; }  ///< buildings
+    void showColoured(const std::vector<Coloured>& groups, ColouredBy by = ColouredBy::result);
+    [[nodiscard]] std::size_t colouredCount(ColouredBy by = ColouredBy::result) const {
+        return coloured_[std::size_t(by)].count;  // buildings
+    }
     void showLines(const std::vector<GroundLine>& lines);
     /// Shows closed rings as thin lines, hidden behind nearer faces: the floors of storeys.
     void showFloors(const std::vector<std::vector<glm::vec3>>& rings);
@@ -96,8 +100,11 @@ private:
     Qt3DRender::QLayer* layer_;
     Qt3DRender::QLayer* blended_;
     std::array<Body, 3> bodies_;
-    std::vector<Body> coloured_;
-    std::size_t colouredCount_ = 0;
+    struct ColouredBodies {
+        std::vector<Body> bodies;
+        std::size_t count = 0;
+    };
+    std::array<ColouredBodies, 2> coloured_;
     ShaderMaterial* edge_;
     ShaderMaterial* line_;
     Qt3DCore::QEntity* lines_ = nullptr;

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAction>
+#include <QLabel>
+
 #include "app/gui/docks/project/saved_views.h"
 #include "app/gui/session/project/project_changes.h"
 #include "app/gui/view/panel/view_presets.h"
@@ -61,6 +64,26 @@ TEST_F(ProjectWindow, PlanAndProjectionFollowTheMenu) {
     trigger(parallel);
     EXPECT_FALSE(parallel->isChecked());
     EXPECT_EQ(view.pose().projection, Projection::perspective);
+}
+
+TEST_F(ProjectWindow, BuildingsHaveTheColourOfTheSourceOfTheirHeight) {
+    auto* action = window->findChild<QAction*>(QStringLiteral("colourByHeightSource"));
+    auto* legend = window->findChild<QLabel*>(QStringLiteral("heightSourceLegend"));
+    ASSERT_TRUE(action && legend);
+    const OverlayBodies& overlay = window->panel().view().overlay();
+    const auto coloured = [&] { return overlay.colouredCount(OverlayBodies::ColouredBy::heightSource); };
+    EXPECT_TRUE(legend->isHidden());
+    action->trigger();
+    EXPECT_EQ(coloured(), 3U);
+    EXPECT_FALSE(legend->isHidden());
+    EXPECT_TRUE(legend->text().contains(QStringLiteral("measured 3"))) << legend->text().toStdString();
+    EXPECT_FALSE(legend->text().contains(QStringLiteral("assumed"))) << "no building is";
+    build();  // a tower that counts as measured
+    EXPECT_EQ(coloured(), 4U);
+    EXPECT_TRUE(legend->text().contains(QStringLiteral("measured 4"))) << legend->text().toStdString();
+    action->trigger();
+    EXPECT_EQ(coloured(), 0U);
+    EXPECT_TRUE(legend->isHidden());
 }
 
 TEST_F(ProjectWindow, AViewIsSavedFoundRenamedAndDeleted) {

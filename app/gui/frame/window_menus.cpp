@@ -8,6 +8,7 @@
 #include "app/gui/docks/project/saved_views.h"
 #include "app/gui/frame/actions/copy_actions.h"
 #include "app/gui/frame/actions/edit_actions.h"
+#include "app/gui/frame/actions/height_colours.h"
 #include "app/gui/frame/actions/opening_actions.h"
 #include "app/gui/frame/actions/place_actions.h"
 #include "app/gui/frame/actions/region_actions.h"
@@ -79,6 +80,7 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addActions(actions.comparing);
     menu.addSeparator();
     menu.addAction(actions.view.solidBuildings());
+    menu.addAction(actions.view.heightColours().action());
     menu.addAction(actions.view.mapOnGround());
     menu.addAction(actions.photograph.showAction());
     menu.addAction(actions.towers.storeyLines());

@@ -2,6 +2,7 @@
 
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/docks/project/project_dock.h"
+#include "app/gui/frame/actions/height_colours.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/exploration/exploration.h"
 #include "app/gui/view/panel/section_dialog.h"
@@ -49,7 +50,9 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
           makeSwitch(this, tr("Section bo&x"), QKeySequence(tr("Shift+X")),
                      tr("Cuts away what lies outside a box, by handles or numbers; shadows remain those of "
                         "the whole city"),
-                     false)) {
+                     false)),
+      heights_(new HeightColours(workbench, panel)) {
+    heights_->setParent(this);
     ViewNavigator& navigator = panel_.navigator();
     connect(wholeCity_, &QAction::triggered, &navigator, &ViewNavigator::showWholeCity);
     connect(northUp_, &QAction::triggered, &navigator, &ViewNavigator::turnNorthUp);

@@ -9,6 +9,7 @@ class QAction;
 namespace noonmark {
 
 class Exploration;
+class HeightColours;
 class ProjectDock;
 class SectionDialog;
 class ViewPanel;
@@ -28,7 +29,8 @@ public:
     [[nodiscard]] QAction* mapOnGround() const { return map_; }       ///< checkable
     [[nodiscard]] QAction* exploreByMaps() const { return byMaps_; }  ///< checkable
     [[nodiscard]] QAction* measure() const { return measure_; }       ///< checkable
-    [[nodiscard]] QAction* sectionBox() const { return section_; }    ///< checkable
+    [[nodiscard]] HeightColours& heightColours() const { return *heights_; }
+    [[nodiscard]] QAction* sectionBox() const { return section_; }  ///< checkable
 
 private:
     void showRegion();
@@ -46,6 +48,7 @@ private:
     QAction* byMaps_;
     QAction* measure_;
     QAction* section_;
+    HeightColours* heights_;                  ///< a child of this object
     SectionDialog* sectionDialog_ = nullptr;  ///< from the first use on; a child of the panel
 };
 

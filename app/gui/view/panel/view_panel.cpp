@@ -271,7 +271,11 @@ Region ViewPanel::visibleGround() const {
 }
 
 void ViewPanel::takePicture(const QString& title, const QString& when, std::function<void(QImage)> done) {
-    PictureFrame frame{.title = title, .when = when, .legend = legend_->legend(), .note = legend_->note()};
+    PictureFrame frame{.title = title,
+                       .when = when,
+                       .legend = legend_->legend(),
+                       .buildings = buildingPatches_,
+                       .note = legend_->note()};
     if (city_)
         frame.credit =
             describeData(joinAttribution(city_->loaded.read.attribution, city_->city().context.get()));

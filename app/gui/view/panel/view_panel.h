@@ -59,6 +59,10 @@ public:
 
     /// Adds a widget above the view, and owns it.
     void addStrip(QWidget* strip) { column_->insertWidget(0, strip); }
+    /// Adds a widget between the view and its legend, and owns it.
+    void addLegendRow(QWidget* row) { column_->insertWidget(column_->count() - 1, row); }
+    /// What colours of buildings mean that are no result: beside the legend in pictures of the view.
+    void setBuildingPatches(std::vector<LegendPatch> patches) { buildingPatches_ = std::move(patches); }
     /// The picture alone, without the time strip and the legend below it.
     void setBare(bool bare);
     /// Which scenarios the view shows on its sides, for pictures; empty: one alone.
@@ -115,6 +119,7 @@ private:
     std::unique_ptr<MapLayer> map_;
     Region region_;
     std::vector<Place> places_;
+    std::vector<LegendPatch> buildingPatches_;
     std::string highlighted_;  ///< name of a place
 };
 

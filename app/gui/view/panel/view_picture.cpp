@@ -19,6 +19,7 @@ constexpr double barWidthPx = 190;
 constexpr double arrowWidthPx = 30;
 constexpr double furniturePx = furnitureHeightPt * pointPx;
 constexpr double scaleNotePx = 14;
+constexpr double patchRowPx = 22;
 
 struct Line {
     QString text;
@@ -76,6 +77,23 @@ void paintFurniture(const Canvas& canvas, const QRectF& foot, const PictureFrame
                             QObject::tr("in the middle of the picture"));
 }
 
+// One row of patches with their labels; what the width has no room for is left out.
+void paintPatches(const Canvas& canvas, const QRectF& row, const std::vector<LegendPatch>& patches) {
+    constexpr double side = 9, gap = 5;
+    canvas.painter.setFont(textFont(canvas, textPt));
+    double left = row.left();
+    for (const LegendPatch& patch : patches) {
+        const double wide = QFontMetricsF(canvas.painter.font()).horizontalAdvance(patch.label);
+        if (left + side + gap + wide > row.right()) return;
+        canvas.painter.fillRect(QRectF(left, row.center().y() - side / 2, side, side), patch.colour);
+        left += side + gap;
+        canvas.painter.setPen(ink::text);
+        canvas.painter.drawText(QRectF(left, row.top(), wide + 1, row.height()), Qt::AlignVCenter,
+                                patch.label);
+        left += wide + 3 * gap;
+    }
+}
+
 }  // namespace
 
 QImage viewPicture(const QImage& view, const PictureFrame& frame) {
@@ -91,7 +109,9 @@ QImage viewPicture(const QImage& view, const PictureFrame& frame) {
     const double wordsPx = takeLines({measuring, pointPx}, words, 0, width, false);
     measuring.end();
 
-    const int top = int(headPx), height = top + view.height() + int(marginPx + footPx + wordsPx + marginPx);
+    const double patchesPx = frame.buildings.empty() ? 0 : patchRowPx;
+    const int top = int(headPx);
+    const int height = top + view.height() + int(marginPx + footPx + patchesPx + wordsPx + marginPx);
     QImage picture(view.width(), height, QImage::Format_RGB32);
     picture.fill(ink::paper);
     QPainter painter(&picture);
@@ -104,7 +124,8 @@ QImage viewPicture(const QImage& view, const PictureFrame& frame) {
     if (frame.legend && legendWidth > 0)
         paintLegend(canvas, {foot.left(), foot.top(), legendWidth, foot.height()}, *frame.legend);
     paintFurniture(canvas, foot, frame);
-    takeLines(canvas, words, foot.bottom(), width, true);
+    paintPatches(canvas, {marginPx, foot.bottom(), width, patchesPx}, frame.buildings);
+    takeLines(canvas, words, foot.bottom() + patchesPx, width, true);
     return picture;
 }
 

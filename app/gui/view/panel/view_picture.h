@@ -9,9 +9,10 @@ namespace noonmark {
 
 /// Title, legend and other texts around a picture of the view.
 struct PictureFrame {
-    QString title;                 ///< project and displayed result
-    QString when;                  ///< date and hours
-    std::optional<Legend> legend;  ///< none: no colours are shown
+    QString title;                         ///< project and displayed result
+    QString when;                          ///< date and hours
+    std::optional<Legend> legend;          ///< none: no colours are shown
+    std::vector<LegendPatch> buildings{};  ///< what colours of buildings mean that are no result
     /// How complete or exact the result is; wrapped, not cut.
     QString note;
     QString credit;          ///< the owner of the data
