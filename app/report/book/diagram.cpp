@@ -169,8 +169,19 @@ private:
 
     void paintPlaceLines() {
         canvas_.painter.setBrush(Qt::NoBrush);
-        canvas_.painter.setPen(linePen(canvas_, shade::placeLine, 1.1));
-        for (const Place& place : scene_.places) canvas_.painter.drawPath(pathOf(place.polygons, view_));
+        for (std::size_t i = 0; i < scene_.places.size(); ++i)
+            paintPlaceLine(pathOf(scene_.places[i].polygons, view_),
+                           scene_.placeColours.empty() ? QColor() : scene_.placeColours[i]);
+    }
+
+    /// A light colour is seen on paper by the dark line below it.
+    void paintPlaceLine(const QPainterPath& path, const QColor& colour) {
+        const QColor below = colour.isValid() ? ink::text : shade::placeLine;
+        canvas_.painter.setPen(linePen(canvas_, below, colour.isValid() ? 2.2 : 1.1));
+        canvas_.painter.drawPath(path);
+        if (!colour.isValid()) return;
+        canvas_.painter.setPen(linePen(canvas_, colour, 1.5));
+        canvas_.painter.drawPath(path);
     }
 
     void paintStreetLines() {

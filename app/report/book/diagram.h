@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/report/book/page_text.h"
+#include "app/report/maps/legend_painter.h"
 #include "app/report/maps/palette.h"
 #include "core/base/display_units.h"
 #include "core/city/city.h"
@@ -19,8 +20,9 @@ struct DiagramScene {
     City proposal;  ///< the buildings that only the scenario has
     City removed;   ///< the buildings that only the baseline has
     std::vector<Place> places;
-    std::vector<int> numbers{};    ///< by place: painted instead of its name, 0: neither; empty: names
-    std::vector<Place> streets{};  ///< for orientation: lines and names
+    std::vector<int> numbers{};          ///< by place: painted instead of its name, 0: neither; empty: names
+    std::vector<QColor> placeColours{};  ///< of outlines, by place: of their verdicts; empty: all the same
+    std::vector<Place> streets{};        ///< for orientation: lines and names
     UnitSystem units = UnitSystem::metric;  ///< of the heights
 };
 
@@ -61,6 +63,7 @@ struct DiagramFoot {
     Subject subject = Subject::shadows;
     UnitSystem units = UnitSystem::metric;
     /// What the legend explains besides.
+    std::vector<LegendPatch> places{};  ///< what colours of outlines mean; empty: all are the same
     bool hasRemoved = false, hasStreets = false, hasContext = false, hasNumbers = false;
 };
 constexpr double diagramFootPt(double scale) { return 40 * scale; }

@@ -44,7 +44,10 @@ std::vector<LegendEntry> entriesOf(const DiagramFoot& foot) {
     entries.push_back({QStringLiteral("proposal"), shade::proposal, ink::text, 0.9});
     if (foot.hasRemoved) entries.push_back({QStringLiteral("removed"), ink::paper, ink::text, 0.6, true});
     entries.push_back({QStringLiteral("building"), shade::building, shade::buildingLine, 0.4});
-    entries.push_back({QStringLiteral("place"), shade::place, shade::placeLine, 1.1});
+    if (foot.places.empty())
+        entries.push_back({QStringLiteral("place"), shade::place, shade::placeLine, 1.1});
+    for (const LegendPatch& patch : foot.places)
+        entries.push_back({patch.label, shade::place, patch.colour, 1.6});
     return entries;
 }
 

@@ -1,8 +1,8 @@
 #include "app/report/files/glazing_files.h"
 
 #include "app/report/book/print_book.h"
-#include "app/report/book/review/verdict_colour.h"
 #include "app/report/files/output_folder.h"
+#include "app/report/maps/verdict_colour.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/text/warnings_json.h"
 

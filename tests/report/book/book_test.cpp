@@ -5,6 +5,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/page_painter.h"
 #include "app/report/book/print_book.h"
+#include "app/report/maps/verdict_colour.h"
 #include "core/engines/auto_engine.h"
 #include "tests/report/book/book_texts.h"
 #include "tests/report/book/review_scene.h"
@@ -177,6 +178,36 @@ TEST(Book, AMetreOfTheMapIsPaintedAtTheScale) {
     for (int y = 0; y < 900; ++y) high += isShadow(700, y);
     EXPECT_NEAR(wide, 1000, 2);
     EXPECT_NEAR(high, 400, 2);
+}
+
+TEST(Book, OutlinesOfPlacesHaveTheColoursOfTheirVerdicts) {
+    // Two squares of 40 m at 1:1000 and 254 dots an inch: 400 dots a side.
+    auto scene = std::make_shared<DiagramScene>();
+    scene->places = {{"A", PlaceKind::park, {boxFootprint(-50, -20, -10, 20)}, "a"},
+                     {"B", PlaceKind::park, {boxFootprint(10, -20, 50, 20)}, "b"}};
+    const auto paint = [&] {
+        QImage image(1400, 900, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        paintDiagram({painter, 254.0 / 72}, QRectF(0, 0, 1400, 900),
+                     {scene, {}, {}, {}, {0, 0}, 1000, {}, 1});
+        painter.end();
+        return image;
+    };
+    const auto countLeft = [](const QImage& image, Verdict verdict, bool left) {
+        int dots = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = left ? 0 : 700; x < (left ? 700 : 1400); ++x)
+                dots += image.pixelColor(x, y) == verdictMark(verdict);
+        return dots;
+    };
+    EXPECT_EQ(countLeft(paint(), Verdict::fail, true), 0);
+    scene->placeColours = {verdictMark(Verdict::fail), verdictMark(Verdict::pass)};
+    const QImage image = paint();
+    EXPECT_GT(countLeft(image, Verdict::fail, true), 4 * 400 * 3) << "a line of at least 3 dots all around";
+    EXPECT_EQ(countLeft(image, Verdict::fail, false), 0);
+    EXPECT_GT(countLeft(image, Verdict::pass, false), 4 * 400 * 3);
+    EXPECT_EQ(countLeft(image, Verdict::pass, true), 0);
 }
 
 TEST(FlowText, KeepsAllTextInOrderInColumnsThatFit) {

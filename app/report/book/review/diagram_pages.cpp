@@ -4,6 +4,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/book/sun_view.h"
+#include "app/report/maps/verdict_colour.h"
 #include "app/report/sheets/study_words.h"
 #include "core/measures/outlines/shadow_fan.h"
 #include "core/review/rule/rule_moments.h"
@@ -37,6 +38,16 @@ QString planeText(const ReviewScene& scene) {
     if (!planeM) return {};
     return QStringLiteral("Shadows are on a horizontal plane %1 m above the mean ground. ")
         .arg(describeAmount(*planeM, 2));
+}
+
+/// Of the verdicts whose colours are on the map.
+std::vector<LegendPatch> verdictPatches(const ReviewScene& scene) {
+    std::vector<LegendPatch> patches;
+    for (const Verdict verdict : {Verdict::fail, Verdict::borderline, Verdict::pass, Verdict::notApplicable})
+        if (std::ranges::find(scene.diagrams->placeColours, verdictMark(verdict)) !=
+            scene.diagrams->placeColours.end())
+            patches.push_back({verdictMark(verdict), QStringLiteral("place: ") + plainText(nameOf(verdict))});
+    return patches;
 }
 
 PageItem footOf(const ReviewScene& scene, double scale, double cellM, DiagramFoot::Subject subject) {
@@ -168,6 +179,7 @@ DiagramFoot makeFoot(const ReviewScene& scene, double scale, DiagramFoot::Subjec
             .textScale = textScale(setup),
             .subject = subject,
             .units = scene.settings.units,
+            .places = verdictPatches(scene),
             .hasRemoved = !scene.diagrams->removed.buildings.empty(),
             .hasStreets = !scene.diagrams->streets.empty(),
             .hasContext = scene.diagrams->city.context != nullptr};

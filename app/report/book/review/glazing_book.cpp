@@ -5,7 +5,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/review/glazing_elevations.h"
 #include "app/report/book/review/glazing_sun_views.h"
-#include "app/report/book/review/verdict_colour.h"
+#include "app/report/maps/verdict_colour.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_words.h"
 #include "core/review/library/rule_text.h"

@@ -6,6 +6,7 @@
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
+#include "app/report/maps/verdict_colour.h"
 #include "app/report/sheets/period_words.h"
 #include "core/measures/place_run.h"
 #include "core/receivers/place_names.h"
@@ -176,6 +177,25 @@ double keyHeightPt(const ReviewScene& scene, const QString& text) {
            1;
 }
 
+int badness(Verdict verdict) {
+    constexpr std::array best{Verdict::notChecked, Verdict::notApplicable, Verdict::pass, Verdict::borderline,
+                              Verdict::fail};
+    return int(std::ranges::find(best, verdict) - best.begin());
+}
+
+/// Of the worst verdict on each place, as drawn.
+std::vector<QColor> colourPlaces(const ReviewBookSource& source) {
+    std::vector<Verdict> worst(source.places.size(), Verdict::notChecked);
+    for (std::size_t i = 0; i < source.study.places.size(); ++i) {
+        Verdict& verdict = worst[placeOf(source.study, i)];
+        verdict = std::max(verdict, source.study.places[i].verdict,
+                           [](Verdict one, Verdict other) { return badness(one) < badness(other); });
+    }
+    std::vector<QColor> colours;
+    for (const Verdict verdict : worst) colours.push_back(verdictMark(verdict));
+    return colours;
+}
+
 bool meet(const Box2& a, const Box2& b) { return !intersectionOf(a, b).empty(); }
 
 /// The numbers of the places that are seen, by what the key calls them. Places without a name share an entry.
@@ -276,6 +296,7 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
     const bool hasProposal = !diagrams->proposal.buildings.empty() || !diagrams->removed.buildings.empty();
     scene.list = listPlaces(source, settings, hasProposal);
     diagrams->numbers = scene.list.numbers;
+    diagrams->placeColours = colourPlaces(source);
     const std::vector<QString> entries = keyEntries(scene, {reachOf(scene, scene.moments)});
     if (!entries.empty())
         scene.keyPt = std::min(keyHeightPt(scene, joinKey(entries, entries.size())),

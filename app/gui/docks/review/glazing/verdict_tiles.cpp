@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/gui/docks/review/verdict_words.h"
+#include "app/report/maps/verdict_colour.h"
 #include "core/describe/text.h"
 #include "core/receivers/points/pane_corners.h"
 
@@ -55,20 +56,7 @@ VerdictChange findChange(const GlazingReview& review) {
     return isWorse(review.verdict, review.formerVerdict) ? VerdictChange::better : VerdictChange::same;
 }
 
-QColor tileColour(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::pass:
-            return {0x2b, 0x83, 0xba};
-        case Verdict::borderline:
-            return {0xf7, 0xdc, 0x3c};
-        case Verdict::fail:
-            return {0xa8, 0x2a, 0x0a};
-        case Verdict::notApplicable:
-        case Verdict::notChecked:
-            break;
-    }
-    return {0xd5, 0xd7, 0xda};
-}
+QColor tileColour(Verdict verdict) { return verdictMark(verdict); }
 
 QColor tileColour(VerdictChange change) {
     switch (change) {
