@@ -2,15 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
 
 #include "app/gui/view/panel/legend_editor.h"
+#include "tests/gui/wait_for.h"
 
 namespace noonmark {
 namespace {
@@ -83,6 +84,22 @@ TEST(LegendStrip, AClickOnTheLegendOpensItsEditorAndUndoTakesChangesBack) {
     for (int i = 0; i < 3; ++i) strip.undoChoice();
     EXPECT_EQ(strip.choice(), LegendChoice());
     EXPECT_FALSE(editor->findChild<QPushButton*>(QStringLiteral("legendUndo"))->isEnabled());
+}
+
+TEST(LegendStrip, HasTheKeysAgainWhenItsEditorCloses) {
+    QWidget window;
+    auto* strip = new LegendStrip(&window);
+    window.resize(1000, 200);
+    strip->resize(1000, strip->height());
+    strip->setLegend(legendOf({}));
+    window.show();
+    strip->edit();
+    auto* editor = strip->findChild<LegendEditor*>();
+    ASSERT_TRUE(test::waitFor([&] { return editor->isActiveWindow(); }));
+    editor->findChild<QPushButton*>(QStringLiteral("legendClose"))->click();
+    EXPECT_TRUE(test::waitFor([&] { return window.isActiveWindow() && strip->hasFocus(); }));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_TRUE(editor->isVisible()) << "Enter opens it again";
 }
 
 }  // namespace

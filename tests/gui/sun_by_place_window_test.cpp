@@ -167,6 +167,15 @@ TEST_F(SunByPlaceWindow, TheShareWithEnoughSunFollowsTheThreshold) {
                     .contains(QStringLiteral("12 h")));
 }
 
+TEST_F(SunByPlaceWindow, TheNextRunBeginsWithTheThresholdOfTheAnswer) {
+    measure();
+    field<QSlider>("placesSlider").setValue(45);
+    ASSERT_TRUE(waitFor([&] { return field<QDoubleSpinBox>("enoughHours").value() == 4.5; }));
+    measure();
+    EXPECT_EQ(field<QSlider>("placesSlider").value(), 45);
+    EXPECT_EQ(sun()->baseline.settings.enoughHours, 4.5);
+}
+
 TEST_F(SunByPlaceWindow, OneThresholdRulesColumnsOfDatesHeadlineAndFiles) {
     measure();
     const std::vector<Place> places = sun()->baseline.places;

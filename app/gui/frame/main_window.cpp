@@ -267,6 +267,7 @@ void MainWindow::connectDocks() {
         docks_.weights->choose(table);
         raiseDock(docks_.weights);
     });
+    connect(docks_.places, &PlacesDock::thresholdChosen, docks_.study, &StudyDock::setEnough);
     connect(docks_.study, &StudyDock::streetsWanted, &places_, &PlaceActions::readStreets);
     connect(&display_, &ResultDisplay::elementsShown, this, [this] { showDock(docks_.elements); });
     connect(&contributions_, &ContributionLinks::wanted, this, [this] { raiseDock(docks_.contributions); });

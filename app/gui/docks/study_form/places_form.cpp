@@ -94,6 +94,8 @@ void PlacesForm::setComparing(bool comparing) {
     enable();
 }
 
+void PlacesForm::setEnough(double hours) { enough_->setValue(hours); }
+
 void PlacesForm::setScenarioCount(std::size_t scenarios) {
     if (scenarios == scenarios_) return;
     scenarios_ = scenarios;

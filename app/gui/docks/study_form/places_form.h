@@ -25,7 +25,8 @@ public:
     void setPlaces(const std::vector<Place>& places, const std::vector<Region>& regions);
     /// The dates follow the year of the period until others are typed.
     void setYear(std::chrono::year year);
-    void setComparing(bool comparing);             ///< a baseline is chosen
+    void setComparing(bool comparing);  ///< a baseline is chosen
+    void setEnough(double hours);       ///< of the answer that is shown: the next run begins with it
     void setScenarioCount(std::size_t scenarios);  ///< of the project, with the existing city
     /// The places are measured in all scenarios, not only in the displayed one and its baseline.
     [[nodiscard]] bool allScenarios() const;

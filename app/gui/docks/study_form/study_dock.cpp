@@ -180,6 +180,8 @@ void StudyDock::setPlaces(const std::vector<Place>& places, const std::vector<Re
     places_->setPlaces(places, regions);
 }
 
+void StudyDock::setEnough(double hours) { places_->setEnough(hours); }
+
 void StudyDock::setScenarioCount(std::size_t count) { places_->setScenarioCount(count); }
 
 void StudyDock::setRegions(const QStringList& names) { where_->setNames(names); }

@@ -40,6 +40,7 @@ public:
     void setRunning(bool running);
     /// The names of regions and places that can be chosen.
     void setRegions(const QStringList& names);
+    void setEnough(double hours);              ///< of sun: the threshold of the answer that is shown
     void setScenarioCount(std::size_t count);  ///< of the project, with the existing city
     void setPlaces(const std::vector<Place>& places, const std::vector<Region>& regions);  ///< of the project
     void setCity(std::shared_ptr<const City> city);  ///< of the displayed scenario

@@ -139,6 +139,11 @@ void LegendEditor::addRows() {
     form->addRow(QString(), buttons);
 }
 
+void LegendEditor::closeEvent(QCloseEvent* event) {
+    QFrame::closeEvent(event);
+    Q_EMIT closed();
+}
+
 void LegendEditor::connectRows() {
     for (QComboBox* field : {show_, ramp_, kind_})
         connect(field, &QComboBox::currentIndexChanged, this, &LegendEditor::take);

@@ -28,6 +28,10 @@ public:
 Q_SIGNALS:
     void chosen(const LegendChoice& choice);
     void undoRequested();
+    void closed();  ///< by the user: the keyboard is free
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
 
 private:
     void addRows();

@@ -205,6 +205,7 @@ void LegendStrip::edit() {
         editor_ = new LegendEditor(this);
         connect(editor_, &LegendEditor::chosen, this, &LegendStrip::choose);
         connect(editor_, &LegendEditor::undoRequested, this, &LegendStrip::undoChoice);
+        connect(editor_, &LegendEditor::closed, this, &LegendStrip::takeKeys);
     }
     tellEditor();
     editor_->adjustSize();
@@ -212,6 +213,12 @@ void LegendStrip::edit() {
     editor_->show();
     editor_->raise();
     editor_->activateWindow();
+}
+
+// A tool window takes the keys with it when it closes: no window has them until one is activated.
+void LegendStrip::takeKeys() {
+    window()->activateWindow();
+    setFocus(Qt::OtherFocusReason);
 }
 
 void LegendStrip::tellEditor() {

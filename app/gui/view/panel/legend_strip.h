@@ -75,6 +75,7 @@ private:
     void choose(const LegendChoice& choice);
     void takeChoice(const LegendChoice& choice);
     void tellEditor();
+    void takeKeys();
     void paintNote(const Canvas& canvas) const;
     void paintScale(const Canvas& canvas) const;
 
