@@ -45,7 +45,8 @@ std::vector<std::size_t> sortByInterest(const SunOfCities& all) {
 // The sentences of the answer, as the window and the command line state them.
 TextBlocks describeFinding(const SunOfCities& all, UnitSystem units) {
     const AnswerPage page = makePage(all);
-    TextBlocks blocks{heading(QStringLiteral("Finding")), body(plainText(formatText(page.headline, units)))};
+    TextBlocks blocks{heading(QStringLiteral("Finding")),
+                      body(plainText(formatText(page.headline, units)) + QStringLiteral("."))};
     for (const Sentence& finding : page.findings)
         blocks.push_back(body(plainText(formatText(finding, units))));
     return blocks;

@@ -174,7 +174,7 @@ TextBlocks errorBlocks(std::span<const ShownError> errors) {
     TextBlocks blocks{heading(QStringLiteral("Error against the ray reference, on a sample"))};
     for (const ShownError& error : errors)
         blocks.push_back(
-            body(QStringLiteral("%1: %2 (of %3).")
+            body(QStringLiteral("%1: %2 (%3 values).")
                      .arg(QString::fromStdString(labelOf(error)),
                           QString::fromStdString(formatText(describe(error))), describeCount(error.count))));
     if (errors.empty()) blocks.push_back(body(QStringLiteral("Not measured.")));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "core/describe/text.h"
 #include "core/receivers/place_names.h"
@@ -38,8 +39,33 @@ Sentence countDark(const SunByPlace& sun) {
             {countOf(dark), countOf(all), hoursOf(sun.settings.enoughHours)}};
 }
 
+Sentence countDark(const SunByPlace& sun, std::size_t date) {
+    std::size_t dark = 0, all = 0;
+    for (const SunOfPlace& place : sun.sun) {
+        if (date >= place.dateHours.size() || std::isnan(place.dateHours[date])) continue;
+        ++all;
+        if (place.dateHours[date] < sun.settings.enoughHours) ++dark;
+    }
+    return {NM_TEXT("On %1 it is %2 of %3 places that have less than %4."),
+            {formatText(sun.settings.dates[date]), countOf(dark), countOf(all),
+             hoursOf(sun.settings.enoughHours)}};
+}
+
+// The places with names of their own that have least and most sun; nothing of fewer than two.
+std::optional<Sentence> describeExtremes(const SunByPlace& sun) {
+    std::vector<std::size_t> named;
+    for (std::size_t i = 0; i < sun.sun.size(); ++i)
+        if (hasOwnName(sun.places[i]) && !std::isnan(sun.sun[i].meanHours)) named.push_back(i);
+    if (named.size() < 2) return std::nullopt;
+    const auto [least, most] =
+        std::ranges::minmax(named, {}, [&](std::size_t i) { return sun.sun[i].meanHours; });
+    return Sentence{NM_TEXT("Least sun has %1 with %2, most %3 with %4."),
+                    {sun.places[least].name, hoursOf(sun.sun[least].meanHours), sun.places[most].name,
+                     hoursOf(sun.sun[most].meanHours)}};
+}
+
 Sentence describeMean(const SunByPlace& sun) {
-    return {NM_TEXT("On average over their area %1, of %2 a day with the sun up."),
+    return {NM_TEXT("On average over their area %1 a day, of %2 without any shadow."),
             {hoursOf(meanOver(sun, [&](std::size_t i) { return sun.sun[i].meanHours; })),
              hoursOf(sun.possibleHours)}};
 }
@@ -193,6 +219,9 @@ AnswerPage makePage(const SunOfCities& sun) {
     AnswerPage page{countDark(shown), {describeMean(shown)}, chartsOf(sun)};
     for (Sentence& sentence : judgeCities(sun)) page.findings.push_back(std::move(sentence));
     for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeLosses(compared));
+    for (std::size_t date = 0; date < shown.settings.dates.size(); ++date)
+        page.findings.push_back(countDark(shown, date));
+    if (const auto extremes = describeExtremes(shown)) page.findings.push_back(*extremes);
     return page;
 }
 

@@ -32,6 +32,10 @@ TEST(ShownError, SmallOnesKeepTwoDigits) {
               "0.023 min a day in the mean, 99 of 100 within 0.046 min a day, at most 0.046 min a day");
 }
 
+TEST(ShownError, ThatIsNoneIsSaidInTwoWords) {
+    EXPECT_EQ(formatText(describe(sumUpError("place_mean", {0, 0, 0}))), "no difference");
+}
+
 // Standard deviation of 1 .. 100: 29.01; over sqrt(100).
 TEST(ShownError, OfATotalIsTheMeanTimesItsSize) {
     const ShownError error = sumUpTotalError("score_m2", oneToHundred(), 10);

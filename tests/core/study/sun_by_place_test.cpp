@@ -476,6 +476,20 @@ TEST(SunByPlace, OneSentenceJudgesWhichCityTakesLessSun) {
     EXPECT_THAT(verdict, testing::StartsWith("Same takes less sun than Wall: 0 min against "));
 }
 
+TEST(SunByPlace, SentencesCountPlacesOnDatesAndNameTheDarkestAndTheSunniest) {
+    const std::vector<Place> places{namedPlace("Far", -400, -400, -360, -360),
+                                    namedPlace("Park", -30, 20, 50, 60)};
+    SunByPlaceSettings settings = ofDays(3);
+    settings.dates = {std::chrono::year(2026) / 12 / 21};
+    settings.enoughHours = 0.5;
+    const SunByPlace sun = measured(tower(), places, settings);
+    std::vector<std::string> findings;
+    for (const Sentence& finding : makePage({sun, {}}).findings) findings.push_back(formatText(finding));
+    EXPECT_THAT(findings, testing::Contains("On 2026-12-21 it is 0 of 2 places that have less than 0.5 h."));
+    EXPECT_THAT(findings, testing::Contains(testing::AllOf(testing::StartsWith("Least sun has Park with "),
+                                                           testing::HasSubstr(" h, most Far with "))));
+}
+
 TEST(SunByPlace, AnotherThresholdGivesTheSharesOfARunWithIt) {
     const std::vector<Place> places{namedPlace("Park", -30, 20, 50, 60)};
     SunByPlaceSettings settings = ofDays(3);
