@@ -54,6 +54,7 @@ Result<std::vector<InputFile>> inputsOf(const std::vector<std::string>& files) {
 }  // namespace
 
 bool isSample(std::string_view file) { return file.starts_with(samplePrefix); }
+bool isParkSample(std::string_view file) { return file == parkSample; }
 
 Result<City> sampleCity(const std::string& name) {
     if (name == "central-park-south") return makeCentralParkSouthSample();

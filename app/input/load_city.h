@@ -33,6 +33,7 @@ Provenance provenanceOf(const LoadedCity& loaded);
 void addReading(Study& study, const LoadedCity& loaded);
 
 bool isSample(std::string_view file);
+bool isParkSample(std::string_view file);  ///< Central Park South, which has streets and a park
 
 /// Makes the sample of this name ("central-park-south", "grid") with its defaults. Error: an unknown name.
 Result<City> sampleCity(const std::string& name);

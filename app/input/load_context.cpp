@@ -5,6 +5,7 @@
 
 #include "app/input/load_city.h"
 #include "core/io/places/read_places.h"
+#include "core/samples/sample_city.h"
 
 namespace noonmark {
 
@@ -23,6 +24,7 @@ Result<ContextRead> loadCityContext(const std::vector<std::string>& files, const
                                     Progress& progress, const std::stop_token& stop) {
     ContextRead all;
     for (const std::string& file : files) {
+        if (isParkSample(file)) append(all.context, makeCentralParkContext(frame));
         if (isSample(file) || !isOsmFile(file)) continue;
         auto read = readContext(file, {}, frame, progress, stop);
         if (!read) return tl::make_unexpected(read.error());

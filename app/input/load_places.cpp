@@ -5,6 +5,7 @@
 
 #include "app/input/load_city.h"
 #include "core/receivers/place_names.h"
+#include "core/samples/sample_city.h"
 
 namespace noonmark {
 
@@ -27,9 +28,12 @@ Result<PlacesRead> loadPlaceFiles(const std::vector<std::string>& files, const P
 Result<PlacesRead> loadCityPlaces(const std::vector<std::string>& files, const PlaceSettings& settings,
                                   const Frame& frame, Progress& progress, const std::stop_token& stop) {
     std::vector<std::string> maps;
-    for (const std::string& file : files)
+    PlacesRead ofSample;
+    for (const std::string& file : files) {
+        if (isParkSample(file)) ofSample.places = listCentralParkPlaces(frame);
         if (!isSample(file) && isOsmFile(file)) maps.push_back(file);
-    return loadPlaceFiles(maps, settings, frame, {}, progress, stop);
+    }
+    return loadPlaceFiles(maps, settings, frame, std::move(ofSample), progress, stop);
 }
 
 }  // namespace noonmark

@@ -13,7 +13,7 @@ namespace noonmark {
 namespace {
 
 void addSamplePlaces(Project& project, const LoadedCity& loaded) {
-    if (loaded.files != std::vector<std::string>{"sample:central-park-south"}) return;
+    if (loaded.files.size() != 1 || !isParkSample(loaded.files.front())) return;
     Region park = centralParkRegion(*project.city);
     park.name = "Park";
     project.regions.push_back(std::move(park));

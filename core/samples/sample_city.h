@@ -13,6 +13,8 @@
 
 #include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/city/map_context.h"
+#include "core/receivers/place.h"
 #include "core/receivers/region.h"
 
 namespace noonmark {
@@ -42,6 +44,13 @@ City makeCentralParkSouthSample();
 
 /// The park from 59th to 72nd Street, for regions and pictures, in the city's frame.
 Region centralParkRegion(const City& city);
+
+/// Its ground as maps draw it: the park, the streets, avenues and Broadway of the ideal grid.
+MapContext makeCentralParkContext(const Frame& frame);
+
+/// Its places: Central Park, and streets and avenues cut at their junctions ("West 58th Street, Seventh
+/// Avenue to Sixth Avenue"), with their sidewalks; some 340.
+std::vector<Place> listCentralParkPlaces(const Frame& frame);
 
 /// The lot of one of the seven towers of Central Park South.
 struct CaseStudyLot {

@@ -131,5 +131,38 @@ TEST(CentralParkSouth, EveryCaseStudyTowerHasALotOfItsOwn) {
     }
 }
 
+TEST(CentralParkSouth, HasItsParkAndStreetsBetweenJunctions) {
+    const Frame frame = makeCentralParkSouthSample().frame;
+    const std::vector<Place> places = listCentralParkPlaces(frame);
+    EXPECT_EQ(places.front().name, "Central Park");
+    // From Eighth to Fifth Avenue 829 m, from 59th to 72nd Street 1,015.7 m.
+    EXPECT_NEAR(area(places.front().polygons.front()), 829 * 1015.7, 2000);
+    const auto street =
+        std::ranges::find(places, "West 58th Street, Seventh Avenue to Sixth Avenue", &Place::name);
+    ASSERT_NE(street, places.end());
+    EXPECT_NEAR(area(street->polygons.front()), (568.5 - 324.5) * 18.2, 5) << "244 m long and 18.2 m wide";
+    EXPECT_EQ(std::ranges::count(places, PlaceKind::street, &Place::kind), std::ptrdiff_t(places.size()) - 1);
+    for (const Place& place : places)
+        EXPECT_FALSE(place.name.starts_with("Seventh Avenue, 60th")) << "it ends at the park";
+}
+
+TEST(CentralParkSouth, NoBuildingStandsInTheMiddleOfAStreet) {
+    const City city = makeCentralParkSouthSample();
+    for (const Place& place : listCentralParkPlaces(city.frame)) {
+        const glm::dvec2 middle = findMiddle(bounds(place.polygons.front()));
+        for (const auto& building : city.buildings)
+            for (const Part& part : building->parts)
+                EXPECT_FALSE(contains(part.footprint, middle)) << place.name << ": " << building->sourceId;
+    }
+}
+
+TEST(CentralParkSouth, ItsMapHasParkStreetsAndBroadway) {
+    const MapContext context = makeCentralParkContext(makeCentralParkSouthSample().frame);
+    ASSERT_EQ(context.areas.size(), 1U);
+    EXPECT_EQ(context.areas[0].kind, ContextKind::park);
+    EXPECT_EQ(std::ranges::count(context.lines, std::string("Broadway"), &ContextLine::name), 2);
+    EXPECT_EQ(std::ranges::count(context.lines, std::string("Fifth Avenue"), &ContextLine::name), 1);
+}
+
 }  // namespace
 }  // namespace noonmark
