@@ -36,10 +36,11 @@ struct AnswerFiles {
     int pictureWidth = noonmark::pictureWidth;  ///< pixels
     bool cells = false;                         ///< of a study, a table of all cells
     bool sheets = false;                        ///< a book of sheets
-    BookSettings book{};                        ///< of that, and of the pages of points
-    std::vector<Region> regions{};              ///< of the project: a saved result may be of one of them
-    OutputRules rules{};                        ///< which files may be replaced
-    Progress* progress = nullptr;               ///< of the job that writes; null: nobody watches it
+    bool byteOrderMark = false;     ///< tables of reviews begin with one, by which Excel recognises UTF-8
+    BookSettings book{};            ///< of that, and of the pages of points
+    std::vector<Region> regions{};  ///< of the project: a saved result may be of one of them
+    OutputRules rules{};            ///< which files may be replaced
+    Progress* progress = nullptr;   ///< of the job that writes; null: nobody watches it
     std::stop_token stop{};
 };
 

@@ -84,18 +84,21 @@ public:
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
-        ReviewSource source = *source_;
-        source.outputs = how.rules;
+        GlazingStudy study = content().study;
+        study.warnings = statedWarnings(std::move(study.warnings), *source_);
+        const BookSettings sheets = bookOf(how);
+        const ReviewLabels labels = makeLabels(sheets);
         NoProgress quiet;
-        return writeGlazingReview(content(), source, bookOf(how), folder, false,
-                                  how.progress ? *how.progress : quiet, how.stop)
-            .map([](WrittenGlazing written) { return std::move(written.files); });
+        return writeGlazingFiles(
+            {study, labels, *asked().before, *asked().after, source_->project.reading->heights}, sheets,
+            folder, how.byteOrderMark, how.rules, how.progress ? *how.progress : quiet, how.stop);
     }
 
 private:
     [[nodiscard]] const GlazingQuestion& asked() const { return content().question; }
-    [[nodiscard]] ReviewLabels makeLabels() const {
-        return {asked().from, asked().to, provenanceOf(*source_, asked()), {}, repeatOptions(asked(), {})};
+    [[nodiscard]] ReviewLabels makeLabels(const BookSettings& sheets = {}) const {
+        return {
+            asked().from, asked().to, provenanceOf(*source_, asked()), {}, repeatOptions(asked(), sheets)};
     }
 
     std::shared_ptr<const ReviewSource> source_;
@@ -160,24 +163,6 @@ Result<GlazingAnswer> computeGlazingReview(const GlazingQuestion& question, Prog
             study.glazingInput = std::move(file);
             return GlazingAnswer{question, std::move(study)};
         });
-}
-
-Result<WrittenGlazing> writeGlazingReview(GlazingAnswer answer, const ReviewSource& source,
-                                          const BookSettings& sheets, const std::filesystem::path& folder,
-                                          bool byteOrderMark, Progress& progress,
-                                          const std::stop_token& stop) {
-    const GlazingQuestion& asked = answer.question;
-    WrittenGlazing written{
-        std::move(answer.study),
-        {asked.from, asked.to, provenanceOf(source, asked), {}, repeatOptions(asked, sheets)},
-        {}};
-    addWarnings(written.study.warnings, source);
-    auto files = writeGlazingFiles(
-        {written.study, written.labels, *asked.before, *asked.after, source.project.reading->heights}, sheets,
-        folder, byteOrderMark, source.outputs, progress, stop);
-    if (!files) return tl::make_unexpected(files.error());
-    written.files = *std::move(files);
-    return written;
 }
 
 }  // namespace noonmark

@@ -30,18 +30,4 @@ std::shared_ptr<const Answer> makeAnswer(std::shared_ptr<const GlazingAnswer> re
 Result<GlazingAnswer> computeGlazingReview(const GlazingQuestion& question, Progress& progress,
                                            const std::stop_token& stop, const AnnounceGlazing& announce = {});
 
-/// The files of a review of windows, with what they state.
-struct WrittenGlazing {
-    GlazingStudy study;  ///< with all warnings
-    ReviewLabels labels;
-    std::vector<std::filesystem::path> files;
-};
-
-/// Writes the files of a review of windows. `byteOrderMark`: windows.csv begins with one. Errors of
-/// writeGlazingFiles().
-Result<WrittenGlazing> writeGlazingReview(GlazingAnswer answer, const ReviewSource& source,
-                                          const BookSettings& sheets, const std::filesystem::path& folder,
-                                          bool byteOrderMark, Progress& progress,
-                                          const std::stop_token& stop);
-
 }  // namespace noonmark

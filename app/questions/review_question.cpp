@@ -8,6 +8,7 @@
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
 #include "core/base/stopwatch.h"
+#include "core/describe/field_checks.h"
 #include "core/describe/text.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/place_run.h"
@@ -51,6 +52,29 @@ ReviewBookSource bookSourceOf(const ReviewQuestion& question, const ReviewSource
             source.project.reading->heights,
             placesOfKind(source.project, PlaceKind::street)};
 }
+
+using SharedStudy = std::shared_ptr<const ReviewStudy>;
+
+/// The review as its files state it: with timelines, contributions and all warnings. A review that was asked
+/// for both is not computed again.
+Result<SharedStudy> computeForFiles(const ReviewAnswer& answered, const ReviewSource& source,
+                                    Progress& progress, const std::stop_token& stop) {
+    ReviewQuestion asked = answered.question;
+    const bool isComplete = asked.settings.timelines && asked.settings.contributions;
+    asked.settings.timelines = asked.settings.contributions = true;
+    return (isComplete ? Result<ReviewAnswer>(answered) : computeReview(asked, progress, stop))
+        .map([&](ReviewAnswer answer) {
+            answer.study.warnings = statedWarnings(answer, source);
+            return std::make_shared<const ReviewStudy>(std::move(answer.study));
+        });
+}
+
+/// What the files of a review are made of. Its book refers to the rest: never changed once it is made.
+struct ReviewSheets {
+    ReviewLabels labels;
+    SharedStudy study;
+    Book book;
+};
 
 /// The verdicts of a rule on places.
 class PlacesAnswer final : public AnswerOf<ReviewAnswer> {
@@ -112,8 +136,6 @@ public:
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
-        ReviewSource source = *source_;
-        source.outputs = how.rules;
         NoProgress quiet;
         Progress& progress = how.progress ? *how.progress : quiet;
         ProgressShare layingOut(progress, 0, 2), writing(progress, 1, 2);
@@ -121,7 +143,8 @@ public:
             return tl::make_unexpected(may.error());
         const auto sheets = makeSheets(how, layingOut);
         if (!sheets) return tl::make_unexpected(sheets.error());
-        return writeReview(asked(), source, **sheets, folder, false, writing, how.stop);
+        return writeReviewFiles(bookSourceOf(asked(), *source_, *(*sheets)->study, (*sheets)->labels),
+                                (*sheets)->book, {how.byteOrderMark, how.rules}, folder, writing, how.stop);
     }
     [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
                                                              const AnswerFiles& how) const override {
@@ -139,11 +162,26 @@ private:
         std::shared_ptr<const ReviewStudy> study;
     };
 
+    [[nodiscard]] Result<SharedStudy> findStudy(Progress& progress, const std::stop_token& stop) const {
+        const std::lock_guard lock(forFiles_->mutex);
+        if (forFiles_->study) return forFiles_->study;
+        auto study = computeForFiles(content(), *source_, progress, stop);
+        if (study) forFiles_->study = *study;
+        return study;
+    }
+
     [[nodiscard]] Result<std::shared_ptr<const ReviewSheets>> makeSheets(const AnswerFiles& how,
                                                                          Progress& progress) const {
-        const std::lock_guard lock(forFiles_->mutex);
-        auto sheets = layOutReview(asked(), *source_, forFiles_->study, bookOf(how), progress, how.stop);
-        if (sheets) forFiles_->study = (*sheets)->study;
+        ProgressShare computing(progress, 0, 2), drawing(progress, 1, 2);
+        const auto study = findStudy(computing, how.stop);
+        if (!study) return tl::make_unexpected(study.error());
+        const BookSettings settings = bookOf(how);
+        auto sheets =
+            std::make_shared<ReviewSheets>(ReviewSheets{labelsOf(asked(), *source_, settings), *study, {}});
+        auto book = makeReviewBook(bookSourceOf(asked(), *source_, *sheets->study, sheets->labels), settings,
+                                   drawing, how.stop);
+        if (!book) return tl::make_unexpected(book.error());
+        sheets->book = *std::move(book);
         return sheets;
     }
 
@@ -202,14 +240,15 @@ Provenance provenanceOf(const ReviewSource& source, const ReviewedCities& cities
                         {cities.to, cities.from, {}, {}});
 }
 
-void addWarnings(Warnings& warnings, const ReviewSource& source) {
-    warnings.insert(warnings.end(), source.ofRules.begin(), source.ofRules.end());
-    putBefore(warnings, source.project.reading->warnings);
+Warnings statedWarnings(Warnings ofReview, const ReviewSource& source) {
+    ofReview.insert(ofReview.end(), source.ofRules.begin(), source.ofRules.end());
+    putBefore(ofReview, source.project.reading->warnings);
+    return ofReview;
 }
 
 bool isSame(const ReviewQuestion& a, const ReviewQuestion& b) {
-    return isOfSameCase(a, b) && a.places == b.places && a.settings.zone == b.settings.zone &&
-           a.settings.year == b.settings.year && a.settings.cellM == b.settings.cellM;
+    return isOfSameCase(a, b) && a.places == b.places &&
+           questionText(reviewFields().of(a.settings)) == questionText(reviewFields().of(b.settings));
 }
 
 const Place& ReviewAnswer::placeOf(std::size_t review) const {
@@ -241,45 +280,10 @@ Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progre
                         progress, std::move(stop));
 }
 
-Result<std::shared_ptr<const ReviewStudy>> computeForFiles(const ReviewQuestion& question,
-                                                           const ReviewSource& source, Progress& progress,
-                                                           const std::stop_token& stop) {
-    ReviewQuestion asked = question;
-    asked.settings.timelines = asked.settings.contributions = true;
-    return computeReview(asked, progress, stop).map([&](ReviewAnswer answer) {
-        putBefore(answer.study.warnings, asked.moved);
-        addWarnings(answer.study.warnings, source);
-        return std::make_shared<const ReviewStudy>(std::move(answer.study));
-    });
-}
-
-Result<std::shared_ptr<const ReviewSheets>> layOutReview(const ReviewQuestion& question,
-                                                         const ReviewSource& source,
-                                                         std::shared_ptr<const ReviewStudy> study,
-                                                         const BookSettings& settings, Progress& progress,
-                                                         const std::stop_token& stop) {
-    ProgressShare computing(progress, 0, 2), drawing(progress, 1, 2);
-    if (!study) {
-        auto computed = computeForFiles(question, source, computing, stop);
-        if (!computed) return tl::make_unexpected(computed.error());
-        study = *std::move(computed);
-    }
-    auto sheets = std::make_shared<ReviewSheets>(
-        ReviewSheets{settings, labelsOf(question, source, settings), std::move(study), {}});
-    auto book = makeReviewBook(bookSourceOf(question, source, *sheets->study, sheets->labels), settings,
-                               drawing, stop);
-    if (!book) return tl::make_unexpected(book.error());
-    sheets->book = *std::move(book);
-    return sheets;
-}
-
-Result<std::vector<std::filesystem::path>> writeReview(const ReviewQuestion& question,
-                                                       const ReviewSource& source, const ReviewSheets& sheets,
-                                                       const std::filesystem::path& folder,
-                                                       bool byteOrderMark, Progress& progress,
-                                                       const std::stop_token& stop) {
-    return writeReviewFiles(bookSourceOf(question, source, *sheets.study, sheets.labels), sheets.book,
-                            {byteOrderMark, source.outputs}, folder, progress, stop);
+Warnings statedWarnings(const ReviewAnswer& review, const ReviewSource& source) {
+    Warnings warnings = review.study.warnings;
+    putBefore(warnings, review.question.moved);
+    return statedWarnings(std::move(warnings), source);
 }
 
 Result<void> checkCopy(const ProjectFile& file, const std::filesystem::path& folder) {

@@ -34,8 +34,8 @@ struct ReviewSource {
 
 /// What the cities of a review were made from. Costs hashes (project_provenance.h) unless it is stated.
 Provenance provenanceOf(const ReviewSource& source, const ReviewedCities& cities);
-/// Puts the warnings of reading the city before those of a review, and those of the rules behind them.
-void addWarnings(Warnings& warnings, const ReviewSource& source);
+/// The warnings of a review between those of reading the city and those of the rules.
+Warnings statedWarnings(Warnings ofReview, const ReviewSource& source);
 
 /// A review of places, complete: it can be computed on another thread.
 struct ReviewQuestion : ReviewedCities {
@@ -81,34 +81,8 @@ Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& pro
 Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progress& progress,
                                           std::stop_token stop);
 
-/// The review as its files state it: with timelines, contributions and all warnings.
-Result<std::shared_ptr<const ReviewStudy>> computeForFiles(const ReviewQuestion& question,
-                                                           const ReviewSource& source, Progress& progress,
-                                                           const std::stop_token& stop);
-
-/// What the files of a review are made of. Its book refers to the rest: never changed once it is made.
-struct ReviewSheets {
-    BookSettings settings;
-    ReviewLabels labels;
-    std::shared_ptr<const ReviewStudy> study;
-    Book book;
-};
-
-/// Lays the book of a review out. `study`: that of computeForFiles(), or null: it is computed here. Errors of
-/// runReview() and makeReviewBook(); cancelled().
-Result<std::shared_ptr<const ReviewSheets>> layOutReview(const ReviewQuestion& question,
-                                                         const ReviewSource& source,
-                                                         std::shared_ptr<const ReviewStudy> study,
-                                                         const BookSettings& settings, Progress& progress,
-                                                         const std::stop_token& stop);
-
-/// Writes the files of a review. `byteOrderMark`: see ReviewFileSettings. Errors of writeReviewFiles().
-/// Returns the paths written.
-Result<std::vector<std::filesystem::path>> writeReview(const ReviewQuestion& question,
-                                                       const ReviewSource& source, const ReviewSheets& sheets,
-                                                       const std::filesystem::path& folder,
-                                                       bool byteOrderMark, Progress& progress,
-                                                       const std::stop_token& stop);
+/// The warnings that its files state: those of reading the city first, those of the rules last.
+Warnings statedWarnings(const ReviewAnswer& review, const ReviewSource& source);
 
 /// Whether copyProject() can put a project's file into the folder of a report: it lies there, no file of its
 /// name does, or a file with the same bytes. Another one is never replaced: it may be a project.

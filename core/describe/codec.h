@@ -44,6 +44,9 @@ constexpr ValueKind kindOf() {
     return ValueKind::text;
 }
 
+/// The number that people mean by this float: 0.001, not 0.0010000000474974513.
+double writtenAs(float number);
+
 }  // namespace fields
 
 /// Of numbers, texts, yes or no, lists and named numbers.
@@ -64,6 +67,11 @@ Codec<M> codecOf() {
                     if (const auto* whole = std::get_if<std::int64_t>(&value)) return double(*whole);
                     if (const auto* held = std::get_if<double>(&value)) return *held;
                     return failure({});
+                }};
+    } else if constexpr (std::is_same_v<M, float>) {
+        return {ValueKind::number, [](float value) { return Value(fields::writtenAs(value)); },
+                [](const Value& value) -> Result<float> {
+                    return codecOf<double>().fromValue(value).map([](double held) { return float(held); });
                 }};
     } else if constexpr (std::is_same_v<M, std::filesystem::path>) {
         return {ValueKind::text, [](const M& value) { return Value(value.string()); },

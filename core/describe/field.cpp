@@ -2,7 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 namespace noonmark {
+
+double fields::writtenAs(float number) {
+    const std::string text = fmt::to_string(number);
+    double written = number;
+    std::from_chars(text.data(), text.data() + text.size(), written);
+    return written;
+}
 
 std::string_view nameOf(const FieldFacts& facts) {
     return facts.flag.starts_with("--") ? facts.flag.substr(2) : facts.key;

@@ -47,7 +47,9 @@ struct FieldFacts {
     std::string_view unit = {};            ///< "min", "m", "h", "hPa", "C", "deg"; empty: none
     std::optional<ValueRange> range = {};  ///< of a number, or of each in a list; both ends are included
     double shownTimes = 1;  ///< people write and read a number times this: 100 for a share in percent
-    std::string_view whenEmpty = {};  ///< stands in an empty text field: "found by name"
+    /// Stands in an empty text field, or for a number whose least value, its default, states none: "found by
+    /// name", "automatic".
+    std::string_view whenEmpty = {};
     SettingRole role = SettingRole::question;
     bool hasDefault = true;                       ///< false: a user states it, whatever a new struct holds
     bool restated = false;                        ///< repeat commands state the default too

@@ -17,13 +17,23 @@ std::vector<double> numbersIn(const Value& value) {
     return {};
 }
 
-tl::unexpected<Error> outOfRange(const Field& field, double number) {
-    const std::string unit = field.unit.empty() ? std::string() : fmt::format(" {}", field.unit);
-    const double times = field.shownTimes;
-    return failure(
-        fmt::format("{}: {:g}{} is out of range", field.label, number * times, unit),
-        std::string(nameOf(field)),
-        fmt::format("Give {:g} to {:g}{}", field.range->min * times, field.range->max * times, unit));
+std::string unitOf(const Field& field) {
+    return field.unit.empty() ? std::string() : fmt::format(" {}", field.unit);
+}
+
+// Why the field cannot have this number; empty: it can. Numbers by name give fractions for whole numbers, and
+// numbers for yes or no.
+std::string faultOf(const Field& field, const Value& value, double number) {
+    const bool isFraction = std::holds_alternative<double>(value);
+    if (field.kind == ValueKind::yesNo) return "is neither yes nor no";
+    if (field.range && !field.range->holds(number)) return "is out of range";
+    return field.kind == ValueKind::whole && isFraction ? "is no whole number" : std::string();
+}
+
+tl::unexpected<Error> refused(const Field& field, double number, const std::string& fault) {
+    const std::string range = rangeText(field);
+    return failure(fmt::format("{}: {:g}{} {}", field.label, number * field.shownTimes, unitOf(field), fault),
+                   std::string(nameOf(field)), range.empty() ? std::string() : fmt::format("Give {}", range));
 }
 
 bool isStated(const Described& settings, const Field& field, bool extras) {
@@ -33,11 +43,19 @@ bool isStated(const Described& settings, const Field& field, bool extras) {
 
 }  // namespace
 
+std::string rangeText(const Field& field) {
+    if (field.kind == ValueKind::yesNo) return "yes or no";
+    if (!field.range) return {};
+    const double times = field.shownTimes;
+    return fmt::format("{:g} to {:g}{}", field.range->min * times, field.range->max * times, unitOf(field));
+}
+
 Result<void> checkRanges(const Described& settings) {
     for (const Field& field : settings.fields) {
-        if (!field.range) continue;
-        for (const double number : numbersIn(settings.get(field)))
-            if (!field.range->holds(number)) return outOfRange(field, number);
+        const Value value = settings.get(field);
+        for (const double number : numbersIn(value))
+            if (const std::string fault = faultOf(field, value, number); !fault.empty())
+                return refused(field, number, fault);
     }
     return {};
 }

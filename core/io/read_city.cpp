@@ -14,6 +14,7 @@
 #include "core/base/progress_share.h"
 #include "core/city/map_context.h"
 #include "core/city/same_buildings.h"
+#include "core/describe/text.h"
 #include "core/io/context/read_context.h"
 #include "core/io/files/file_kind.h"
 #include "core/io/meshes/mesh_scene.h"
@@ -51,7 +52,8 @@ bool isOutside(std::size_t file, const ReadExtent* window) {
 
 Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths, const ReadExtent* window,
                                               Formats formats) {
-    if (paths.empty()) return failure("No file is named", {}, "Name at least one file with buildings");
+    if (paths.empty())
+        return failure(NM_TEXT("No file is named"), {}, NM_TEXT("Name at least one file with buildings"));
     std::vector<InputFile> files;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (isOutside(i, window)) continue;
@@ -108,7 +110,7 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
         turns[i]->piece = *std::move(piece);
     }
     if (settings.frame) return *settings.frame;
-    return failure("None of the files states its position on earth", files.front().path.string(),
+    return failure(NM_TEXT("None of the files states its position on earth"), files.front().path.string(),
                    anchorAdvice());
 }
 
@@ -142,7 +144,7 @@ void makeTerrainFromBases(CityRead& all, const std::vector<InputFile>& files, Te
     if (!terrain) return;
     all.warnings.push_back(
         {WarningKind::assumed,
-         "there is no terrain: the ground between the buildings was interpolated from their bases",
+         NM_TEXT("there is no terrain: the ground between the buildings was interpolated from their bases"),
          fmt::format("{} buildings; {}", based.size(), formatText(relief))});
     all.city.terrain = std::make_shared<const Terrain>(*std::move(terrain));
 }
@@ -160,7 +162,7 @@ void countBeyondTerrain(CityRead& all) {
     }
     if (off > 0)
         all.warnings.push_back(
-            {WarningKind::assumed, "buildings beyond the terrain stand on its nearest elevation",
+            {WarningKind::assumed, NM_TEXT("buildings beyond the terrain stand on its nearest elevation"),
              fmt::format("{} of {}, up to {:.0f} m from it", off, all.city.buildings.size(), farthestM)});
 }
 

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "core/base/gdal_calls.h"
+#include "core/describe/text.h"
 #include "core/io/files/fold_text.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/footprints/polygon_layer.h"
@@ -74,8 +75,8 @@ Result<Region> regionOfFile(const std::filesystem::path& file, const Frame& fram
             return tl::make_unexpected(added.error());
     if (StopScope::isStopped()) return cancelled();
     if (region.polygons.empty())
-        return failure("The file holds no polygon with an area", file.string(),
-                       "Draw the region as a polygon");
+        return failure(NM_TEXT("The file holds no polygon with an area"), file.string(),
+                       NM_TEXT("Draw the region as a polygon"));
     return region;
 }
 
@@ -90,16 +91,18 @@ Result<Region> regionOfWkt(const std::string& text, const Frame& frame) {
     const OGRErr error = OGRGeometryFactory::createFromWkt(text.c_str(), nullptr, &made);
     const std::unique_ptr<OGRGeometry> geometry(made);
     if (error != OGRERR_NONE || !geometry)
-        return failure("It is not a polygon in well-known text", text,
-                       "Give degrees, longitude first: POLYGON ((-73.98 40.76, -73.97 40.76, -73.97 40.77, "
-                       "-73.98 40.76))");
+        return failure(
+            NM_TEXT("It is not a polygon in well-known text"), text,
+            NM_TEXT("Give degrees, longitude first: POLYGON ((-73.98 40.76, -73.97 40.76, -73.97 40.77, "
+                    "-73.98 40.76))"));
     OGRSpatialReference degrees;
     degrees.SetWellKnownGeogCS("WGS84");
     const auto reader = PolygonLayer::of(&degrees, frame, "polygon");
     if (!reader) return tl::make_unexpected(reader.error());
     auto pieces = reader->polygons(*geometry);
     if (!pieces) return tl::make_unexpected(pieces.error());
-    if (pieces->empty()) return failure("The polygon has no area", text, "Give at least three corners");
+    if (pieces->empty())
+        return failure(NM_TEXT("The polygon has no area"), text, NM_TEXT("Give at least three corners"));
     return Region{"polygon", *std::move(pieces)};
 }
 
@@ -110,10 +113,11 @@ Result<Region> readRegion(const std::string& boxOrFile, const Frame& frame) {
     if (isWkt(boxOrFile)) return regionOfWkt(boxOrFile, frame);
     std::error_code ignored;
     if (std::filesystem::exists(boxOrFile, ignored)) return regionOfFile(boxOrFile, frame);
-    return failure("There is no such file, and the text is neither four numbers nor a polygon",
-                   "region '" + boxOrFile + "'",
-                   "Give west,south,east,north in degrees, for example -73.99,40.75,-73.98,40.76, a polygon "
-                   "as well-known text, or a polygon file");
+    return failure(
+        NM_TEXT("There is no such file, and the text is neither four numbers nor a polygon"),
+        "region '" + boxOrFile + "'",
+        NM_TEXT("Give west,south,east,north in degrees, for example -73.99,40.75,-73.98,40.76, a polygon "
+                "as well-known text, or a polygon file"));
 }
 
 }  // namespace noonmark

@@ -8,6 +8,7 @@
 
 #include "core/city/map_context.h"
 #include "core/city/terrain/ground_contact.h"
+#include "core/describe/text.h"
 #include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
 
@@ -78,14 +79,16 @@ Result<Grid> gridOver(const Region& region, const ReceiverSettings& settings) {
     const double cellM = settings.cellM;
     if (!(cellM >= ReceiverSettings::minCellM && cellM <= ReceiverSettings::maxCellM))
         return failure(fmt::format("A cell of {} m is out of range", cellM), "cell size",
-                       "Choose 0.25 to 10 m");
+                       NM_TEXT("Choose 0.25 to 10 m"));
     const Box2 box = bounds(region);
-    if (box.empty()) return failure("The region has no area", region.name, "Draw a polygon with an interior");
+    if (box.empty())
+        return failure(NM_TEXT("The region has no area"), region.name,
+                       NM_TEXT("Draw a polygon with an interior"));
     const Grid grid = gridOfBox(box, cellM);
     if (grid.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
         return failure(fmt::format("The region has {:.1f} billion cells", double(grid.size()) * 1e-9),
                        region.name,
-                       "Choose larger cells or a smaller region; the limit is 2.1 billion cells");
+                       NM_TEXT("Choose larger cells or a smaller region; the limit is 2.1 billion cells"));
     return grid;
 }
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -24,13 +26,16 @@ Result<Region> makeRegionFromLonLatBox(const Frame& frame, double westDeg, doubl
     const std::string box = fmt::format("region {},{},{},{}", westDeg, southDeg, eastDeg, northDeg);
     const bool inRange = std::abs(westDeg) <= 180 && std::abs(eastDeg) <= 180 && std::abs(southDeg) <= 90 &&
                          std::abs(northDeg) <= 90;
-    if (!inRange) return failure("A corner is not on the globe", box, "Give degrees: west,south,east,north");
+    if (!inRange)
+        return failure(NM_TEXT("A corner is not on the globe"), box,
+                       NM_TEXT("Give degrees: west,south,east,north"));
     // A box whose west is the larger number crosses the antimeridian; one that would span most of the globe
     // has its sides swapped.
     const double lastDeg = eastDeg < westDeg ? eastDeg + 360 : eastDeg;
     if (!(westDeg < lastDeg && lastDeg - westDeg <= 180) || !(southDeg < northDeg))
-        return failure("The box is empty", box,
-                       "Give west < east (or west > east across the 180th meridian) and south < north");
+        return failure(
+            NM_TEXT("The box is empty"), box,
+            NM_TEXT("Give west < east (or west > east across the 180th meridian) and south < north"));
     Ring ring;
     addSide(ring, frame, {westDeg, southDeg}, {lastDeg, southDeg});
     addSide(ring, frame, {lastDeg, southDeg}, {lastDeg, northDeg});

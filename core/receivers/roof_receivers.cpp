@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/describe/text.h"
 #include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
 
@@ -89,8 +90,8 @@ Receivers placeAtHeights(Receivers receivers, const City& city, ReceiverPlaces p
 
 Result<void> checkOnGround(ReceiverPlaces places) {
     if (places == ReceiverPlaces::ground) return {};
-    return failure("This is measured on the ground only, not on roofs", "receivers",
-                   "Choose the ground, or run a study of the roofs");
+    return failure(NM_TEXT("This is measured on the ground only, not on roofs"), "receivers",
+                   NM_TEXT("Choose the ground, or run a study of the roofs"));
 }
 
 Result<Receivers> placeReceivers(const City& city, const Region& region, const ReceiverSettings& settings,

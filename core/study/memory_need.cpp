@@ -8,6 +8,8 @@
 #include <limits>
 #include <string>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -79,7 +81,7 @@ Result<void> checkMemory(const City& city, const StudySettings& settings, const 
     if (need <= limit) return {};
     return failure(fmt::format("The study would need {:.2f} GB of memory; {:.2f} GB may be used",
                                gigabytes(need), gigabytes(limit)),
-                   "", "Choose larger cells, a smaller region or fewer steps");
+                   "", NM_TEXT("Choose larger cells, a smaller region or fewer steps"));
 }
 
 }  // namespace noonmark

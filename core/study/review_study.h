@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/base/warnings.h"
 #include "core/city/city.h"
+#include "core/describe/field.h"
 #include "core/engines/api/engine.h"
 #include "core/measures/place_timeline.h"
 #include "core/review/places/place_review.h"
@@ -26,6 +27,9 @@ struct ReviewSettings {
     bool contributions = false;  ///< of each new building, where there are 2 to maxContributors
     bool refinesSpots = true;    ///< look for the worst spots between the centres of cells too
 };
+
+/// What a user asks of a review beside rule, cities and places: year, zone and cells.
+const Fields<ReviewSettings>& reviewFields();
 
 /// More new buildings are not measured one by one: each costs as much as the review.
 inline constexpr std::size_t maxContributors = 20;

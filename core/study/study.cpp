@@ -10,6 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
 #include "core/city/trees/tree.h"
+#include "core/describe/text.h"
 #include "core/engines/common/engine_in_use.h"
 #include "core/engines/shade_trees.h"
 #include "core/measures/compared_cells.h"
@@ -38,10 +39,10 @@ Result<void> timeStage(Study& study, const char* name, T& place, std::stop_token
 Result<void> checkReceivers(const Study& study) {
     if (!study.receivers.cells.empty()) return {};
     if (study.settings.receivers.places == ReceiverPlaces::roofs)
-        return failure("No cell of the region lies on a roof", study.settings.region.name,
-                       "Choose a region with buildings, or smaller cells");
-    return failure("No cell of the region lies on open ground", study.settings.region.name,
-                   "Choose a region outside buildings and water, or smaller cells");
+        return failure(NM_TEXT("No cell of the region lies on a roof"), study.settings.region.name,
+                       NM_TEXT("Choose a region with buildings, or smaller cells"));
+    return failure(NM_TEXT("No cell of the region lies on open ground"), study.settings.region.name,
+                   NM_TEXT("Choose a region outside buildings and water, or smaller cells"));
 }
 
 bool wantsBreakdown(const StudySettings& settings) { return settings.byMonth || settings.contributions; }

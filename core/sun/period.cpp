@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/describe/field_checks.h"
+#include "core/describe/text.h"
 #include "core/sun/period_fields.h"
 
 namespace noonmark {
@@ -18,31 +19,33 @@ constexpr auto lastYear = 2100y;
 
 std::optional<Error> troubleWithDates(const Period& period) {
     if (!period.start.ok())
-        return Error{"The start is not a date of the calendar", "start", "Give a date such as 2026-03-21"};
+        return Error{NM_TEXT("The start is not a date of the calendar"), "start",
+                     NM_TEXT("Give a date such as 2026-03-21")};
     const year_month_day last{sys_days{period.start} + days{period.days - 1}};
     if (period.start.year() >= firstYear && last.year() <= lastYear) return std::nullopt;
     return Error{fmt::format("The period from {} to {} is not within the years 1900 to 2100",
                              formatText(period.start), formatText(last)),
-                 "start", "Choose other dates; the position of the sun is known for these years only"};
+                 "start",
+                 NM_TEXT("Choose other dates; the position of the sun is known for these years only")};
 }
 
 std::optional<Error> troubleWithHours(const Period& period) {
     if (period.from < 0min || period.from > 24h) {
-        return Error{"The time of day at which the hours begin is out of range", "from",
-                     "Give 00:00 to 24:00"};
+        return Error{NM_TEXT("The time of day at which the hours begin is out of range"), "from",
+                     NM_TEXT("Give 00:00 to 24:00")};
     }
     constexpr double minHours = 1.0 / 3600;
     if (period.hours > 0 && period.hours < minHours) {
         return Error{fmt::format("{:g} hours per day are less than a second", period.hours), "hours",
-                     "Give 0 (one instant), or 0.00028 to 24"};
+                     NM_TEXT("Give 0 (one instant), or 0.00028 to 24")};
     }
     return std::nullopt;
 }
 
 std::optional<Error> troubleWithSolarHours(const SolarHours& window) {
     if (abs(window.afterSunrise) <= 12h && abs(window.beforeSunset) <= 12h) return std::nullopt;
-    return Error{"The hours after sunrise or before sunset are out of range", "window",
-                 "Give at most 12 hours on either side"};
+    return Error{NM_TEXT("The hours after sunrise or before sunset are out of range"), "window",
+                 NM_TEXT("Give at most 12 hours on either side")};
 }
 
 std::string hoursText(const Period& period) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "core/describe/text.h"
 #include "core/sun/day_hours.h"
 
 namespace noonmark {
@@ -184,7 +185,7 @@ std::optional<Error> tooManySteps(double steps) {
     if (steps <= maxSteps) return std::nullopt;
     return Error{fmt::format("The period has up to {:.0f} million steps, which need {:.1f} GB", steps / 1e6,
                              steps * sizeof(SunStep) / 1e9),
-                 "step", "Choose a longer step or fewer days; the limit is 50 million steps"};
+                 "step", NM_TEXT("Choose a longer step or fewer days; the limit is 50 million steps")};
 }
 
 double maxStepsOf(const Period& period) {
@@ -236,8 +237,8 @@ Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& obse
                                       const std::stop_token& stop) {
     auto sun = computeSunSteps(period, observer, stop);
     if (sun && sun->steps.empty())
-        return failure("The sun is below the horizon all the time", formatText(period),
-                       "Choose other hours or days");
+        return failure(NM_TEXT("The sun is below the horizon all the time"), formatText(period),
+                       NM_TEXT("Choose other hours or days"));
     return sun;
 }
 

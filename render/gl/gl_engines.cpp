@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/describe/text.h"
-#include "core/engines/accrual/interval_options.h"
+#include "core/engines/accrual/accrual_settings.h"
 #include "core/engines/graph/graph_engine.h"
 #include "render/gl/gl_shadow_maps.h"
 
@@ -11,14 +11,18 @@ namespace noonmark {
 
 namespace {
 
-EngineEntry engineOf(EngineInfo info, GlPasses passes, const GlLimits& limits) {
+EngineEntry mapsOf(EngineInfo info, GlPasses passes, const GlLimits& limits) {
     info.bytesPerCell = accrualBytesPerCell;
-    info.options = accrualOptions(std::min(limits.mapSize, AccrualSettings::maxMapSize));
-    return {std::move(info), [passes](const EngineSettings& settings) -> Result<std::unique_ptr<Engine>> {
-                const auto maps = GlShadowMaps::make(passes, readAccrualSettings(settings));
-                if (!maps) return tl::make_unexpected(maps.error());
-                return std::make_unique<GraphEngine>(*maps, readGraphSettings(settings));
-            }};
+    EngineEntry entry =
+        engineOf(std::move(info), throughGraph(accrualFields()),
+                 [passes](const ThroughGraph<AccrualSettings>& settings) -> Result<std::unique_ptr<Engine>> {
+                     const auto maps = GlShadowMaps::make(passes, settings.own);
+                     if (!maps) return tl::make_unexpected(maps.error());
+                     return std::make_unique<GraphEngine>(*maps, settings.graph);
+                 });
+    ValueRange& sizes = *std::ranges::find(entry.info.options, "map", &Field::key)->range;
+    sizes.max = std::min(sizes.max, double(limits.mapSize));
+    return entry;
 }
 
 EngineList findEngines() {
@@ -26,15 +30,14 @@ EngineList findEngines() {
     if (!context) return {};
     const GlLimits& limits = (*context)->limits();
     return {
-        engineOf(
-            {"shadow-map-gl", NM_TEXT("Shadow maps (OpenGL)"),
-             NM_TEXT(
-                 "Draws one depth map per step and tests every cell against it: the method that the paper "
-                 "compares accrual maps with")},
-            GlPasses::oneAStep, limits),
-        engineOf({"sam-gl", NM_TEXT("Shadow accrual map (OpenGL)"),
-                  NM_TEXT("One draw on the graphics device fills the depth maps of all steps of an hour")},
-                 GlPasses::oneAnInterval, limits)};
+        mapsOf({"shadow-map-gl", NM_TEXT("Shadow maps (OpenGL)"),
+                NM_TEXT(
+                    "Draws one depth map per step and tests every cell against it: the method that the paper "
+                    "compares accrual maps with")},
+               GlPasses::oneAStep, limits),
+        mapsOf({"sam-gl", NM_TEXT("Shadow accrual map (OpenGL)"),
+                NM_TEXT("One draw on the graphics device fills the depth maps of all steps of an hour")},
+               GlPasses::oneAnInterval, limits)};
 }
 
 }  // namespace

@@ -86,12 +86,11 @@ TEST_F(GlazingReviewWindow, WritesTheFilesOfTheCommandLine) {
     save();
     const auto answer = windows().finished();
     ASSERT_TRUE(answer);
-    NoProgress progress;
-    const auto written =
-        writeGlazingReview(**answer, window->review().source(), {},
-                           folder.filePath(QStringLiteral("out")).toStdString(), false, progress, {});
+    const auto review = makeAnswer(std::make_shared<const GlazingAnswer>(**answer),
+                                   std::make_shared<const ReviewSource>(window->review().source()));
+    const auto written = review->write({}, folder.filePath(QStringLiteral("out")).toStdString(), {});
     ASSERT_TRUE(written) << written.error().text();
-    EXPECT_EQ(written->files.size(), 4U);
+    EXPECT_EQ(written->size(), 4U);
     const QByteArray json = test::bytesOf(folder.filePath(QStringLiteral("out/review.json")));
     EXPECT_TRUE(json.contains("--facades-of all")) << json.left(600).toStdString();
     const QByteArray csv = test::bytesOf(folder.filePath(QStringLiteral("out/windows.csv")));

@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QToolBar>
 #include <random>
@@ -54,21 +55,21 @@ TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {
         StudySettings settings;
         settings.engine = engine.key;
         form.show(settings);
-        EXPECT_EQ(form.findChildren<QDoubleSpinBox*>().size() + form.findChildren<QCheckBox*>().size(),
+        EXPECT_EQ(form.findChildren<QAbstractSpinBox*>().size() + form.findChildren<QCheckBox*>().size(),
                   qsizetype(engine.options.size()));
-        for (const EngineOption& option : engine.options) {
+        for (const Field& option : engine.options) {
             const auto name = QStringLiteral("option_") + QString::fromStdString(std::string(option.key));
-            if (option.kind == OptionKind::yesNo) {
+            if (option.kind == ValueKind::yesNo) {
                 const auto* check = form.findChild<QCheckBox*>(name);
                 ASSERT_NE(check, nullptr) << option.key;
-                EXPECT_EQ(check->isChecked(), option.standard != 0) << option.key;
+                EXPECT_EQ(Value(check->isChecked()), option.standard) << option.key;
                 continue;
             }
-            const auto* field = form.findChild<QDoubleSpinBox*>(name);
+            const auto* field = form.findChild<QAbstractSpinBox*>(name);
             ASSERT_NE(field, nullptr) << option.key;
-            EXPECT_NEAR(field->minimum(), option.min, 1e-9);
-            EXPECT_NEAR(field->maximum(), option.max, 1e-9);
-            EXPECT_NEAR(field->value(), option.standard, 1e-9) << option.key;
+            EXPECT_NEAR(field->property("minimum").toDouble(), option.range->min, 1e-9) << option.key;
+            EXPECT_NEAR(field->property("maximum").toDouble(), option.range->max, 1e-9) << option.key;
+            EXPECT_NEAR(field->property("value").toDouble(), *asNumber(option.standard), 1e-9) << option.key;
             EXPECT_FALSE(field->toolTip().isEmpty());
         }
         EXPECT_EQ(form.applied(settings), settings) << engine.key << ": default values are not stored";
@@ -96,7 +97,7 @@ TEST(AccuracyForm, OptionsChangeTheStudyAndGoWithTheirEngine) {
     settings.engine = "iam";
     settings.engineSettings["levels"] = 5;
     form.show(settings);
-    auto* levels = form.findChild<QDoubleSpinBox*>(QStringLiteral("option_levels"));
+    auto* levels = form.findChild<QSpinBox*>(QStringLiteral("option_levels"));
     EXPECT_EQ(levels->value(), 5);
     QSignalSpy edits(&form, &AccuracyForm::edited);
     levels->setValue(2);

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QTranslator>
 #include <clocale>
 #include <map>
 
@@ -116,9 +117,10 @@ TEST_F(Languages, EnginesAndTheirOptionsHaveWordsInEveryLanguage) {
         for (const EngineEntry& engine : allEngines()) {
             expectWord(engine.info.name);
             expectWord(engine.info.about);
-            for (const EngineOption& option : engine.info.options) {
-                expectWord(option.name);
-                expectWord(option.about);
+            for (const Field& option : engine.info.options) {
+                expectWord(option.label);
+                expectWord(option.help);
+                if (!option.whenEmpty.empty()) expectWord(option.whenEmpty);
             }
         }
     }
@@ -138,6 +140,30 @@ TEST_F(Languages, ErrorsOfTheWindowAreTranslatedAndThoseOfCoreStay) {
     EXPECT_EQ(describeError(own),
               QStringLiteral("Keine Stadt ist geöffnet. Zuerst eine Datei oder ein Beispiel öffnen"));
     EXPECT_EQ(describeError(core), QString::fromStdString(core.text()));
+}
+
+/// A language of capitals for what core marks by NM_TEXT.
+class Capitals final : public QTranslator {
+public:
+    [[nodiscard]] QString translate(const char* context, const char* source, const char*,
+                                    int) const override {
+        return QLatin1String(context) == QLatin1String("noonmark") ? QString::fromUtf8(source).toUpper()
+                                                                   : QString();
+    }
+    [[nodiscard]] bool isEmpty() const override { return false; }
+};
+
+TEST(ErrorWords, WhatCoreMarksIsTranslatedAndNamesStay) {
+    Capitals capitals;
+    QCoreApplication::installTranslator(&capitals);
+    EXPECT_EQ(describeError({"The region has no area", "Lot 7", "Draw a polygon with an interior"}),
+              QStringLiteral("Lot 7: THE REGION HAS NO AREA. DRAW A POLYGON WITH AN INTERIOR"));
+    const WarningGroup group{WarningKind::leftOut, "lies underground", {"way 3", "way 7", "way 9", "way 11"}};
+    EXPECT_EQ(describeWarning(group), QStringLiteral("4 LEFT OUT: LIES UNDERGROUND"));
+    EXPECT_EQ(describeWarningWithPlaces(group),
+              QStringLiteral("4 LEFT OUT: LIES UNDERGROUND (way 3, way 7, way 9, ...)"));
+    QCoreApplication::removeTranslator(&capitals);
+    EXPECT_EQ(describeWarningWithPlaces(group, 4).toStdString(), lineOf(group, 4)) << "as core says it";
 }
 
 std::map<QChar, QStringList> mnemonicsOf(const QList<QAction*>& actions) {

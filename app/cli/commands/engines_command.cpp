@@ -4,19 +4,17 @@
 
 #include "app/cli/base/command.h"
 #include "app/input/all_engines.h"
+#include "core/describe/field_checks.h"
+#include "core/describe/value_text.h"
 #include "core/simd/instruction_set.h"
 
 namespace noonmark::cli {
 
 namespace {
 
-std::string optionLine(const EngineOption& option) {
-    const std::string unit = option.unit.empty() ? "" : fmt::format(" {}", option.unit);
-    const std::string range = option.kind == OptionKind::yesNo
-                                  ? "yes or no"
-                                  : fmt::format("{:g} to {:g}{}", option.min, option.max, unit);
-    return fmt::format("    --option {}={}  {}: {}\n", option.key, formatOptionValue(option, option.standard),
-                       range, option.about);
+std::string optionLine(const Field& option) {
+    return fmt::format("    --option {}={}  {}: {}\n", option.key, formatText(option.standard),
+                       rangeText(option), option.help);
 }
 
 std::string describe(const EngineCapabilities& able) {
@@ -40,7 +38,7 @@ int printEngines(const Console& console) {
     for (const auto& [info, make] : allEngines()) {
         console.out << fmt::format("{:<10} {}\n    {}\n    {}\n", info.key, info.name, info.about,
                                    describe(info.capabilities));
-        for (const EngineOption& option : info.options) console.out << optionLine(option);
+        for (const Field& option : info.options) console.out << optionLine(option);
     }
     console.out << fmt::format("Instruction sets of this processor: {}; in use: {}\n", listInstructionSets(),
                                nameOf(instructionSetInUse()));

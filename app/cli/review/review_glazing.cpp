@@ -126,11 +126,12 @@ void addChanges(Table& table, const std::string& what, const VerdictChanges& cha
     table.add(what + " changed", fmt::format("{} worse, {} better", changes.worse, changes.better));
 }
 
-void printGlazing(const WrittenGlazing& written, std::ostream& out) {
-    const GlazingStudy& study = written.study;
+void printGlazing(const GlazingAnswer& answer, const ReviewSource& source,
+                  const std::vector<std::filesystem::path>& files, std::ostream& out) {
+    const GlazingStudy& study = answer.study;
     Table table;
     table.add("rule", fmt::format("{} ({})", study.rule.name, study.rule.key));
-    table.add("from, to", fmt::format("{} -> {}", written.labels.from, written.labels.to));
+    table.add("from, to", fmt::format("{} -> {}", answer.question.from, answer.question.to));
     table.add("clock", fmt::format("{}, {}", study.clock.text(), study.year));
     table.add("engine", fmt::format("{}, {} steps of {:g} min", study.engine, withCommas(study.steps),
                                     study.stepMinutes));
@@ -152,8 +153,8 @@ void printGlazing(const WrittenGlazing& written, std::ostream& out) {
     out << "\nNot checked:\n";
     for (const std::string& text : study.notChecked) out << fmt::format("  - {}\n", text);
     out << "\nFiles\n";
-    for (const auto& file : written.files) out << "  " << file.string() << '\n';
-    printWarnings(out, study.warnings);
+    for (const auto& file : files) out << "  " << file.string() << '\n';
+    printWarnings(out, statedWarnings(study.warnings, source));
 }
 
 void addFacades(CLI::App& command, GlazingRunOptions& windows) {
@@ -211,17 +212,16 @@ int runGlazingReviews(const ReviewRunOptions& options, const Rule& rule, const R
     const auto asked = makeGlazingQuestion(options, rule, source);
     if (!asked) return fail(console, asked.error(), exitUsage);
     if (options.estimate) return estimateGlazing(options, asked->question, console);
-    auto answer = measureGlazing(asked->question, console);
-    if (!answer) return fail(console, answer.error(), exitUsage);
-    const Interrupt interrupt;
-    ProgressLine progress(console);
-    const auto written = writeGlazingReview(*std::move(answer), source, asked->sheets, options.out,
-                                            options.byteOrderMark, progress, interrupt.token());
+    auto measured = measureGlazing(asked->question, console);
+    if (!measured) return fail(console, measured.error(), exitUsage);
+    const auto glazing = std::make_shared<const GlazingAnswer>(*std::move(measured));
+    const auto answer = makeAnswer(glazing, std::make_shared<const ReviewSource>(source));
+    const auto written = writeAnswer(*answer, options, asked->sheets, source, console);
     if (!written) return fail(console, written.error(), exitFailed);
     if (options.json)
-        console.out << toJsonText(glazingReviewJson(written->study, written->labels)) << '\n';
+        printReviewJson(options.out, console.out);
     else
-        printGlazing(*written, console.out);
+        printGlazing(*glazing, source, *written, console.out);
     return exitOk;
 }
 

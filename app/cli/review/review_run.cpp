@@ -9,7 +9,7 @@
 #include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
-#include "app/cli/options/number_range.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/overwrite_option.h"
 #include "app/cli/options/picture_option.h"
 #include "app/cli/options/sheet_options.h"
@@ -17,7 +17,6 @@
 #include "app/cli/review/review_run_options.h"
 #include "app/cli/review/review_source.h"
 #include "app/report/files/review_files.h"
-#include "core/base/progress_share.h"
 #include "core/describe/command_flags.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/places/review_columns.h"
@@ -89,15 +88,16 @@ Result<void> keepPlacesInReach(ReviewQuestion& question, Progress& progress, con
     return {};
 }
 
-Result<std::shared_ptr<const ReviewStudy>> measurePlaces(const ReviewRunOptions& options,
-                                                         ReviewQuestion& question, const ReviewSource& source,
-                                                         const Console& console) {
+Result<std::shared_ptr<const Answer>> measurePlaces(const ReviewRunOptions& options, ReviewQuestion question,
+                                                    const ReviewSource& source, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
     if (options.inReach)
         if (const auto kept = keepPlacesInReach(question, progress, interrupt.token()); !kept)
             return tl::make_unexpected(kept.error());
-    return computeForFiles(question, source, progress, interrupt.token());
+    const Asked asked{.review = std::make_shared<const ReviewQuestion>(std::move(question)),
+                      .reviewSource = std::make_shared<const ReviewSource>(source)};
+    return reviewQuestion().compute(asked, progress, interrupt.token());
 }
 
 int estimatePlaces(const ReviewRunOptions& options, const ReviewQuestion& asked, const Console& console) {
@@ -140,10 +140,11 @@ void printTable(const ReviewStudy& study, std::ostream& out) {
     if (leftOut > 0) out << fmt::format("({} more rows in review.csv)\n", leftOut);
 }
 
-void printReview(const ReviewStudy& study, const ReviewLabels& labels, std::ostream& out) {
+void printReview(const ReviewAnswer& answer, const ReviewSource& source, std::ostream& out) {
+    const ReviewStudy& study = answer.study;
     Table heading;
     heading.add("rule", fmt::format("{} ({})", study.rule.name, study.rule.key));
-    heading.add("from, to", fmt::format("{} -> {}", labels.from, labels.to));
+    heading.add("from, to", fmt::format("{} -> {}", answer.question.from, answer.question.to));
     heading.add("clock", fmt::format("{}, {}", study.clock, study.year));
     heading.add("engine", fmt::format("{}, every {:g} min, cells of {:g} m", study.engine, study.stepMinutes,
                                       study.settings.cellM));
@@ -155,27 +156,7 @@ void printReview(const ReviewStudy& study, const ReviewLabels& labels, std::ostr
         out << fmt::format("{}: {}. {}\n", review.name, nameVerdict(review), describeReason(review));
     out << "\nNot checked:\n";
     for (const std::string& text : study.notChecked) out << fmt::format("  - {}\n", text);
-    printWarnings(out, study.warnings);
-}
-
-/// Returns what the files were made of.
-Result<std::shared_ptr<const ReviewSheets>> writeFiles(const PlaceQuestion& question,
-                                                       std::shared_ptr<const ReviewStudy> study,
-                                                       const ReviewRunOptions& options,
-                                                       const ReviewSource& source, const Console& console) {
-    const Interrupt interrupt;
-    ProgressLine progress(console);
-    ProgressShare forSheets(progress, 0, 2), forFiles(progress, 1, 2);
-    auto sheets =
-        layOutReview(question.asked, source, std::move(study), question.sheets, forSheets, interrupt.token());
-    if (!sheets) return sheets;
-    const auto written = writeReview(question.asked, source, **sheets, options.out, options.byteOrderMark,
-                                     forFiles, interrupt.token());
-    if (!written) return tl::make_unexpected(written.error());
-    if (options.withProject && source.file)
-        if (const auto copied = copyProject(*source.file, options.out); !copied)
-            return tl::make_unexpected(copied.error());
-    return sheets;
+    printWarnings(out, statedWarnings(answer, source));
 }
 
 /// A rule about windows needs windows, and one about places places.
@@ -199,14 +180,17 @@ int reviewPlaces(const ReviewRunOptions& options, const Rule& rule, const Review
     auto question = makePlaceQuestion(options, rule, source);
     if (!question) return fail(console, question.error(), exitUsage);
     if (options.estimate) return estimatePlaces(options, question->asked, console);
-    auto study = measurePlaces(options, question->asked, source, console);
-    if (!study) return fail(console, study.error(), exitUsage);
-    const auto sheets = writeFiles(*question, *std::move(study), options, source, console);
-    if (!sheets) return fail(console, sheets.error(), exitFailed);
+    const auto answer = measurePlaces(options, std::move(question->asked), source, console);
+    if (!answer) return fail(console, answer.error(), exitUsage);
+    if (const auto written = writeAnswer(**answer, options, question->sheets, source, console); !written)
+        return fail(console, written.error(), exitFailed);
+    if (options.withProject && source.file)
+        if (const auto copied = copyProject(*source.file, options.out); !copied)
+            return fail(console, copied.error(), exitFailed);
     if (options.json)
-        console.out << toJsonText(reviewJson(*(*sheets)->study, (*sheets)->labels)) << '\n';
+        printReviewJson(options.out, console.out);
     else
-        printReview(*(*sheets)->study, (*sheets)->labels, console.out);
+        printReview(*(*answer)->as<ReviewAnswer>(), source, console.out);
     return exitOk;
 }
 
@@ -249,17 +233,7 @@ void addQuestion(CLI::App& command, ReviewRunOptions& options) {
 }
 
 void addSettings(CLI::App& command, ReviewRunOptions& options) {
-    command
-        .add_option(flags::year, options.settings.year,
-                    "Year of the days (default: that of the first period, or 2026)")
-        ->check(within(1901, 2099))
-        ->type_name("YEAR");
-    command.add_option("--zone", options.settings.zone, "Time zone (default: that of the project's periods)")
-        ->type_name("ZONE");
-    command.add_option("--cell", options.settings.cellM, "Size of a cell, m")
-        ->capture_default_str()
-        ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
-        ->type_name("M");
+    addFieldOptions(command, reviewFields().of(options.settings));
     addGlazingRunOptions(command, options.windows);
     addRuleFolders(command, options.rules);
     addRuleChoices(command, options.rules);

@@ -1,6 +1,11 @@
 #include "app/cli/review/review_source.h"
-#include "app/cli/base/open_project.h"
 
+#include <fstream>
+#include <ostream>
+
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/open_project.h"
+#include "app/cli/base/progress_line.h"
 #include "app/cli/options/project_question.h"
 #include "app/cli/study/load_city.h"
 #include "app/input/output_rules.h"
@@ -82,6 +87,24 @@ Result<ReviewGround> prepareGround(const ReviewRunOptions& options, const Review
                         *zone,
                         yearOf(options, project),
                         *std::move(sheets)};
+}
+
+Result<std::vector<std::filesystem::path>> writeAnswer(const Answer& answer, const ReviewRunOptions& options,
+                                                       const BookSettings& sheets, const ReviewSource& source,
+                                                       const Console& console) {
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    const AnswerFiles how{.legend = sheets.legend,
+                          .byteOrderMark = options.byteOrderMark,
+                          .book = sheets,
+                          .rules = source.outputs,
+                          .progress = &progress,
+                          .stop = interrupt.token()};
+    return answer.write({}, options.out, how);
+}
+
+void printReviewJson(const std::filesystem::path& folder, std::ostream& out) {
+    out << std::ifstream(folder / "review.json").rdbuf();
 }
 
 }  // namespace noonmark::cli

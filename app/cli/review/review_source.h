@@ -24,4 +24,12 @@ struct ReviewGround {
 Result<ReviewGround> prepareGround(const ReviewRunOptions& options, const ReviewSource& source,
                                    const std::vector<std::string>& fileNames);
 
+/// Writes the files of a review into the folder of the options. Returns their paths.
+Result<std::vector<std::filesystem::path>> writeAnswer(const Answer& answer, const ReviewRunOptions& options,
+                                                       const BookSettings& sheets, const ReviewSource& source,
+                                                       const Console& console);
+
+/// Prints the review.json that lies in the folder.
+void printReviewJson(const std::filesystem::path& folder, std::ostream& out);
+
 }  // namespace noonmark::cli

@@ -9,14 +9,17 @@ namespace noonmark::bench {
 
 namespace {
 
-std::string describeSetting(const EngineOption& option, double value) {
-    if (value == option.standard) return {};
+double standardOf(const Field& option) { return asNumber(option.standard).value_or(0); }
+
+std::string describeSetting(const Field& option, double value) {
+    if (value == standardOf(option)) return {};
     return fmt::format("{} {:g}{}{}", option.key, value, option.unit.empty() ? "" : " ", option.unit);
 }
 
-double clampToRange(const EngineOption& option, double value) {
-    value = std::clamp(value, option.min, option.max);
-    return option.kind != OptionKind::number ? std::round(value) : value;
+double clampToRange(const Field& option, double value) {
+    const ValueRange range = option.range.value_or(ValueRange{0, 1});  // yes or no
+    value = std::clamp(value, range.min, range.max);
+    return option.kind != ValueKind::number ? std::round(value) : value;
 }
 
 void add(StartList& list, const EngineEntry& engine, const EngineSettings& settings, std::string words,
@@ -29,8 +32,8 @@ void add(StartList& list, const EngineEntry& engine, const EngineSettings& setti
         list.absent.push_back(fmt::format("{}: {}", engine.info.key, made.error().text()));
 }
 
-void addLadder(StartList& list, const EngineEntry& engine, const EngineOption& option,
-               std::vector<double> values, const EngineList& engines) {
+void addLadder(StartList& list, const EngineEntry& engine, const Field& option, std::vector<double> values,
+               const EngineList& engines) {
     for (double& value : values) value = clampToRange(option, value);
     values.erase(std::unique(values.begin(), values.end()), values.end());
     for (const double value : values)
@@ -55,11 +58,11 @@ StartList listVariedEngines(const EngineList& engines, const std::vector<double>
         const std::size_t absent = list.absent.size();
         add(list, engine, {}, {}, engines);
         if (list.absent.size() > absent) continue;
-        for (const EngineOption& option : engine.info.options) {
+        for (const Field& option : engine.info.options) {
             std::vector<double> values;
-            for (const double factor : factors) values.push_back(factor * option.standard);
+            for (const double factor : factors) values.push_back(factor * standardOf(option));
             std::erase_if(values,
-                          [&](double value) { return clampToRange(option, value) == option.standard; });
+                          [&](double value) { return clampToRange(option, value) == standardOf(option); });
             addLadder(list, engine, option, values, engines);
         }
     }
@@ -70,7 +73,7 @@ std::vector<Contestant> listVariants(const EngineList& engines, std::string_view
                                      std::string_view option, const std::vector<double>& values) {
     StartList list;
     if (const EngineEntry* found = findEngine(engines, engine))
-        for (const EngineOption& known : found->info.options)
+        for (const Field& known : found->info.options)
             if (known.key == option) addLadder(list, *found, known, values, engines);
     return list.contestants;
 }

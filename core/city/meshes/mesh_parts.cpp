@@ -12,10 +12,18 @@
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_sheets.h"
 #include "core/city/meshes/mesh_topology.h"
+#include "core/describe/text.h"
 
 namespace noonmark {
 
 namespace {
+
+// Marked outside of the class: lupdate takes its name for the context of what is marked in it.
+constexpr const char* withoutAreaText = NM_TEXT("has no area, so it casts no shadow");
+constexpr const char* facesWithoutAreaText = NM_TEXT("faces without area were left out");
+constexpr const char* notClosedText = NM_TEXT("its surface is not closed; it is used unchanged");
+constexpr const char* turnedText = NM_TEXT("its faces pointed inward and were turned");
+constexpr const char* withoutOutlineText = NM_TEXT("its outline could not be determined");
 
 double distanceTo(const Ring& ring, glm::dvec2 point) {
     double least = 1e30;
@@ -151,7 +159,7 @@ public:
         TriangleMesh mesh = cleaned(raw);
         if (StopScope::isStopped()) return std::move(made_);
         if (mesh.triangles.empty()) {
-            warn(WarningKind::dropped, "has no area, so it casts no shadow");
+            warn(WarningKind::dropped, withoutAreaText);
             return std::move(made_);
         }
         if (isLevel(mesh))
@@ -170,8 +178,8 @@ private:
         removeDegenerateTriangles(mesh);
         const std::size_t dropped = raw.triangles.size() - mesh.triangles.size();
         if (dropped > 0)
-            made_.warnings.push_back({WarningKind::repaired, "faces without area were left out",
-                                      fmt::format("{} ({})", where_, dropped)});
+            made_.warnings.push_back(
+                {WarningKind::repaired, facesWithoutAreaText, fmt::format("{} ({})", where_, dropped)});
         return mesh;
     }
 
@@ -181,12 +189,11 @@ private:
     }
 
     void addSolids(TriangleMesh mesh) {
-        if (!closed_ && !isSheet(mesh) && !isUpright(mesh))
-            warn(WarningKind::repaired, "its surface is not closed; it is used unchanged");
-        if (turnOutward(mesh) > 0) warn(WarningKind::repaired, "its faces pointed inward and were turned");
+        if (!closed_ && !isSheet(mesh) && !isUpright(mesh)) warn(WarningKind::repaired, notClosedText);
+        if (turnOutward(mesh) > 0) warn(WarningKind::repaired, turnedText);
         MeshOutline outline = computeOutline(mesh, closed_);
         if (StopScope::isStopped()) return;
-        if (outline.pieces.empty()) return warn(WarningKind::dropped, "its outline could not be determined");
+        if (outline.pieces.empty()) return warn(WarningKind::dropped, withoutOutlineText);
         if (outline.wallsOnly && area(outline.pieces.front()) > 1)
             warn(WarningKind::assumed, "walls without a roof; the ground that they enclose counts as inside");
         const float lowM = computeBox(mesh).low.z;
@@ -216,7 +223,7 @@ private:
 
     void addPieces(TriangleMesh mesh, bool isOverhanging) {
         std::vector<Footprint> pieces = computeOutline(mesh, false).pieces;
-        if (pieces.empty()) return warn(WarningKind::dropped, "its outline could not be determined");
+        if (pieces.empty()) return warn(WarningKind::dropped, withoutOutlineText);
         std::vector<TriangleMesh> meshes = splitByPiece(std::move(mesh), pieces);
         for (std::size_t i = 0; i < meshes.size(); ++i)
             if (!meshes[i].triangles.empty())

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/describe/field_checks.h"
+#include "core/describe/text.h"
 #include "core/engines/common/shadow_mask.h"
 
 namespace noonmark {
@@ -11,19 +13,33 @@ namespace {
 tl::unexpected<Error> outOfRange(std::string what, const char* where, double low, double high,
                                  const char* unit) {
     return failure(std::move(what) + " is out of range", where,
-                   fmt::format("Choose {} to {}{}", low, high, unit));
+                   fmt::format("Give {} to {}{}", low, high, unit));
 }
 
 }  // namespace
 
+const Fields<AccrualSettings>& accrualFields() {
+    static const Fields<AccrualSettings> fields{
+        field(&AccrualSettings::mapSize,
+              {.key = "map",
+               .label = NM_TEXT("Map size"),
+               .help = NM_TEXT("Texels along a side of the depth map that is stretched over the region; no "
+                               "more than cells are "
+                               "used"),
+               .unit = "texels",
+               .range = ValueRange{AccrualSettings::minMapSize, AccrualSettings::maxMapSize}}),
+        field(&AccrualSettings::biasM,
+              {.key = "bias",
+               .label = NM_TEXT("Bias"),
+               .help = NM_TEXT("How high above the ground something must be to shade it"),
+               .unit = "m",
+               .range = ValueRange{0, 10}})};
+    return fields;
+}
+
 Result<void> check(const AccrualSettings& settings) {
     using S = AccrualSettings;
-    if (settings.mapSize < S::minMapSize || settings.mapSize > S::maxMapSize)
-        return outOfRange(fmt::format("A shadow map of {} texels a side", settings.mapSize), "map size",
-                          S::minMapSize, S::maxMapSize, " texels");
-    if (!(settings.biasM >= 0 && settings.biasM <= S::maxBiasM))
-        return outOfRange(fmt::format("A bias of {} m", settings.biasM), "bias", 0, double(S::maxBiasM),
-                          " m");
+    if (auto ranges = checkRanges(accrualFields().of(settings)); !ranges) return ranges;
     if (!(settings.slopeBias >= 0 && settings.slopeBias <= S::maxSlopeBias))
         return outOfRange(fmt::format("A slope bias of {} texels", settings.slopeBias), "slope bias", 0,
                           double(S::maxSlopeBias), " texels");

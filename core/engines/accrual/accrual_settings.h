@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/describe/field.h"
 
 namespace noonmark {
 
@@ -17,7 +18,6 @@ enum class CasterSide {
 struct AccrualSettings {
     static constexpr int minMapSize = 16;
     static constexpr int maxMapSize = 8192;  ///< on the processor; a graphics device may allow less
-    static constexpr float maxBiasM = 10;
     static constexpr float maxSlopeBias = 16;
 
     /// Texels per side, 16 to 8192. Source of the default: paper, section 7.2.
@@ -35,6 +35,13 @@ struct AccrualSettings {
     /// For surfaces seen from an eye: higher resolution near the eye (Martin and Tan 2004).
     bool warp = true;
 };
+
+/// The options of engines with depth maps: "map" and "bias".
+const Fields<AccrualSettings>& accrualFields();
+
+/// Memory of accrual maps of a grid, bytes per cell: positions of receivers, bits and masks of an interval,
+/// and some 30 maps of runs alive during a year.
+inline constexpr double accrualBytesPerCell = 160;
 
 /// Error that states the range of the first setting out of range.
 Result<void> check(const AccrualSettings& settings);

@@ -5,7 +5,7 @@
 // interval in the frame of map_frame.h, which trapezoid.h may warp towards the eye. slice_drawer.h and
 // depth_slice.h draw one depth map per step, and slice_stack.h all of an interval. ground_lookup.h and
 // surface_lookup.h read the shadow of receivers from them. ShadowAccrualMap does this for ground grids,
-// SurfaceAccrual for points on any surface. accrual_settings.h and interval_options.h hold the settings.
+// SurfaceAccrual for points on any surface. accrual_settings.h holds the settings.
 
 #include <memory>
 

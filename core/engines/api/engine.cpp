@@ -3,8 +3,17 @@
 #include <fmt/format.h>
 
 #include "core/base/memory_guard.h"
+#include "core/describe/text.h"
 
 namespace noonmark {
+
+namespace {
+
+// Marked outside of the class: lupdate takes its name for the context of what is marked in it.
+constexpr const char* chooseSweep = NM_TEXT("Choose the horizon sweep");
+constexpr const char* chooseMasks = NM_TEXT("Choose projected shadows, or rays on terrain and roofs");
+
+}  // namespace
 
 Result<ShadowField> Engine::accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
                                        Progress& progress, std::stop_token stop) const {
@@ -24,7 +33,7 @@ Result<ShadowBreakdown> Engine::breakDown(const City& city, const Receivers& rec
         if (byBuilding ? !capabilities().attribution : !capabilities().sets)
             return unsupported(
                 fmt::format("{} does not sum shadow by {}", name(), byBuilding ? "building" : "month"),
-                "engine", "Choose the horizon sweep");
+                "engine", chooseSweep);
         return computeBreakdown(city, receivers, sun, sets, byBuilding, progress, std::move(stop));
     });
 }
@@ -38,7 +47,7 @@ Result<void> Engine::shadeSteps(std::span<const City* const> cities, const Recei
         if (!capabilities().stepMasks)
             return unsupported(
                 fmt::format("{} does not state which receivers are in shadow at each step", name()), "engine",
-                "Choose projected shadows, or rays on terrain and roofs");
+                chooseMasks);
         return computeStepMasks(cities, receivers, sun, take, progress, std::move(stop));
     });
 }
@@ -89,7 +98,7 @@ Result<void> checkGround(const City& city, const Receivers& receivers, const Eng
     if (!hasTerrain && (receivers.flat() || capabilities.roofs)) return {};
     return unsupported(fmt::format("{} works on flat ground only, and {}", name,
                                    hasTerrain ? "this city has terrain" : "the receivers lie on roofs"),
-                       "engine", "Choose the horizon sweep or the ray reference");
+                       "engine", NM_TEXT("Choose the horizon sweep or the ray reference"));
 }
 
 }  // namespace noonmark

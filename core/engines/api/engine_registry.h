@@ -1,39 +1,16 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/describe/value.h"
+#include "core/describe/named_fields.h"
 #include "core/engines/api/engine.h"
 
 namespace noonmark {
-
-/// How an option is set.
-enum class OptionKind {
-    number,
-    wholeNumber,
-    yesNo,  ///< 1 or 0; a check box in the window, "yes" and "no" on the command line
-};
-
-/// What a user may set on an engine. Values are numbers, whatever the kind: a project file holds them so.
-struct EngineOption {
-    std::string_view key;   ///< for --option, study.json and the project file: "levels"
-    std::string_view name;  ///< shown in the window: "Source levels"
-    std::string_view unit;  ///< "deg", "min", "m"; empty for a count
-    double min = 0;
-    double max = 1;
-    double standard = 0;  ///< the default
-    OptionKind kind = OptionKind::number;
-    std::string_view about;  ///< one line for a tooltip
-};
-
-/// "5", "yes".
-std::string formatOptionValue(const EngineOption& option, double value);
 
 /// Values by option key; what is left out has its default.
 using EngineSettings = NamedNumbers;
@@ -47,15 +24,32 @@ struct EngineInfo {
     /// Memory of the engine's own at its peak, bytes a cell of the region's box, beyond the field and the ray
     /// scene.
     double bytesPerCell = 0;
-    std::vector<EngineOption> options = {};
+    /// What a user may set: rows whose object is an EngineSettings. engineOf() makes them of the fields of
+    /// the engine's settings.
+    std::vector<Field> options = {};
 };
 
 /// An engine in the list: what it is, and how it is made. Its Engine::capabilities() are those of `info`.
 struct EngineEntry {
     EngineInfo info;
-    /// Called with a value for every option of `info`, each within its range.
+    /// Called with values of options of `info`, each within its range.
     std::function<Result<std::unique_ptr<Engine>>(const EngineSettings&)> make;
 };
+
+/// An engine whose options are these fields of its settings S. `make` takes an S and gives a Result of the
+/// engine.
+template <class S, class Make>
+EngineEntry engineOf(EngineInfo info, Fields<S> fields, Make make) {
+    info.options = asNamedNumbers(fields.rows());
+    return {
+        std::move(info),
+        [fields = std::move(fields), make](const EngineSettings& values) -> Result<std::unique_ptr<Engine>> {
+            S settings;
+            const auto read = readNamedNumbers(fields.of(settings), values);
+            if (!read) return tl::make_unexpected(read.error());
+            return make(settings);
+        }};
+}
 
 /// In display order. Keys are unique.
 using EngineList = std::vector<EngineEntry>;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/describe/field.h"
 #include "core/engines/common/interval_engine.h"
 #include "core/engines/graph/direction_bins.h"
 #include "core/sun/sun_steps.h"
@@ -17,6 +18,9 @@ struct DirectionGraphSettings {
     double intervalMinutes = 60;  ///< 0.1 to 120
     bool merge = true;  ///< false: every interval of every day is an edge of its own (no error from bins)
 };
+
+/// The options of every engine that shades one interval at a time: "interval" and "bound".
+const Fields<DirectionGraphSettings>& graphFields();
 
 /// The intervals of a period, with similar ones merged so that they are computed once (paper, section 6).
 struct DirectionGraph {

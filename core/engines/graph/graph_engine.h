@@ -15,6 +15,20 @@
 
 namespace noonmark {
 
+/// The settings of an interval engine with those of the graph that it is used through.
+template <class S>
+struct ThroughGraph {
+    S own;
+    DirectionGraphSettings graph;
+};
+
+template <class S>
+Fields<ThroughGraph<S>> throughGraph(const Fields<S>& own) {
+    return Fields<ThroughGraph<S>>{}
+        .embed(&ThroughGraph<S>::own, own)
+        .embed(&ThroughGraph<S>::graph, graphFields());
+}
+
 /// Computes long periods from short intervals (paper, section 6): an interval engine shades every edge of the
 /// direction graph once; gross shadow is the weighted sum, continuous shadow is stitched along each day's
 /// path. Masks live from the first path that needs them to the last. `cost.skipped` states how many intervals

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "core/describe/field_checks.h"
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -17,19 +20,14 @@ Result<void> checkBinWidth(double binDeg) {
 
 Result<void> checkSweepSettings(const HorizonSweepSettings& settings) {
     if (settings.binDeg != 0) return checkBinWidth(settings.binDeg);
-    const double percent = settings.errorTargetPercent;
-    if (percent >= HorizonSweepSettings::minErrorPercent && percent <= HorizonSweepSettings::maxErrorPercent)
-        return {};
-    return failure(fmt::format("An error target of {} % is out of range", percent), "error target",
-                   fmt::format("Choose {:g} to {:g} %", HorizonSweepSettings::minErrorPercent,
-                               HorizonSweepSettings::maxErrorPercent));
+    return checkRanges(sweepFields().of(settings));
 }
 
 Result<void> checkHorizonDays(const SunSteps& sun) {
     for (const SunDay& day : sun.days)
         if (day.count > maxStepsADay)
             return failure(fmt::format("A day of {} steps is more than the horizon sweep counts", day.count),
-                           "step", "Choose a step of 3 seconds or more");
+                           "step", NM_TEXT("Choose a step of 3 seconds or more"));
     return {};
 }
 

@@ -1,19 +1,18 @@
 #pragma once
 
-// The horizon sweep. This folder holds the engine and its settings (horizon_sweep.h), the options shown to
-// users (sweep_options.h) and the checks of a study (check_horizon_study.h). geometry/ groups suns into
-// azimuth bins and collects what may hide them; sweep/ computes horizons block by block; overhangs/ adds the
-// parts with open air below; counting/ turns horizons into gross shadow and longest runs; cache/ updates a
-// result after an edit; attribution/ charges shadow to buildings.
+// The horizon sweep. This folder holds the engine and its settings (horizon_sweep.h), their fields, which
+// are its options (sweep_fields.cpp), and the checks of a study (check_horizon_study.h). geometry/ groups
+// suns into azimuth bins and collects what may hide them; sweep/ computes horizons block by block; overhangs/
+// adds the parts with open air below; counting/ turns horizons into gross shadow and longest runs; cache/
+// updates a result after an edit; attribution/ charges shadow to buildings.
 
+#include "core/describe/field.h"
 #include "core/engines/api/engine.h"
 #include "core/engines/api/shadow_counts.h"
 
 namespace noonmark {
 
 struct HorizonSweepSettings {
-    static constexpr double minErrorPercent = 0.005;
-    static constexpr double maxErrorPercent = 1;
     static constexpr double minBinDeg = 0.1;
     static constexpr double maxBinDeg = 2;
     /// Mean error of a cell's gross shadow, percent of the period, 0.005 to 1. Bins are as wide as this error
@@ -29,6 +28,9 @@ struct HorizonSweepSettings {
     bool checksRuns = false;
     bool operator==(const HorizonSweepSettings&) const = default;
 };
+
+/// The options of engines that sweep horizons: "error", "bin", "runs" and "check".
+const Fields<HorizonSweepSettings>& sweepFields();
 
 /// The engine for long periods. At one azimuth, everything in the city that stands on the ground affects a
 /// receiver through one number, the slope of its horizon: the sun is hidden if the tangent of its altitude is

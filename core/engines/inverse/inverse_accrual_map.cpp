@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/describe/field_checks.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/inverse/inverse_accrual_scene.h"
 #include "core/engines/inverse/shadow_lines_opencl.h"
@@ -16,19 +17,13 @@ namespace noonmark {
 namespace {
 
 Result<void> check(const InverseAccrualSettings& settings) {
-    if (settings.levels < 1 || settings.levels > RayScene::maxLevels)
-        return failure(fmt::format("{} source levels are out of range", settings.levels), "levels",
-                       "Choose 1 to 8");
-    if (!(settings.nearestHitM >= InverseAccrualSettings::minNearestHitM &&
-          settings.nearestHitM <= InverseAccrualSettings::maxNearestHitM))
-        return failure(fmt::format("A nearest hit of {} m is out of range", settings.nearestHitM),
-                       "nearest hit", "Choose 0.01 to 10 m");
+    if (auto ranges = checkRanges(inverseFields().of(settings)); !ranges) return ranges;
     if (!(settings.marginM >= 0 && settings.marginM <= 500))
         return failure(fmt::format("A margin of {} m is out of range", settings.marginM), "margin",
-                       "Choose 0 to 500 m");
+                       "Give 0 to 500 m");
     if (!(settings.minSunDeg >= 0 && settings.minSunDeg <= 45))
         return failure(fmt::format("Rays below a sun of {} degrees are out of range", settings.minSunDeg),
-                       "lowest sun", "Choose 0 to 45 degrees");
+                       "lowest sun", "Give 0 to 45 degrees");
     return {};
 }
 

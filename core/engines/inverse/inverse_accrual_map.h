@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/describe/field.h"
 #include "core/engines/common/interval_engine.h"
 #include "core/engines/inverse/shadow_lines.h"
 
@@ -26,7 +27,6 @@ struct InverseAccrualSettings {
     /// Number of occluders followed from each cell, nearest first; 1 to 8. Source of the default: paper,
     /// section 5.
     int levels = 3;
-    static constexpr float minNearestHitM = 0.01F, maxNearestHitM = 10;
     /// Hits closer than this are ignored, metres, 0.01 to 10. Source: paper, section 5 ("100 cm provides good
     /// results").
     float nearestHitM = 1;
@@ -40,6 +40,9 @@ struct InverseAccrualSettings {
     /// Number in listComputeDevices() of the device that draws; none: the processor.
     std::optional<int> openClDevice;
 };
+
+/// The options of the engine: "levels", "nearest", "rays" and "device".
+const Fields<InverseAccrualSettings>& inverseFields();
 
 /// Inverse accrual maps (paper, section 5). For each cell of flat ground, rays towards the sun at t1 and at
 /// tn find the first occluders. The shadow of each occluder moves along a straight line, forward from t1 and

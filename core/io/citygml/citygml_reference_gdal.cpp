@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/gdal_calls.h"
+#include "core/describe/text.h"
 #include "core/geo/crs_definition.h"
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/io/citygml/citygml_reference.h"
@@ -160,7 +161,7 @@ Result<void> settleReference(CityGmlData& data, const ReadSettings& settings,
                                       fmt::format("{} ({})", file, crs->name())});
     if (order.isAmbiguous() && !byAuthority && northFirst)
         data.city.warnings.push_back({WarningKind::assumed,
-                                      "the coordinates are read as longitude or easting first",
+                                      NM_TEXT("the coordinates are read as longitude or easting first"),
                                       fmt::format("{} ({})", file, crs->name())});
     if (found) swapAxes(data);
     data.city.crs = *std::move(text);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "core/describe/text.h"
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/geo/distance.h"
 #include "core/geo/longitude.h"
@@ -114,8 +115,8 @@ void leaveOutFar(CityJsonData& data, std::vector<PlaceBox>& boxes, LonLat median
             const PlaceBox& box = boxes[next++];
             const bool far = !box.empty() && computeGreatCircleM(box.middle(), median) > farAwayM;
             if (far)
-                data.warnings.push_back(
-                    {WarningKind::leftOut, "far from the middle of the data", file + ": " + object.id});
+                data.warnings.push_back({WarningKind::leftOut, NM_TEXT("far from the middle of the data"),
+                                         file + ": " + object.id});
             else
                 kept.push_back(box);
             return far;

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/describe/text.h"
 #include "core/io/files/readable_text.h"
 #include "core/io/footprints/building_layers.h"
 #include "core/io/footprints/layer_sample.h"
@@ -103,7 +104,7 @@ std::vector<OGRLayer*> chooseBuildingLayers(GDALDataset& dataset, Warnings& warn
     if (chosen.size() > 1)
         for (OGRLayer* layer : chosen)
             warnings.push_back({WarningKind::assumed,
-                                "one of several polygon layers; all are read as buildings",
+                                NM_TEXT("one of several polygon layers; all are read as buildings"),
                                 layer->GetName()});
     return chosen;
 }

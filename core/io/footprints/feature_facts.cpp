@@ -3,6 +3,8 @@
 #include <charconv>
 #include <string_view>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -75,11 +77,12 @@ bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules
     facts.outline = rules.tagged ? isTagged(building) : !facts.part;
     if (!facts.outline && !facts.part) {
         if (rules.sayNoBuilding || isNo(building) || isNo(part))
-            warnings.push_back({WarningKind::leftOut, "is not tagged as a building", facts.id});
+            warnings.push_back({WarningKind::leftOut, NM_TEXT("is not tagged as a building"), facts.id});
         return false;
     }
     const Place place = placeOf(values, rules.tagged);
-    if (place == Place::underground) warnings.push_back({WarningKind::leftOut, "lies underground", facts.id});
+    if (place == Place::underground)
+        warnings.push_back({WarningKind::leftOut, NM_TEXT("lies underground"), facts.id});
     if (place == Place::contradictory)
         warnings.push_back({WarningKind::assumed,
                             "its layer lies below the ground, but nothing else does; it stands on the ground",
@@ -106,8 +109,8 @@ std::optional<FeatureFacts> collectFacts(const FeatureValues& values, const Laye
         !isOverhanging.empty())
         facts.isOverhanging = isYes(isOverhanging);
     if (hasShapedRoof(values))
-        warnings.push_back(
-            {WarningKind::assumed, "its roof is not flat; it is drawn flat at its full height", facts.id});
+        warnings.push_back({WarningKind::assumed,
+                            NM_TEXT("its roof is not flat; it is drawn flat at its full height"), facts.id});
     return facts;
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/stop_scope.h"
 #include "core/city/footprints/repair_footprint.h"
 #include "core/city/meshes/mesh_outline.h"
+#include "core/describe/text.h"
 #include "core/geo/distance.h"
 
 namespace noonmark {
@@ -91,7 +92,7 @@ std::vector<Footprint> disjoint(std::vector<Footprint> pieces, const std::string
         joined.size() == pieces.size() && computeArea(pieces) - computeArea(joined) < sameAreaM2;
     if (same || joined.empty()) return pieces;
     warnings.push_back(
-        {WarningKind::repaired, "its polygons overlapped or shared a wall and were joined", id});
+        {WarningKind::repaired, NM_TEXT("its polygons overlapped or shared a wall and were joined"), id});
     return joined;
 }
 

@@ -15,6 +15,7 @@
 #include "core/city/meshes/mesh_parts.h"
 #include "core/city/meshes/mesh_sheets.h"
 #include "core/city/meshes/mesh_topology.h"
+#include "core/describe/text.h"
 #include "core/io/meshes/assign_walls.h"
 #include "core/io/meshes/join_storeys.h"
 #include "core/io/meshes/separate_roofs.h"
@@ -159,7 +160,7 @@ void warn(const ObjectPieces& pieces, const std::string& where, Warnings& warnin
         if (count > 0) warnings.push_back({kind, what, fmt::format("{} ({})", where, count)});
     };
     add(WarningKind::leftOut, "flat ground", pieces.ground);
-    add(WarningKind::repaired, "faces without area were left out", pieces.withoutArea);
+    add(WarningKind::repaired, NM_TEXT("faces without area were left out"), pieces.withoutArea);
 }
 
 // Removes ground that is an object of its own.

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "core/city/terrain/fill_gaps.h"
+#include "core/describe/text.h"
 #include "core/geo/earth_drop.h"
 #include "core/receivers/rasterize.h"
 
@@ -142,7 +143,8 @@ Result<TerrainGrid> makeTerrainGrid(const RasterPlace& raster, const CrsToLonLat
     place.window = *window;
     place.source.cut = *window != PixelExtent{0, 0, raster.columns, raster.rows};
     if (place.source.cut)
-        place.warnings.push_back({WarningKind::clipped, "terrain far from the city was left out", file});
+        place.warnings.push_back(
+            {WarningKind::clipped, NM_TEXT("terrain far from the city was left out"), file});
     place.border = borderOf(*window, places);
     if (keptWhole(place, places)) return place;
     if (place.border.size() < 3)
@@ -163,7 +165,7 @@ Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevatio
     source.filled = gapsInside(place, elevations);
     if (source.filled > 0)
         piece.warnings.push_back(
-            {WarningKind::repaired, "cells without elevation were filled from the nearest one",
+            {WarningKind::repaired, NM_TEXT("cells without elevation were filled from the nearest one"),
              fmt::format("{} ({} of {} cells)", file, source.filled, elevations.size())});
     fillFromNearest(elevations, place.posts.columns, place.posts.rows);
     const float lowest = findLowest(elevations);

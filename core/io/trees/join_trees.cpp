@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/describe/text.h"
+
 namespace noonmark {
 
 namespace {
@@ -51,11 +53,13 @@ std::shared_ptr<const Trees> joinTrees(const std::vector<ReadTree>& read, const 
     for (const ReadTree& one : read) {
         const glm::dvec2 place = city.frame.localFromLonLat(one.place);
         if (!(glm::distance(place, middle) <= farAwayM)) {
-            warnings.push_back({WarningKind::leftOut, "a tree far from the buildings", one.facts.sourceId});
+            warnings.push_back(
+                {WarningKind::leftOut, NM_TEXT("a tree far from the buildings"), one.facts.sourceId});
             continue;
         }
         if (!one.facts.canopyCellM2 && !planted.plant(place)) {
-            warnings.push_back({WarningKind::leftOut, "a second tree at the same place", one.facts.sourceId});
+            warnings.push_back(
+                {WarningKind::leftOut, NM_TEXT("a second tree at the same place"), one.facts.sourceId});
             continue;
         }
         Tree tree = completeTree(one.facts);

@@ -15,9 +15,9 @@
 #include "core/study/provenance/inputs_json.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
+#include "core/study/review_study.h"
 #include "core/study/text/criterion_json.h"
 #include "core/study/text/warnings_json.h"
-#include "core/sun/period_fields.h"
 
 namespace noonmark {
 
@@ -241,8 +241,8 @@ Result<std::string> makeRepeatCommand(const GlazingStudy& study, const ReviewLab
     addRule(line, study.rule);
     if (!ofFiles) line.option(flags::from, labels.from);
     if (!ofFiles) line.option(flags::to, labels.to);
-    line.option(flags::year, fmt::to_string(study.year));
-    line.option({std::string(flagOf(periodFields().rows(), "zone")), {study.settings.zone}});
+    line.option({std::string(flagOf(reviewFields().rows(), "year")), {fmt::to_string(study.year)}});
+    line.option({std::string(flagOf(reviewFields().rows(), "zone")), {study.settings.zone}});
     for (const CommandOption& option : labels.sheets) line.option(option);
     line.option(flags::out, "repeated");
     return line.wrapped(width);

@@ -1,11 +1,10 @@
 #include "core/study/provenance/repeat_review.h"
-#include "core/describe/command_flags.h"
-#include "core/study/study_fields.h"
-#include "core/sun/period_fields.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "core/describe/command_flags.h"
 
 namespace noonmark {
 
@@ -42,10 +41,9 @@ Result<std::string> makeRepeatCommand(const ReviewStudy& study, const ReviewLabe
     line.option(flags::from, labels.from);
     line.option(flags::to, labels.to);
     line.option({flags::places, labels.places.empty() ? namesOf(study.places) : labels.places});
-    line.option(flags::year, fmt::to_string(study.year));
-    line.option({std::string(flagOf(periodFields().rows(), "zone")), {study.settings.zone}});
-    line.option(
-        {std::string(flagOf(cellFields().rows(), "cell_m")), {fmt::format("{}", study.settings.cellM)}});
+    ReviewSettings settings = study.settings;
+    settings.year = study.year;
+    for (const CommandOption& option : listOptions(reviewFields().of(settings))) line.option(option);
     for (const CommandOption& option : labels.sheets) line.option(option);
     line.option(flags::out, "repeated");
     return line.wrapped(width);

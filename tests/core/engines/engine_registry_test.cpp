@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "core/describe/field_checks.h"
 #include "tests/core/engines/terrain_scenes.h"
 
 namespace noonmark::tests {
@@ -25,27 +26,75 @@ TEST(Engines, AnUnknownKeyNamesTheKnownOnes) {
 
 TEST(Engines, BothEndsOfEveryRangeAreTakenAndNothingBeyond) {
     for (const EngineEntry& engine : coreEngines())
-        for (const EngineOption& option : engine.info.options) {
+        for (const Field& option : engine.info.options) {
             const auto made = [&](double value) {
                 return makeEngine(engine.info.key, {{std::string(option.key), value}});
             };
-            EXPECT_TRUE(made(option.min)) << option.key;
+            const ValueRange range = option.range.value_or(ValueRange{0, 1});  // yes or no
+            EXPECT_TRUE(made(range.min)) << option.key;
             // The available OpenCL devices depend on the machine.
-            EXPECT_TRUE(made(option.max) || option.key == "device") << option.key;
-            EXPECT_TRUE(made(option.standard)) << option.key;
+            EXPECT_TRUE(made(range.max) || option.key == "device") << option.key;
+            EXPECT_TRUE(made(*asNumber(option.standard))) << option.key;
             for (const double wrong :
-                 {option.min - 1, option.max + 1, std::numeric_limits<double>::quiet_NaN()}) {
+                 {range.min - 1, range.max + 1, std::numeric_limits<double>::quiet_NaN()}) {
                 const auto refused = made(wrong);
                 ASSERT_FALSE(refused) << option.key << ' ' << wrong;
-                EXPECT_THAT(refused.error().text(), HasSubstr("Choose"));
+                EXPECT_THAT(refused.error().text(), HasSubstr("Give"));
             }
         }
 }
 
-TEST(Engines, ACountTakesNoFraction) {
-    const auto refused = makeEngine("iam", {{"levels", 2.5}});
-    ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().text(), HasSubstr("1 to 8, whole numbers"));
+TEST(Engines, ErrorsOfOptionsSayWhatTheyTake) {
+    const auto refused = [](std::string_view engine, const EngineSettings& settings) {
+        return makeEngine(engine, settings).error().text();
+    };
+    EXPECT_EQ(refused("iam", {{"levels", 2.5}}),
+              "levels: Source levels: 2.5 is no whole number. Give 1 to 8");
+    EXPECT_EQ(refused("sam", {{"bias", 11}}), "bias: Bias: 11 m is out of range. Give 0 to 10 m");
+    EXPECT_EQ(refused("horizon", {{"check", 0.5}}),
+              "check: Check runs: 0.5 is neither yes nor no. Give yes or no");
+}
+
+TEST(Engines, OptionsReachTheEngine) {
+    const City city = cityOf({{{-5, -5, 0}, {5, 5, 20}}});
+    const Receivers receivers = receiversOver(city, -20, -20, 20, 20, 4);
+    NoProgress progress;
+    const auto field = [&](std::string_view engine, const EngineSettings& settings) {
+        return makeEngine(engine, settings)
+            .value()
+            ->accumulate(city, receivers, oneDay({{150, 40}, {180, 45}}), progress, {})
+            .value();
+    };
+    EXPECT_THAT(field("sam", {{"bias", 0.25}, {"map", 32}}).engine, HasSubstr("bias 0.25 m"));
+    EXPECT_THAT(field("sam", {}).engine, HasSubstr("bias 0.001 m"));
+    EXPECT_THAT(field("iam", {{"levels", 5}}).engine, HasSubstr("5 levels"));
+    EXPECT_TRUE(field("horizon", {}).continuousMin.size() > 0);
+}
+
+/// An engine of the tests with one option, which its error states.
+struct ToySettings {
+    double sharpness = 2;
+    bool isLoud = false;
+};
+
+TEST(Engines, AnOptionIsOneRow) {
+    const Fields<ToySettings> fields{
+        field(&ToySettings::sharpness, {.key = "sharpness", .label = "Sharpness", .range = ValueRange{1, 4}}),
+        field(&ToySettings::isLoud, {.key = "loud", .label = "Loud"})};
+    const EngineList engines{engineOf(
+        {"toy", "Toy", "A toy"}, fields, [](const ToySettings& settings) -> Result<std::unique_ptr<Engine>> {
+            return failure(settings.isLoud ? "LOUD" : "quiet", std::to_string(int(settings.sharpness)));
+        })};
+    const auto asked = [&](const EngineSettings& settings) {
+        return makeEngine("toy", settings, engines).error().text();
+    };
+    EXPECT_EQ(asked({}), "2: quiet");
+    EXPECT_EQ(asked({{"sharpness", 3}, {"loud", 1}}), "3: LOUD");
+    EXPECT_EQ(asked({{"sharpness", 5}}), "sharpness: Sharpness: 5 is out of range. Give 1 to 4");
+    EXPECT_THAT(asked({{"sharp", 3}}), HasSubstr("sharpness, loud"));
+    ASSERT_EQ(engines[0].info.options.size(), 2U);
+    EXPECT_EQ(rangeText(engines[0].info.options[0]), "1 to 4");
+    EXPECT_EQ(rangeText(engines[0].info.options[1]), "yes or no");
 }
 
 TEST(Engines, AnUnknownOptionNamesTheKnownOnes) {
@@ -100,12 +149,6 @@ TEST(Engines, ThoseWithoutSetsOrAttributionRefuseABreakdownAndTheOthersMakeIt) {
                 EXPECT_EQ(made.error().kind, ErrorKind::unsupported) << entry.info.key;
             }
         }
-}
-
-TEST(Options, AreReadAndWrittenByTheirKind) {
-    const EngineOption yesNo{.key = "check", .kind = OptionKind::yesNo}, number{.key = "bin"};
-    EXPECT_EQ(formatOptionValue(yesNo, 1), "yes");
-    EXPECT_EQ(formatOptionValue(number, 0.5), "0.5");
 }
 
 }  // namespace

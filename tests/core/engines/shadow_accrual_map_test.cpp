@@ -138,16 +138,16 @@ TEST(ShadowAccrualMap, RefusesSettingsOutOfRangeWithTheRange) {
     const auto advice = [](const AccrualSettings& settings) {
         return ShadowAccrualMap::make(settings).error().advice;
     };
-    EXPECT_EQ(advice({.mapSize = 0}), "Choose 16 to 8192 texels");
-    EXPECT_EQ(advice({.mapSize = 8193}), "Choose 16 to 8192 texels");
-    EXPECT_EQ(advice({.biasM = -1}), "Choose 0 to 10 m");
-    EXPECT_EQ(advice({.biasM = std::nanf("")}), "Choose 0 to 10 m");
-    EXPECT_EQ(advice({.slopeBias = 17}), "Choose 0 to 16 texels");
+    EXPECT_EQ(advice({.mapSize = 0}), "Give 16 to 8192 texels");
+    EXPECT_EQ(advice({.mapSize = 8193}), "Give 16 to 8192 texels");
+    EXPECT_EQ(advice({.biasM = -1}), "Give 0 to 10 m");
+    EXPECT_EQ(advice({.biasM = std::nanf("")}), "Give 0 to 10 m");
+    EXPECT_EQ(advice({.slopeBias = 17}), "Give 0 to 16 texels");
     const City city = cityOf({{{0, 0, 0}, {1, 1, 1}}});
     const Receivers receivers = receiversOver(city, -2, -2, 2, 2);
     auto scene = ShadowAccrualMap::make({}).value()->prepare(city, receivers, oneDay({{90, 20}}), {}).value();
     std::vector<ShadowMask> masks(receivers.cells.size());
-    EXPECT_EQ(scene->shade(hour(90, 100, 20, 20, 65), masks, {}).error().advice, "Choose 1 to 64 steps");
+    EXPECT_EQ(scene->shade(hour(90, 100, 20, 20, 65), masks, {}).error().advice, "Give 1 to 64 steps");
 }
 
 }  // namespace

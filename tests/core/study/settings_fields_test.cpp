@@ -10,6 +10,7 @@
 #include "core/io/settings/read_settings_text.h"
 #include "core/study/elements/element_fields.h"
 #include "core/study/provenance/study_hash.h"
+#include "core/study/review_study.h"
 #include "core/study/study_fields.h"
 #include "core/sun/period_fields.h"
 #include "tests/shared/changed_fields.h"
@@ -26,6 +27,21 @@ static_assert(countMembers<ErrorSampleSettings>() == 2);
 static_assert(countMembers<StudySettings>() == 12);
 static_assert(countMembers<ReadSettings>() == 21);
 static_assert(countMembers<ElementSettings>() == 13);
+
+TEST(SettingsFields, NoneOfAReviewIsForgotten) {
+    const ReviewSettings usual{2, "Europe/Paris", 2026};
+    for (const Field& field : reviewFields().rows()) {
+        ReviewSettings changed = usual;
+        ASSERT_TRUE(field.set(&changed, otherValue(field, field.get(&usual)))) << field.key;
+        EXPECT_NE(questionText(reviewFields().of(changed)), questionText(reviewFields().of(usual)))
+            << field.key;
+        EXPECT_NE(listOptions(reviewFields().of(changed)), listOptions(reviewFields().of(usual)))
+            << field.key;
+    }
+    EXPECT_EQ(namesOf(listOptions(reviewFields().of(ReviewSettings{1, "UTC", 2026}))),
+              (std::set<std::string>{"--cell", "--year", "--zone"}))
+        << "a command states the defaults too";
+}
 
 TEST(SettingsFields, NoneOfAPeriodIsForgotten) {
     expectNoticed(periodFields(), Period{});

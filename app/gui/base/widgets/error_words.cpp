@@ -1,7 +1,12 @@
 #include "app/gui/base/widgets/error_words.h"
 
 #include <QCoreApplication>
+#include <QObject>
+#include <QStringList>
 #include <algorithm>
+
+#include "app/gui/base/widgets/translated.h"
+#include "core/base/clean_text.h"
 
 namespace noonmark {
 
@@ -69,10 +74,18 @@ namespace {
     QT_TRANSLATE_NOOP("Error", "Some scenarios could not be computed"),
     QT_TRANSLATE_NOOP("Error", "The dock Scenarios says why in the row of each")};
 
+// Texts of the window, and those that core marks by NM_TEXT; others stay English.
 std::string translateErrorWord(const std::string& english) {
     if (english.empty()) return english;
-    return QCoreApplication::translate("Error", english.c_str()).toStdString();
+    const std::string found = QCoreApplication::translate("Error", english.c_str()).toStdString();
+    return found == english ? translated(english).toStdString() : found;
 }
+
+// Of nameOf(WarningKind), which lies below the macro of core.
+[[maybe_unused]] constexpr const char* warningKinds[] = {
+    QT_TRANSLATE_NOOP("noonmark", "repaired"), QT_TRANSLATE_NOOP("noonmark", "clipped"),
+    QT_TRANSLATE_NOOP("noonmark", "dropped"), QT_TRANSLATE_NOOP("noonmark", "left out"),
+    QT_TRANSLATE_NOOP("noonmark", "assumed")};
 
 }  // namespace
 
@@ -81,6 +94,20 @@ QString describeError(const Error& error) {
     local.what = translateErrorWord(error.what);
     local.advice = translateErrorWord(error.advice);
     return QString::fromStdString(local.text());
+}
+
+QString describeWarning(const WarningGroup& group) {
+    return QObject::tr("%1 %2: %3")
+        .arg(group.where.size())
+        .arg(translated(nameOf(group.kind)), translated(group.what));
+}
+
+QString describeWarningWithPlaces(const WarningGroup& group, std::size_t most) {
+    QStringList places;
+    for (std::size_t i = 0; i < std::min(most, group.where.size()); ++i)
+        places << QString::fromStdString(cleanText(group.where[i]));
+    if (most < group.where.size()) places << QStringLiteral("...");
+    return QStringLiteral("%1 (%2)").arg(describeWarning(group), places.join(QStringLiteral(", ")));
 }
 
 Error sumUp(const ScenarioErrors& errors, std::size_t asked) {

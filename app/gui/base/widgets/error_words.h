@@ -6,12 +6,19 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/warnings.h"
 
 namespace noonmark {
 
 /// What is wrong, where, and what to do: Error::text(), in the language of the window where the error is one
-/// of the window's own. Errors of core are English.
+/// of the window's own, or core marks its text by NM_TEXT. Others are English, as are all that hold a number
+/// or a name.
 QString describeError(const Error& error);
+
+/// "28 repaired: outline crossed itself", in the language of the window as far as describeError() is.
+QString describeWarning(const WarningGroup& group);
+/// The same with at most so many places: "28 repaired: outline crossed itself (way 3, way 7, way 9, ...)".
+QString describeWarningWithPlaces(const WarningGroup& group, std::size_t most = 3);
 
 /// Why scenarios could not be computed, by name.
 using ScenarioErrors = std::vector<std::pair<std::string, Error>>;

@@ -40,26 +40,55 @@ double numberOf(const Value& value) {
     return number ? *number : 0;
 }
 
+// The least value is the default and stands for none.
+bool canBeNone(const Field& field) {
+    return field.range && !field.whenEmpty.empty() && field.range->min == numberOf(field.standard);
+}
+
 // A tenth of the default's power of ten: 0.1 for 3.2, 1000 for 60000.
 double stepOf(const Field& field) {
+    if (canBeNone(field)) return field.range->max * field.shownTimes / 20;
     const double usual = std::abs(numberOf(field.standard));
     return usual > 0 ? std::pow(10.0, std::floor(std::log10(usual)) - 1) : 1;
+}
+
+// At most 4; none for numbers that need more: 3 for 0.005.
+int decimalsIn(double number) {
+    for (int decimals = 0; decimals <= 4; ++decimals) {
+        const double grains = number * std::pow(10.0, decimals);
+        if (std::abs(grains - std::round(grains)) < 1e-6) return decimals;
+    }
+    return 0;
+}
+
+int decimalsOf(const Field& field, const ValueRange& shown) {
+    // Directions, as drawings state them; other angles are small.
+    if (field.unit == "deg" && shown.max > 90) return 4;
+    const int fewest = stepOf(field) >= 10 ? 0 : 2;
+    return std::max({fewest, decimalsIn(numberOf(field.standard) * field.shownTimes), decimalsIn(shown.min)});
+}
+
+QString unitOf(const Field& field) {
+    if (field.unit.empty()) return {};
+    return field.unit == "deg" ? QStringLiteral("°") : QLatin1Char(' ') + translated(field.unit);
 }
 
 QWidget* makeNumber(const Field& field) {
     ValueRange range = field.range.value_or(ValueRange{-1e9, 1e9});
     range = {range.min * field.shownTimes, range.max * field.shownTimes};
-    const double step = stepOf(field);
-    const int decimals = step >= 10 ? 0 : 2;
+    const int decimals = decimalsOf(field, range);
+    const double step = std::max(stepOf(field), std::pow(10.0, -decimals));
     if (field.unit == "m") return lengthField(range.min, range.max, decimals, step);
-    if (field.unit == "deg") return numberField(range.min, range.max, 4, step, QStringLiteral("°"));
-    const QString unit = field.unit.empty() ? QString() : QLatin1Char(' ') + translated(field.unit);
-    return numberField(range.min, range.max, decimals, step, unit);
+    QDoubleSpinBox* number = numberField(range.min, range.max, decimals, step, unitOf(field));
+    if (canBeNone(field)) number->setSpecialValueText(translated(field.whenEmpty));
+    return number;
 }
 
 QWidget* makeWhole(const Field& field) {
     const ValueRange range = field.range.value_or(ValueRange{0, 1e9});
-    return wholeField(int(range.min), int(range.max), {});
+    QSpinBox* number = wholeField(int(range.min), int(range.max), unitOf(field));
+    if (canBeNone(field)) number->setSpecialValueText(translated(field.whenEmpty));
+    return number;
 }
 
 QWidget* makeChoices(const Field& field) {
@@ -166,7 +195,8 @@ Result<Value> valueOf(const Field& field, const QWidget& widget) {
 FieldRows::FieldRows(std::span<const Field> fields, QObject* parent) : QObject(parent), fields_(fields) {}
 
 const Field* FieldRows::find(std::string_view flag) const {
-    const auto found = std::ranges::find(fields_, flag, &Field::flag);
+    const auto found = std::ranges::find(
+        fields_, flag, [](const Field& field) { return field.flag.empty() ? field.key : field.flag; });
     return found == fields_.end() ? nullptr : &*found;
 }
 
@@ -200,6 +230,10 @@ QWidget* FieldRows::make(const Field& field) {
     if (auto* line = qobject_cast<QLineEdit*>(widget))
         connect(line, &QLineEdit::editingFinished, this, changed);
     return widget;
+}
+
+void FieldRows::addRows(QFormLayout& form) {
+    for (const Field& field : fields_) addRows(form, {field.flag.empty() ? field.key : field.flag});
 }
 
 void FieldRows::addRows(QFormLayout& form, std::initializer_list<std::string_view> flags) {

@@ -13,8 +13,8 @@ class QWidget;
 namespace noonmark {
 
 /// Widgets for the fields of a table: label, tooltip, range, choices and unit are those of the field, in the
-/// user's language. Their object names are the fields' flags: "--height-field" is "heightField". Groups,
-/// presets and what depends on what are up to the form.
+/// user's language. Their object names are the fields' flags: "--height-field" is "heightField". A field
+/// without a flag goes by its key. Groups, presets and what depends on what are up to the form.
 class FieldRows final : public QObject {
     Q_OBJECT
 public:
@@ -25,6 +25,7 @@ public:
     /// default.
     QWidget* widget(std::string_view flag);
     /// Places the widgets with their labels; a box has its label beside it.
+    void addRows(QFormLayout& form);  ///< of all fields
     void addRows(QFormLayout& form, std::initializer_list<std::string_view> flags);
 
     void show(const Described& settings);       ///< without a signal

@@ -1,6 +1,7 @@
 #include "app/gui/docks/export/movie_actions.h"
 
 #include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/workbench.h"
@@ -103,8 +104,7 @@ void MovieActions::writeTo(const QString& file, const MovieChoice& choice) {
 void MovieActions::tellSaved(const MovieFacts& facts, const QString& file) {
     QStringList lines{tr("Movie of %1 frame(s) saved as %2", "", pluralNumber(quint64(facts.frames)))
                           .arg(formatCount(quint64(facts.frames)), file)};
-    for (const WarningGroup& group : groupWarnings(facts.warnings))
-        lines << QString::fromStdString(lineOf(group));
+    for (const WarningGroup& group : groupWarnings(facts.warnings)) lines << describeWarningWithPlaces(group);
     panel_.messages().showNote(lines.join(u'\n'));
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/gui/base/widgets/error_words.h"
+
 namespace noonmark {
 
 namespace {
@@ -10,10 +12,7 @@ namespace {
 constexpr std::size_t maxPlaces = 2000;
 
 QTreeWidgetItem* itemOf(const WarningGroup& group) {
-    auto* item = new QTreeWidgetItem(
-        {QObject::tr("%1 %2: %3")
-             .arg(group.where.size())
-             .arg(QString::fromUtf8(nameOf(group.kind).data()), QString::fromStdString(group.what))});
+    auto* item = new QTreeWidgetItem({describeWarning(group)});
     item->setToolTip(0, item->text(0));
     const std::size_t shown = std::min(group.where.size(), maxPlaces);
     for (std::size_t i = 0; i < shown; ++i)

@@ -391,7 +391,7 @@ void ReviewDock::showRule() {
                     .arg(answer_->study.year);
     std::vector<std::string> leftOut;
     for (const WarningGroup& group : groupWarnings(review_.library().warnings()))
-        leftOut.push_back(lineOf(group));
+        leftOut.push_back(describeWarningWithPlaces(group).toStdString());
     html += listOf(tr("Rule files that are left out"), leftOut);
     html += tr("<h4>Figures with status and source</h4>") +
             QStringLiteral("<pre style=\"white-space:pre-wrap\">%1</pre>")

@@ -1,22 +1,24 @@
 #pragma once
 
 #include <QWidget>
+#include <memory>
 #include <vector>
 
 #include "core/study/study.h"
 
-class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 
 namespace noonmark {
 
-/// Engine, and a field for each of its options, built from its EngineInfo.
+class FieldRows;
+
+/// Engine, and a row for each of its options.
 class AccuracyForm final : public QWidget {
     Q_OBJECT
 public:
     explicit AccuracyForm(const EngineList& engines = coreEngines(), QWidget* parent = nullptr);
+    ~AccuracyForm() override;
 
     void show(const StudySettings& settings);                           ///< without a signal
     [[nodiscard]] StudySettings applied(StudySettings settings) const;  ///< with the fields' values
@@ -29,20 +31,13 @@ private:
     void makeFields(const EngineInfo& engine);
     void chooseEngine();
 
-    struct Field {
-        EngineOption option;
-        QWidget* widget;         // one of:
-        QDoubleSpinBox* number;  // null for a switch
-        QCheckBox* check;        // null for a number
-    };
-    void addField(const EngineOption& option);
-    static void setValue(const Field& field, double value);
     const EngineList& engines_;
     QComboBox* engine_;
     QFormLayout* form_;
     int fixedRows_ = 0;  // the rows before the options
     std::string shown_;  // the engine whose options are shown
-    std::vector<Field> fields_;
+    std::vector<Field> options_;
+    std::unique_ptr<FieldRows> rows_;  // of the options
 };
 
 }  // namespace noonmark

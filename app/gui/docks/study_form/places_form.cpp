@@ -14,6 +14,7 @@
 #include <array>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/base/widgets/push_button.h"
@@ -171,7 +172,7 @@ void PlacesForm::follow() {
     }
     const auto valid = settings();
     refusal_->setVisible(!valid);
-    if (!valid) refusal_->setText(QString::fromStdString(valid.error().text()));
+    if (!valid) refusal_->setText(describeError(valid.error()));
     Q_EMIT edited();
 }
 

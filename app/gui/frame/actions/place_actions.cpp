@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/make_action.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/docks/project/project_dock.h"
@@ -68,7 +69,7 @@ QString describePlacesRead(std::size_t places, const PlacesAdded& added, const W
     constexpr std::size_t most = 3;
     const auto groups = groupWarnings(warnings);
     for (std::size_t i = 0; i < std::min(most, groups.size()); ++i)
-        text += u'\n' + QString::fromStdString(lineOf(groups[i]));
+        text += u'\n' + describeWarningWithPlaces(groups[i]);
     if (groups.size() > most) text += u'\n' + describeMoreKinds(groups.size() - most);
     return text;
 }

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/field_rows.h"
 #include "app/gui/base/widgets/height_words.h"
 #include "app/gui/base/widgets/length_field.h"
@@ -84,7 +85,7 @@ void PlacingPanel::showPlaced(double heightM, double groundElevationM) {
 
 void PlacingPanel::showWarnings(const Warnings& warnings) {
     QStringList lines;
-    for (const WarningGroup& group : groupWarnings(warnings)) lines << QString::fromStdString(lineOf(group));
+    for (const WarningGroup& group : groupWarnings(warnings)) lines << describeWarningWithPlaces(group);
     warnings_->setText(lines.mid(0, 1).join(QString()) +
                        (lines.size() > 1 ? tr(" (and %1 more)").arg(lines.size() - 1) : QString()));
     warnings_->setToolTip(lines.join(QLatin1Char('\n')));
