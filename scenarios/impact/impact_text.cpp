@@ -151,6 +151,14 @@ Sentence describeChange(const std::string& scenario, const ChangeFigures& change
         return {show == ShownAs::shadow ? NM_TEXT("%1 changes no shadow here")
                                         : NM_TEXT("%1 changes no sun here"),
                 {scenario}};
+    const auto area = [](double m2) { return Amount{m2, FigureUnit::squareMetres}; };
+    constexpr double leastMeanMin = 0.5;  // less reads "0 min": the region is large, the change small
+    if (std::abs(change.meanMin) < leastMeanMin && change.meanMin >= 0)
+        return {NM_TEXT("%1 takes sun from %2, at most %3 a day at one spot"),
+                {scenario, area(change.touchedM2), minutes(change.mostGainedMin)}};
+    if (std::abs(change.meanMin) < leastMeanMin)
+        return {NM_TEXT("%1 gives sun to %2, at most %3 a day at one spot"),
+                {scenario, area(change.easedM2), minutes(change.mostLostMin)}};
     if (change.meanMin >= 0)
         return {NM_TEXT("%1 takes %2 of sun a day on average, at most %3 at one spot"),
                 {scenario, minutes(change.meanMin), minutes(change.mostGainedMin)}};

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "app/report/book/answer_book.h"
 #include "app/report/sheets/impact_report.h"
 #include "core/study/review_study.h"
@@ -64,6 +66,21 @@ TEST(ImpactSheet, StatesItsFindingInASentenceAndShowsTheHeightOnTheMap) {
     const QString text = textOfPage(makeImpactBook(tower.answer, {tower.after}, {}, {}), 0);
     EXPECT_TRUE(text.contains(QStringLiteral("62 m"))) << text.toStdString();
     EXPECT_TRUE(text.contains(sheet.finding.section(u' ', 0, 2))) << text.toStdString();
+}
+
+// "0 min of sun a day on average" says nothing of a small change in a large region.
+TEST(ImpactSheet, StatesTheAreaThatLosesSunWhereTheMeanIsNothing) {
+    ComparedTower tower;
+    Impact& impact = tower.answer.study.total;
+    for (float& change : impact.grossMin)
+        if (change != 0) change = 0;
+    const std::size_t cell = 3;
+    ASSERT_FALSE(std::isnan(impact.grossMin[cell]));
+    impact.grossMin[cell] = 40;
+    const Sheet sheet = makeSheet(tower.answer, {tower.after}, {});
+    EXPECT_EQ(sheet.finding,
+              QStringLiteral("Mill Tower takes sun from 64 m², at most 40 min a day at one spot."))
+        << sheet.finding.toStdString();
 }
 
 TEST(ImpactSheet, OfNoChangeShowsTheWholeRegion) {

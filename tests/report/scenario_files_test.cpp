@@ -128,6 +128,31 @@ TEST(ScenarioBook, ShowsAllScenariosOnItsFirstPageWithHeightAndFloorArea) {
     }
 }
 
+// All maps show the same ground: the cells around (15, 15) m, where the second scenario has more shadow.
+TEST(ScenarioBook, ShowsCloselyWhereScenariosDiffer) {
+    const Study first = tests::syntheticStudy();
+    Study more = first;
+    const Grid& grid = more.field.grid;
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column)
+            if (const glm::dvec2 at = grid.centre(column, row);
+                std::abs(at.x - 15) < 5 && std::abs(at.y - 15) < 5)
+                more.field.grossMin[grid.index(column, row)] += 40;
+    const ScenarioStudies two{{"Existing", std::make_shared<const Study>(first)},
+                              {"Tower", std::make_shared<const Study>(std::move(more))}};
+    const Book book = makeScenarioBook(two, {});
+    for (const PageItem& item : book.pages[0].items) {
+        const auto& shown = std::get<PageMap>(item.content).map->scene.shown;
+        ASSERT_TRUE(shown);
+        EXPECT_EQ(*shown, (Box2{{0, 0}, {45, 45}})) << "60 m around (15, 15), cut to the region";
+    }
+    for (std::size_t i = 0; i < book.pages.size(); ++i)
+        EXPECT_FALSE(tests::textOfPage(book, i).contains(QChar(0x2026))) << "a text is cut on page " << i;
+    const QString dashed = QStringLiteral("dashed: open below");
+    EXPECT_FALSE(tests::textOfPage(book, 0).contains(dashed)) << "the overhang lies farther north";
+    EXPECT_TRUE(tests::textOfPage(book, book.pages.size() - 1).contains(dashed)) << "the map of the region";
+}
+
 TEST(ScenarioTables, LeaveContinuousShadowOutWhereItWasNotCounted) {
     const ScenarioStudies one{
         {"Existing", std::make_shared<const Study>(tests::grossOnly(tests::syntheticStudy()))}};

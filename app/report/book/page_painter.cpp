@@ -59,7 +59,7 @@ void paintPageMap(const Canvas& canvas, const QRectF& area, const PageMap& map, 
     const MapView view = makeMapView(map.map->scene, room);
     paintMap(canvas, view, map.map->scene);
     paintMapFoot(larger, {area.left(), room.bottom() + 8 * larger.point, area.width(), foot}, view,
-                 map.map->legend);
+                 map.map->legend, map.map->scene.city);
 }
 
 /// Paints the content of an item in its area.

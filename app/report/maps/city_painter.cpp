@@ -1,5 +1,7 @@
 #include "app/report/maps/city_painter.h"
 
+#include <algorithm>
+
 #include "core/city/terrain/ground_contact.h"
 
 namespace noonmark {
@@ -46,6 +48,13 @@ void paintBuildings(const Canvas& canvas, const MapView& view, const City& city,
         paintOverhangs(canvas, pathOf(*building, view, city, false), style);
         paintSolid(canvas, pathOf(*building, view, city, true), style);
     }
+}
+
+bool showsOverhangs(const MapView& view, const City& city) {
+    const auto isOpen = [&](const Part& part) { return !standsOnGround(part, city); };
+    return std::ranges::any_of(city.buildings, [&](const auto& building) {
+        return view.sees(bounds(*building)) && std::ranges::any_of(building->parts, isOpen);
+    });
 }
 
 }  // namespace noonmark

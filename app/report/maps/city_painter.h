@@ -17,4 +17,7 @@ struct FootprintStyle {
 /// overhangs have a dashed outline, because the ground below them is shown. The caller clips. O(points).
 void paintBuildings(const Canvas& canvas, const MapView& view, const City& city, const FootprintStyle& style);
 
+/// Whether paintBuildings() draws a dashed outline: of parts that leave the ground below them open.
+bool showsOverhangs(const MapView& view, const City& city);
+
 }  // namespace noonmark

@@ -26,10 +26,13 @@ QString fittingParts(QString unit, const QFontMetricsF& metrics, double room) {
 
 void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) {
     QPainter& painter = canvas.painter;
-    // A patch stands to the right of the title: what is too wide shrinks, and is cut at the end.
-    const QFont usual = textFont(canvas, titlePt, QFont::Bold);
-    const double shrunk =
-        std::clamp(0.99 * area.width() / QFontMetricsF(usual).horizontalAdvance(legend.title), 0.6, 1.0);
+    // A patch stands to the right of the title: what is too wide with its unit shrinks, and is cut at the
+    // end.
+    const QString unit = describeUnit(legend), firstPart = unit.section(QStringLiteral(", "), 0, 0);
+    const double wanted = QFontMetricsF(textFont(canvas, titlePt, QFont::Bold))
+                              .horizontalAdvance(legend.title + QStringLiteral("  ")) +
+                          QFontMetricsF(textFont(canvas, titlePt)).horizontalAdvance(firstPart);
+    const double shrunk = std::clamp(0.98 * area.width() / wanted, 0.6, 1.0);
     const QFont bold = textFont(canvas, titlePt * shrunk, QFont::Bold);
     const QString title = QFontMetricsF(bold).elidedText(legend.title, Qt::ElideRight, area.width());
     const double baseline = area.top() + titlePt * canvas.point;
@@ -37,11 +40,10 @@ void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) 
     painter.setPen(canvas.inks.text);
     painter.drawText(QPointF(area.left(), baseline), title);
     const double used = QFontMetricsF(bold).horizontalAdvance(title + QStringLiteral("  "));
-    painter.setFont(textFont(canvas, titlePt));
+    painter.setFont(textFont(canvas, titlePt * shrunk));
     painter.setPen(canvas.inks.quiet);
     painter.drawText(QPointF(area.left() + used, baseline),
-                     fittingParts(describeUnit(legend), QFontMetricsF(painter.font()),
-                                  std::max(0.0, area.width() - used)));
+                     fittingParts(unit, QFontMetricsF(painter.font()), std::max(0.0, area.width() - used)));
 }
 
 QRectF barOf(const Canvas& canvas, const QRectF& area) {

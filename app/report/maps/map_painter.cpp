@@ -4,6 +4,7 @@
 #include <QPaintEngine>
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "app/report/maps/city_painter.h"
 #include "app/report/maps/context_painter.h"
@@ -149,6 +150,19 @@ Box2 shownGround(const MapScene& scene) {
     return scene.shown ? *scene.shown : worldOf(scene.region, scene.grid);
 }
 
+std::optional<Box2> zoomOn(const Box2& changed, const MapScene& scene) {
+    constexpr float leastM = 60, aroundM = 15;
+    constexpr double mostOfMap = 0.6;  // a larger change needs no closer view
+    if (changed.empty()) return std::nullopt;
+    const Box2 all = shownGround(scene);
+    const glm::vec2 middle = (changed.low + changed.high) / 2.0F;
+    const glm::vec2 half = glm::max((changed.high - changed.low) / 2.0F + aroundM, glm::vec2(leastM / 2));
+    const Box2 zoom{glm::max(middle - half, all.low), glm::min(middle + half, all.high)};
+    const glm::vec2 part = zoom.high - zoom.low, whole = all.high - all.low;
+    if (zoom.empty() || double(part.x * part.y) > mostOfMap * double(whole.x * whole.y)) return std::nullopt;
+    return zoom;
+}
+
 MapScene makeMapScene(const Study& study, ShadowMeasure measure, const LegendChoice& choice) {
     const ColourScale scale = coloursOf(makeLegend(study.field, measure, choice));
     return {study.city, study.settings.region, study.field.grid, [&study, measure, scale](int wantedPixels) {
@@ -194,7 +208,8 @@ void paintMap(const Canvas& canvas, const MapView& view, const Study& study, Sha
     paintMap(canvas, view, makeMapScene(study, measure));
 }
 
-void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Legend& legend) {
+void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Legend& legend,
+                  const City& city) {
     const double point = canvas.point;
     const double arrowWidth = 16 * point;
     const double barRoom = std::min(area.width() * 0.3, 140 * point);
@@ -205,6 +220,12 @@ void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view,
                          area.height());
     const double longestM = (barRoom - 20 * point) / view.unitsPerM();
     paintScaleBar(canvas, barArea, scaleBarWithin(longestM), view.unitsPerM());
+    if (!showsOverhangs(view, city)) return;
+    constexpr double notePt = 6.5, baselinePt = 32;  // that of the legend's numbers
+    canvas.painter.setFont(textFont(canvas, notePt));
+    canvas.painter.setPen(canvas.inks.quiet);
+    canvas.painter.drawText(QPointF(barArea.left(), area.top() + baselinePt * point),
+                            QStringLiteral("dashed: open below"));
 }
 
 }  // namespace noonmark

@@ -35,6 +35,9 @@ struct MapScene {
 };
 /// The ground that a map of the scene shows.
 Box2 shownGround(const MapScene& scene);
+/// The part of a map that is worth showing alone: `changed` with some ground around it. None: it is empty, or
+/// most of the map.
+std::optional<Box2> zoomOn(const Box2& changed, const MapScene& scene);
 MapScene makeMapScene(const Study& study, ShadowMeasure measure, const LegendChoice& choice = {});
 /// Gross shadow alone in given colours: for maps that share a scale.
 MapScene makeGrossScene(const City& city, const Region& region, const ShadowField& field,
@@ -51,7 +54,9 @@ MapView makeMapView(const Study& study, const QRectF& frame);
 void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene);
 void paintMap(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure);
 
-/// Paints the foot of a map, legendHeightPt high: legend at the left, scale bar and north arrow at the right.
-void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Legend& legend);
+/// Paints the foot of a map, legendHeightPt high: legend at the left, scale bar and north arrow at the right,
+/// and what dashed outlines are where the city has them.
+void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Legend& legend,
+                  const City& city);
 
 }  // namespace noonmark

@@ -2,6 +2,7 @@
 
 #include <QStringList>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "app/report/book/flow.h"
@@ -10,6 +11,7 @@
 #include "app/report/scenarios/scenario_text.h"
 #include "app/report/sheets/period_words.h"
 #include "core/measures/shadow_figures.h"
+#include "core/receivers/grid_box.h"
 
 namespace noonmark {
 
@@ -97,7 +99,33 @@ QString describeBuilt(const ScenarioStudy& scenario, UnitSystem units) {
                          : parts.join(QStringLiteral(", "));
 }
 
-/// The maps of all scenarios in a grid, with what each builds.
+double largestDifferenceMin(const std::vector<float>& a, const std::vector<float>& b) {
+    double largest = 0;
+    for (std::size_t cell = 0; cell < std::min(a.size(), b.size()); ++cell)
+        if (const double change = std::abs(double(a[cell]) - double(b[cell])); !std::isnan(change))
+            largest = std::max(largest, change);
+    return largest;
+}
+
+/// The ground where any scenario's shadow differs from the first one's by a tenth of the largest difference,
+/// or only one of them has a building.
+Box2 findDifference(const ScenarioStudies& scenarios) {
+    const ShadowField& first = scenarios.front().study->field;
+    Box2 box;
+    for (const ScenarioStudy& scenario : scenarios) {
+        const ShadowField& field = scenario.study->field;
+        if (field.grossMin.size() != first.grossMin.size()) continue;
+        const double leastMin = largestDifferenceMin(first.grossMin, field.grossMin) / 10;
+        for (std::size_t cell = 0; cell < field.grossMin.size(); ++cell) {
+            const float a = first.grossMin[cell], b = field.grossMin[cell];
+            if (std::isnan(a) != std::isnan(b) || std::abs(double(a) - double(b)) > leastMin)
+                box.add(cellBox(field.grid, cell));
+        }
+    }
+    return box;
+}
+
+/// The maps of all scenarios in a grid, with what each builds: closely where they differ in a small part.
 std::vector<BookPage> sideBySidePages(const ScenarioStudies& scenarios, const Legend& legend,
                                       const BookSettings& settings) {
     const PageSetup& setup = settings.setup;
@@ -109,6 +137,7 @@ std::vector<BookPage> sideBySidePages(const ScenarioStudies& scenarios, const Le
     const QSizeF size((all.width() - gap * (columns - 1)) / columns,
                       (all.height() - gap * (rows - 1)) / rows);
     const QString title = QStringLiteral("Scenarios side by side");
+    const Box2 difference = findDifference(scenarios);
     std::vector<BookPage> pages;
     for (std::size_t i = 0; i < scenarios.size(); ++i) {
         const int at = int(i) % (columns * rows);
@@ -116,8 +145,9 @@ std::vector<BookPage> sideBySidePages(const ScenarioStudies& scenarios, const Le
             pages.push_back(
                 {title, legend.title + QStringLiteral(", on one scale"), i == 0 ? title : QString(), 0, {}});
         const Study& study = *scenarios[i].study;
-        const SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)),
-                           legend};
+        SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)),
+                     legend};
+        map.scene.shown = zoomOn(difference, map.scene);
         const QPointF corner(all.left() + (at % columns) * (size.width() + gap),
                              all.top() + (at / columns) * (size.height() + gap));
         pages.back().items.push_back(

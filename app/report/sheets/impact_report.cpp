@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 
 #include "app/report/sheets/report_sections.h"
 #include "core/base/clean_text.h"
+#include "core/receivers/grid_box.h"
 #include "core/study/provenance/command_words.h"
 #include "scenarios/impact/impact_runs.h"
 #include "scenarios/settings_json.h"
@@ -76,11 +76,8 @@ Box2 changedGround(const Impact& impact, const City& proposal, double thresholdM
     Box2 box = bounds(proposal);
     const Grid& grid = impact.grid;
     for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-        if (!(std::abs(double(impact.grossMin[cell])) > thresholdMin)) continue;  // NaN: no receiver
-        const float west = float(grid.westM + double(cell % std::size_t(grid.columns)) * grid.cellM),
-                    south = float(grid.southM + double(cell / std::size_t(grid.columns)) * grid.cellM);
-        box.add(glm::vec2(west, south));
-        box.add(glm::vec2(west, south) + float(grid.cellM));
+        if (std::abs(double(impact.grossMin[cell])) > thresholdMin)  // NaN: no receiver
+            box.add(cellBox(grid, cell));
     }
     return box;
 }
@@ -94,23 +91,9 @@ double mappedChangeMin(const ImpactAnswer& answer) {
     return std::min(threshold, largest / 10);
 }
 
-/// What the map shows where the change is in a small part of the region; none: all of it.
-std::optional<Box2> zoomOf(const ImpactAnswer& answer, const MapScene& scene) {
-    constexpr float leastM = 60, aroundM = 15;
-    constexpr double mostOfMap = 0.6;  // a larger change needs no closer view
-    const Box2 changed = changedGround(answer.study.total, answer.proposal, mappedChangeMin(answer));
-    if (changed.empty()) return std::nullopt;
-    const Box2 all = shownGround(scene);
-    const glm::vec2 middle = (changed.low + changed.high) / 2.0F;
-    const glm::vec2 half = glm::max((changed.high - changed.low) / 2.0F + aroundM, glm::vec2(leastM / 2));
-    const Box2 zoom{glm::max(middle - half, all.low), glm::min(middle + half, all.high)};
-    const glm::vec2 part = zoom.high - zoom.low, whole = all.high - all.low;
-    if (zoom.empty() || double(part.x * part.y) > mostOfMap * double(whole.x * whole.y)) return std::nullopt;
-    return zoom;
-}
-
 void zoomOnChange(const ImpactAnswer& answer, SheetMap& map) {
-    map.scene.shown = zoomOf(answer, map.scene);
+    map.scene.shown =
+        zoomOn(changedGround(answer.study.total, answer.proposal, mappedChangeMin(answer)), map.scene);
     if (!answer.proposal.buildings.empty()) map.scene.proposal = &answer.proposal;
 }
 

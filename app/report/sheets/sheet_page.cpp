@@ -60,7 +60,8 @@ private:
         const MapView view = makeMapView(sheet_.map.scene, area(sidePt, top, largeMapPt, height));
         paintMap(canvas_, view, sheet_.map.scene);
         const double foot = top + height + 8;
-        paintMapFoot(canvas_, area(sidePt, foot, largeMapPt, legendHeightPt), view, sheet_.map.legend);
+        paintMapFoot(canvas_, area(sidePt, foot, largeMapPt, legendHeightPt), view, sheet_.map.legend,
+                     sheet_.map.scene.city);
         return paintDefinitions(foot + legendHeightPt + 2);
     }
 

@@ -48,7 +48,7 @@ QImage makePicture(const Sheet& sheet, int width) {
     const MapView view = makeMapView(sheet.map.scene, places.map);
     paintHeadline(canvas, places.headline, sheet.headline);
     paintMap(canvas, view, sheet.map.scene);
-    paintMapFoot(canvas, places.foot, view, sheet.map.legend);
+    paintMapFoot(canvas, places.foot, view, sheet.map.legend, sheet.map.scene.city);
     paintSmallPrint(canvas, places.smallPrint, sheet.credit);
     return image;
 }
