@@ -4,8 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <limits>
+#include <utility>
 
 #include "core/city/city.h"
+#include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/plausible_heights.h"
@@ -189,6 +194,7 @@ MassingSettings withHeight(MassingSettings settings, double heightM) {
 
 Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM) {
     Massing massing{.tiers = std::move(tiers), .storeyHeightM = storeyHeightM};
+    massing.firstTiers = massing.tiers.size();
     MassingFigures& figures = massing.figures;
     figures.lotM2 = area(lot);
     figures.heightM = massing.tiers.back().topM;
@@ -208,7 +214,9 @@ Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double st
     return massing;
 }
 
-Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& settings) {
+namespace {
+
+Result<Massing> makeOneTower(const Footprint& lot, const MassingSettings& settings) {
     const auto ground = usable(lot);
     if (!ground) return tl::make_unexpected(ground.error());
     if (const auto sound = checkRanges(settings); !sound) return tl::make_unexpected(sound.error());
@@ -223,6 +231,112 @@ Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& setting
     Massing massing = assembleMassing(lot, *std::move(tiers), settings.storeyHeightM);
     massing.figures.uses = sumByUse(settings.uses, massing.storeyM2);
     return massing;
+}
+
+// Unit vector along the longest side.
+glm::dvec2 findLongestSide(const Ring& ring) {
+    glm::dvec2 longest{1, 0};
+    double lengthM = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const glm::dvec2 side = glm::dvec2(ring[(i + 1) % ring.size()]) - glm::dvec2(ring[i]);
+        if (glm::length(side) <= lengthM) continue;
+        lengthM = glm::length(side);
+        longest = side / lengthM;
+    }
+    return longest;
+}
+
+// What of the lot lies between two distances along a direction; the largest of several pieces.
+Footprint cutStrip(const Footprint& lot, glm::dvec2 along, double fromM, double toM) {
+    constexpr double farM = 1e5;
+    const glm::dvec2 aside(-along.y, along.x);
+    const auto corner = [&](double alongM, double asideM) {
+        return glm::vec2(along * alongM + aside * asideM);
+    };
+    const Footprint strip{{corner(fromM, -farM), corner(toM, -farM), corner(toM, farM), corner(fromM, farM)},
+                          {}};
+    const std::vector<Footprint> pieces = cutSharedPieces({lot}, {strip});
+    if (pieces.empty()) return {};
+    return *std::ranges::max_element(pieces, {}, [](const Footprint& piece) { return area(piece); });
+}
+
+Result<std::vector<Footprint>> divideLot(const Footprint& lot, std::size_t towers, double gapM) {
+    const glm::dvec2 along = findLongestSide(lot.outer);
+    double fromM = std::numeric_limits<double>::max(), toM = -fromM;
+    for (const glm::vec2& corner : lot.outer) {
+        fromM = std::min(fromM, glm::dot(glm::dvec2(corner), along));
+        toM = std::max(toM, glm::dot(glm::dvec2(corner), along));
+    }
+    const double widthM = (toM - fromM - gapM * double(towers - 1)) / double(towers);
+    std::vector<Footprint> pieces;
+    for (std::size_t i = 0; widthM > 0 && i < towers; ++i) {
+        const double beginM = fromM + double(i) * (widthM + gapM);
+        pieces.push_back(cutStrip(lot, along, beginM, beginM + widthM));
+        if (!usable(pieces.back())) break;
+    }
+    if (pieces.size() == towers && usable(pieces.back())) return pieces;
+    return failure(
+        fmt::format("The lot is too small for {} towers {:g} m apart", towers, gapM), "massing",
+        fmt::format("Its longest side is {:.0f} m: plan fewer towers, or a narrower gap", toM - fromM));
+}
+
+// A share is of the whole lot, and a plate of all of it that of the whole piece.
+PlateSize onPiece(const PlateSize& plate, double lotM2) {
+    const double m2 = plate.areaM2.value_or(plate.shareOfLot.value_or(1) * lotM2);
+    return m2 < lotM2 * (1 - 1e-9) ? PlateSize{.areaM2 = m2} : PlateSize{};
+}
+
+/// The settings of each tower alone, from the first.
+std::vector<MassingSettings> listTowers(MassingSettings settings, double lotM2) {
+    const std::vector<FurtherTower> further = std::exchange(settings.further, {});
+    settings.plate = onPiece(settings.plate, lotM2);
+    if (settings.podium) settings.podium->plate = onPiece(settings.podium->plate, lotM2);
+    std::vector<MassingSettings> towers{settings};
+    for (const FurtherTower& tower : further)
+        towers.push_back({.storeyHeightM = settings.storeyHeightM,
+                          .storeys = tower.storeys,
+                          .plate = onPiece(tower.plate, lotM2)});
+    return towers;
+}
+
+// The storeys of a tower without uses have none beside those that do.
+void addTower(Massing& all, Massing tower) {
+    MassingFigures &sum = all.figures, &one = tower.figures;
+    if (!sum.uses.empty()) sum.uses.push_back({{}, one.storeys, one.grossFloorM2});
+    sum.grossFloorM2 += one.grossFloorM2;
+    sum.coverage += one.coverage * one.lotM2 / sum.lotM2;
+    sum.heightM = std::max(sum.heightM, one.heightM);
+    sum.storeys = std::max(sum.storeys, one.storeys);
+    sum.floorAreaRatio = sum.grossFloorM2 / sum.lotM2;
+    all.storeyM2.resize(std::max(all.storeyM2.size(), tower.storeyM2.size()));
+    for (std::size_t i = 0; i < tower.storeyM2.size(); ++i) all.storeyM2[i] += tower.storeyM2[i];
+    std::ranges::move(tower.tiers, std::back_inserter(all.tiers));
+}
+
+}  // namespace
+
+Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& settings) {
+    if (settings.further.empty()) return makeOneTower(lot, settings);
+    if (const auto sound = checkRanges(settings); !sound) return tl::make_unexpected(sound.error());
+    const auto pieces = divideLot(lot, settings.further.size() + 1, settings.gapM);
+    if (!pieces) return tl::make_unexpected(pieces.error());
+    const std::vector<MassingSettings> towers = listTowers(settings, area(lot));
+    std::optional<Massing> all;
+    for (std::size_t i = 0; i < towers.size(); ++i) {
+        auto tower = makeOneTower((*pieces)[i], towers[i]);
+        if (!tower)
+            return failure(fmt::format("Tower {} of {}: {}", i + 1, towers.size(), tower.error().what),
+                           tower.error().where, tower.error().advice);
+        if (all) {
+            addTower(*all, *std::move(tower));
+            continue;
+        }
+        all = *std::move(tower);
+        all->figures.coverage *= all->figures.lotM2 / area(lot);
+        all->figures.lotM2 = area(lot);
+        all->figures.floorAreaRatio = all->figures.grossFloorM2 / area(lot);
+    }
+    return *std::move(all);
 }
 
 Result<Building> buildingOf(const Massing& massing, const std::string& id) {

@@ -55,7 +55,15 @@ struct FloorUse {
     bool operator==(const FloorUse&) const = default;
 };
 
-/// User settings for a tower on a lot.
+/// Another tower on the same lot, which stands apart from the first.
+struct FurtherTower {
+    int storeys = 10;  ///< 1 to 500, of the first one's storey height
+    PlateSize plate;   ///< with neither, its whole piece of the lot
+    bool operator==(const FurtherTower&) const = default;
+};
+
+/// User settings for a tower on a lot, or for several: then the lot is divided across its longest side into
+/// pieces of equal width, one for each tower, in the order from the beginning of that side.
 struct MassingSettings {
     double storeyHeightM = defaultStoreyM;  ///< 2 to 10
     int storeys = 0;     ///< in total, podium included: 1 to 500; 0: as many as fit into heightM
@@ -65,7 +73,9 @@ struct MassingSettings {
     std::vector<Setback> setbacks;  ///< from bottom to top
     double clockwiseDeg = 0;  ///< turns the tower about the centroid of its plate; it must stay on the lot
     WallShape walls{};        ///< of the volume between podium and lowest setback
-    std::vector<FloorUse> uses{};  ///< from bottom to top; empty: not stated
+    std::vector<FloorUse> uses{};  ///< of the first tower, from bottom to top; empty: not stated
+    std::vector<FurtherTower> further{};
+    double gapM = 12;  ///< between two pieces of the lot: 1 to 500
     bool operator==(const MassingSettings&) const = default;
 };
 
@@ -104,18 +114,20 @@ struct MassingFigures {
 };
 
 struct Massing {
-    std::vector<Tier> tiers;  ///< from bottom to top; each one's plate lies on the top of the one below
+    /// Of each tower from bottom to top, where each one's plate lies on the top of the one below.
+    std::vector<Tier> tiers;
+    std::size_t firstTiers = 0;  ///< those of the first tower, before those of further ones
     double storeyHeightM = 0;
     std::vector<double> storeyM2{};  ///< section at the floor of each storey, from the ground floor up
     MassingFigures figures;
 };
 
-/// Extrudes a tower on a lot. A plate smaller than the lot is the straight-skeleton inset of the lot with
-/// that area: it keeps the lot's shape and enlarges its courtyards. A floor belongs to the tier that contains
-/// its level; height left over after whole storeys goes to the last storey. Error, with the limit: a setting
-/// out of range, a plate larger than the lot, an inset that leaves nothing, a turned plate that leaves the
-/// lot, a twisted volume that leaves the lot, or a podium as high as the whole building. About 5 ms per
-/// plate.
+/// Extrudes a tower on a lot, or several. A plate smaller than the lot is the straight-skeleton inset of the
+/// lot with that area: it keeps the lot's shape and enlarges its courtyards. A floor belongs to the tier that
+/// contains its level; height left over after whole storeys goes to the last storey. Error, with the limit: a
+/// setting out of range, a plate larger than the lot, an inset that leaves nothing, a turned plate that
+/// leaves the lot, a twisted volume that leaves the lot, a podium as high as the whole building, or a lot too
+/// narrow for so many towers. About 5 ms per plate.
 Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& settings);
 
 /// Builds a massing from given tiers and computes its figures, for shapes that do not come from settings.

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "core/city/plausible_heights.h"
 #include "core/describe/field_checks.h"
@@ -109,6 +111,30 @@ Result<FloorUse> useFrom(const std::string& text) {
                    "Give USE:STOREYS, for example retail:2, or USE:rest for all storeys above");
 }
 
+std::string textOf(const FurtherTower& tower) {
+    std::string text = fmt::format("{}", tower.storeys);
+    if (tower.plate.areaM2) text += fmt::format(":{}", *tower.plate.areaM2);
+    if (tower.plate.shareOfLot) text += fmt::format(":{}%", *tower.plate.shareOfLot * inPercent);
+    return text;
+}
+
+Result<FurtherTower> furtherFrom(const std::string& text) {
+    const bool isShare = text.ends_with('%');
+    const std::vector<double> numbers = numbersBetweenColons(text.substr(0, text.size() - (isShare ? 1 : 0)));
+    const bool sound = numbers.size() == (isShare ? 2 : std::max<std::size_t>(numbers.size(), 1)) &&
+                       numbers.size() <= 2 && numbers[0] == std::floor(numbers[0]) &&
+                       std::abs(numbers[0]) <= storeyRange.max;
+    if (!sound)
+        return failure("It is not a further tower", text,
+                       "Give STOREYS, STOREYS:M2 or STOREYS:PERCENT%, for example 20:600 or 20:30%");
+    FurtherTower tower{.storeys = int(numbers[0])};
+    if (isShare)
+        tower.plate.shareOfLot = numbers[1] / inPercent;
+    else if (numbers.size() == 2)
+        tower.plate.areaM2 = numbers[1];
+    return tower;
+}
+
 template <auto list>
 Value getTexts(const MassingSettings& settings) {
     std::vector<std::string> texts;
@@ -163,7 +189,13 @@ const Fields<MassingSettings>& massingFields() {
                        "Rotation clockwise about the middle of the tower, which must stay on its lot"),
                    .unit = "deg",
                    .range = turnRangeDeg,
-                   .hasDefault = false})}
+                   .hasDefault = false}),
+            field(&MassingSettings::gapM, {.key = "gap_m",
+                                           .flag = "--gap",
+                                           .label = NM_TEXT("Gap"),
+                                           .help = NM_TEXT("Between the pieces of the lot of several towers"),
+                                           .unit = "m",
+                                           .range = ValueRange{1, 500}})}
             .embed(&MassingSettings::plate, makePlateFields(flags), "plate")
             .embed(&MassingSettings::walls, makeWallFields(flags));
     return fields;
@@ -209,7 +241,18 @@ const Fields<FloorUse>& floorUseFields() {
     return fields;
 }
 
+const Fields<FurtherTower>& furtherTowerFields() {
+    static const auto fields =
+        Fields<FurtherTower>{field(&FurtherTower::storeys, {.key = "storeys",
+                                                            .label = NM_TEXT("Storeys"),
+                                                            .range = ValueRange{1, storeyRange.max},
+                                                            .restated = true})}
+            .embed(&FurtherTower::plate, makePlateFields({}), "plate");
+    return fields;
+}
+
 const Fields<MassingSettings>& massingListFields() {
+    constexpr auto further = &MassingSettings::further;
     constexpr auto setbacks = &MassingSettings::setbacks;
     constexpr auto uses = &MassingSettings::uses;
     static const Fields<MassingSettings> fields{
@@ -228,7 +271,15 @@ const Fields<MassingSettings>& massingListFields() {
              .label = NM_TEXT("Uses"),
              .help = "What the next STOREYS storeys from the ground up are used for; `rest`: all above; may "
                      "be repeated",
-             .hint = "USE:STOREYS"})};
+             .hint = "USE:STOREYS"}),
+        derivedField<MassingSettings>(
+            ValueKind::texts, &getTexts<further>, &setTexts<further, &furtherFrom>,
+            {.key = "further",
+             .flag = "--tower",
+             .label = NM_TEXT("Further towers"),
+             .help = "Another tower on the lot, apart from the first, of STOREYS storeys on a plate of M2 or "
+                     "a share of the lot; may be repeated",
+             .hint = "STOREYS[:M2|:PERCENT%]"})};
     return fields;
 }
 
@@ -237,6 +288,8 @@ Result<void> checkRanges(const MassingSettings& settings) {
     if (sound && settings.podium) sound = checkRanges(podiumFields().of(*settings.podium));
     for (const Setback& setback : settings.setbacks)
         if (sound) sound = checkRanges(setbackFields().of(setback));
+    for (const FurtherTower& tower : settings.further)
+        if (sound) sound = checkRanges(furtherTowerFields().of(tower));
     return sound;
 }
 

@@ -10,8 +10,9 @@ const Fields<MassingSettings>& massingFields();
 const Fields<Podium>& podiumFields();
 const Fields<Setback>& setbackFields();  ///< without flags: see massingListFields()
 const Fields<FloorUse>& floorUseFields();
+const Fields<FurtherTower>& furtherTowerFields();
 
-/// Setbacks and uses as texts: "60:3:10:15", "offices:12", "homes:rest".
+/// Setbacks, uses and further towers as texts: "60:3:10:15", "offices:12", "homes:rest", "20:600", "20:30%".
 const Fields<MassingSettings>& massingListFields();
 
 /// Error for the first number out of its range, of the podium and the setbacks, too.

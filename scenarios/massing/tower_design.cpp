@@ -68,7 +68,7 @@ bool isUpright(const MassingSettings& settings) {
 std::optional<MassingFigures> figuresOf(const ProposedTower& tower) {
     if (!tower.design) return std::nullopt;
     MassingSettings settings = tower.design->settings;
-    if (tower.heightM > 0 && !isUpright(settings)) return std::nullopt;
+    if (tower.heightM > 0 && (!isUpright(settings) || !settings.further.empty())) return std::nullopt;
     if (tower.heightM > 0) settings = withHeight(settings, tower.heightM);
     const auto massing = makeMassing(tower.design->lot, settings);
     return massing ? std::optional(massing->figures) : std::nullopt;

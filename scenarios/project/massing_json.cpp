@@ -59,6 +59,7 @@ MassingSettings parseSettings(const Json& json) {
     }
     settings.setbacks = listFrom(json, "setbacks", setbackFields());
     settings.uses = listFrom(json, "uses", floorUseFields());
+    settings.further = listFrom(json, "further", furtherTowerFields());
     return settings;
 }
 
@@ -74,6 +75,8 @@ Json toJson(const TowerDesign& design) {
     for (const Setback& setback : settings.setbacks)
         json["setbacks"].push_back(partJson(setbackFields(), setback));
     for (const FloorUse& use : settings.uses) json["uses"].push_back(partJson(floorUseFields(), use));
+    for (const FurtherTower& tower : settings.further)
+        json["further"].push_back(partJson(furtherTowerFields(), tower));
     return json;
 }
 

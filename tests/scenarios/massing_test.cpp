@@ -232,6 +232,52 @@ TEST(SameFloorArea, ATaperHasItsOwnFloors) {
     EXPECT_NEAR(computeArea(given.plate), 39.99 * 39.99, 0.1);
 }
 
+// A lot of 90 x 30 m in three pieces of 22 m with gaps of 12 m: 22 x 30 = 660 m2 each.
+TEST(SeveralTowers, StandApartOnTheirPiecesOfTheLot) {
+    const Footprint lot = box(0, 0, 90, 30);
+    MassingSettings settings{.storeyHeightM = 4, .storeys = 20};
+    settings.further = {{10, {}}, {5, {.areaM2 = 200}}};
+    const Massing massing = makeMassing(lot, settings).value();
+    ASSERT_EQ(massing.tiers.size(), 3U);
+    EXPECT_EQ(massing.firstTiers, 1U);
+    EXPECT_EQ(bounds(massing.tiers[0].plate[0]), (Box2{{0, 0}, {22, 30}}));
+    EXPECT_EQ(bounds(massing.tiers[1].plate[0]), (Box2{{34, 0}, {56, 30}}));
+    EXPECT_NEAR(massing.tiers[2].areaM2, 200, 0.2);
+    const MassingFigures& figures = massing.figures;
+    EXPECT_NEAR(figures.grossFloorM2, 660 * 20 + 660 * 10 + 200 * 5, 1);
+    EXPECT_NEAR(figures.floorAreaRatio, figures.grossFloorM2 / 2700, 1e-9);
+    EXPECT_NEAR(figures.coverage, (660 + 660 + 200) / 2700.0, 1e-3);
+    EXPECT_EQ(figures.heightM, 80);
+    EXPECT_EQ(figures.storeys, 20);
+    EXPECT_NEAR(massing.storeyM2[4], 1520, 0.5);
+    EXPECT_NEAR(massing.storeyM2[5], 1320, 0.5);
+    const Building building = buildingOf(massing, "pair").value();
+    EXPECT_EQ(building.parts.size(), 3U) << "one building, and so one edit";
+    EXPECT_NEAR(computeVolume(building), figures.grossFloorM2 * 4, 10);
+}
+
+TEST(SeveralTowers, CountFloorsWithoutAUseApart) {
+    MassingSettings settings{.storeyHeightM = 4, .storeys = 10, .uses = {{"homes", 0}}};
+    settings.further = {{5, {}}};
+    const auto uses = makeMassing(box(0, 0, 72, 30), settings).value().figures.uses;  // 2 x 30 x 30 m
+    ASSERT_EQ(uses.size(), 2U);
+    EXPECT_NEAR(uses[0].grossFloorM2, 9000, 1);
+    EXPECT_EQ(uses[1].use, "");
+    EXPECT_NEAR(uses[1].grossFloorM2, 4500, 1);
+}
+
+TEST(SeveralTowers, NeedRoom) {
+    MassingSettings settings{.storeys = 10};
+    settings.further = {{5, {}}, {5, {}}};
+    EXPECT_THAT(refusal(box(0, 0, 24, 10), settings), HasSubstr("too small for 3 towers 12 m apart"));
+    settings.gapM = 3;
+    EXPECT_EQ(refusal(box(0, 0, 24, 10), settings), "");
+    settings.further[1].plate.areaM2 = 100;  // its piece has 6 x 10 m2
+    EXPECT_THAT(refusal(box(0, 0, 24, 10), settings), HasSubstr("Tower 3 of 3"));
+    settings.further[1].storeys = 0;
+    EXPECT_NE(refusal(box(0, 0, 24, 10), settings), "");
+}
+
 TEST(SameFloorArea, WhereTheLotIsTooSmallThePlateIsTheLot) {
     const Footprint lot = box(18, 0, 42, 60);  // 1440 m2; the building's plate is 20 x 20 m
     const GivenMass given = givenBy(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();

@@ -22,6 +22,8 @@ TowerDesign everything() {
     design.settings.clockwiseDeg = 12;
     design.settings.walls = {.taper = 0.125, .twistDeg = 40};
     design.settings.uses = {{"retail", 2}, {"offices", 10}, {"homes", 0}};
+    design.settings.further = {{12, {.areaM2 = 300}}, {8, {}}};
+    design.settings.gapM = 9;
     return design;
 }
 
