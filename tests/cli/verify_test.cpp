@@ -56,6 +56,54 @@ TEST_F(VerifyCommand, AgreesWithAReportAndItsRecord) {
     EXPECT_GT(verify("out/report.pdf").json()["printed"]["figures"], 50);
 }
 
+// The folder alone suffices: who gets it has the project, too.
+TEST_F(VerifyCommand, FindsTheProjectThatWasPutBesideTheFiles) {
+    const std::string project = folder_.path("town.noonmark.gpkg").string();
+    const auto run = [](const std::vector<std::string>& words) {
+        const Spoken spoken = noonmarkCli(words);
+        ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    };
+    run({"project", "new", project, folder_.path("houses.geojson").string()});
+    run({"project", "add-scenario", project, "Tower"});
+    const std::vector<std::string> when{"--start",
+                                        "2026-03-21",
+                                        "--from",
+                                        "09:00",
+                                        "--hours",
+                                        "6",
+                                        "--step",
+                                        "10",
+                                        "--zone",
+                                        "America/New_York",
+                                        "--with-project",
+                                        "--cell",
+                                        "2",
+                                        "--region",
+                                        "-73.9845,40.7525,-73.9828,40.7536"};
+    const auto ask = [&](std::vector<std::string> words, const std::string& out) {
+        words.insert(words.begin() + 1, project);
+        words.insert(words.end(), when.begin(), when.end());
+        words.insert(words.end(), {"--out", folder_.path(out).string()});
+        run(words);
+    };
+    ask({"study"}, "study");
+    ask({"impact", "--to", "Tower"}, "impact");
+    ask({"score"}, "score");
+    ask({"by-place"}, "places");
+    fs::rename(project, folder_.path("elsewhere.gpkg"));
+    for (const char* report : {"study/study.json", "impact/impact.json", "score/score.json"}) {
+        const fs::path file = folder_.path(report);
+        const Spoken spoken =
+            noonmarkCli({"verify", file.string(), "--inputs", file.parent_path().string(), "--json"});
+        EXPECT_EQ(spoken.code, exitOk) << report << spoken.err << spoken.out;
+    }
+    EXPECT_TRUE(fs::exists(folder_.path("places/town.noonmark.gpkg")));
+    const Spoken none = noonmarkCli({"study", folder_.path("houses.geojson").string(), "--start",
+                                     "2026-03-21", "--zone", "America/New_York", "--region", "city",
+                                     "--with-project", "--out", folder_.path("none").string()});
+    EXPECT_THAT(none.err, HasSubstr("no project to put beside"));
+}
+
 // Whatever else is saved in a project, a report stays true as long as what it rests on is the same.
 TEST_F(VerifyCommand, AcceptsAProjectThatWasSavedAgainWithTheSameQuestion) {
     const std::string project = folder_.path("town.noonmark.gpkg").string();

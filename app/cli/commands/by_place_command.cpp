@@ -131,6 +131,7 @@ std::string describeForecast(double seconds) {
 struct MeasuredPlaces {
     std::shared_ptr<const Answer> answer;
     BookSettings book;
+    std::shared_ptr<const ProjectFile> project;
 };
 
 tl::expected<MeasuredPlaces, Failure> measurePlaces(const ByPlaceOptions& options, const Console& console) {
@@ -149,7 +150,7 @@ tl::expected<MeasuredPlaces, Failure> measurePlaces(const ByPlaceOptions& option
     if (!book) return tl::make_unexpected(book.error());
     return orCode(byPlaceQuestion().compute(*asked, progress, interrupt.token()), exitFailed)
         .map([&](std::shared_ptr<const Answer> answer) {
-            return MeasuredPlaces{std::move(answer), *std::move(book)};
+            return MeasuredPlaces{std::move(answer), *std::move(book), request->project};
         });
 }
 
@@ -163,7 +164,9 @@ Result<std::vector<std::filesystem::path>> writeFiles(const MeasuredPlaces& meas
     how.legend = options.colours.legend;
     how.thresholdHours = options.colours.thresholdHours;
     how.rules = outputRulesOf(options.study, sun.provenance.inputs);
-    return measured.answer->write(sun.city, options.study.out, how);
+    auto files = measured.answer->write(sun.city, options.study.out, how);
+    if (!files) return files;
+    return copyProjectOf(measured.project, options.study).map([&] { return *std::move(files); });
 }
 
 std::string describeSun(const SunOfPlace& of) {
@@ -309,6 +312,7 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
         ->required()
         ->type_name("DIR");
     addOverwriteOption(*command, study.overwrite);
+    addProjectCopyOption(*command, study.withProject);
     addJsonFlag(*command, study.json, "Print only places.json to standard output");
     command->footer(
         "The parks and squares of a city over a year:\n"

@@ -24,6 +24,7 @@ namespace {
 struct Answered {
     Study study;
     std::optional<BookSettings> book;
+    std::shared_ptr<const ProjectFile> project;
 };
 
 Result<std::optional<BookSettings>> bookOf(const StudyOptions& options, const SheetOptions& sheets,
@@ -51,17 +52,19 @@ tl::expected<Answered, Failure> computed(const StudyOptions& options, const Shee
                         exitFailed);
     if (!study) return tl::make_unexpected(study.error());
     addSource(*study, *request);
-    return Answered{*std::move(study), *std::move(book)};
+    return Answered{*std::move(study), *std::move(book), request->project};
 }
 
 Result<std::vector<std::filesystem::path>> writeFiles(const Answered& answered, const StudyOptions& options) {
     const OffscreenQt qt;
-    return writeStudyFiles(answered.study, options.out,
-                           {.cellsCsv = options.cellsCsv,
-                            .rules = outputRulesOf(options, answered.study.provenance.inputs),
-                            .pictureWidth = options.pictureWidth,
-                            .legend = options.legend,
-                            .book = answered.book});
+    auto files = writeStudyFiles(answered.study, options.out,
+                                 {.cellsCsv = options.cellsCsv,
+                                  .rules = outputRulesOf(options, answered.study.provenance.inputs),
+                                  .pictureWidth = options.pictureWidth,
+                                  .legend = options.legend,
+                                  .book = answered.book});
+    if (!files) return files;
+    return copyProjectOf(answered.project, options).map([&] { return *std::move(files); });
 }
 
 // As it was written: its times of writing are not known before.

@@ -31,6 +31,7 @@ void addMeasureOptions(CLI::App& command, MeasureOptions& options) {
 }
 
 void addSaveOption(CLI::App& command, MeasureOptions& options) {
+    addProjectCopyOption(command, options.withProject);
     command.add_option("--save,--keep", options.keep, "Save the result in the project under this name")
         ->type_name("NAME");
 }

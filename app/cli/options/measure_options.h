@@ -24,6 +24,7 @@ struct MeasureOptions {
     StudySettings settings;
     std::string out;
     bool overwrite = false;
+    bool withProject = false;                   // copy the project beside the files
     int pictureWidth = noonmark::pictureWidth;  // of the PNG, pixels
     LegendChoice legend;                        // of maps and pages
     std::string keep;
@@ -32,7 +33,7 @@ struct MeasureOptions {
 
 void addMeasureOptions(CLI::App& command, MeasureOptions& options);
 
-/// Adds --save.
+/// Adds --save and --with-project.
 void addSaveOption(CLI::App& command, MeasureOptions& options);
 
 /// The settings with region and period parsed. Error: the region is neither in the project nor a box nor a

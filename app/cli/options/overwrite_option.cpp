@@ -8,4 +8,9 @@ void addOverwriteOption(CLI::App& command, bool& overwrite) {
                      "Replace existing outputs, but never an input, a project or a file of another kind");
 }
 
+void addProjectCopyOption(CLI::App& command, bool& withProject) {
+    command.add_flag("--with-project", withProject,
+                     "Also put a copy of the project into the folder, so that `verify` finds it");
+}
+
 }  // namespace noonmark::cli

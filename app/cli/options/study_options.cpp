@@ -98,6 +98,7 @@ void addPieceOptions(CLI::App& command, StudyOptions& options) {
     addFieldOptions(command, contributionFields().of(settings));
     addFieldOptions(command, treeFields().of(settings));
     addPictureOption(command, options.pictureWidth);
+    addProjectCopyOption(command, options.withProject);
     command.add_flag("--cells-csv", options.cellsCsv, "Also write cells.csv: one line per receiver");
 }
 

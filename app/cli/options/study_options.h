@@ -26,7 +26,8 @@ struct StudyOptions {
     std::string region;
     std::string out;
     bool overwrite = false;
-    StudySettings settings;  ///< the values that need neither the city nor further parsing
+    bool withProject = false;  ///< copy the project beside the files
+    StudySettings settings;    ///< the values that need neither the city nor further parsing
     bool json = false;
     bool cellsCsv = false;
     int pictureWidth = noonmark::pictureWidth;  ///< of shadow.png, pixels

@@ -251,9 +251,8 @@ void addSettings(CLI::App& command, ReviewRunOptions& options) {
     command.add_flag(
         "--bom", options.byteOrderMark,
         "review.csv or windows.csv begins with a byte order mark, by which Excel recognises UTF-8");
-    command.add_flag("--with-project", options.withProject,
-                     "Of places: also put a copy of the project into the folder, so that `verify` finds it");
     addOverwriteOption(command, options.overwrite);
+    addProjectCopyOption(command, options.withProject);
     command.add_flag("--estimate", options.estimate,
                      "Only state how long the review will take, and write nothing");
     addJsonFlag(command, options.json);

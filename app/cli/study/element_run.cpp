@@ -32,6 +32,7 @@ void addSource(ElementStudy& study, const StudyRequest& request) {
 struct Measured {
     ElementStudy study;
     BookSettings book;
+    std::shared_ptr<const ProjectFile> project;
 };
 
 // The file of windows is described before the computation, so that its hash is that of what was read.
@@ -59,7 +60,7 @@ tl::expected<Measured, Failure> measureElements(const StudyOptions& options, con
             Failure{study.error(), study.error().kind == ErrorKind::input ? exitUsage : exitFailed});
     study->glazingInput = windows;
     addSource(*study, *request);
-    return Measured{*std::move(study), *std::move(book)};
+    return Measured{*std::move(study), *std::move(book), request->project};
 }
 
 std::string errorText(const ElementStudy& study) {
@@ -98,6 +99,8 @@ int runElements(const StudyOptions& options, const SheetOptions& layout, const C
     const auto files = writeElementFiles(study, measured->book, options.out,
                                          outputRulesOf(options, study.provenance.inputs));
     if (!files) return fail(console, files.error(), exitFailed);
+    if (const auto copied = copyProjectOf(measured->project, options); !copied)
+        return fail(console, copied.error(), exitFailed);
     if (!options.json)
         printElements(study, *files, console.out);
     else if (std::ifstream file(std::filesystem::path(options.out) / "study.json"); file)

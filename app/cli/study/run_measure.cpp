@@ -5,6 +5,7 @@
 #include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/open_project.h"
 #include "app/cli/base/progress_line.h"
+#include "app/questions/review_question.h"
 #include "scenarios/project/results/save_result.h"
 
 namespace noonmark::cli {
@@ -42,6 +43,8 @@ Result<Asked> ask(const MeasureOptions& options, const SheetOptions& sheets, con
     const auto may = checkOutputs(options.out, measure.fileNames(asked->provenance, sheets.wanted),
                                   outputRulesOf(options, disk.project()));
     if (!may) return tl::make_unexpected(may.error());
+    if (options.withProject)
+        if (const auto free = checkCopy(disk, options.out); !free) return tl::make_unexpected(free.error());
     return asked;
 }
 
@@ -52,8 +55,9 @@ Result<SharedAnswer> compute(const Question& question, const Asked& asked, const
 }
 
 Result<void> writeFiles(const Answer& answer, const City& city, const MeasureOptions& options,
-                        const SheetOptions& sheets, const Measure& measure, const Project& project) {
+                        const SheetOptions& sheets, const Measure& measure, const ProjectFile& disk) {
     const OffscreenQt qt;
+    const Project& project = disk.project();
     const auto book = bookSettingsOf(sheets, project.sheets);
     if (!book) return tl::make_unexpected(book.error());
     const AnswerFiles how{.scale = measure.scale ? measure.scale(project) : ChangeScale(),
@@ -62,7 +66,9 @@ Result<void> writeFiles(const Answer& answer, const City& city, const MeasureOpt
                           .sheets = sheets.wanted,
                           .book = *book,
                           .rules = outputRulesOf(options, project)};
-    return answer.write(city, options.out, how).map([](const auto&) {});
+    return answer.write(city, options.out, how).and_then([&](const auto&) -> Result<void> {
+        return options.withProject ? copyProject(disk, options.out) : Result<void>();
+    });
 }
 
 Result<void> save(const Answer& answer, const std::string& name, ProjectFile& disk) {
@@ -81,8 +87,7 @@ int runMeasure(const MeasureOptions& options, const SheetOptions& sheets, const 
     if (!asked) return fail(console, asked.error(), exitUsage);
     const auto answer = compute(measure.question, *asked, console);
     if (!answer) return fail(console, answer.error(), exitUsage);
-    const auto written =
-        writeFiles(**answer, asked->loaded.read.city, options, sheets, measure, disk->project());
+    const auto written = writeFiles(**answer, asked->loaded.read.city, options, sheets, measure, *disk);
     if (!written) return fail(console, written.error(), exitFailed);
     if (!options.keep.empty())
         if (const auto saved = save(**answer, options.keep, *disk); !saved)

@@ -9,6 +9,7 @@
 #include "app/input/load_photograph.h"
 #include "app/input/load_places.h"
 #include "app/input/load_project.h"
+#include "app/questions/review_question.h"
 #include "app/report/files/output_folder.h"
 #include "core/base/stopwatch.h"
 #include "core/io/elements/read_point_file.h"
@@ -79,6 +80,9 @@ Result<StudyRequest> requestOfFiles(const StudyOptions& options, Progress& progr
     if (!options.scenario.empty())
         return failure("Only a project has scenarios", "--scenario " + options.scenario,
                        "Give one project file, NAME.noonmark.gpkg");
+    if (options.withProject)
+        return failure("There is no project to put beside the files", "--with-project",
+                       "Give one project file, NAME.noonmark.gpkg");
     StudySettings settings = options.settings;
     const auto period = periodOfFiles(options);
     if (!period) return tl::make_unexpected(period.error());
@@ -100,6 +104,8 @@ Result<StudyRequest> requestOfProject(const StudyOptions& options, Progress& pro
     const Stopwatch watch;
     auto disk = ProjectFile::open(file);
     if (!disk) return tl::make_unexpected(disk.error());
+    if (options.withProject)
+        if (const auto may = checkCopy(*disk, options.out); !may) return tl::make_unexpected(may.error());
     Warnings photographs;
     const Project project = withPhotographAtHand(disk->project(), photographs, progress, stop);
     const std::string scenario = options.scenario.empty() ? existingCity : options.scenario;
@@ -167,6 +173,10 @@ tl::expected<StudyRequest, Failure> parseStudyRequest(const StudyOptions& option
     if (auto folder = orCode(prepareFolder(options.out), exitFailed); !folder)
         return tl::make_unexpected(folder.error());
     return request;
+}
+
+Result<void> copyProjectOf(const std::shared_ptr<const ProjectFile>& project, const StudyOptions& options) {
+    return options.withProject && project ? copyProject(*project, options.out) : Result<void>();
 }
 
 Provenance provenanceOf(const StudyRequest& request) {

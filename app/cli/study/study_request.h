@@ -40,6 +40,9 @@ Provenance provenanceOf(const StudyRequest& request);
 /// Units and title block of its project; those of none where it has no project.
 SheetSettings sheetsOf(const StudyRequest& request);
 
+/// Puts a request's project beside the files where --with-project asks for it. Error: copyProject()'s.
+Result<void> copyProjectOf(const std::shared_ptr<const ProjectFile>& project, const StudyOptions& options);
+
 /// Adds the time and warnings of reading, and the provenance of the city.
 void addSource(Study& study, const StudyRequest& request);
 
