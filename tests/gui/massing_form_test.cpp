@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QDoubleSpinBox>
+#include <QPushButton>
 #include <QSpinBox>
+#include <QTableWidget>
 
 namespace noonmark {
 namespace {
@@ -20,6 +22,24 @@ TEST(MassingForm, ATypedHeightIsKeptWhenNoNumberOfStoreysFitsIt) {
     form.findChild<QSpinBox*>(QStringLiteral("storeys"))->setValue(44);
     EXPECT_EQ(form.settings().storeys, 44);
     EXPECT_EQ(form.settings().heightM, 0);
+}
+
+TEST(MassingForm, TakesFurtherTowers) {
+    MassingForm form;
+    form.show({.storeyHeightM = 3.5, .storeys = 12});
+    EXPECT_FALSE(form.findChild<QWidget*>(QStringLiteral("towerGap"))->isEnabled());
+    form.findChild<QPushButton*>(QStringLiteral("addTower"))->click();
+    ASSERT_EQ(form.settings().further.size(), 1U);
+    EXPECT_EQ(form.settings().further[0].storeys, 12) << "as the first";
+    auto* table = form.findChild<QTableWidget*>(QStringLiteral("furtherTowers"));
+    static_cast<QSpinBox*>(table->cellWidget(0, 0))->setValue(7);
+    EXPECT_EQ(form.settings().further[0].storeys, 7);
+    auto* gap = form.findChild<QDoubleSpinBox*>(QStringLiteral("towerGap"));
+    EXPECT_TRUE(gap->isEnabled());
+    gap->setValue(20);
+    EXPECT_EQ(form.settings().gapM, 20);
+    form.findChild<QPushButton*>(QStringLiteral("removeTower"))->click();
+    EXPECT_TRUE(form.settings().further.empty());
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "app/gui/base/widgets/length_field.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/translated.h"
+#include "app/gui/tools/massing/further_table.h"
 #include "app/gui/tools/massing/plate_field.h"
 #include "app/gui/tools/massing/setback_table.h"
 #include "app/gui/tools/massing/use_table.h"
@@ -55,7 +56,9 @@ MassingForm::MassingForm(QWidget* parent)
       podiumPlate_(new PlateField),
       podiumWalls_(new WallField),
       setbacks_(new SetbackTable),
-      uses_(new UseTable) {
+      uses_(new UseTable),
+      further_(new FurtherTable),
+      gap_(lengthField(towerField("--gap").range->min, towerField("--gap").range->max, 1, 1)) {
     settings_.storeys = 10;
     makeFields();
     connectFields();
@@ -93,6 +96,12 @@ void MassingForm::makeFields() {
     column->addWidget(podium_);
     column->addWidget(setbacks_);
     column->addWidget(uses_);
+    gap_->setObjectName(QStringLiteral("towerGap"));
+    explain(*gap_, "--gap");
+    auto* apart = new QFormLayout;
+    apart->addRow(translated(towerField("--gap").label), gap_);
+    column->addWidget(further_);
+    column->addLayout(apart);
     setGround(0);
 }
 
@@ -126,6 +135,9 @@ void MassingForm::connectFields() {
     for (WallField* field : {walls_, podiumWalls_})
         connect(field, &WallField::edited, this, &MassingForm::takeRest);
     connect(uses_, &UseTable::edited, this, &MassingForm::takeRest);
+    connect(further_, &FurtherTable::edited, this, &MassingForm::takeRest);
+    connect(further_, &FurtherTable::addRequested, this, &MassingForm::addTower);
+    connect(gap_, &QDoubleSpinBox::valueChanged, this, &MassingForm::takeRest);
     connect(podium_, &QGroupBox::toggled, this, &MassingForm::takeRest);
     connect(podiumStoreys_, &QSpinBox::valueChanged, this, &MassingForm::takeRest);
     connect(podiumPlate_, &PlateField::edited, this, &MassingForm::takeRest);
@@ -149,6 +161,17 @@ void MassingForm::takeRest() {
     settings_.walls = walls_->walls();
     settings_.setbacks = setbacks_->setbacks();
     settings_.uses = uses_->uses();
+    settings_.further = further_->towers();
+    settings_.gapM = gap_->value();
+    gap_->setEnabled(!settings_.further.empty());
+    Q_EMIT edited();
+}
+
+// As high as the first, on as large a plate as fits its piece of the lot.
+void MassingForm::addTower() {
+    settings_.further.push_back(
+        {.storeys = std::max(1, int(heightOf(settings_) / settings_.storeyHeightM + 1e-6)), .plate = {}});
+    show(settings_);
     Q_EMIT edited();
 }
 
@@ -222,6 +245,9 @@ void MassingForm::show(const MassingSettings& settings) {
     }
     setbacks_->show(settings.setbacks);
     uses_->show(settings.uses);
+    further_->show(settings.further);
+    gap_->setValue(settings.gapM);
+    gap_->setEnabled(!settings.further.empty());
     showing_ = false;
 }
 

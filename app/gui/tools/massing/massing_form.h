@@ -12,6 +12,7 @@ class QSpinBox;
 
 namespace noonmark {
 
+class FurtherTable;
 class LengthField;
 class PlateField;
 class SetbackTable;
@@ -41,6 +42,7 @@ private:
     void takeHeight();
     void takeRest();
     void addSetback();
+    void addTower();
     [[nodiscard]] QWidget* fieldOf(const NearestFit& fit) const;
 
     MassingSettings settings_;
@@ -57,6 +59,8 @@ private:
     WallField* podiumWalls_;
     SetbackTable* setbacks_;
     UseTable* uses_;
+    FurtherTable* further_;
+    LengthField* gap_;
     QPointer<QWidget> wrong_;  ///< the marked field
     bool showing_ = false;
 };

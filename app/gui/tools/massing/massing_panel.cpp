@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,9 @@ MassingPanel::MassingPanel(QWidget* parent)
     connect(target, &TargetRow::fitRequested, this, &MassingPanel::fitRequested);
     connect(form_, &MassingForm::edited, this, &MassingPanel::edited);
     connect(name_, &QLineEdit::textEdited, this, &MassingPanel::edited);
+    // No field is cut, and none needs to be scrolled to sideways.
+    scroll->setMinimumWidth(scrolled->minimumSizeHint().width() +
+                            scroll->verticalScrollBar()->sizeHint().width());
     setLots({});
     showNone();
 }

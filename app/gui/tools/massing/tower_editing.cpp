@@ -120,14 +120,12 @@ void TowerEditing::show() {
     edits_ = tower->edits;
     const City& city = context_.city->city();
     const auto& built = context_.preview.changes().added.back();
-    const glm::dvec2 foot = findMiddle(tower->massing.tiers.back());
+    const glm::dvec2 foot = findMiddle(tower->massing.tiers[tower->massing.firstTiers - 1]);
     const double ground = double(findGroundUnder(*built, city));
     const double elevation = computeElevation(city, {foot.x, foot.y, ground});
     panel_.showFigures(tower->massing, context_.preview.changes().removed.size(), elevation);
-    context_.handle.stand({{foot.x, foot.y, ground},
-                           tower->massing.figures.heightM,
-                           draft_->settings.storeyHeightM,
-                           elevation});
+    context_.handle.stand(
+        {{foot.x, foot.y, ground}, heightOf(draft_->settings), draft_->settings.storeyHeightM, elevation});
     context_.handle.tell(describeFigures(tower->massing.figures, elevation));
 }
 
