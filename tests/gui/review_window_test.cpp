@@ -65,9 +65,27 @@ TEST_F(ReviewWindow, TheEmptyDockSaysWhatToDoNext) {
     showDock();
     EXPECT_TRUE(state().contains(QStringLiteral("no places yet"))) << state().toStdString();
     addPlaces();
-    EXPECT_TRUE(state().contains(QStringLiteral("Design a tower"))) << state().toStdString();
+    EXPECT_TRUE(state().contains(QStringLiteral("as the city stands"))) << state().toStdString();
     build();
     EXPECT_TRUE(state().contains(QStringLiteral("Press Run review"))) << state().toStdString();
+}
+
+// The far park has sun all day: it passes a rule about the sun that is left; nothing is compared.
+TEST_F(ReviewWindow, TheExistingCityIsReviewedAsItStands) {
+    showDock();
+    addPlaces();
+    choose("bre-209-amenity");
+    run();
+    const auto shown = review().shown();
+    ASSERT_TRUE(shown) << message().toStdString();
+    EXPECT_EQ(shown->question.from, shown->question.to);
+    ASSERT_EQ(shown->study.places.size(), 2U);
+    EXPECT_EQ(shown->study.places[1].verdict, Verdict::pass);
+    EXPECT_EQ(shown->study.places[0].totals.incrementalM2h, 0);
+    EXPECT_TRUE(state().contains(QStringLiteral("as it stands"))) << state().toStdString();
+    review().screen();
+    EXPECT_TRUE(message().contains(QStringLiteral("Baseline and scenario are the same")));
+    EXPECT_TRUE(review().choice().allPlaces) << "no place is unticked";
 }
 
 TEST_F(ReviewWindow, VerdictsAndNumbersAreThoseOfTheReview) {

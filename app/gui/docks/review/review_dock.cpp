@@ -326,16 +326,23 @@ void ReviewDock::showState() {
         const auto question = review_.question();
         if (review_.following().busy())
             return state_->setText(tr("Computing the verdicts of the building being designed..."));
-        state_->setText(question ? tr("Press Run review to evaluate the rule on the ticked places.")
-                                 : describeError(question.error()));
-        return;
+        if (!question) return state_->setText(describeError(question.error()));
+        return state_->setText(
+            question->from == question->to
+                ? tr("Press Run review to see which places fail as the city stands, or design a tower.")
+                : tr("Press Run review to evaluate the rule on the ticked places."));
     }
     const ReviewStudy& study = answer_->study;
     QString text =
-        tr("<b>%1</b>: %2 compared with %3. %4")
-            .arg(QString::fromStdString(study.rule.name).toHtmlEscaped(),
-                 QString::fromStdString(answer_->question.to).toHtmlEscaped(),
-                 QString::fromStdString(answer_->question.from).toHtmlEscaped(), describeVerdicts(study));
+        answer_->question.from == answer_->question.to
+            ? tr("<b>%1</b>: %2 as it stands. %3")
+                  .arg(QString::fromStdString(study.rule.name).toHtmlEscaped(),
+                       QString::fromStdString(answer_->question.to).toHtmlEscaped(), describeVerdicts(study))
+            : tr("<b>%1</b>: %2 compared with %3. %4")
+                  .arg(QString::fromStdString(study.rule.name).toHtmlEscaped(),
+                       QString::fromStdString(answer_->question.to).toHtmlEscaped(),
+                       QString::fromStdString(answer_->question.from).toHtmlEscaped(),
+                       describeVerdicts(study));
     if (review_.isLive()) text += tr("<br><i>Follows the building being designed.</i>");
     if (const QString why = review_.whyOutdated(); !why.isEmpty())
         text += QStringLiteral("<br><span style=\"color:%1\">%2</span>")

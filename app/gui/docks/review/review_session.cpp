@@ -22,6 +22,12 @@ RuleLibrary loadLibrary() {
     return RuleLibrary::load().value_or(RuleLibrary{});
 }
 
+Error proposesNothing(const std::string& scenario) {
+    return {"Baseline and scenario are the same: " + scenario,
+            {},
+            "Design a tower, or choose a scenario with a proposal"};
+}
+
 }  // namespace
 
 ReviewSession::ReviewSession(Workbench& workbench, QObject* parent) : QObject(parent), workbench_(workbench) {
@@ -100,9 +106,7 @@ Result<ReviewedCities> ReviewSession::comparedCities(const std::string& to) cons
     if (!before) return tl::make_unexpected(before.error());
     const auto after = workbench_.session().cityOf(to);
     if (!after) return tl::make_unexpected(after.error());
-    if (*before == *after)
-        return failure("Baseline and scenario are the same: " + to, {},
-                       "Design a tower, or choose a scenario with a proposal");
+    if (*before == *after && to != choice_.from) return tl::make_unexpected(proposesNothing(to));
     return ReviewedCities{choice_.from, to, *before, *after};
 }
 
@@ -183,6 +187,7 @@ void ReviewSession::screen() {
         std::swap(all, choice_);
     }
     if (!question) return tell(question.error());
+    if (question->before == question->after) return tell(proposesNothing(question->to));
     question->places = candidates();
     running_.start<std::vector<ScreenedPlace>>(
         tr("Screening"),

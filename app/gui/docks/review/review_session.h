@@ -43,6 +43,8 @@ public:
     /// What the files of a review are made from.
     [[nodiscard]] ReviewSource source() const;
     /// The cities of baseline and scenario. Error: they are the same, or no longer exist.
+    /// Baseline and scenario; the same twice for an inventory. Error: a scenario that changes
+    /// nothing.
     [[nodiscard]] Result<ReviewedCities> comparedCities() const { return comparedCities(scenarioName()); }
     [[nodiscard]] Result<ReviewedCities> comparedCities(const std::string& to) const;
     /// The scenarios whose buildings differ from the baseline's.

@@ -62,6 +62,9 @@ Result<GlazingQuestion> GlazingSession::questionOf(const Result<ReviewedCities>&
         return failure("No file of windows is chosen", {},
                        "Choose a file of points or polygons with heights, or take the facades");
     if (!cities) return tl::make_unexpected(cities.error());
+    if (cities->before == cities->after)
+        return failure("A review of windows compares two scenarios, and both are " + cities->to, {},
+                       "Design a tower, or choose a scenario with a proposal");
     auto windows = findElementParts(choice.windows, workbench_.session().project(), *cities->after);
     if (!windows) return tl::make_unexpected(windows.error());
     const StudySettings& study = workbench_.document().settings();
