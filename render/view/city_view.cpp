@@ -178,10 +178,8 @@ void CityView::setSides(const ViewSides& sides) {
 }
 
 void CityView::applySides() {
-    const QSize pixels(int(std::lround(width() * devicePixelRatio())),
-                       int(std::lround(height() * devicePixelRatio())));
-    frames_->setSides(sides_, pixels);
-    divider_.show(sides_, width());
+    frames_->setSides(sides_, (drawnSize() * drawnRatio()).toSize());
+    divider_.show(sides_, int(std::lround(drawnSize().width())));
 }
 
 double CityView::sideOffset(QPointF position) const {
@@ -234,9 +232,18 @@ void CityView::showEdges() {
     for (DrawnCity* city : {&displayed_, &other_}) city->showEdges();
 }
 
+// Device-independent pixels.
+QSizeF CityView::drawnSize() const {
+    return picture_ ? QSizeF(picture_->pixels) / picture_->ratio : QSizeF(width(), height());
+}
+
+double CityView::drawnRatio() const { return picture_ ? picture_->ratio : devicePixelRatio(); }
+
 ViewLens CityView::lens() const {
-    const int sideWidth = sides_.layout == SideLayout::beside ? width() / 2 : width();
-    return {viewDeg, double(std::max(1, sideWidth)), double(std::max(1, height()))};
+    const QSizeF size = drawnSize();
+    const double sideWidth =
+        sides_.layout == SideLayout::beside ? std::floor(size.width() / 2) : size.width();
+    return {viewDeg, std::max(1.0, sideWidth), std::max(1.0, size.height())};
 }
 
 void CityView::applyCamera() {
@@ -287,8 +294,8 @@ ViewBounds CityView::drawnBounds() const {
 }
 
 void CityView::trace(const ClipRange& clip) {
-    const ViewLens view = inDevicePixels(lens(), devicePixelRatio());
-    const int windowPx = int(std::lround(width() * devicePixelRatio()));
+    const ViewLens view = inDevicePixels(lens(), drawnRatio());
+    const int windowPx = int(std::lround(drawnSize().width() * drawnRatio()));
     const bool beside = sides_.layout == SideLayout::beside;
     for (int side = 0; side < (sides_.layout == SideLayout::one ? 1 : 2); ++side) {
         const SideColumns columns = columnsOf(sides_, side, windowPx);
@@ -315,6 +322,15 @@ void CityView::exposeEvent(QExposeEvent* event) {
     displayed_.redraw();
 }
 
+void CityView::setPicture(const std::optional<PictureSize>& picture) {
+    if (picture == picture_) return;
+    picture_ = picture;
+    frames_->drawInto(picture ? std::optional(picture->pixels) : std::nullopt);
+    applySides();
+    cameraMoved_ = true;
+    if (!picture) displayed_.redraw();
+}
+
 void CityView::capture(std::function<void(QImage)> done) {
     showEdges();
     restCamera();
@@ -327,7 +343,7 @@ void CityView::capture(std::function<void(QImage)> done) {
 // A frame that is left out, as where another window covers the view at that moment, takes its request with
 // it: it is made again until a picture comes.
 void CityView::requestPicture(std::function<void(QImage)> done) {
-    constexpr int patienceMs = 1500;
+    constexpr int patienceMs = 1500, patienceForLargeMs = 20'000;
     using Reply = Qt3DRender::QRenderCaptureReply;
     Reply* reply = frames_->capture()->requestCapture();
     auto* late = new QTimer(reply);
@@ -344,7 +360,7 @@ void CityView::requestPicture(std::function<void(QImage)> done) {
         displayed_.redraw();
         requestPicture(done);
     });
-    late->start(patienceMs);
+    late->start(picture_ ? patienceForLargeMs : patienceMs);
 }
 
 }  // namespace noonmark

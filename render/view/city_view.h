@@ -29,6 +29,14 @@ namespace noonmark {
 
 class FrameGraph;
 
+/// A picture that is not the window's.
+struct PictureSize {
+    QSize pixels;
+    double ratio =
+        1;  ///< pixels that a device-independent one takes: lines and texts are so many times larger
+    bool operator==(const PictureSize&) const = default;
+};
+
 /// The city on the screen: buildings, ground and lines over it. Draws only after a change. Embed it with
 /// QWidget::createWindowContainer. Requires the OpenGL renderer of Qt3D: set QT3D_RENDERER=opengl before
 /// creating the application.
@@ -113,6 +121,9 @@ public:
 
     /// Captures the next frame in device pixels; calls back in this thread.
     void capture(std::function<void(QImage)> done);
+    /// What capture() takes until this is called again: a picture of any size, whatever the window's, which
+    /// keeps what it shows; empty: the window's.
+    void setPicture(const std::optional<PictureSize>& picture);
 
 Q_SIGNALS:
     void poseChanged();  ///< also emitted when the size of the view or the layout of its sides changes
@@ -124,6 +135,8 @@ protected:
     void exposeEvent(QExposeEvent* event) override;
 
 private:
+    [[nodiscard]] QSizeF drawnSize() const;
+    [[nodiscard]] double drawnRatio() const;
     void requestPicture(std::function<void(QImage)> done);
     void makeLayers();
     void followFrames();
@@ -161,6 +174,7 @@ private:
     std::optional<SectionBox> section_;
     std::unique_ptr<SectionMarks> sectionMarks_;
     std::unique_ptr<FrameGraph> frames_;
+    std::optional<PictureSize> picture_;  ///< drawn instead of the window
 };
 
 }  // namespace noonmark

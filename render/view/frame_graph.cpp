@@ -1,5 +1,7 @@
 #include "render/view/frame_graph.h"
 
+#include <QOffscreenSurface>
+#include <QWindow>
 #include <Qt3DRender/QCamera>
 #include <Qt3DRender/QCameraSelector>
 #include <Qt3DRender/QClearBuffers>
@@ -15,9 +17,13 @@
 #include <Qt3DRender/QRenderPassFilter>
 #include <Qt3DRender/QRenderStateSet>
 #include <Qt3DRender/QRenderSurfaceSelector>
+#include <Qt3DRender/QRenderTarget>
+#include <Qt3DRender/QRenderTargetOutput>
+#include <Qt3DRender/QRenderTargetSelector>
 #include <Qt3DRender/QScissorTest>
 #include <Qt3DRender/QSubtreeEnabler>
 #include <Qt3DRender/QTechniqueFilter>
+#include <Qt3DRender/QTexture>
 #include <Qt3DRender/QViewport>
 
 #include "render/scene/qt_vectors.h"
@@ -91,16 +97,38 @@ void setScissors(Qt3DRender::QRenderStateSet& states, bool wanted, const SideCol
     states.addRenderState(scissors);
 }
 
-Qt3DRender::QFrameGraphNode* makeRoot(QObject* surface) {
-    auto* root = new Qt3DRender::QRenderSurfaceSelector;
-    root->setSurface(surface);
-    return root;
+Qt3DRender::QRenderSurfaceSelector* makeSurface(QWindow* window) {
+    auto* selector = new Qt3DRender::QRenderSurfaceSelector;
+    selector->setSurface(window);
+    return selector;
+}
+
+void addOutput(Qt3DRender::QRenderTarget& target, Qt3DRender::QRenderTargetOutput::AttachmentPoint point,
+               Qt3DRender::QAbstractTexture::TextureFormat format, QSize size) {
+    auto* output = new Qt3DRender::QRenderTargetOutput(&target);
+    auto* texture = new Qt3DRender::QTexture2D(output);
+    texture->setFormat(format);
+    texture->setSize(size.width(), size.height());
+    output->setAttachmentPoint(point);
+    output->setTexture(texture);
+    target.addOutput(output);
+}
+
+Qt3DRender::QRenderTarget* makePicture(QSize size, Qt3DCore::QNode* parent) {
+    auto* target = new Qt3DRender::QRenderTarget(parent);
+    addOutput(*target, Qt3DRender::QRenderTargetOutput::Color0, Qt3DRender::QAbstractTexture::RGBA8_UNorm,
+              size);
+    addOutput(*target, Qt3DRender::QRenderTargetOutput::DepthStencil, Qt3DRender::QAbstractTexture::D24S8,
+              size);
+    return target;
 }
 
 }  // namespace
 
-FrameGraph::FrameGraph(QObject* surface, Qt3DRender::QCamera* camera, const ViewLayers& layers)
-    : root_(makeRoot(surface)),
+FrameGraph::FrameGraph(QWindow* surface, Qt3DRender::QCamera* camera, const ViewLayers& layers)
+    : window_(surface),
+      surface_(makeSurface(surface)),
+      root_(new Qt3DRender::QRenderTargetSelector(surface_)),
       layers_(layers),
       sectionLow_(new Qt3DRender::QParameter(QStringLiteral("sectionLow"), toVector(everything.lowM), root_)),
       sectionHigh_(
@@ -109,6 +137,25 @@ FrameGraph::FrameGraph(QObject* surface, Qt3DRender::QCamera* camera, const View
     sides_ = {makeSide(camera, layers.sides[1]), makeSide(camera, layers.sides[0])};
     makeCapture();
     setSides({}, {});
+}
+
+FrameGraph::~FrameGraph() = default;
+
+Qt3DRender::QFrameGraphNode* FrameGraph::root() const { return surface_; }
+
+void FrameGraph::drawInto(const std::optional<QSize>& picture) {
+    Qt3DRender::QRenderTarget* const before = picture_;
+    picture_ = picture ? makePicture(*picture, root_) : nullptr;
+    if (picture && !offscreen_) {
+        offscreen_ = std::make_unique<QOffscreenSurface>();
+        offscreen_->setFormat(window_->format());
+        offscreen_->create();
+    }
+    root_->setTarget(picture_);
+    surface_->setExternalRenderTargetSize(picture.value_or(QSize()));
+    surface_->setSurface(picture ? static_cast<QObject*>(offscreen_.get()) : window_);
+    surface_->setSurfacePixelRatio(picture ? 1.0F : float(window_->devicePixelRatio()));
+    delete before;
 }
 
 void FrameGraph::clearAll() {

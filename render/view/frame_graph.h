@@ -4,10 +4,14 @@
 #include <QSize>
 #include <Qt3DRender/QFrameGraphNode>
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "render/view/section_box.h"
 #include "render/view/view_sides.h"
+
+class QOffscreenSurface;
+class QWindow;
 
 namespace Qt3DRender {
 class QCamera;
@@ -15,6 +19,9 @@ class QLayer;
 class QParameter;
 class QRenderCapture;
 class QRenderStateSet;
+class QRenderSurfaceSelector;
+class QRenderTarget;
+class QRenderTargetSelector;
 class QSubtreeEnabler;
 class QViewport;
 }  // namespace Qt3DRender
@@ -36,15 +43,19 @@ struct ViewLayers {
 class FrameGraph {
 public:
     /// `surface`: the window.
-    FrameGraph(QObject* surface, Qt3DRender::QCamera* camera, const ViewLayers& layers);
+    FrameGraph(QWindow* surface, Qt3DRender::QCamera* camera, const ViewLayers& layers);
+    ~FrameGraph();
 
-    [[nodiscard]] Qt3DRender::QFrameGraphNode* root() const { return root_; }
+    [[nodiscard]] Qt3DRender::QFrameGraphNode* root() const;
     /// Takes pictures of what is drawn.
     [[nodiscard]] Qt3DRender::QRenderCapture* capture() const { return capture_; }
     /// Draws only what lies inside the box; empty: everything.
     void showSection(const std::optional<SectionBox>& box);
     /// `size` of the view in device pixels.
     void setSides(const ViewSides& sides, QSize size);
+    /// Draws into a picture of this size, which capture() takes, while the window keeps what it shows; empty:
+    /// into the window.
+    void drawInto(const std::optional<QSize>& picture);
 
 private:
     struct Side {
@@ -59,7 +70,11 @@ private:
     Qt3DRender::QFrameGraphNode* passes(const char* pass, Qt3DRender::QFrameGraphNode* parent);
     void draw(bool overlay, bool blended, Qt3DRender::QFrameGraphNode* parent);
 
-    Qt3DRender::QFrameGraphNode* root_;
+    QWindow* window_;
+    std::unique_ptr<QOffscreenSurface> offscreen_;  // of pictures; made for the first
+    Qt3DRender::QRenderSurfaceSelector* surface_;
+    Qt3DRender::QRenderTargetSelector* root_;  // of all that is drawn
+    Qt3DRender::QRenderTarget* picture_ = nullptr;
     ViewLayers layers_;
     Qt3DRender::QParameter* sectionLow_;
     Qt3DRender::QParameter* sectionHigh_;

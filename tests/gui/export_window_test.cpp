@@ -15,11 +15,13 @@
 #include <QSpinBox>
 #include <QStandardItemModel>
 #include <QTableView>
+#include <atomic>
 
 #include "app/gui/docks/export/export_dialog.h"
 #include "app/gui/docks/export/movie_dialog.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/sheets/book_view.h"
+#include "app/gui/view/time/time_strip.h"
 #include "tests/gui/answers_window.h"
 
 namespace noonmark {
@@ -71,9 +73,30 @@ struct ExportWindow : AnswersWindow {
     std::string message() { return window->panel().messages().text().toStdString(); }
 };
 
-TEST_F(ExportWindow, WithoutAResultThereIsNothingToAskFor) {
-    EXPECT_EQ(openDialog<ExportDialog>("Ctrl+E"), nullptr);
-    EXPECT_THAT(message(), HasSubstr("no result to export"));
+TEST_F(ExportWindow, WithoutAResultThePictureOfTheViewIsOfferedInAnySize) {
+    auto* dialog = openDialog<ExportDialog>("Ctrl+E");
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_FALSE(choose(*dialog, ExportChoice::Subject::shown)) << "there is no result";
+    ASSERT_TRUE(choose(*dialog, ExportChoice::Subject::view));
+    fieldOf<QLineEdit>(*dialog, "exportFolder")->setText(out);
+    fieldOf<QSpinBox>(*dialog, "exportPixels")->setValue(2000);  // the window is 900 wide
+    fieldOf<QSpinBox>(*dialog, "exportHeight")->setValue(1100);
+    const auto written = [&](bool framed) {
+        QFile::remove(inFolder("view.png"));
+        fieldOf<QCheckBox>(*dialog, "exportFramed")->setChecked(framed);
+        fieldOf<QPushButton>(*dialog, "exportWrite")->click();
+        EXPECT_TRUE(waitFor([&] { return !QImage(inFolder("view.png")).isNull(); }));
+        return QImage(inFolder("view.png")).convertToFormat(QImage::Format_RGB32);
+    };
+    const QImage framed = written(true);
+    EXPECT_EQ(framed.size(), QSize(2000, 1100));
+    EXPECT_EQ(framed.pixelColor(3, 3), QColor(Qt::white)) << "the margin";
+    window->resize(760, 600);
+    const QImage bare = written(false);
+    EXPECT_EQ(bare.size(), QSize(2000, 1100));
+    EXPECT_NE(bare.pixelColor(3, 3), QColor(Qt::white)) << "the view";
+    window->resize(900, 640);
+    EXPECT_EQ(written(false), bare) << "whatever the size of the window";
 }
 
 TEST_F(ExportWindow, APictureIsAsWideAsAsked) {
@@ -137,6 +160,44 @@ TEST_F(ExportWindow, SheetsAreShownBeforeTheyAreFiledWithTheProjectBeside) {
     EXPECT_TRUE(dialog->isVisible()) << "for a look at the files, or another export";
 }
 
+TEST_F(ExportWindow, SheetsAreLaidOutAnewOnlyWhereSomethingElseIsPrinted) {
+    study();
+    std::atomic<int> layings = 0;
+    ExportChoice first;
+    first.sheets = true;
+    auto* dialog = new ExportDialog(
+        first, {},
+        {[this](const ExportChoice& choice) { return workbench().filesOf(choice); },
+         [&](const ExportChoice& choice) {
+             SheetsToMake sheets = workbench().sheetsOf(choice);
+             sheets.make = [&, make = sheets.make](Progress& progress, const std::stop_token& stop) {
+                 ++layings;
+                 return make(progress, stop);
+             };
+             return sheets;
+         },
+         [](const ExportChoice&) { return false; }},
+        session(), window.get());
+    const auto settle = [&] { return waitFor([&] { return !dialog->busy(); }); };
+    const std::vector<ExportDialog::Subject> subjects{
+        {ExportChoice::Subject::shown, QStringLiteral("Study")}};
+    dialog->offer(subjects);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(layings, 1);
+    dialog->offer(subjects);  // as after each change of Results
+    ASSERT_TRUE(settle());
+    fieldOf<QSpinBox>(*dialog, "exportPixels")->setValue(800);
+    fieldOf<QCheckBox>(*dialog, "exportCells")->setChecked(false);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(layings, 1) << "sheets have neither the picture nor the cells";
+    Project named = session().project();
+    named.sheets.titleBlock.client = "The town";
+    session().change(std::move(named), QStringLiteral("Title block"));
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(layings, 2);
+    delete dialog;
+}
+
 TEST_F(ExportWindow, FollowsWhatIsShown) {
     study();
     auto* dialog = openDialog<ExportDialog>("Ctrl+E");
@@ -167,6 +228,28 @@ TEST_F(ExportWindow, AMovieOfADayIsWritten) {
     EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("movie.txt"))));
 }
 
+TEST_F(ExportWindow, AMovieOfTheViewIsFilmedAndCanBeStopped) {
+    const QString file = folder.filePath(QStringLiteral("view.gif"));
+    MovieChoice choice;
+    choice.area = MovieChoice::Area::camera;
+    choice.everyMin = 240;
+    choice.format.size = {320, 240};
+    const TimeLook before = window->panel().time().look();
+    window->movies().writeTo(file, choice);
+    ASSERT_TRUE(waitFor([this] { return !window->movies().writing().busy(); }));
+    const QByteArray gif = contentOfFile(file);
+    EXPECT_TRUE(gif.startsWith("GIF89a")) << message();
+    EXPECT_THAT(gif.count(QByteArray::fromHex("21f904")), testing::AllOf(testing::Ge(2), testing::Le(4)));
+    EXPECT_EQ(window->panel().time().look(), before);
+    choice.everyMin = 1;
+    const QString stopped = folder.filePath(QStringLiteral("stopped.gif"));
+    window->movies().writeTo(stopped, choice);
+    window->movies().writing().cancel();
+    ASSERT_TRUE(waitFor([this] { return !window->movies().writing().busy(); }));
+    EXPECT_FALSE(QFile::exists(stopped));
+    EXPECT_EQ(window->panel().time().look(), before);
+}
+
 TEST_F(ExportWindow, AMovieSaysWhichTimesHaveNoFrame) {
     const QString file = folder.filePath(QStringLiteral("year.gif"));
     MovieChoice choice;
@@ -182,7 +265,7 @@ TEST_F(ExportWindow, AMovieSaysWhichTimesHaveNoFrame) {
 TEST_F(ExportWindow, ASwipeIsOfferedOnlyWithABaseline) {
     auto* alone = openDialog<MovieDialog>("Ctrl+Shift+E");
     ASSERT_NE(alone, nullptr);
-    EXPECT_EQ(fieldOf<QComboBox>(*alone, "movieKind")->count(), 2);
+    EXPECT_EQ(fieldOf<QComboBox>(*alone, "movieKind")->count(), 2) << "a period of one day";
     delete alone;
     session().goTo("Tower");
     session().compareWith(existingCity);

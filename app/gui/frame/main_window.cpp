@@ -100,7 +100,7 @@ MainWindow::MainWindow(QSettings& settings, std::shared_ptr<Workbench> workbench
       placeLinks_(workbench_, display_, *docks_.places, *panel_),
       results_(workbench_, mode_, display_, *panel_, *docks_.project, *this),
       copying_(results_, *docks_.results, *panel_),
-      movies_(workbench_, *panel_, *this),
+      movies_(workbench_, *panel_, time_, *this),
       study_(workbench_, mode_, display_, *panel_),
       region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
       places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),

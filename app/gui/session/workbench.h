@@ -141,8 +141,8 @@ public:
     /// Names of the files that exportShown() writes, and of those of them that the folder has already.
     /// region.geojson is always named, since whether it is written is known only then.
     [[nodiscard]] QStringList filesOf(const ExportChoice& choice);
-    /// What makes the sheets among those files; empty: there are none.
-    [[nodiscard]] MakeSheets sheetsOf(const ExportChoice& choice);
+    /// The sheets among those files.
+    [[nodiscard]] SheetsToMake sheetsOf(const ExportChoice& choice);
     [[nodiscard]] QStringList filesInTheWay(const std::filesystem::path& folder,
                                             const ExportChoice& choice = {});
     /// What an export of all scenarios states beside their studies, asked for when it begins.

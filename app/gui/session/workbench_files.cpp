@@ -9,6 +9,7 @@
 #include "app/report/files/contribution_files.h"
 #include "app/report/scenarios/scenario_book.h"
 #include "app/report/scenarios/scenario_files.h"
+#include "app/report/scenarios/scenario_text.h"
 #include "core/study/provenance/command_words.h"
 #include "scenarios/project/results/save_result.h"
 #include "scenarios/scenario_list.h"
@@ -20,6 +21,7 @@ namespace {
 
 using WrittenPaths = std::vector<std::filesystem::path>;
 constexpr std::size_t commandLetters = 120;
+constexpr const char* viewFileName = "view.png";
 
 }  // namespace
 
@@ -92,6 +94,8 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
         names = scenarioFileNames();
     else if (choice.subject == ExportChoice::Subject::place)
         names = contributionFileNames();
+    else if (choice.subject == ExportChoice::Subject::view)
+        names = {viewFileName};
     else if (choice.subject == ExportChoice::Subject::shown && answer())
         names = answer()->fileNames(choice);
     QStringList list;
@@ -99,24 +103,32 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
     return list;
 }
 
-MakeSheets Workbench::sheetsOf(const ExportChoice& choice) {
+SheetsToMake Workbench::sheetsOf(const ExportChoice& choice) {
     using Sheets = Result<std::shared_ptr<const Book>>;
-    if (choice.subject == ExportChoice::Subject::scenarios)
-        return [measured = std::make_shared<const ScenarioStudies>(scenariosToShow()),
-                book = bookOf(withProject(choice))](Progress&, const std::stop_token&) -> Sheets {
+    const AnswerFiles how = withProject(choice);
+    SheetsToMake sheets{
+        {{}, {}, AnswerOrigin(session_), how.scale, how.thresholdHours, bookOf(how), how.regions}, {}};
+    if (choice.subject == ExportChoice::Subject::scenarios) {
+        const auto measured = std::make_shared<const ScenarioStudies>(scenariosToShow());
+        sheets.from.scenarios = scenariosCsv(*measured);
+        sheets.make = [measured, book = bookOf(how)](Progress&, const std::stop_token&) -> Sheets {
             return keepWith(makeScenarioBook(*measured, book), measured);
         };
+        return sheets;
+    }
     ExportChoice other = choice;
     other.sheets = !other.sheets;
     const bool areFiled = choice.sheets || filesOf(choice) == filesOf(other);
     if (choice.subject != ExportChoice::Subject::shown || !answer() || !areFiled) return {};
-    return [answer = answer(), city = session_.city(), origin = AnswerOrigin(session_),
-            how = withProject(choice)](Progress& progress, const std::stop_token& stop) -> Sheets {
+    sheets.from.answer = answer();
+    sheets.make = [answer = answer(), city = session_.city(), origin = AnswerOrigin(session_), how](
+                      Progress& progress, const std::stop_token& stop) -> Sheets {
         AnswerFiles watched = how;
         watched.progress = &progress;
         watched.stop = stop;
         return origin.stated(answer)->layOut(city, watched);
     };
+    return sheets;
 }
 
 QStringList Workbench::filesInTheWay(const std::filesystem::path& folder, const ExportChoice& choice) {

@@ -96,7 +96,7 @@ ExportDialog::ExportDialog(const ExportChoice& first, const QString& folder, Sou
 
 QLayout* ExportDialog::makeFields() {
     subject_->setObjectName(QStringLiteral("exportSubject"));
-    auto* form = new QFormLayout;
+    auto* form = fields_ = new QFormLayout;
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->addRow(tr("What"), subject_);
     makePicture(*form);
@@ -130,7 +130,15 @@ void ExportDialog::makePicture(QFormLayout& form) {
     connect(width_, &QComboBox::currentIndexChanged, this, [this](int index) {
         if (offeredWidths[index].pixels > 0) pixels_->setValue(offeredWidths[index].pixels);
     });
-    form.addRow(tr("Picture"), makeRow({width_, pixels_}));
+    height_ = new QSpinBox;
+    height_->setObjectName(QStringLiteral("exportHeight"));
+    height_->setRange(ExportChoice::minHeight, ExportChoice::maxSide);
+    height_->setSuffix(tr(" pixels high"));
+    height_->setValue(first_.pictureHeight);
+    framed_ = makeCheck(tr("Title, legend and scale bar"), "exportFramed",
+                        tr("Around the view, within the size of the picture"), first_.framed);
+    form.addRow(tr("Picture"), makeRow({width_, pixels_, height_}));
+    form.addRow(QString(), framed_);
 }
 
 void ExportDialog::makeFolder(QFormLayout& form, const QString& folder) {
@@ -202,6 +210,8 @@ ExportChoice ExportDialog::choice() const {
     ExportChoice choice = first_;
     choice.subject = ExportChoice::Subject(subject_->currentData().toInt());
     choice.pictureWidth = pixels_->value();
+    choice.pictureHeight = height_->value();
+    choice.framed = framed_->isChecked();
     choice.cells = cells_->isChecked();
     choice.sheets = sheets_->isChecked();
     choice.book = shown_;
@@ -225,8 +235,13 @@ void ExportDialog::update() {
     sheets_->setEnabled(differs(&ExportChoice::sheets));
     const bool hasPicture = names.join(QLatin1Char(' ')).contains(QStringLiteral(".png"));
     for (QWidget* field : std::initializer_list<QWidget*>{width_, pixels_}) field->setEnabled(hasPicture);
+    const bool isView = now.subject == ExportChoice::Subject::view;
+    pixels_->setMaximum(isView ? ExportChoice::maxSide : maxPictureWidth);
+    height_->setVisible(isView);
+    fields_->setRowVisible(framed_, isView);
+    for (QCheckBox* box : {cells_, sheets_}) fields_->setRowVisible(box, !isView);
     form_->offerExtent(source_.isReview(now));
-    withProject_->setEnabled(session_.file().has_value());
+    withProject_->setEnabled(!isView && session_.file().has_value());
     write_->setEnabled(!folder_->text().trimmed().isEmpty());
     soon_.start();
 }
@@ -254,14 +269,18 @@ void ExportDialog::showProject() {
 }
 
 void ExportDialog::layOut() {
-    const MakeSheets make = source_.sheets(choice());
-    if (!make) {
+    SheetsToMake wanted = source_.sheets(choice());
+    if (!wanted.make) {
+        laidFrom_.reset();
         laying_.drop();
         return showSheets(nullptr);
     }
+    if (laidFrom_ == wanted.from) return;
+    laidFrom_ = std::move(wanted.from);
     using Sheets = std::shared_ptr<const Book>;
-    laying_.start<Sheets>(tr("Laying out the sheets"), make, [this](const Result<Sheets>& sheets) {
+    laying_.start<Sheets>(tr("Laying out the sheets"), wanted.make, [this](const Result<Sheets>& sheets) {
         if (sheets) return showSheets(*sheets);
+        laidFrom_.reset();
         showError(sheets.error());
     });
 }

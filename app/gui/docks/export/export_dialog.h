@@ -37,8 +37,7 @@ public:
     struct Source {
         /// The names of the files that a choice writes.
         std::function<QStringList(const ExportChoice&)> files;
-        /// What makes the sheets that a choice writes, on any thread; empty: it writes none.
-        std::function<MakeSheets(const ExportChoice&)> sheets;
+        std::function<SheetsToMake(const ExportChoice&)> sheets;  ///< that a choice writes
         /// Whether the sheets are those of a review of places, which may be many.
         std::function<bool(const ExportChoice&)> isReview;
     };
@@ -83,6 +82,9 @@ private:
     QComboBox* subject_;
     QComboBox* width_;
     QSpinBox* pixels_;
+    QSpinBox* height_;  // of the view
+    QCheckBox* framed_;
+    QFormLayout* fields_;
     QCheckBox* cells_;
     QCheckBox* sheets_;
     SheetForm* form_;
@@ -96,6 +98,7 @@ private:
     QPushButton* openFolder_;  // the one that was written last
     QString writtenTo_;
     QTimer soon_;
+    std::optional<PrintedFrom> laidFrom_;  // the sheets that are shown or being laid out
     JobSlot laying_;
 };
 

@@ -1,5 +1,7 @@
 #include "app/gui/docks/export/movie_actions.h"
 
+#include <QProgressDialog>
+
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/make_action.h"
@@ -11,38 +13,23 @@
 
 namespace noonmark {
 
-namespace {
-
-DrawnTimeChoice timesOf(const MovieChoice& choice, const std::string& zone) {
-    using Kind = MovieChoice::Kind;
-    const bool isYear = choice.kind == Kind::year;
-    DrawnTimeChoice when{.days = isYear ? listDaysOf(int(choice.date.year()))
-                                        : std::vector<std::string>{formatText(choice.date)},
-                         .zone = zone};
-    if (choice.kind == Kind::day)
-        when.everyMin = choice.everyMin;
-    else
-        when.times = {formatText(choice.at)};
-    return when;
-}
-
-}  // namespace
-
-MovieActions::MovieActions(Workbench& workbench, ViewPanel& panel, QWidget& window)
+MovieActions::MovieActions(Workbench& workbench, ViewPanel& panel, TimeDisplay& time, QWidget& window)
     : workbench_(workbench),
       panel_(panel),
       window_(window),
       export_(makeAction(this, tr("Export &movie..."), QKeySequence(tr("Ctrl+Shift+E")),
                          tr("The shadows of a day, of a year, or of the change by a scenario, as MP4 or "
                             "GIF"),
-                         "movie")) {
+                         "movie")),
+      film_(panel, time, this) {
     connect(export_, &QAction::triggered, this, &MovieActions::ask);
 }
 
 void MovieActions::ask() {
     if (!workbench_.city())
         return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
-    auto* dialog = new MovieDialog(firstChoice(), workbench_.comparing(), &window_);
+    auto* dialog = new MovieDialog(firstChoice(), workbench_.comparing(),
+                                   workbench_.document().settings().period.days, &window_);
     connect(dialog, &MovieDialog::chosen, this, [this](const MovieChoice& choice) {
         const QString file = askForMovie(&window_, workbench_.projectName());
         if (!file.isEmpty()) writeTo(file, choice);
@@ -66,12 +53,28 @@ MovieChoice MovieActions::firstChoice() const {
     return first;
 }
 
+DrawnTimeChoice MovieActions::timesOf(const MovieChoice& choice) const {
+    using Kind = MovieChoice::Kind;
+    const Period& period = workbench_.document().settings().period;
+    DrawnTimeChoice when{.zone = period.zone};
+    if (choice.kind == Kind::year) when.days = listDaysOf(int(choice.date.year()));
+    if (choice.kind == Kind::day || choice.kind == Kind::swipe) when.days = {formatText(choice.date)};
+    for (int day = 0; choice.kind == Kind::period && day < period.days; ++day)
+        when.days.push_back(
+            formatText(CivilDate(std::chrono::sys_days(period.start) + std::chrono::days(day))));
+    if (choice.kind == Kind::day)
+        when.everyMin = choice.everyMin;
+    else
+        when.times = {formatText(choice.at)};
+    return when;
+}
+
 Result<ShadowMovie> MovieActions::movieOf(const MovieChoice& choice) {
     ProjectSession& session = workbench_.session();
     const StudySettings& settings = workbench_.document().settings();
     ShadowMovie movie{.baseline = session.city(),
                       .places = session.project().places,
-                      .when = timesOf(choice, settings.period.zone),
+                      .when = timesOf(choice),
                       .title = choice.title,
                       .credit = session.project().attribution,
                       .swipe = choice.kind == MovieChoice::Kind::swipe,
@@ -87,6 +90,7 @@ Result<ShadowMovie> MovieActions::movieOf(const MovieChoice& choice) {
 }
 
 void MovieActions::writeTo(const QString& file, const MovieChoice& choice) {
+    if (choice.area == MovieChoice::Area::camera) return filmView(file, choice);
     auto movie = movieOf(choice);
     if (!movie) return panel_.messages().showError(movie.error());
     writing_.start<MovieFacts>(
@@ -94,10 +98,46 @@ void MovieActions::writeTo(const QString& file, const MovieChoice& choice) {
         [movie = *std::move(movie), file](Progress& progress, const std::stop_token& stop) {
             return writeShadowMovie(movie, file.toStdString(), progress, stop);
         },
+        [this, file](const Result<MovieFacts>& facts) { finish(facts, file); });
+}
+
+void MovieActions::filmView(const QString& file, const MovieChoice& choice) {
+    FilmedView film{.title = QString::fromStdString(choice.title),
+                    .format = choice.format,
+                    .outputs = workbench_.exportRules()};
+    auto times = listDrawnTimes(timesOf(choice), *workbench_.session().city(), film.warnings);
+    if (!times) return panel_.messages().showError(times.error());
+    film.times = *std::move(times);
+    film_.begin(film);
+    writing_.start<MovieFacts>(
+        tr("Movie"),
+        [this, film, file](Progress& progress, const std::stop_token& stop) {
+            const auto take = [this](std::size_t index, const std::stop_token& asked) {
+                return film_.takeFrame(index, asked);
+            };
+            return writeViewMovie(film, file.toStdString(), take, progress, stop);
+        },
         [this, file](const Result<MovieFacts>& facts) {
-            if (facts) return tellSaved(*facts, file);
-            if (!isCancelled(facts.error())) panel_.messages().showError(facts.error());
+            film_.end();
+            finish(facts, file);
         });
+    askToStop();
+}
+
+// The window is what is filmed: it can be stopped, not changed.
+void MovieActions::askToStop() {
+    auto* asking = new QProgressDialog(tr("Filming the view"), tr("Stop"), 0, 0, &window_);
+    asking->setAttribute(Qt::WA_DeleteOnClose);
+    asking->setWindowModality(Qt::WindowModal);
+    asking->setMinimumDuration(0);
+    connect(asking, &QProgressDialog::canceled, &writing_, &JobSlot::cancel);
+    connect(&writing_, &JobSlot::ended, asking, &QWidget::close);
+    asking->show();
+}
+
+void MovieActions::finish(const Result<MovieFacts>& facts, const QString& file) {
+    if (facts) return tellSaved(*facts, file);
+    if (!isCancelled(facts.error())) panel_.messages().showError(facts.error());
 }
 
 // Times without a frame are listed below the number of frames.

@@ -4,6 +4,7 @@
 
 #include "app/gui/base/jobs/job_slot.h"
 #include "app/gui/docks/export/movie_dialog.h"
+#include "app/gui/docks/export/view_film.h"
 #include "app/report/movie/shadow_movie.h"
 
 class QAction;
@@ -15,12 +16,12 @@ class ViewPanel;
 class Workbench;
 
 /// Writes the movies of `noonmark-cli project animate` of the displayed scenario, and of its difference from
-/// the baseline where one is chosen.
+/// the baseline where one is chosen; and movies of the view itself.
 class MovieActions final : public QObject {
     Q_OBJECT
 public:
     /// Dialogs belong to `window`. All must outlive this object.
-    MovieActions(Workbench& workbench, ViewPanel& panel, QWidget& window);
+    MovieActions(Workbench& workbench, ViewPanel& panel, TimeDisplay& time, QWidget& window);
 
     [[nodiscard]] QAction* action() const { return export_; }
     [[nodiscard]] JobSlot& writing() { return writing_; }
@@ -31,6 +32,10 @@ public:
 private:
     void ask();
     [[nodiscard]] MovieChoice firstChoice() const;
+    [[nodiscard]] DrawnTimeChoice timesOf(const MovieChoice& choice) const;
+    void filmView(const QString& file, const MovieChoice& choice);
+    void askToStop();
+    void finish(const Result<MovieFacts>& facts, const QString& file);
     [[nodiscard]] Result<ShadowMovie> movieOf(const MovieChoice& choice);
     void tellSaved(const MovieFacts& facts, const QString& file);
 
@@ -38,6 +43,7 @@ private:
     ViewPanel& panel_;
     QWidget& window_;
     QAction* export_;
+    ViewFilm film_;
     JobSlot writing_;
 };
 

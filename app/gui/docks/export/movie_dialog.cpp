@@ -5,6 +5,7 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSpinBox>
 #include <QTimeEdit>
 
@@ -35,23 +36,27 @@ QSpinBox* makeNumber(const char* name, int least, int most, int value, const QSt
 
 }  // namespace
 
-MovieDialog::MovieDialog(const MovieChoice& first, bool comparing, QWidget* parent) : QDialog(parent) {
+MovieDialog::MovieDialog(const MovieChoice& first, bool comparing, int days, QWidget* parent)
+    : QDialog(parent) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Export movie"));
     auto* form = new QFormLayout(this);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    makeTimes(*form, first, comparing);
+    makeTimes(*form, first, comparing, days);
     makePicture(*form, first);
     makeButtons(*form);
-    connect(kind_, &QComboBox::currentIndexChanged, this, &MovieDialog::update);
+    for (QComboBox* list : {kind_, area_})
+        connect(list, &QComboBox::currentIndexChanged, this, &MovieDialog::update);
     update();
     setMinimumWidth(440);
 }
 
-void MovieDialog::makeTimes(QFormLayout& form, const MovieChoice& first, bool comparing) {
+void MovieDialog::makeTimes(QFormLayout& form, const MovieChoice& first, bool comparing, int days) {
     kind_ = makeList("movieKind", tr("What changes from frame to frame"));
     kind_->addItem(tr("Shadows of one day"), int(MovieChoice::Kind::day));
     kind_->addItem(tr("Shadows at one time through the year"), int(MovieChoice::Kind::year));
+    if (days > 1)
+        kind_->addItem(tr("Shadows at one time through the period"), int(MovieChoice::Kind::period));
     if (comparing) kind_->addItem(tr("From baseline to scenario"), int(MovieChoice::Kind::swipe));
     date_ = new QDateEdit(dateOf(first.date));
     date_->setObjectName(QStringLiteral("movieDate"));
@@ -68,10 +73,12 @@ void MovieDialog::makeTimes(QFormLayout& form, const MovieChoice& first, bool co
 }
 
 void MovieDialog::makePicture(QFormLayout& form, const MovieChoice& first) {
-    area_ = makeList("movieArea", tr("The ground that all frames show, from above"));
+    area_ =
+        makeList("movieArea", tr("What all frames show: a map, or the view from where its camera stands"));
     area_->addItem(tr("What changes and what its shadows reach, or the places"));
     area_->addItem(tr("The region of the study"));
-    area_->addItem(tr("What the view shows"));
+    area_->addItem(tr("The ground that the view shows"));
+    area_->addItem(tr("The view in 3D, as it is shown"));
     area_->setCurrentIndex(int(first.area));
     size_ = makeList("movieSize", tr("Small pictures make small files, which matters for GIF"));
     for (const QSize& size : movieSizes)
@@ -104,6 +111,8 @@ MovieChoice MovieDialog::choice() const {
     MovieChoice choice;
     choice.kind = MovieChoice::Kind(kind_->currentData().toInt());
     choice.area = MovieChoice::Area(area_->currentIndex());
+    if (choice.kind == MovieChoice::Kind::swipe && choice.area == MovieChoice::Area::camera)
+        choice.area = MovieChoice::Area::view;
     choice.date = civilOf(date_->date());
     choice.at = std::chrono::minutes(at_->time().hour() * 60 + at_->time().minute());
     choice.everyMin = every_->value();
@@ -116,6 +125,8 @@ void MovieDialog::update() {
     const auto kind = MovieChoice::Kind(kind_->currentData().toInt());
     every_->setEnabled(kind == MovieChoice::Kind::day);
     at_->setEnabled(kind != MovieChoice::Kind::day);
+    date_->setEnabled(kind != MovieChoice::Kind::period);
+    area_->setEnabled(kind != MovieChoice::Kind::swipe);  // of the map: two cities in plan
     date_->setDisplayFormat(kind == MovieChoice::Kind::year ? QStringLiteral("yyyy") : dayOfYear());
 }
 

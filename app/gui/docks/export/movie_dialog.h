@@ -18,14 +18,16 @@ namespace noonmark {
 /// What a movie from the window shows.
 struct MovieChoice {
     enum class Kind {
-        day,    ///< one day, as long as the sun is up
-        year,   ///< every day of a year, at one time
-        swipe,  ///< at one moment, a line uncovers the scenario
+        day,     ///< one day, as long as the sun is up
+        year,    ///< every day of a year, at one time
+        period,  ///< every day of the study's period, at one time
+        swipe,   ///< at one moment, a line uncovers the scenario
     };
     enum class Area {
         automatic,  ///< see DrawingSettings::area
         region,     ///< of the study
         view,       ///< the ground that the view shows
+        camera,     ///< the view itself, in 3D, from where its camera stands
     };
     Kind kind = Kind::day;
     Area area = Area::automatic;
@@ -40,8 +42,8 @@ struct MovieChoice {
 class MovieDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// `first`: what the fields begin with. `comparing`: a swipe is offered, too.
-    MovieDialog(const MovieChoice& first, bool comparing, QWidget* parent);
+    /// `first`: what the fields begin with. `comparing`: a swipe is offered, too. `days`: of the period.
+    MovieDialog(const MovieChoice& first, bool comparing, int days, QWidget* parent);
 
     [[nodiscard]] MovieChoice choice() const;
 
@@ -49,7 +51,7 @@ Q_SIGNALS:
     void chosen(noonmark::MovieChoice choice);
 
 private:
-    void makeTimes(QFormLayout& form, const MovieChoice& first, bool comparing);
+    void makeTimes(QFormLayout& form, const MovieChoice& first, bool comparing, int days);
     void makePicture(QFormLayout& form, const MovieChoice& first);
     void makeButtons(QFormLayout& form);
     void update();

@@ -1,6 +1,7 @@
 #include "app/gui/frame/actions/result_actions.h"
 
 #include <QClipboard>
+#include <QDir>
 #include <QGuiApplication>
 
 #include "app/gui/base/files/file_dialogs.h"
@@ -22,6 +23,11 @@ namespace noonmark {
 namespace {
 
 QString text(const std::string& name) { return QString::fromStdString(name); }
+
+Result<void> save(const QImage& image, const QString& file) {
+    if (image.save(file)) return {};
+    return failure("The picture could not be written", file.toStdString(), "Choose another folder");
+}
 
 }  // namespace
 
@@ -54,9 +60,8 @@ void ResultActions::savePicture(const QString& file) {
     if (const auto may = checkOutput(file.toStdString(), OutputKind::picture, workbench_.exportRules()); !may)
         return panel_.messages().showError(may.error());
     takePicture([this, file](const QImage& image) {
-        if (image.save(file)) return panel_.messages().showNote(tr("Picture saved as %1").arg(file));
-        panel_.messages().showError(
-            {"The picture could not be written", file.toStdString(), "Choose another folder"});
+        if (const auto saved = save(image, file); !saved) return panel_.messages().showError(saved.error());
+        panel_.messages().showNote(tr("Picture saved as %1").arg(file));
     });
 }
 
@@ -67,8 +72,13 @@ void ResultActions::copyPicture() {
     });
 }
 
-// With what is shown and when as its title.
 void ResultActions::takePicture(std::function<void(const QImage&)> done) {
+    const auto [title, when] = pictureTitle();
+    panel_.takePicture(title, when, std::move(done));
+}
+
+// What is shown, and when.
+std::pair<QString, QString> ResultActions::pictureTitle() const {
     const ProjectSession& session = workbench_.session();
     QString title = tr("%1: %2").arg(workbench_.projectName(), text(session.scenario()));
     if (!session.baseline().empty()) title = tr("%1 compared with %2").arg(title, text(session.baseline()));
@@ -76,8 +86,7 @@ void ResultActions::takePicture(std::function<void(const QImage&)> done) {
                                ? workbench_.document().settings().period
                                : display_.settings().period;
     const TimeLook& look = panel_.time().look();
-    const QString when = look.span == LookSpan::moment ? describe(look) : describePeriod(period);
-    panel_.takePicture(title, when, std::move(done));
+    return {title, look.span == LookSpan::moment ? describe(look) : describePeriod(period)};
 }
 
 std::vector<ExportDialog::Subject> ResultActions::exportSubjects() const {
@@ -90,10 +99,11 @@ std::vector<ExportDialog::Subject> ResultActions::exportSubjects() const {
         subjects.push_back(
             {Subject::scenarios, tr("All %1 scenario(s) measured", "", pluralNumber(measured.size()))
                                      .arg(formatCount(measured.size()))});
+    if (workbench_.city()) subjects.push_back({Subject::view, tr("Picture of the view")});
     return subjects;
 }
 
-// Without anything to export there is nothing to ask for: the workbench refuses and says why.
+// Without a city there is nothing to ask for: the workbench refuses and says why.
 void ResultActions::askForExport() {
     const auto subjects = exportSubjects();
     if (subjects.empty()) return workbench_.exportShown({}, {});
@@ -139,8 +149,25 @@ void ResultActions::exportTo(const ExportChoice& chosen, const QString& folder) 
     const ExportChoice choice = drawn(chosen);
     last_ = choice;
     lastFolder_ = folder;
-    if (mayReplace(&window_, folder, workbench_.filesInTheWay(folder.toStdString(), choice)))
-        workbench_.exportShown(folder.toStdString(), choice);
+    if (!mayReplace(&window_, folder, workbench_.filesInTheWay(folder.toStdString(), choice))) return;
+    choice.subject == ExportChoice::Subject::view ? exportView(choice, folder)
+                                                  : workbench_.exportShown(folder.toStdString(), choice);
+}
+
+void ResultActions::exportView(const ExportChoice& choice, const QString& folder) {
+    const QString file = QDir(folder).filePath(workbench_.filesOf(choice).front());
+    if (const auto may = checkOutput(file.toStdString(), OutputKind::picture, workbench_.exportRules()); !may)
+        return dialog_->showError(may.error());
+    const auto [title, when] = pictureTitle();
+    panel_.takePicture({.frame = panel_.pictureFrame(title, when),
+                        .size = {choice.pictureWidth, choice.pictureHeight},
+                        .framed = choice.framed},
+                       [this, file, folder](const QImage& image) {
+                           QDir().mkpath(folder);
+                           const auto saved = save(image, file);
+                           if (!dialog_) return;
+                           saved ? dialog_->showWritten(folder) : dialog_->showError(saved.error());
+                       });
 }
 
 QString ResultActions::shownText() const {

@@ -33,7 +33,7 @@ public:
 
     void savePicture(const QString& file);  ///< format by the file extension, PNG by default
     void copyPicture();                     ///< to the clipboard
-    /// Opens the dialog of export. Without anything to export, the message bar says why.
+    /// Opens the dialog of export. Without a city, the message bar says why.
     void askForExport();
     void usePaper(const PageSetup& setup) {
         last_.book.setup = setup;
@@ -44,8 +44,10 @@ Q_SIGNALS:
 
 private:
     void takePicture(std::function<void(const QImage&)> done);
+    [[nodiscard]] std::pair<QString, QString> pictureTitle() const;
     void makeExportDialog();
     void exportTo(const ExportChoice& choice, const QString& folder);
+    void exportView(const ExportChoice& choice, const QString& folder);
     void saveInProject();
     void nameExport();
     [[nodiscard]] QString shownText() const;

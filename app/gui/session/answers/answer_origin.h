@@ -1,5 +1,8 @@
 #pragma once
 
+#include <tuple>
+#include <utility>
+
 #include "app/gui/session/project/project_session.h"
 #include "app/questions/answer.h"
 
@@ -20,6 +23,17 @@ public:
     [[nodiscard]] std::shared_ptr<const Study> stated(Study study, const std::string& scenario) const {
         study.provenance = of({scenario, {}, study.settings.region, {}});
         return std::make_shared<const Study>(std::move(study));
+    }
+
+    /// Whether both state the same of any answer, so far as no other program saves the file.
+    bool operator==(const AnswerOrigin& other) const {
+        const auto content = [](const Project& p) {
+            return std::tie(p.city, p.reading, p.attribution, p.regions, p.places, p.scenarios, p.weights);
+        };
+        const auto file = [](const std::optional<ProjectFile>& f) {
+            return f ? std::pair(f->path(), f->saves()) : std::pair(std::filesystem::path(), std::int64_t{0});
+        };
+        return content(project_) == content(other.project_) && file(file_) == file(other.file_);
     }
 
 private:

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "app/gui/session/answers/answer_origin.h"
 #include "app/questions/answer.h"
 
 namespace noonmark {
@@ -14,13 +15,32 @@ struct ExportChoice : AnswerFiles {
         shown,      ///< the answer displayed
         place,      ///< what the buildings take from the place of the dock Contributions
         scenarios,  ///< the studies of all scenarios that were measured, side by side
+        view,       ///< the picture of the view
     };
+    static constexpr int minHeight = 200, maxSide = 8192;  ///< of the view's picture, pixels
+    int pictureHeight = 1000;                              ///< of that; its width is pictureWidth
+    bool framed = true;                                    ///< with title, legend and scale bar
     Subject subject = Subject::shown;
     bool withProject = false;  ///< a copy of the project's file beside the files, for `verify`
 };
 
-/// Lays out the sheets of an export, on any thread. Null: there are none. Errors of Answer::layOut().
-using MakeSheets =
-    std::function<Result<std::shared_ptr<const Book>>(Progress& progress, const std::stop_token& stop)>;
+/// What sheets are printed from: equal ones give the same pages.
+struct PrintedFrom {
+    std::shared_ptr<const Answer> answer;  ///< null: all scenarios
+    std::string scenarios;                 ///< their figures
+    std::optional<AnswerOrigin> origin;
+    ChangeScale scale{};
+    std::optional<double> thresholdHours{};
+    BookSettings book{};
+    std::vector<Region> regions{};
+    bool operator==(const PrintedFrom&) const = default;
+};
+
+/// The sheets of an export.
+struct SheetsToMake {
+    PrintedFrom from{};
+    /// Lays them out, on any thread. Null: there are none. Errors of Answer::layOut().
+    std::function<Result<std::shared_ptr<const Book>>(Progress& progress, const std::stop_token& stop)> make;
+};
 
 }  // namespace noonmark

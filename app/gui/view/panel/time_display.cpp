@@ -212,6 +212,20 @@ void TimeDisplay::showSun() {
     rest_->start();
 }
 
+void TimeDisplay::showSunFrom(const glm::dvec3& towards, std::function<void()> then) {
+    rest_->stop();
+    const bool traced = panel_.view().isTraced();
+    panel_.view().showTracedSun(traced ? std::optional(glm::normalize(towards)) : std::nullopt);
+    if (!traced) lookFrom(SunView{glm::normalize(towards), seenSpace(), restingSize});
+    awaitShadow(then);
+}
+
+void TimeDisplay::awaitShadow(const std::function<void()>& then) {
+    constexpr int pauseMs = 5;
+    if (!shadow_.busy() && !otherShadow_.busy()) return then();
+    QTimer::singleShot(pauseMs, this, [this, then] { awaitShadow(then); });
+}
+
 void TimeDisplay::drawShadow() {
     if (showsMoment() && !panel_.time().playing() && sun_.towards.z > lowestSunZ)
         lookFrom(SunView{glm::normalize(sun_.towards), seenSpace(), restingSize});

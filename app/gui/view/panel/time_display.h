@@ -33,6 +33,10 @@ public:
     /// Shows sun and shadow of the present moment at the city, or of noon while it is night there. It lasts
     /// until another moment is chosen or exploration ends: then the whole period is shown.
     void showPresent();
+    /// Shows another sun than that of the strip, until showStripSun(); `then` is called when its shadows are
+    /// drawn. The strip must show a moment.
+    void showSunFrom(const glm::dvec3& towards, std::function<void()> then);
+    void showStripSun() { showSun(); }
     void offer();  ///< after another city, period or result is shown
     [[nodiscard]] bool showsMoment() const;
     /// "21 June 2026, 12:00. Sun 180° S, 72° high", and whether it stands for the night; empty: no moment is
@@ -63,6 +67,7 @@ private:
     void show();
     void showSun();
     void drawShadow();
+    void awaitShadow(const std::function<void()>& then);
     void lookFrom(const std::optional<SunView>& view);
     [[nodiscard]] LitSpace seenSpace() const;
     void turnSun(QPointF byPx);

@@ -26,6 +26,9 @@ namespace noonmark {
 namespace {
 
 constexpr double straightDownDeg = 89;
+constexpr int maxDrawnPx = 8192;         // a side of a picture; graphics cards of ten years ago draw that
+constexpr double nominalHeightPx = 800;  // of a window: its texts and lines are as large in pictures
+constexpr double frameWidthPx = 1100, minFrameScale = 0.5;
 
 bool isInPlace(const Place& place, glm::dvec2 point) {
     return std::ranges::any_of(place.polygons, [&](const Footprint& polygon) {
@@ -270,7 +273,7 @@ Region ViewPanel::visibleGround() const {
     return noonmark::visibleGround(view_->pose(), view_->lens(), view_->viewBounds());
 }
 
-void ViewPanel::takePicture(const QString& title, const QString& when, std::function<void(QImage)> done) {
+PictureFrame ViewPanel::pictureFrame(const QString& title, const QString& when) const {
     PictureFrame frame{.title = title,
                        .when = when,
                        .legend = legend_->legend(),
@@ -284,10 +287,35 @@ void ViewPanel::takePicture(const QString& title, const QString& when, std::func
     const CameraPose pose = view_->pose();
     frame.headingDeg = pose.headingDeg;
     frame.fromAbove = pose.pitchDeg >= straightDownDeg;
-    const double heightM = metresPerPixel(pose, view_->lens()) * view_->lens().heightPx;
-    view_->capture([frame, heightM, done = std::move(done)](const QImage& image) mutable {
+    return frame;
+}
+
+void ViewPanel::takePicture(const QString& title, const QString& when, std::function<void(QImage)> done) {
+    const double heightM = metresPerPixel(view_->pose(), view_->lens()) * view_->lens().heightPx;
+    view_->capture(
+        [frame = pictureFrame(title, when), heightM, done = std::move(done)](const QImage& image) mutable {
+            frame.pixelsPerM = image.height() / heightM;
+            done(viewPicture(image, frame));
+        });
+}
+
+void ViewPanel::takePicture(const Picture& picture, std::function<void(QImage)> done) {
+    const QSize size = picture.size;
+    const double scale = std::max(minFrameScale, size.width() / frameWidthPx);
+    const int around = picture.framed ? heightOfFrame(size.width(), picture.frame, scale) : 0;
+    const QSize drawn(size.width(), std::max(size.height() - around, size.height() / 4));
+    const bool twice = picture.smooth && std::max(drawn.width(), drawn.height()) * 2 <= maxDrawnPx;
+    const int finer = twice ? 2 : 1;
+    view_->setPicture(PictureSize{drawn * finer, drawn.height() * finer / nominalHeightPx});
+    const double heightM = metresPerPixel(view_->pose(), view_->lens()) * view_->lens().heightPx;
+    view_->capture([this, picture, drawn, scale, heightM, done = std::move(done)](QImage image) {
+        if (!picture.goesOn) endPictures();
+        image.reinterpretAsFormat(QImage::Format_RGBX8888);  // translucent lines left their mark in alpha
+        image = image.convertToFormat(QImage::Format_RGB888)
+                    .scaled(drawn, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        PictureFrame frame = picture.frame;
         frame.pixelsPerM = image.height() / heightM;
-        done(viewPicture(image, frame));
+        done(picture.framed ? viewPicture(image, frame, scale) : image);
     });
 }
 

@@ -18,6 +18,7 @@
 #include "app/gui/view/panel/polygon_drawing.h"
 #include "app/gui/view/panel/result_layer.h"
 #include "app/gui/view/panel/section_tool.h"
+#include "app/gui/view/panel/view_picture.h"
 #include "core/receivers/place.h"
 #include "render/view/view_navigator.h"
 
@@ -73,6 +74,18 @@ public:
 
     /// The view with title, legend and scale; `done` is called after the next frame is drawn.
     void takePicture(const QString& title, const QString& when, std::function<void(QImage)> done);
+    /// A picture of any size, whatever the window's.
+    struct Picture {
+        PictureFrame frame;
+        QSize size;           ///< pixels, of the frame, too
+        bool framed = true;   ///< with title, legend and scale; otherwise the view alone
+        bool smooth = true;   ///< drawn twice as fine where it is not too large
+        bool goesOn = false;  ///< another one of this size follows, or endPictures()
+    };
+    void takePicture(const Picture& picture, std::function<void(QImage)> done);
+    void endPictures() { view_->setPicture(std::nullopt); }
+    /// Title, legend, note and credit of a picture.
+    [[nodiscard]] PictureFrame pictureFrame(const QString& title, const QString& when) const;
 
 Q_SIGNALS:
     void hovered(QString text);      ///< text for what is under the cursor; empty: nothing

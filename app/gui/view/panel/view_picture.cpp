@@ -20,6 +20,7 @@ constexpr double arrowWidthPx = 30;
 constexpr double furniturePx = furnitureHeightPt * pointPx;
 constexpr double scaleNotePx = 14;
 constexpr double patchRowPx = 22;
+constexpr double footPx = std::max(furniturePx + scaleNotePx, legendHeightPt* pointPx) + marginPx / 2;
 
 struct Line {
     QString text;
@@ -94,38 +95,54 @@ void paintPatches(const Canvas& canvas, const QRectF& row, const std::vector<Leg
     }
 }
 
+/// Where the parts of a picture lie, in pixels of a scale of 1.
+struct Layout {
+    double width, head, patches, words;
+    std::vector<Line> above, below;
+
+    Layout(double pictureWidth, const PictureFrame& frame)
+        : width(pictureWidth - 2 * marginPx),
+          above{{frame.title, titlePt, QFont::Bold, ink::text},
+                {frame.when, textPt + 1, QFont::Normal, ink::quiet}},
+          below{{frame.note, textPt, QFont::Normal, ink::text},
+                {frame.credit, textPt, QFont::Normal, ink::quiet}} {
+        QImage measure(1, 1, QImage::Format_RGB32);
+        QPainter measuring(&measure);
+        head = takeLines({measuring, pointPx}, above, marginPx, width, false) + marginPx / 2;
+        patches = frame.buildings.empty() ? 0 : patchRowPx;
+        words = takeLines({measuring, pointPx}, below, 0, width, false);
+    }
+    [[nodiscard]] double belowView() const { return marginPx + footPx + patches + words + marginPx; }
+};
+
 }  // namespace
 
-QImage viewPicture(const QImage& view, const PictureFrame& frame) {
-    QImage measure(1, 1, QImage::Format_RGB32);
-    QPainter measuring(&measure);
-    const double width = view.width() - 2 * marginPx;
-    const std::vector<Line> head{{frame.title, titlePt, QFont::Bold, ink::text},
-                                 {frame.when, textPt + 1, QFont::Normal, ink::quiet}};
-    const std::vector<Line> words{{frame.note, textPt, QFont::Normal, ink::text},
-                                  {frame.credit, textPt, QFont::Normal, ink::quiet}};
-    const double headPx = takeLines({measuring, pointPx}, head, marginPx, width, false) + marginPx / 2;
-    const double footPx = std::max(furniturePx + scaleNotePx, legendHeightPt * pointPx) + marginPx / 2;
-    const double wordsPx = takeLines({measuring, pointPx}, words, 0, width, false);
-    measuring.end();
+int heightOfFrame(int width, const PictureFrame& frame, double scale) {
+    const Layout layout(width / scale, frame);
+    return int(layout.head * scale) + int(layout.belowView() * scale);
+}
 
-    const double patchesPx = frame.buildings.empty() ? 0 : patchRowPx;
-    const int top = int(headPx);
-    const int height = top + view.height() + int(marginPx + footPx + patchesPx + wordsPx + marginPx);
-    QImage picture(view.width(), height, QImage::Format_RGB32);
+QImage viewPicture(const QImage& view, const PictureFrame& frame, double scale) {
+    const Layout layout(view.width() / scale, frame);
+    const int top = int(layout.head * scale);
+    QImage picture(view.width(), top + view.height() + int(layout.belowView() * scale), QImage::Format_RGB32);
     picture.fill(ink::paper);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawImage(QPoint(0, top), view);
+    painter.scale(scale, scale);
     const Canvas canvas{painter, pointPx};
-    takeLines(canvas, head, marginPx, width, true);
-    painter.drawImage(QPointF(0, top), view);
-    const QRectF foot(marginPx, top + view.height() + marginPx, width, footPx);
-    const double legendWidth = std::min(legendWidthPx, width - barWidthPx - arrowWidthPx - 3 * marginPx);
+    takeLines(canvas, layout.above, marginPx, layout.width, true);
+    const QRectF foot(marginPx, (top + view.height()) / scale + marginPx, layout.width, footPx);
+    const double legendWidth =
+        std::min(legendWidthPx, layout.width - barWidthPx - arrowWidthPx - 3 * marginPx);
+    PictureFrame scaled = frame;
+    scaled.pixelsPerM /= scale;
     if (frame.legend && legendWidth > 0)
         paintLegend(canvas, {foot.left(), foot.top(), legendWidth, foot.height()}, *frame.legend);
-    paintFurniture(canvas, foot, frame);
-    paintPatches(canvas, {marginPx, foot.bottom(), width, patchesPx}, frame.buildings);
-    takeLines(canvas, words, foot.bottom() + patchesPx, width, true);
+    paintFurniture(canvas, foot, scaled);
+    paintPatches(canvas, {marginPx, foot.bottom(), layout.width, layout.patches}, frame.buildings);
+    takeLines(canvas, layout.below, foot.bottom() + layout.patches, layout.width, true);
     return picture;
 }
 

@@ -22,7 +22,9 @@ struct PictureFrame {
 };
 
 /// The complete picture: title and time above the view; legend, scale bar, north arrow, note and credit
-/// below.
-QImage viewPicture(const QImage& view, const PictureFrame& frame);
+/// below. `scale`: of texts and margins.
+QImage viewPicture(const QImage& view, const PictureFrame& frame, double scale = 1);
+/// The height that these take of a picture of this width.
+int heightOfFrame(int width, const PictureFrame& frame, double scale = 1);
 
 }  // namespace noonmark
