@@ -1419,10 +1419,6 @@ Vorgabe: %2</translation>
 %2 bis %3 %4, üblich %5</translation>
     </message>
     <message>
-        <source>automatic</source>
-        <translation>automatisch</translation>
-    </message>
-    <message>
         <source> of %1</source>
         <translation> zu %1</translation>
     </message>
@@ -1467,10 +1463,6 @@ Vorgabe: %2</translation>
     <message>
         <source>Guided &amp;tours</source>
         <translation>&amp;Führungen</translation>
-    </message>
-    <message>
-        <source>none: the processor</source>
-        <translation>keines: der Prozessor</translation>
     </message>
     <message>
         <source>Plan, elevat&amp;ions, from the sun</source>
@@ -2309,6 +2301,21 @@ Aktualisiert, wenn sich Ansicht oder Zeit ändern, zuerst grob, dann Pixel für 
 Opens the panel Review.</source>
         <translation>Befunde nach den Regeln von Behörden, zu einem Entwurf oder zum Bestand.
 Öffnet das Feld Prüfung.</translation>
+    </message>
+    <message>
+        <source>Heights of buildings:</source>
+        <translation>Höhen der Gebäude:</translation>
+    </message>
+    <message>
+        <source>height %1</source>
+        <translation>Höhe %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>; %1 of them were there before and stay as they are</source>
+        <translation>
+            <numerusform>; %1 davon war schon da und bleibt, wie er ist</numerusform>
+            <numerusform>; %1 davon waren schon da und bleiben, wie sie sind</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3412,14 +3419,6 @@ Opens the panel Review.</source>
         <translation>%1 von %2 Orten haben weniger als %3 Sonne am Tag</translation>
     </message>
     <message>
-        <source>On average over their area %1, of %2 a day with the sun up.</source>
-        <translation>Im Mittel über ihre Fläche %1, von %2 am Tag mit der Sonne über dem Horizont.</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day by month</source>
-        <translation>Sonnenstunden am Tag nach Monat</translation>
-    </message>
-    <message>
         <source>Change of mean sun</source>
         <translation>Änderung der mittleren Sonne</translation>
     </message>
@@ -4036,184 +4035,8 @@ Opens the panel Review.</source>
         <translation>Minuten Sonne am Tag</translation>
     </message>
     <message>
-        <source> min</source>
-        <translation> min</translation>
-    </message>
-    <message>
-        <source> min a day</source>
-        <translation> min am Tag</translation>
-    </message>
-    <message>
-        <source> h</source>
-        <translation> h</translation>
-    </message>
-    <message>
-        <source> h a day</source>
-        <translation> h am Tag</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>not counted</source>
-        <translation>nicht gezählt</translation>
-    </message>
-    <message>
-        <source>if neighbours&apos; ground heights differ</source>
-        <translation>wenn Bodenhöhen von Nachbarn abweichen</translation>
-    </message>
-    <message>
-        <source>always</source>
-        <translation>immer</translation>
-    </message>
-    <message>
-        <source>never (flat ground)</source>
-        <translation>nie (ebener Boden)</translation>
-    </message>
-    <message>
-        <source>as their bases fit the terrain</source>
-        <translation>je nachdem, wie ihre Fußpunkte zum Gelände passen</translation>
-    </message>
-    <message>
-        <source>each set down on the terrain</source>
-        <translation>jedes auf das Gelände gesetzt</translation>
-    </message>
-    <message>
-        <source>at the elevations in the file</source>
-        <translation>auf den Höhen der Datei</translation>
-    </message>
-    <message>
-        <source>found by its steps at outlines</source>
-        <translation>an Stufen entlang der Umrisse erkannt</translation>
-    </message>
-    <message>
-        <source>the bare ground</source>
-        <translation>den bloßen Boden</translation>
-    </message>
-    <message>
-        <source>a surface with buildings</source>
-        <translation>eine Oberfläche mit Gebäuden</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Z</source>
-        <translation>Z</translation>
-    </message>
-    <message>
         <source>CityGML, CityJSON: level of detail (default: the highest)</source>
         <translation>CityGML, CityJSON: Detaillierungsgrad (Standard: der höchste)</translation>
-    </message>
-    <message>
-        <source>Sun to indigo</source>
-        <translation>Sonne bis Indigo</translation>
-    </message>
-    <message>
-        <source>Viridis</source>
-        <translation>Viridis</translation>
-    </message>
-    <message>
-        <source>Cividis</source>
-        <translation>Cividis</translation>
-    </message>
-    <message>
-        <source>Magma</source>
-        <translation>Magma</translation>
-    </message>
-    <message>
-        <source>Grey</source>
-        <translation>Grau</translation>
-    </message>
-    <message>
-        <source>Green to red</source>
-        <translation>Grün bis Rot</translation>
-    </message>
-    <message>
-        <source>Orange to violet</source>
-        <translation>Orange zu Violett</translation>
-    </message>
-    <message>
-        <source>Green-blue to brown</source>
-        <translation>Grünblau zu Braun</translation>
-    </message>
-    <message>
-        <source>Orange to purple</source>
-        <translation>Orange zu Purpur</translation>
-    </message>
-    <message>
-        <source>Blue to red</source>
-        <translation>Blau zu Rot</translation>
-    </message>
-    <message>
-        <source>Green to red, pale in the middle</source>
-        <translation>Grün zu Rot, in der Mitte blass</translation>
-    </message>
-    <message>
-        <source>Gross shadow of a cell</source>
-        <translation>Gesamtschatten einer Zelle</translation>
-    </message>
-    <message>
-        <source>Longest shadow of a cell</source>
-        <translation>Längster Schatten einer Zelle</translation>
-    </message>
-    <message>
-        <source>Shadow of a cell in a month</source>
-        <translation>Schatten einer Zelle in einem Monat</translation>
-    </message>
-    <message>
-        <source>Change of gross shadow of a cell</source>
-        <translation>Änderung des Gesamtschattens einer Zelle</translation>
-    </message>
-    <message>
-        <source>Change of the longest shadow of a cell</source>
-        <translation>Änderung des längsten Schattens einer Zelle</translation>
-    </message>
-    <message>
-        <source>Score of a cell</source>
-        <translation>Bewertung einer Zelle</translation>
-    </message>
-    <message>
-        <source>Weighted shade</source>
-        <translation>Gewichteter Schatten</translation>
-    </message>
-    <message>
-        <source>Least and most sun of a place, at a cell</source>
-        <translation>Wenigste und meiste Sonne eines Ortes, an einer Zelle</translation>
-    </message>
-    <message>
-        <source>Mean sun of a place</source>
-        <translation>Mittlere Sonne eines Ortes</translation>
-    </message>
-    <message>
-        <source>Mean sun of a place in a month</source>
-        <translation>Mittlere Sonne eines Ortes in einem Monat</translation>
-    </message>
-    <message>
-        <source>Share of a place with enough sun</source>
-        <translation>Anteil eines Ortes mit genug Sonne</translation>
-    </message>
-    <message>
-        <source>Mean sun of a place on a date</source>
-        <translation>Mittlere Sonne eines Ortes an einem Tag</translation>
-    </message>
-    <message>
-        <source>Share of a place with less than enough sun on a date</source>
-        <translation>Anteil eines Ortes mit zu wenig Sonne an einem Tag</translation>
-    </message>
-    <message>
-        <source>Change of the mean sun of a place</source>
-        <translation>Änderung der mittleren Sonne eines Ortes</translation>
-    </message>
-    <message>
-        <source>Largest loss and gain of a place, at a cell</source>
-        <translation>Größter Verlust und Gewinn eines Ortes, an einer Zelle</translation>
-    </message>
-    <message>
-        <source>Share of a place that loses sun</source>
-        <translation>Anteil eines Ortes, der Sonne verliert</translation>
     </message>
     <message>
         <source>%1, with 99 % certainty within %2</source>
@@ -4224,64 +4047,8 @@ Opens the panel Review.</source>
         <translation>%1 im Mittel, 99 von 100 innerhalb von %2, höchstens %3</translation>
     </message>
     <message>
-        <source>on the ground</source>
-        <translation>auf dem Boden</translation>
-    </message>
-    <message>
-        <source>on roofs</source>
-        <translation>auf Dächern</translation>
-    </message>
-    <message>
-        <source>on the ground and roofs</source>
-        <translation>auf Boden und Dächern</translation>
-    </message>
-    <message>
         <source>%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot.</source>
         <translation>%1 nimmt %2 Orten mehr als eine Minute Sonne am Tag, höchstens %3 an einer Stelle.</translation>
-    </message>
-    <message>
-        <source>buildings stand on all of it</source>
-        <translation>Gebäude stehen auf der ganzen Fläche</translation>
-    </message>
-    <message>
-        <source>no cell has its centre on its open ground</source>
-        <translation>keine Zelle hat ihre Mitte auf seinem freien Boden</translation>
-    </message>
-    <message>
-        <source>beyond the terrain: the nearest elevation is taken</source>
-        <translation>außerhalb des Geländes: die nächste Höhe gilt</translation>
-    </message>
-    <message>
-        <source>mostly on water: measured at its surface</source>
-        <translation>größtenteils auf Wasser: an dessen Oberfläche gemessen</translation>
-    </message>
-    <message>
-        <source>elevations</source>
-        <translation>Höhenlagen</translation>
-    </message>
-    <message>
-        <source>above the ground</source>
-        <translation>über dem Gelände</translation>
-    </message>
-    <message>
-        <source>on facades</source>
-        <translation>an Fassaden</translation>
-    </message>
-    <message>
-        <source>at windows of a file</source>
-        <translation>an Fenstern einer Datei</translation>
-    </message>
-    <message>
-        <source>on a level plane</source>
-        <translation>auf einer waagerechten Ebene</translation>
-    </message>
-    <message>
-        <source>on lines around a parcel</source>
-        <translation>auf Linien um ein Flurstück</translation>
-    </message>
-    <message>
-        <source>at single points</source>
-        <translation>an einzelnen Punkten</translation>
     </message>
     <message>
         <source>Floor plate</source>
@@ -4312,56 +4079,12 @@ Opens the panel Review.</source>
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>without trees, as evergreens, with seasons</source>
-        <translation>ohne Bäume, als immergrüne, mit Jahreszeiten</translation>
-    </message>
-    <message>
-        <source>without trees</source>
-        <translation>ohne Bäume</translation>
-    </message>
-    <message>
-        <source>as evergreens</source>
-        <translation>als immergrüne</translation>
-    </message>
-    <message>
-        <source>with seasons</source>
-        <translation>mit Jahreszeiten</translation>
-    </message>
-    <message>
         <source>Inventories of trees</source>
         <translation>Baumkataster</translation>
     </message>
     <message>
         <source>File with trees beside those of the city&apos;s files: points or a table with species, height, crown or stem; may be repeated</source>
         <translation>Datei mit Bäumen zusätzlich zu denen der Stadtdateien: Punkte oder eine Tabelle mit Art, Höhe, Krone oder Stamm; mehrfach möglich</translation>
-    </message>
-    <message>
-        <source>Shadow area of a month</source>
-        <translation>Schattenfläche eines Monats</translation>
-    </message>
-    <message>
-        <source>Shadow score of a month</source>
-        <translation>Schattenbewertung eines Monats</translation>
-    </message>
-    <message>
-        <source>Weighted shade of a month</source>
-        <translation>Gewichteter Schatten eines Monats</translation>
-    </message>
-    <message>
-        <source>Shadow area of an interval</source>
-        <translation>Schattenfläche eines Intervalls</translation>
-    </message>
-    <message>
-        <source>Shadow score of an interval</source>
-        <translation>Schattenbewertung eines Intervalls</translation>
-    </message>
-    <message>
-        <source>Weighted shade of an interval</source>
-        <translation>Gewichteter Schatten eines Intervalls</translation>
-    </message>
-    <message>
-        <source>Mean sun of a small place with cells of its own</source>
-        <translation>Mittlere Sonne eines kleinen Ortes mit eigenen Zellen</translation>
     </message>
     <message>
         <source>Change of the minutes of sun a day by month</source>
@@ -4540,14 +4263,6 @@ Opens the panel Review.</source>
         <translation>Was neben dem Schatten ohne Bäume gemessen wird, wo die Stadt welche hat: ohne, immergrün, mit Jahreszeiten oder alles (Vorgabe)</translation>
     </message>
     <message>
-        <source>first light of the disc (-0.833°)</source>
-        <translation>erstes Licht (-0,833°)</translation>
-    </message>
-    <message>
-        <source>middle of the disc (0°)</source>
-        <translation>Mitte der Scheibe (0°)</translation>
-    </message>
-    <message>
         <source>After sunrise</source>
         <translation>Nach Sonnenaufgang</translation>
     </message>
@@ -4570,6 +4285,330 @@ Opens the panel Review.</source>
     <message>
         <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
         <translation>Welcher Zeitpunkt als Sonnenauf- und -untergang gilt: die Höhe der Sonnenmitte</translation>
+    </message>
+    <message>
+        <source>repaired</source>
+        <translation>repariert</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>beschnitten</translation>
+    </message>
+    <message>
+        <source>dropped</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>from storeys</source>
+        <translation>aus Geschossen</translation>
+    </message>
+    <message>
+        <source>of a 3D model</source>
+        <translation>aus einem 3D-Modell</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>entworfen</translation>
+    </message>
+    <message>
+        <source>made up</source>
+        <translation>erfunden</translation>
+    </message>
+    <message>
+        <source>has no area, so it casts no shadow</source>
+        <translation>hat keine Fläche und wirft deshalb keinen Schatten</translation>
+    </message>
+    <message>
+        <source>faces without area were left out</source>
+        <translation>Teilflächen ohne Flächeninhalt wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>its surface is not closed; it is used unchanged</source>
+        <translation>seine Oberfläche ist nicht geschlossen; es wird unverändert verwendet</translation>
+    </message>
+    <message>
+        <source>its faces pointed inward and were turned</source>
+        <translation>seine Teilflächen zeigten nach innen und wurden umgedreht</translation>
+    </message>
+    <message>
+        <source>its outline could not be determined</source>
+        <translation>sein Umriss konnte nicht bestimmt werden</translation>
+    </message>
+    <message>
+        <source>Choose the horizon sweep</source>
+        <translation>Das Horizontverfahren wählen</translation>
+    </message>
+    <message>
+        <source>Choose projected shadows, or rays on terrain and roofs</source>
+        <translation>Projizierte Schatten wählen, auf Gelände und Dächern Strahlen</translation>
+    </message>
+    <message>
+        <source>Choose the horizon sweep or the ray reference</source>
+        <translation>Das Horizontverfahren oder die Strahlreferenz wählen</translation>
+    </message>
+    <message>
+        <source>Choose a step of 3 seconds or more</source>
+        <translation>Einen Schritt von mindestens 3 Sekunden wählen</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>none: the processor</source>
+        <translation>keines: der Prozessor</translation>
+    </message>
+    <message>
+        <source>the coordinates are read as longitude or easting first</source>
+        <translation>die Koordinaten werden mit Länge oder Ostwert zuerst gelesen</translation>
+    </message>
+    <message>
+        <source>far from the middle of the data</source>
+        <translation>weit von der Mitte der Daten entfernt</translation>
+    </message>
+    <message>
+        <source>one of several polygon layers; all are read as buildings</source>
+        <translation>eine von mehreren Polygonebenen; alle werden als Gebäude gelesen</translation>
+    </message>
+    <message>
+        <source>is not tagged as a building</source>
+        <translation>ist nicht als Gebäude gekennzeichnet</translation>
+    </message>
+    <message>
+        <source>lies underground</source>
+        <translation>liegt unter der Erde</translation>
+    </message>
+    <message>
+        <source>its roof is not flat; it is drawn flat at its full height</source>
+        <translation>sein Dach ist nicht flach; es wird flach in voller Höhe dargestellt</translation>
+    </message>
+    <message>
+        <source>its polygons overlapped or shared a wall and were joined</source>
+        <translation>seine Polygone überlappten sich oder teilten eine Wand und wurden vereinigt</translation>
+    </message>
+    <message>
+        <source>No file is named</source>
+        <translation>Keine Datei ist angegeben</translation>
+    </message>
+    <message>
+        <source>Name at least one file with buildings</source>
+        <translation>Mindestens eine Datei mit Gebäuden angeben</translation>
+    </message>
+    <message>
+        <source>None of the files states its position on earth</source>
+        <translation>Keine der Dateien nennt ihre Lage auf der Erde</translation>
+    </message>
+    <message>
+        <source>there is no terrain: the ground between the buildings was interpolated from their bases</source>
+        <translation>es gibt kein Gelände: der Boden zwischen den Gebäuden wurde aus ihren Fußpunkten interpoliert</translation>
+    </message>
+    <message>
+        <source>buildings beyond the terrain stand on its nearest elevation</source>
+        <translation>Gebäude außerhalb des Geländes stehen auf dessen nächster Höhe</translation>
+    </message>
+    <message>
+        <source>The file holds no polygon with an area</source>
+        <translation>Die Datei enthält kein Polygon mit einer Fläche</translation>
+    </message>
+    <message>
+        <source>Draw the region as a polygon</source>
+        <translation>Das Gebiet als Polygon zeichnen</translation>
+    </message>
+    <message>
+        <source>It is not a polygon in well-known text</source>
+        <translation>Es ist kein Polygon in Well-known Text</translation>
+    </message>
+    <message>
+        <source>Give degrees, longitude first: POLYGON ((-73.98 40.76, -73.97 40.76, -73.97 40.77, -73.98 40.76))</source>
+        <translation>Grad angeben, Länge zuerst: POLYGON ((-73.98 40.76, -73.97 40.76, -73.97 40.77, -73.98 40.76))</translation>
+    </message>
+    <message>
+        <source>The polygon has no area</source>
+        <translation>Das Polygon hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>Give at least three corners</source>
+        <translation>Mindestens drei Ecken angeben</translation>
+    </message>
+    <message>
+        <source>There is no such file, and the text is neither four numbers nor a polygon</source>
+        <translation>Es gibt keine solche Datei, und der Text ist weder vier Zahlen noch ein Polygon</translation>
+    </message>
+    <message>
+        <source>Give west,south,east,north in degrees, for example -73.99,40.75,-73.98,40.76, a polygon as well-known text, or a polygon file</source>
+        <translation>West,Süd,Ost,Nord in Grad angeben, zum Beispiel -73.99,40.75,-73.98,40.76, ein Polygon als Well-known Text oder eine Polygondatei</translation>
+    </message>
+    <message>
+        <source>Names field</source>
+        <translation>Feld der Namen</translation>
+    </message>
+    <message>
+        <source>Field with the names of the buildings (default: found by its name)</source>
+        <translation>Feld mit den Namen der Gebäude (Standard: am Namen erkannt)</translation>
+    </message>
+    <message>
+        <source>terrain far from the city was left out</source>
+        <translation>Gelände weit von der Stadt entfernt wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>cells without elevation were filled from the nearest one</source>
+        <translation>Zellen ohne Höhe wurden mit der nächstgelegenen gefüllt</translation>
+    </message>
+    <message>
+        <source>a tree far from the buildings</source>
+        <translation>ein Baum weit von den Gebäuden entfernt</translation>
+    </message>
+    <message>
+        <source>a second tree at the same place</source>
+        <translation>ein zweiter Baum an derselben Stelle</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>kein Unterschied</translation>
+    </message>
+    <message>
+        <source>Choose 0.25 to 10 m</source>
+        <translation>0,25 bis 10 m wählen</translation>
+    </message>
+    <message>
+        <source>The region has no area</source>
+        <translation>Das Gebiet hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>Draw a polygon with an interior</source>
+        <translation>Ein Polygon mit einem Inneren zeichnen</translation>
+    </message>
+    <message>
+        <source>Choose larger cells or a smaller region; the limit is 2.1 billion cells</source>
+        <translation>Größere Zellen oder ein kleineres Gebiet wählen; die Grenze liegt bei 2,1 Milliarden Zellen</translation>
+    </message>
+    <message>
+        <source>A corner is not on the globe</source>
+        <translation>Eine Ecke liegt nicht auf dem Globus</translation>
+    </message>
+    <message>
+        <source>Give degrees: west,south,east,north</source>
+        <translation>Grad angeben: West,Süd,Ost,Nord</translation>
+    </message>
+    <message>
+        <source>The box is empty</source>
+        <translation>Das Rechteck ist leer</translation>
+    </message>
+    <message>
+        <source>Give west &lt; east (or west &gt; east across the 180th meridian) and south &lt; north</source>
+        <translation>West &lt; Ost (oder West &gt; Ost über den 180. Längengrad hinweg) und Süd &lt; Nord angeben</translation>
+    </message>
+    <message>
+        <source>This is measured on the ground only, not on roofs</source>
+        <translation>Das wird nur auf dem Boden gemessen, nicht auf Dächern</translation>
+    </message>
+    <message>
+        <source>Choose the ground, or run a study of the roofs</source>
+        <translation>Den Boden wählen oder eine Untersuchung der Dächer berechnen</translation>
+    </message>
+    <message>
+        <source>On %1 it is %2 of %3 places that have less than %4.</source>
+        <translation>Am %1 sind es %2 von %3 Orten, die weniger als %4 haben.</translation>
+    </message>
+    <message>
+        <source>Least sun has %1 with %2, most %3 with %4.</source>
+        <translation>Am wenigsten Sonne hat %1 mit %2, am meisten %3 mit %4.</translation>
+    </message>
+    <message>
+        <source>On average over their area %1 a day, of %2 without any shadow.</source>
+        <translation>Im Mittel über ihre Fläche %1 am Tag, von %2 ganz ohne Schatten.</translation>
+    </message>
+    <message>
+        <source>Choose larger cells, a smaller region or fewer steps</source>
+        <translation>Größere Zellen, ein kleineres Gebiet oder weniger Schritte wählen</translation>
+    </message>
+    <message>
+        <source>No cell of the region lies on a roof</source>
+        <translation>Keine Zelle des Gebiets liegt auf einem Dach</translation>
+    </message>
+    <message>
+        <source>Choose a region with buildings, or smaller cells</source>
+        <translation>Ein Gebiet mit Gebäuden oder kleinere Zellen wählen</translation>
+    </message>
+    <message>
+        <source>No cell of the region lies on open ground</source>
+        <translation>Keine Zelle des Gebiets liegt auf freiem Boden</translation>
+    </message>
+    <message>
+        <source>Choose a region outside buildings and water, or smaller cells</source>
+        <translation>Ein Gebiet außerhalb von Gebäuden und Wasser oder kleinere Zellen wählen</translation>
+    </message>
+    <message>
+        <source>The start is not a date of the calendar</source>
+        <translation>Der Anfang ist kein Datum des Kalenders</translation>
+    </message>
+    <message>
+        <source>Give a date such as 2026-03-21</source>
+        <translation>Ein Datum wie 2026-03-21 angeben</translation>
+    </message>
+    <message>
+        <source>Choose other dates; the position of the sun is known for these years only</source>
+        <translation>Andere Daten wählen; der Sonnenstand ist nur für diese Jahre bekannt</translation>
+    </message>
+    <message>
+        <source>The time of day at which the hours begin is out of range</source>
+        <translation>Die Uhrzeit, zu der die Stunden beginnen, liegt außerhalb des zulässigen Bereichs</translation>
+    </message>
+    <message>
+        <source>Give 00:00 to 24:00</source>
+        <translation>00:00 bis 24:00 angeben</translation>
+    </message>
+    <message>
+        <source>Give 0 (one instant), or 0.00028 to 24</source>
+        <translation>0 (ein Augenblick) oder 0,00028 bis 24 angeben</translation>
+    </message>
+    <message>
+        <source>The hours after sunrise or before sunset are out of range</source>
+        <translation>Die Stunden nach Sonnenaufgang oder vor Sonnenuntergang liegen außerhalb des zulässigen Bereichs</translation>
+    </message>
+    <message>
+        <source>Give at most 12 hours on either side</source>
+        <translation>Auf jeder Seite höchstens 12 Stunden angeben</translation>
+    </message>
+    <message>
+        <source>Choose a longer step or fewer days; the limit is 50 million steps</source>
+        <translation>Einen längeren Schritt oder weniger Tage wählen; die Grenze liegt bei 50 Millionen Schritten</translation>
+    </message>
+    <message>
+        <source>The sun is below the horizon all the time</source>
+        <translation>Die Sonne steht die ganze Zeit unter dem Horizont</translation>
+    </message>
+    <message>
+        <source>Choose other hours or days</source>
+        <translation>Andere Stunden oder Tage wählen</translation>
+    </message>
+    <message>
+        <source>%1 takes sun from %2, at most %3 a day at one spot</source>
+        <translation>%1 nimmt auf %2 Sonne, höchstens %3 am Tag an einer Stelle</translation>
+    </message>
+    <message>
+        <source>%1 gives sun to %2, at most %3 a day at one spot</source>
+        <translation>%1 gibt auf %2 Sonne, höchstens %3 am Tag an einer Stelle</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Between the pieces of the lot of several towers</source>
+        <translation>Zwischen den Teilen des Grundstücks bei mehreren Türmen</translation>
+    </message>
+    <message>
+        <source>Further towers</source>
+        <translation>Weitere Türme</translation>
     </message>
 </context>
 <context>
@@ -5443,6 +5482,18 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>Laying out the sheets</source>
         <translation>Die Blätter werden gesetzt</translation>
     </message>
+    <message>
+        <source> pixels high</source>
+        <translation> Pixel hoch</translation>
+    </message>
+    <message>
+        <source>Title, legend and scale bar</source>
+        <translation>Titel, Legende und Maßstabsleiste</translation>
+    </message>
+    <message>
+        <source>Around the view, within the size of the picture</source>
+        <translation>Um die Ansicht herum, innerhalb der Größe des Bildes</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ExtrudeHandle</name>
@@ -5551,6 +5602,28 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
 </context>
 <context>
+    <name>noonmark::FieldChoices</name>
+    <message>
+        <source>none is found by name</source>
+        <translation>keines am Namen erkannt</translation>
+    </message>
+    <message>
+        <source>found by name: %1</source>
+        <translation>am Namen erkannt: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1   %2 feature(s)</source>
+        <translation>
+            <numerusform>%1   %2 Objekt</numerusform>
+            <numerusform>%1   %2 Objekte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lists the fields with sample values</source>
+        <translation>Listet die Felder mit Beispielwerten auf</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::FieldHelp</name>
     <message>
         <source>%1 to %2</source>
@@ -5559,6 +5632,37 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>More in the guide (F1)</source>
         <translation>Mehr im Handbuch (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FurtherTable</name>
+    <message>
+        <source>Add tower</source>
+        <translation>Turm hinzufügen</translation>
+    </message>
+    <message>
+        <source>Another tower on the lot, apart from the others: each has a piece of it</source>
+        <translation>Ein weiterer Turm auf dem Grundstück, getrennt von den anderen: jeder hat einen Teil davon</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the selected tower, or the last one</source>
+        <translation>Entfernt den gewählten Turm oder den letzten</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>Geschosse</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Geschossplatte</translation>
+    </message>
+    <message>
+        <source>Further towers, which the same step builds; the lot is divided across its longest side</source>
+        <translation>Weitere Türme, die derselbe Schritt baut; das Grundstück wird quer zu seiner längsten Seite geteilt</translation>
     </message>
 </context>
 <context>
@@ -5704,6 +5808,17 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::HeightColours</name>
+    <message>
+        <source>Colour &amp;by source of height</source>
+        <translation>Nach Höhen&amp;quelle färben</translation>
+    </message>
+    <message>
+        <source>Buildings whose height is measured, computed from storeys or assumed</source>
+        <translation>Gebäude, deren Höhe gemessen, aus Geschossen berechnet oder angenommen ist</translation>
     </message>
 </context>
 <context>
@@ -6297,6 +6412,27 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
     </message>
 </context>
 <context>
+    <name>noonmark::MassingPreview</name>
+    <message>
+        <source>Reading the files...</source>
+        <translation>Die Dateien werden gelesen ...</translation>
+    </message>
+    <message>
+        <source>The files hold no buildings.</source>
+        <translation>Die Dateien enthalten keine Gebäude.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s); heights: %2.
+Lowest %3, median %4, tallest %5.</source>
+        <translation>
+            <numerusform>%1 Gebäude; Höhen: %2.
+Niedrigstes %3, Median %4, höchstes %5.</numerusform>
+            <numerusform>%1 Gebäude; Höhen: %2.
+Niedrigstes %3, Median %4, höchstes %5.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noonmark::MeshPlacing</name>
     <message>
         <source>Reading %1</source>
@@ -6362,6 +6498,14 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
             <numerusform>Film mit %1 Bildern gespeichert als %2</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Filming the view</source>
+        <translation>Die Ansicht wird gefilmt</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MovieDialog</name>
@@ -6406,20 +6550,12 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>The ground that all frames show, from above</source>
-        <translation>Der Boden, den alle Bilder zeigen, von oben</translation>
-    </message>
-    <message>
         <source>What changes and what its shadows reach, or the places</source>
         <translation>Was sich ändert und wohin seine Schatten reichen, oder die Orte</translation>
     </message>
     <message>
         <source>The region of the study</source>
         <translation>Das Gebiet der Untersuchung</translation>
-    </message>
-    <message>
-        <source>What the view shows</source>
-        <translation>Was die Ansicht zeigt</translation>
     </message>
     <message>
         <source>Small pictures make small files, which matters for GIF</source>
@@ -6457,6 +6593,22 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <source>Asks for a file: MP4 for players, GIF for pages and mail</source>
         <translation>Fragt nach einer Datei: MP4 für Abspielprogramme, GIF für Seiten und E-Mail</translation>
     </message>
+    <message>
+        <source>Shadows at one time through the period</source>
+        <translation>Schatten zu einer Uhrzeit durch den Zeitraum</translation>
+    </message>
+    <message>
+        <source>What all frames show: a map, or the view from where its camera stands</source>
+        <translation>Was alle Bilder zeigen: eine Karte oder die Ansicht vom Standort ihrer Kamera</translation>
+    </message>
+    <message>
+        <source>The ground that the view shows</source>
+        <translation>Der Boden, den die Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>The view in 3D, as it is shown</source>
+        <translation>Die Ansicht in 3D, wie sie gezeigt wird</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OpenOptions</name>
@@ -6467,6 +6619,22 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
     <message>
         <source>Read the files with these settings</source>
         <translation>Die Dateien mit diesen Einstellungen lesen</translation>
+    </message>
+    <message>
+        <source>Add terrain or surface model...</source>
+        <translation>Gelände oder Oberflächenmodell hinzufügen ...</translation>
+    </message>
+    <message>
+        <source>Reads elevations together with the buildings. Of a surface model and a terrain, missing heights are the difference.</source>
+        <translation>Liest Höhenlagen zusammen mit den Gebäuden ein. Mit Oberflächenmodell und Gelände ergeben sich fehlende Höhen aus der Differenz.</translation>
+    </message>
+    <message>
+        <source>Listing fields</source>
+        <translation>Felder werden aufgelistet</translation>
+    </message>
+    <message>
+        <source>Reading for the preview</source>
+        <translation>Vorschau wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -6557,6 +6725,17 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
     <message>
         <source>Open a folder of city files</source>
         <translation>Einen Ordner mit Stadtdateien öffnen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 terrain(s) in the folder are not in the city: %2.</source>
+        <translation>
+            <numerusform>%1 Gelände im Ordner ist nicht in der Stadt: %2.</numerusform>
+            <numerusform>%1 Gelände im Ordner sind nicht in der Stadt: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add terrain</source>
+        <translation>Gelände hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -7014,6 +7193,10 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>%1: %2 min of sun a day more</source>
         <translation>%1: %2 min Sonne am Tag mehr</translation>
+    </message>
+    <message>
+        <source>%1. Headline and shares of the area are for %2 h, as they were saved</source>
+        <translation>%1. Überschrift und Flächenanteile gelten für %2 h, wie sie gespeichert wurden</translation>
     </message>
 </context>
 <context>
@@ -7629,10 +7812,6 @@ Nachher: %3
         <translation>Mitte der offenen Stadt</translation>
     </message>
     <message>
-        <source>Heights</source>
-        <translation>Höhen</translation>
-    </message>
-    <message>
         <source>Place and choice of data</source>
         <translation>Lage und Auswahl der Daten</translation>
     </message>
@@ -7657,6 +7836,10 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
     <message>
         <source>Meshes (%1)</source>
         <translation>Netze (%1)</translation>
+    </message>
+    <message>
+        <source>Heights and names</source>
+        <translation>Höhen und Namen</translation>
     </message>
 </context>
 <context>
@@ -7800,6 +7983,10 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
     <message>
         <source>What buildings take from %1</source>
         <translation>Was Gebäude %1 nehmen</translation>
+    </message>
+    <message>
+        <source>Picture of the view</source>
+        <translation>Bild der Ansicht</translation>
     </message>
 </context>
 <context>
@@ -8044,6 +8231,14 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Press Run review to evaluate the rule on the windows.</source>
         <translation>„Prüfung ausführen“ wertet die Regel an den Fenstern aus.</translation>
+    </message>
+    <message>
+        <source>Press Run review to see which places fail as the city stands, or design a tower.</source>
+        <translation>Prüfen drücken, um zu sehen, welche Orte die Regel schon im Bestand nicht einhalten, oder einen Turm entwerfen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2 im jetzigen Zustand. %3</translation>
     </message>
 </context>
 <context>
@@ -10074,6 +10269,317 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>Shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>Anteil der besonnten Zeit</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> min am Tag</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source> h a day</source>
+        <translation> h am Tag</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>nicht gezählt</translation>
+    </message>
+    <message>
+        <source>without trees, as evergreens, with seasons</source>
+        <translation>ohne Bäume, als immergrüne, mit Jahreszeiten</translation>
+    </message>
+    <message>
+        <source>without trees</source>
+        <translation>ohne Bäume</translation>
+    </message>
+    <message>
+        <source>as evergreens</source>
+        <translation>als immergrüne</translation>
+    </message>
+    <message>
+        <source>with seasons</source>
+        <translation>mit Jahreszeiten</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>wenn Bodenhöhen von Nachbarn abweichen</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>immer</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>nie (ebener Boden)</translation>
+    </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>je nachdem, wie ihre Fußpunkte zum Gelände passen</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>jedes auf das Gelände gesetzt</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>auf den Höhen der Datei</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>an Stufen entlang der Umrisse erkannt</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>den bloßen Boden</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>eine Oberfläche mit Gebäuden</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Sun to indigo</source>
+        <translation>Sonne bis Indigo</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Magma</source>
+        <translation>Magma</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Green to red</source>
+        <translation>Grün bis Rot</translation>
+    </message>
+    <message>
+        <source>Orange to violet</source>
+        <translation>Orange zu Violett</translation>
+    </message>
+    <message>
+        <source>Green-blue to brown</source>
+        <translation>Grünblau zu Braun</translation>
+    </message>
+    <message>
+        <source>Orange to purple</source>
+        <translation>Orange zu Purpur</translation>
+    </message>
+    <message>
+        <source>Blue to red</source>
+        <translation>Blau zu Rot</translation>
+    </message>
+    <message>
+        <source>Green to red, pale in the middle</source>
+        <translation>Grün zu Rot, in der Mitte blass</translation>
+    </message>
+    <message>
+        <source>Gross shadow of a cell</source>
+        <translation>Gesamtschatten einer Zelle</translation>
+    </message>
+    <message>
+        <source>Longest shadow of a cell</source>
+        <translation>Längster Schatten einer Zelle</translation>
+    </message>
+    <message>
+        <source>Shadow of a cell in a month</source>
+        <translation>Schatten einer Zelle in einem Monat</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow of a cell</source>
+        <translation>Änderung des Gesamtschattens einer Zelle</translation>
+    </message>
+    <message>
+        <source>Change of the longest shadow of a cell</source>
+        <translation>Änderung des längsten Schattens einer Zelle</translation>
+    </message>
+    <message>
+        <source>Score of a cell</source>
+        <translation>Bewertung einer Zelle</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>Schattenbewertung</translation>
+    </message>
+    <message>
+        <source>Weighted shade</source>
+        <translation>Gewichteter Schatten</translation>
+    </message>
+    <message>
+        <source>Shadow area of a month</source>
+        <translation>Schattenfläche eines Monats</translation>
+    </message>
+    <message>
+        <source>Shadow score of a month</source>
+        <translation>Schattenbewertung eines Monats</translation>
+    </message>
+    <message>
+        <source>Weighted shade of a month</source>
+        <translation>Gewichteter Schatten eines Monats</translation>
+    </message>
+    <message>
+        <source>Shadow area of an interval</source>
+        <translation>Schattenfläche eines Intervalls</translation>
+    </message>
+    <message>
+        <source>Shadow score of an interval</source>
+        <translation>Schattenbewertung eines Intervalls</translation>
+    </message>
+    <message>
+        <source>Weighted shade of an interval</source>
+        <translation>Gewichteter Schatten eines Intervalls</translation>
+    </message>
+    <message>
+        <source>Least and most sun of a place, at a cell</source>
+        <translation>Wenigste und meiste Sonne eines Ortes, an einer Zelle</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place</source>
+        <translation>Mittlere Sonne eines Ortes</translation>
+    </message>
+    <message>
+        <source>Mean sun of a small place with cells of its own</source>
+        <translation>Mittlere Sonne eines kleinen Ortes mit eigenen Zellen</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place in a month</source>
+        <translation>Mittlere Sonne eines Ortes in einem Monat</translation>
+    </message>
+    <message>
+        <source>Share of a place with enough sun</source>
+        <translation>Anteil eines Ortes mit genug Sonne</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place on a date</source>
+        <translation>Mittlere Sonne eines Ortes an einem Tag</translation>
+    </message>
+    <message>
+        <source>Share of a place with less than enough sun on a date</source>
+        <translation>Anteil eines Ortes mit zu wenig Sonne an einem Tag</translation>
+    </message>
+    <message>
+        <source>Change of the mean sun of a place</source>
+        <translation>Änderung der mittleren Sonne eines Ortes</translation>
+    </message>
+    <message>
+        <source>Largest loss and gain of a place, at a cell</source>
+        <translation>Größter Verlust und Gewinn eines Ortes, an einer Zelle</translation>
+    </message>
+    <message>
+        <source>Share of a place that loses sun</source>
+        <translation>Anteil eines Ortes, der Sonne verliert</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>auf dem Boden</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>auf Dächern</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>auf Boden und Dächern</translation>
+    </message>
+    <message>
+        <source>buildings stand on all of it</source>
+        <translation>Gebäude stehen auf der ganzen Fläche</translation>
+    </message>
+    <message>
+        <source>no cell has its centre on its open ground</source>
+        <translation>keine Zelle hat ihre Mitte auf seinem freien Boden</translation>
+    </message>
+    <message>
+        <source>beyond the terrain: the nearest elevation is taken</source>
+        <translation>außerhalb des Geländes: die nächste Höhe gilt</translation>
+    </message>
+    <message>
+        <source>mostly on water: measured at its surface</source>
+        <translation>größtenteils auf Wasser: an dessen Oberfläche gemessen</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>Höhenlagen</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>über dem Gelände</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>an Fassaden</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>an Fenstern einer Datei</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>auf einer waagerechten Ebene</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>auf Linien um ein Flurstück</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>an einzelnen Punkten</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>Sonnenstunden am Tag nach Monat</translation>
+    </message>
+    <message>
+        <source>first light of the disc (-0.833°)</source>
+        <translation>erstes Licht (-0,833°)</translation>
+    </message>
+    <message>
+        <source>middle of the disc (0°)</source>
+        <translation>Mitte der Scheibe (0°)</translation>
     </message>
 </context>
 </TS>

@@ -181,6 +181,13 @@
             <numerusform>Against the ray reference, of a sample of %1 values</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>; %1 of them were there before and stay as they are</source>
+        <translation>
+            <numerusform>; %1 of them was there before and stays as it is</numerusform>
+            <numerusform>; %1 of them were there before and stay as they are</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::BuildingEditing</name>
@@ -227,6 +234,29 @@
     </message>
 </context>
 <context>
+    <name>noonmark::FieldChoices</name>
+    <message numerus="yes">
+        <source>%1   %2 feature(s)</source>
+        <translation>
+            <numerusform>%1   %2 feature</numerusform>
+            <numerusform>%1   %2 features</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MassingPreview</name>
+    <message numerus="yes">
+        <source>%1 building(s); heights: %2.
+Lowest %3, median %4, tallest %5.</source>
+        <translation>
+            <numerusform>%1 building; heights: %2.
+Lowest %3, median %4, tallest %5.</numerusform>
+            <numerusform>%1 buildings; heights: %2.
+Lowest %3, median %4, tallest %5.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noonmark::MessageBar</name>
     <message numerus="yes">
         <source>%1 more line(s)</source>
@@ -253,6 +283,13 @@
         <translation>
             <numerusform>%1 far building left aside.</numerusform>
             <numerusform>%1 far buildings left aside.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 terrain(s) in the folder are not in the city: %2.</source>
+        <translation>
+            <numerusform>%1 terrain in the folder is not in the city: %2.</numerusform>
+            <numerusform>%1 terrains in the folder are not in the city: %2.</numerusform>
         </translation>
     </message>
 </context>

@@ -1419,10 +1419,6 @@ Por defecto: %2</translation>
 %2 a %3 %4, normalmente %5</translation>
     </message>
     <message>
-        <source>automatic</source>
-        <translation>automático</translation>
-    </message>
-    <message>
         <source> of %1</source>
         <translation> de %1</translation>
     </message>
@@ -1467,10 +1463,6 @@ Por defecto: %2</translation>
     <message>
         <source>Guided &amp;tours</source>
         <translation>&amp;Visitas guiadas</translation>
-    </message>
-    <message>
-        <source>none: the processor</source>
-        <translation>ninguno: el procesador</translation>
     </message>
     <message>
         <source>Plan, elevat&amp;ions, from the sun</source>
@@ -2309,6 +2301,21 @@ Se actualiza al cambiar la vista o la hora, primero de forma aproximada y luego 
 Opens the panel Review.</source>
         <translation>Dictámenes según las normas de las autoridades, de una propuesta o de la ciudad existente.
 Abre el panel Evaluación.</translation>
+    </message>
+    <message>
+        <source>Heights of buildings:</source>
+        <translation>Alturas de los edificios:</translation>
+    </message>
+    <message>
+        <source>height %1</source>
+        <translation>altura %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>; %1 of them were there before and stay as they are</source>
+        <translation>
+            <numerusform>; %1 de ellos ya estaba y queda como está</numerusform>
+            <numerusform>; %1 de ellos ya estaban y quedan como están</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3412,14 +3419,6 @@ Abre el panel Evaluación.</translation>
         <translation>%1 de %2 lugares tienen menos de %3 de sol al día</translation>
     </message>
     <message>
-        <source>On average over their area %1, of %2 a day with the sun up.</source>
-        <translation>De media en su área %1, de %2 al día con el sol sobre el horizonte.</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day by month</source>
-        <translation>Horas de sol al día por mes</translation>
-    </message>
-    <message>
         <source>Change of mean sun</source>
         <translation>Cambio del sol medio</translation>
     </message>
@@ -4036,184 +4035,8 @@ Abre el panel Evaluación.</translation>
         <translation>minutos de sol al día</translation>
     </message>
     <message>
-        <source> min</source>
-        <translation> min</translation>
-    </message>
-    <message>
-        <source> min a day</source>
-        <translation> min al día</translation>
-    </message>
-    <message>
-        <source> h</source>
-        <translation> h</translation>
-    </message>
-    <message>
-        <source> h a day</source>
-        <translation> h al día</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>not counted</source>
-        <translation>no contada</translation>
-    </message>
-    <message>
-        <source>if neighbours&apos; ground heights differ</source>
-        <translation>si difiere la cota de los vecinos</translation>
-    </message>
-    <message>
-        <source>always</source>
-        <translation>siempre</translation>
-    </message>
-    <message>
-        <source>never (flat ground)</source>
-        <translation>nunca (suelo llano)</translation>
-    </message>
-    <message>
-        <source>as their bases fit the terrain</source>
-        <translation>según encajen sus bases en el terreno</translation>
-    </message>
-    <message>
-        <source>each set down on the terrain</source>
-        <translation>cada uno apoyado en el terreno</translation>
-    </message>
-    <message>
-        <source>at the elevations in the file</source>
-        <translation>a las cotas del archivo</translation>
-    </message>
-    <message>
-        <source>found by its steps at outlines</source>
-        <translation>según sus saltos en los contornos</translation>
-    </message>
-    <message>
-        <source>the bare ground</source>
-        <translation>el suelo desnudo</translation>
-    </message>
-    <message>
-        <source>a surface with buildings</source>
-        <translation>una superficie con edificios</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Z</source>
-        <translation>Z</translation>
-    </message>
-    <message>
         <source>CityGML, CityJSON: level of detail (default: the highest)</source>
         <translation>CityGML, CityJSON: nivel de detalle (por defecto: el más alto)</translation>
-    </message>
-    <message>
-        <source>Sun to indigo</source>
-        <translation>Sol a índigo</translation>
-    </message>
-    <message>
-        <source>Viridis</source>
-        <translation>Viridis</translation>
-    </message>
-    <message>
-        <source>Cividis</source>
-        <translation>Cividis</translation>
-    </message>
-    <message>
-        <source>Magma</source>
-        <translation>Magma</translation>
-    </message>
-    <message>
-        <source>Grey</source>
-        <translation>Gris</translation>
-    </message>
-    <message>
-        <source>Green to red</source>
-        <translation>Verde a rojo</translation>
-    </message>
-    <message>
-        <source>Orange to violet</source>
-        <translation>Naranja a violeta</translation>
-    </message>
-    <message>
-        <source>Green-blue to brown</source>
-        <translation>Verde azulado a marrón</translation>
-    </message>
-    <message>
-        <source>Orange to purple</source>
-        <translation>Naranja a púrpura</translation>
-    </message>
-    <message>
-        <source>Blue to red</source>
-        <translation>Azul a rojo</translation>
-    </message>
-    <message>
-        <source>Green to red, pale in the middle</source>
-        <translation>Verde a rojo, pálido en el centro</translation>
-    </message>
-    <message>
-        <source>Gross shadow of a cell</source>
-        <translation>Sombra bruta de una celda</translation>
-    </message>
-    <message>
-        <source>Longest shadow of a cell</source>
-        <translation>Sombra más larga de una celda</translation>
-    </message>
-    <message>
-        <source>Shadow of a cell in a month</source>
-        <translation>Sombra de una celda en un mes</translation>
-    </message>
-    <message>
-        <source>Change of gross shadow of a cell</source>
-        <translation>Cambio de la sombra bruta de una celda</translation>
-    </message>
-    <message>
-        <source>Change of the longest shadow of a cell</source>
-        <translation>Cambio de la sombra más larga de una celda</translation>
-    </message>
-    <message>
-        <source>Score of a cell</source>
-        <translation>Puntuación de una celda</translation>
-    </message>
-    <message>
-        <source>Weighted shade</source>
-        <translation>Sombra ponderada</translation>
-    </message>
-    <message>
-        <source>Least and most sun of a place, at a cell</source>
-        <translation>Menos y más sol de un lugar, en una celda</translation>
-    </message>
-    <message>
-        <source>Mean sun of a place</source>
-        <translation>Sol medio de un lugar</translation>
-    </message>
-    <message>
-        <source>Mean sun of a place in a month</source>
-        <translation>Sol medio de un lugar en un mes</translation>
-    </message>
-    <message>
-        <source>Share of a place with enough sun</source>
-        <translation>Parte de un lugar con sol suficiente</translation>
-    </message>
-    <message>
-        <source>Mean sun of a place on a date</source>
-        <translation>Sol medio de un lugar en una fecha</translation>
-    </message>
-    <message>
-        <source>Share of a place with less than enough sun on a date</source>
-        <translation>Parte de un lugar con sol insuficiente en una fecha</translation>
-    </message>
-    <message>
-        <source>Change of the mean sun of a place</source>
-        <translation>Cambio del sol medio de un lugar</translation>
-    </message>
-    <message>
-        <source>Largest loss and gain of a place, at a cell</source>
-        <translation>Mayor pérdida y ganancia de un lugar, en una celda</translation>
-    </message>
-    <message>
-        <source>Share of a place that loses sun</source>
-        <translation>Parte de un lugar que pierde sol</translation>
     </message>
     <message>
         <source>%1, with 99 % certainty within %2</source>
@@ -4224,64 +4047,8 @@ Abre el panel Evaluación.</translation>
         <translation>%1 de media, 99 de cada 100 dentro de %2, como máximo %3</translation>
     </message>
     <message>
-        <source>on the ground</source>
-        <translation>en el suelo</translation>
-    </message>
-    <message>
-        <source>on roofs</source>
-        <translation>en las cubiertas</translation>
-    </message>
-    <message>
-        <source>on the ground and roofs</source>
-        <translation>en el suelo y las cubiertas</translation>
-    </message>
-    <message>
         <source>%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot.</source>
         <translation>%1 quita más de un minuto de sol al día a %2 lugares, como máximo %3 en un punto.</translation>
-    </message>
-    <message>
-        <source>buildings stand on all of it</source>
-        <translation>hay edificios en toda su superficie</translation>
-    </message>
-    <message>
-        <source>no cell has its centre on its open ground</source>
-        <translation>ninguna celda tiene su centro en su suelo libre</translation>
-    </message>
-    <message>
-        <source>beyond the terrain: the nearest elevation is taken</source>
-        <translation>fuera del terreno: se toma la elevación más próxima</translation>
-    </message>
-    <message>
-        <source>mostly on water: measured at its surface</source>
-        <translation>en su mayor parte sobre agua: medido en su superficie</translation>
-    </message>
-    <message>
-        <source>elevations</source>
-        <translation>cotas</translation>
-    </message>
-    <message>
-        <source>above the ground</source>
-        <translation>sobre el terreno</translation>
-    </message>
-    <message>
-        <source>on facades</source>
-        <translation>en fachadas</translation>
-    </message>
-    <message>
-        <source>at windows of a file</source>
-        <translation>en ventanas de un archivo</translation>
-    </message>
-    <message>
-        <source>on a level plane</source>
-        <translation>en un plano horizontal</translation>
-    </message>
-    <message>
-        <source>on lines around a parcel</source>
-        <translation>en líneas alrededor de una parcela</translation>
-    </message>
-    <message>
-        <source>at single points</source>
-        <translation>en puntos concretos</translation>
     </message>
     <message>
         <source>Floor plate</source>
@@ -4312,56 +4079,12 @@ Abre el panel Evaluación.</translation>
         <translation>Evaluación</translation>
     </message>
     <message>
-        <source>without trees, as evergreens, with seasons</source>
-        <translation>sin árboles, como perennes, con estaciones</translation>
-    </message>
-    <message>
-        <source>without trees</source>
-        <translation>sin árboles</translation>
-    </message>
-    <message>
-        <source>as evergreens</source>
-        <translation>como perennes</translation>
-    </message>
-    <message>
-        <source>with seasons</source>
-        <translation>con estaciones</translation>
-    </message>
-    <message>
         <source>Inventories of trees</source>
         <translation>Inventarios de árboles</translation>
     </message>
     <message>
         <source>File with trees beside those of the city&apos;s files: points or a table with species, height, crown or stem; may be repeated</source>
         <translation>Archivo con árboles además de los de los archivos de ciudad: puntos o una tabla con especie, altura, copa o tronco; se puede repetir</translation>
-    </message>
-    <message>
-        <source>Shadow area of a month</source>
-        <translation>Área de sombra de un mes</translation>
-    </message>
-    <message>
-        <source>Shadow score of a month</source>
-        <translation>Puntuación de sombra de un mes</translation>
-    </message>
-    <message>
-        <source>Weighted shade of a month</source>
-        <translation>Sombra ponderada de un mes</translation>
-    </message>
-    <message>
-        <source>Shadow area of an interval</source>
-        <translation>Área de sombra de un intervalo</translation>
-    </message>
-    <message>
-        <source>Shadow score of an interval</source>
-        <translation>Puntuación de sombra de un intervalo</translation>
-    </message>
-    <message>
-        <source>Weighted shade of an interval</source>
-        <translation>Sombra ponderada de un intervalo</translation>
-    </message>
-    <message>
-        <source>Mean sun of a small place with cells of its own</source>
-        <translation>Sol medio de un lugar pequeño con celdas propias</translation>
     </message>
     <message>
         <source>Change of the minutes of sun a day by month</source>
@@ -4540,14 +4263,6 @@ Abre el panel Evaluación.</translation>
         <translation>Qué se mide además de la sombra sin árboles, si la ciudad los tiene: sin ellos, perennes, estacionales o todo (predeterminado)</translation>
     </message>
     <message>
-        <source>first light of the disc (-0.833°)</source>
-        <translation>primera luz (-0,833°)</translation>
-    </message>
-    <message>
-        <source>middle of the disc (0°)</source>
-        <translation>centro del disco (0°)</translation>
-    </message>
-    <message>
         <source>After sunrise</source>
         <translation>Después del amanecer</translation>
     </message>
@@ -4570,6 +4285,330 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
         <translation>Qué momento cuenta como amanecer y ocaso: la altura del centro del sol</translation>
+    </message>
+    <message>
+        <source>repaired</source>
+        <translation>reparado</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>recortado</translation>
+    </message>
+    <message>
+        <source>dropped</source>
+        <translation>descartado</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>supuesta</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>medida</translation>
+    </message>
+    <message>
+        <source>from storeys</source>
+        <translation>según plantas</translation>
+    </message>
+    <message>
+        <source>of a 3D model</source>
+        <translation>de un modelo 3D</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>proyectada</translation>
+    </message>
+    <message>
+        <source>made up</source>
+        <translation>inventada</translation>
+    </message>
+    <message>
+        <source>has no area, so it casts no shadow</source>
+        <translation>no tiene área, así que no da sombra</translation>
+    </message>
+    <message>
+        <source>faces without area were left out</source>
+        <translation>se omitieron caras sin área</translation>
+    </message>
+    <message>
+        <source>its surface is not closed; it is used unchanged</source>
+        <translation>su superficie no está cerrada; se usa sin cambios</translation>
+    </message>
+    <message>
+        <source>its faces pointed inward and were turned</source>
+        <translation>sus caras miraban hacia dentro y se invirtieron</translation>
+    </message>
+    <message>
+        <source>its outline could not be determined</source>
+        <translation>no se pudo determinar su contorno</translation>
+    </message>
+    <message>
+        <source>Choose the horizon sweep</source>
+        <translation>Elija el barrido de horizontes</translation>
+    </message>
+    <message>
+        <source>Choose projected shadows, or rays on terrain and roofs</source>
+        <translation>Elija sombras proyectadas o, en terreno y cubiertas, rayos</translation>
+    </message>
+    <message>
+        <source>Choose the horizon sweep or the ray reference</source>
+        <translation>Elija el barrido de horizontes o la referencia por rayos</translation>
+    </message>
+    <message>
+        <source>Choose a step of 3 seconds or more</source>
+        <translation>Elija un paso de 3 segundos o más</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automático</translation>
+    </message>
+    <message>
+        <source>none: the processor</source>
+        <translation>ninguno: el procesador</translation>
+    </message>
+    <message>
+        <source>the coordinates are read as longitude or easting first</source>
+        <translation>las coordenadas se leen con la longitud o el este primero</translation>
+    </message>
+    <message>
+        <source>far from the middle of the data</source>
+        <translation>lejos del centro de los datos</translation>
+    </message>
+    <message>
+        <source>one of several polygon layers; all are read as buildings</source>
+        <translation>una de varias capas de polígonos; todas se leen como edificios</translation>
+    </message>
+    <message>
+        <source>is not tagged as a building</source>
+        <translation>no está etiquetado como edificio</translation>
+    </message>
+    <message>
+        <source>lies underground</source>
+        <translation>está bajo tierra</translation>
+    </message>
+    <message>
+        <source>its roof is not flat; it is drawn flat at its full height</source>
+        <translation>su cubierta no es plana; se dibuja plana a su altura total</translation>
+    </message>
+    <message>
+        <source>its polygons overlapped or shared a wall and were joined</source>
+        <translation>sus polígonos se solapaban o compartían un muro y se unieron</translation>
+    </message>
+    <message>
+        <source>No file is named</source>
+        <translation>No se indica ningún archivo</translation>
+    </message>
+    <message>
+        <source>Name at least one file with buildings</source>
+        <translation>Indique al menos un archivo con edificios</translation>
+    </message>
+    <message>
+        <source>None of the files states its position on earth</source>
+        <translation>Ninguno de los archivos indica su posición en la Tierra</translation>
+    </message>
+    <message>
+        <source>there is no terrain: the ground between the buildings was interpolated from their bases</source>
+        <translation>no hay terreno: el suelo entre los edificios se interpoló a partir de sus bases</translation>
+    </message>
+    <message>
+        <source>buildings beyond the terrain stand on its nearest elevation</source>
+        <translation>los edificios fuera del terreno se apoyan en su elevación más próxima</translation>
+    </message>
+    <message>
+        <source>The file holds no polygon with an area</source>
+        <translation>El archivo no contiene ningún polígono con área</translation>
+    </message>
+    <message>
+        <source>Draw the region as a polygon</source>
+        <translation>Dibuje la zona como polígono</translation>
+    </message>
+    <message>
+        <source>It is not a polygon in well-known text</source>
+        <translation>No es un polígono en well-known text</translation>
+    </message>
+    <message>
+        <source>Give degrees, longitude first: POLYGON ((-73.98 40.76, -73.97 40.76, -73.97 40.77, -73.98 40.76))</source>
+        <translation>Indique grados, la longitud primero: POLYGON ((-73.98 40.76, -73.97 40.76, -73.97 40.77, -73.98 40.76))</translation>
+    </message>
+    <message>
+        <source>The polygon has no area</source>
+        <translation>El polígono no tiene área</translation>
+    </message>
+    <message>
+        <source>Give at least three corners</source>
+        <translation>Indique al menos tres esquinas</translation>
+    </message>
+    <message>
+        <source>There is no such file, and the text is neither four numbers nor a polygon</source>
+        <translation>No existe ese archivo, y el texto no son cuatro números ni un polígono</translation>
+    </message>
+    <message>
+        <source>Give west,south,east,north in degrees, for example -73.99,40.75,-73.98,40.76, a polygon as well-known text, or a polygon file</source>
+        <translation>Indique oeste,sur,este,norte en grados, por ejemplo -73.99,40.75,-73.98,40.76, un polígono como well-known text o un archivo de polígonos</translation>
+    </message>
+    <message>
+        <source>Names field</source>
+        <translation>Campo de nombres</translation>
+    </message>
+    <message>
+        <source>Field with the names of the buildings (default: found by its name)</source>
+        <translation>Campo con los nombres de los edificios (por defecto: se reconoce por su nombre)</translation>
+    </message>
+    <message>
+        <source>terrain far from the city was left out</source>
+        <translation>se omitió el terreno lejos de la ciudad</translation>
+    </message>
+    <message>
+        <source>cells without elevation were filled from the nearest one</source>
+        <translation>las celdas sin elevación se rellenaron con la más próxima</translation>
+    </message>
+    <message>
+        <source>a tree far from the buildings</source>
+        <translation>un árbol lejos de los edificios</translation>
+    </message>
+    <message>
+        <source>a second tree at the same place</source>
+        <translation>un segundo árbol en el mismo sitio</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>sin diferencia</translation>
+    </message>
+    <message>
+        <source>Choose 0.25 to 10 m</source>
+        <translation>Elija de 0,25 a 10 m</translation>
+    </message>
+    <message>
+        <source>The region has no area</source>
+        <translation>La zona no tiene área</translation>
+    </message>
+    <message>
+        <source>Draw a polygon with an interior</source>
+        <translation>Dibuje un polígono con interior</translation>
+    </message>
+    <message>
+        <source>Choose larger cells or a smaller region; the limit is 2.1 billion cells</source>
+        <translation>Elija celdas mayores o una zona menor; el límite es de 2100 millones de celdas</translation>
+    </message>
+    <message>
+        <source>A corner is not on the globe</source>
+        <translation>Una esquina no está en el globo terráqueo</translation>
+    </message>
+    <message>
+        <source>Give degrees: west,south,east,north</source>
+        <translation>Indique grados: oeste,sur,este,norte</translation>
+    </message>
+    <message>
+        <source>The box is empty</source>
+        <translation>El rectángulo está vacío</translation>
+    </message>
+    <message>
+        <source>Give west &lt; east (or west &gt; east across the 180th meridian) and south &lt; north</source>
+        <translation>Indique oeste &lt; este (u oeste &gt; este a través del meridiano 180) y sur &lt; norte</translation>
+    </message>
+    <message>
+        <source>This is measured on the ground only, not on roofs</source>
+        <translation>Esto se mide solo en el suelo, no en las cubiertas</translation>
+    </message>
+    <message>
+        <source>Choose the ground, or run a study of the roofs</source>
+        <translation>Elija el suelo o calcule un estudio de las cubiertas</translation>
+    </message>
+    <message>
+        <source>On %1 it is %2 of %3 places that have less than %4.</source>
+        <translation>El %1 son %2 de %3 lugares los que tienen menos de %4.</translation>
+    </message>
+    <message>
+        <source>Least sun has %1 with %2, most %3 with %4.</source>
+        <translation>El que menos sol tiene es %1, con %2; el que más, %3, con %4.</translation>
+    </message>
+    <message>
+        <source>On average over their area %1 a day, of %2 without any shadow.</source>
+        <translation>De media sobre su área, %1 al día, de %2 sin ninguna sombra.</translation>
+    </message>
+    <message>
+        <source>Choose larger cells, a smaller region or fewer steps</source>
+        <translation>Elija celdas mayores, una zona menor o menos pasos</translation>
+    </message>
+    <message>
+        <source>No cell of the region lies on a roof</source>
+        <translation>Ninguna celda de la zona está en una cubierta</translation>
+    </message>
+    <message>
+        <source>Choose a region with buildings, or smaller cells</source>
+        <translation>Elija una zona con edificios o celdas menores</translation>
+    </message>
+    <message>
+        <source>No cell of the region lies on open ground</source>
+        <translation>Ninguna celda de la zona está en suelo libre</translation>
+    </message>
+    <message>
+        <source>Choose a region outside buildings and water, or smaller cells</source>
+        <translation>Elija una zona fuera de edificios y agua, o celdas menores</translation>
+    </message>
+    <message>
+        <source>The start is not a date of the calendar</source>
+        <translation>El inicio no es una fecha del calendario</translation>
+    </message>
+    <message>
+        <source>Give a date such as 2026-03-21</source>
+        <translation>Indique una fecha como 2026-03-21</translation>
+    </message>
+    <message>
+        <source>Choose other dates; the position of the sun is known for these years only</source>
+        <translation>Elija otras fechas; la posición del sol solo se conoce para estos años</translation>
+    </message>
+    <message>
+        <source>The time of day at which the hours begin is out of range</source>
+        <translation>La hora a la que empieza la franja está fuera del intervalo admitido</translation>
+    </message>
+    <message>
+        <source>Give 00:00 to 24:00</source>
+        <translation>Indique de 00:00 a 24:00</translation>
+    </message>
+    <message>
+        <source>Give 0 (one instant), or 0.00028 to 24</source>
+        <translation>Indique 0 (un instante) o de 0,00028 a 24</translation>
+    </message>
+    <message>
+        <source>The hours after sunrise or before sunset are out of range</source>
+        <translation>Las horas después del amanecer o antes del ocaso están fuera del intervalo admitido</translation>
+    </message>
+    <message>
+        <source>Give at most 12 hours on either side</source>
+        <translation>Indique como máximo 12 horas a cada lado</translation>
+    </message>
+    <message>
+        <source>Choose a longer step or fewer days; the limit is 50 million steps</source>
+        <translation>Elija un paso más largo o menos días; el límite es de 50 millones de pasos</translation>
+    </message>
+    <message>
+        <source>The sun is below the horizon all the time</source>
+        <translation>El sol está todo el tiempo bajo el horizonte</translation>
+    </message>
+    <message>
+        <source>Choose other hours or days</source>
+        <translation>Elija otras horas u otros días</translation>
+    </message>
+    <message>
+        <source>%1 takes sun from %2, at most %3 a day at one spot</source>
+        <translation>%1 quita sol a %2, como máximo %3 al día en un punto</translation>
+    </message>
+    <message>
+        <source>%1 gives sun to %2, at most %3 a day at one spot</source>
+        <translation>%1 da sol a %2, como máximo %3 al día en un punto</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Separación</translation>
+    </message>
+    <message>
+        <source>Between the pieces of the lot of several towers</source>
+        <translation>Entre las partes de la parcela de varias torres</translation>
+    </message>
+    <message>
+        <source>Further towers</source>
+        <translation>Otras torres</translation>
     </message>
 </context>
 <context>
@@ -5443,6 +5482,18 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>Laying out the sheets</source>
         <translation>Componiendo las láminas</translation>
     </message>
+    <message>
+        <source> pixels high</source>
+        <translation> píxeles de alto</translation>
+    </message>
+    <message>
+        <source>Title, legend and scale bar</source>
+        <translation>Título, leyenda y barra de escala</translation>
+    </message>
+    <message>
+        <source>Around the view, within the size of the picture</source>
+        <translation>Alrededor de la vista, dentro del tamaño de la imagen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ExtrudeHandle</name>
@@ -5551,6 +5602,28 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::FieldChoices</name>
+    <message>
+        <source>none is found by name</source>
+        <translation>ninguno hallado por su nombre</translation>
+    </message>
+    <message>
+        <source>found by name: %1</source>
+        <translation>hallado por su nombre: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1   %2 feature(s)</source>
+        <translation>
+            <numerusform>%1   %2 elemento</numerusform>
+            <numerusform>%1   %2 elementos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lists the fields with sample values</source>
+        <translation>Muestra los campos con valores de ejemplo</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::FieldHelp</name>
     <message>
         <source>%1 to %2</source>
@@ -5559,6 +5632,37 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>More in the guide (F1)</source>
         <translation>Más en la guía (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FurtherTable</name>
+    <message>
+        <source>Add tower</source>
+        <translation>Añadir torre</translation>
+    </message>
+    <message>
+        <source>Another tower on the lot, apart from the others: each has a piece of it</source>
+        <translation>Otra torre en la parcela, separada de las demás: cada una tiene una parte de ella</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Removes the selected tower, or the last one</source>
+        <translation>Quita la torre seleccionada o la última</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>Plantas</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Planta tipo</translation>
+    </message>
+    <message>
+        <source>Further towers, which the same step builds; the lot is divided across its longest side</source>
+        <translation>Otras torres, que construye el mismo paso; la parcela se divide transversalmente a su lado más largo</translation>
     </message>
 </context>
 <context>
@@ -5704,6 +5808,17 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::HeightColours</name>
+    <message>
+        <source>Colour &amp;by source of height</source>
+        <translation>Colorear según el o&amp;rigen de la altura</translation>
+    </message>
+    <message>
+        <source>Buildings whose height is measured, computed from storeys or assumed</source>
+        <translation>Edificios cuya altura está medida, calculada según las plantas o supuesta</translation>
     </message>
 </context>
 <context>
@@ -6297,6 +6412,27 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     </message>
 </context>
 <context>
+    <name>noonmark::MassingPreview</name>
+    <message>
+        <source>Reading the files...</source>
+        <translation>Leyendo los archivos...</translation>
+    </message>
+    <message>
+        <source>The files hold no buildings.</source>
+        <translation>Los archivos no contienen edificios.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s); heights: %2.
+Lowest %3, median %4, tallest %5.</source>
+        <translation>
+            <numerusform>%1 edificio; alturas: %2.
+El más bajo %3, mediana %4, el más alto %5.</numerusform>
+            <numerusform>%1 edificios; alturas: %2.
+El más bajo %3, mediana %4, el más alto %5.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noonmark::MeshPlacing</name>
     <message>
         <source>Reading %1</source>
@@ -6362,6 +6498,14 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
             <numerusform>Película de %1 fotogramas guardada como %2</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Filming the view</source>
+        <translation>Filmando la vista</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MovieDialog</name>
@@ -6406,20 +6550,12 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <translation>Paso</translation>
     </message>
     <message>
-        <source>The ground that all frames show, from above</source>
-        <translation>El suelo que muestran todos los fotogramas, desde arriba</translation>
-    </message>
-    <message>
         <source>What changes and what its shadows reach, or the places</source>
         <translation>Lo que cambia y lo que alcanzan sus sombras, o los lugares</translation>
     </message>
     <message>
         <source>The region of the study</source>
         <translation>La zona del estudio</translation>
-    </message>
-    <message>
-        <source>What the view shows</source>
-        <translation>Lo que muestra la vista</translation>
     </message>
     <message>
         <source>Small pictures make small files, which matters for GIF</source>
@@ -6457,6 +6593,22 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <source>Asks for a file: MP4 for players, GIF for pages and mail</source>
         <translation>Pide un archivo: MP4 para reproductores, GIF para páginas y correo</translation>
     </message>
+    <message>
+        <source>Shadows at one time through the period</source>
+        <translation>Sombras a una hora a lo largo del periodo</translation>
+    </message>
+    <message>
+        <source>What all frames show: a map, or the view from where its camera stands</source>
+        <translation>Qué muestran todos los fotogramas: un mapa, o la vista desde donde está su cámara</translation>
+    </message>
+    <message>
+        <source>The ground that the view shows</source>
+        <translation>El suelo que muestra la vista</translation>
+    </message>
+    <message>
+        <source>The view in 3D, as it is shown</source>
+        <translation>La vista en 3D, tal como se muestra</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OpenOptions</name>
@@ -6467,6 +6619,22 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>Read the files with these settings</source>
         <translation>Leer los archivos con estos ajustes</translation>
+    </message>
+    <message>
+        <source>Add terrain or surface model...</source>
+        <translation>Añadir terreno o modelo de superficie...</translation>
+    </message>
+    <message>
+        <source>Reads elevations together with the buildings. Of a surface model and a terrain, missing heights are the difference.</source>
+        <translation>Lee cotas junto con los edificios. Con un modelo de superficie y un terreno, las alturas que faltan son la diferencia.</translation>
+    </message>
+    <message>
+        <source>Listing fields</source>
+        <translation>Listando campos</translation>
+    </message>
+    <message>
+        <source>Reading for the preview</source>
+        <translation>Leyendo para la vista previa</translation>
     </message>
 </context>
 <context>
@@ -6557,6 +6725,17 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>Open a folder of city files</source>
         <translation>Abrir una carpeta de archivos de ciudad</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 terrain(s) in the folder are not in the city: %2.</source>
+        <translation>
+            <numerusform>%1 terreno de la carpeta no está en la ciudad: %2.</numerusform>
+            <numerusform>%1 terrenos de la carpeta no están en la ciudad: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add terrain</source>
+        <translation>Añadir terreno</translation>
     </message>
 </context>
 <context>
@@ -7014,6 +7193,10 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>%1: %2 min of sun a day more</source>
         <translation>%1: %2 min de sol al día más</translation>
+    </message>
+    <message>
+        <source>%1. Headline and shares of the area are for %2 h, as they were saved</source>
+        <translation>%1. El titular y las partes del área son para %2 h, tal como se guardaron</translation>
     </message>
 </context>
 <context>
@@ -7629,10 +7812,6 @@ Después: %3
         <translation>Centro de la ciudad abierta</translation>
     </message>
     <message>
-        <source>Heights</source>
-        <translation>Alturas</translation>
-    </message>
-    <message>
         <source>Place and choice of data</source>
         <translation>Ubicación y selección de datos</translation>
     </message>
@@ -7657,6 +7836,10 @@ No: en el origen de la ciudad de los demás archivos.</translation>
     <message>
         <source>Meshes (%1)</source>
         <translation>Mallas (%1)</translation>
+    </message>
+    <message>
+        <source>Heights and names</source>
+        <translation>Alturas y nombres</translation>
     </message>
 </context>
 <context>
@@ -7800,6 +7983,10 @@ No: en el origen de la ciudad de los demás archivos.</translation>
     <message>
         <source>What buildings take from %1</source>
         <translation>Qué quitan los edificios a %1</translation>
+    </message>
+    <message>
+        <source>Picture of the view</source>
+        <translation>Imagen de la vista</translation>
     </message>
 </context>
 <context>
@@ -8044,6 +8231,14 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Press Run review to evaluate the rule on the windows.</source>
         <translation>Pulse «Ejecutar revisión» para evaluar la norma en las ventanas.</translation>
+    </message>
+    <message>
+        <source>Press Run review to see which places fail as the city stands, or design a tower.</source>
+        <translation>Pulse Evaluar para ver qué lugares no cumplen en la ciudad actual, o diseñe una torre.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2 en su estado actual. %3</translation>
     </message>
 </context>
 <context>
@@ -10074,6 +10269,317 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>Shadow</source>
+        <translation>Sombra</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>Parte del tiempo con sol</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> min al día</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> h</translation>
+    </message>
+    <message>
+        <source> h a day</source>
+        <translation> h al día</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>no contada</translation>
+    </message>
+    <message>
+        <source>without trees, as evergreens, with seasons</source>
+        <translation>sin árboles, como perennes, con estaciones</translation>
+    </message>
+    <message>
+        <source>without trees</source>
+        <translation>sin árboles</translation>
+    </message>
+    <message>
+        <source>as evergreens</source>
+        <translation>como perennes</translation>
+    </message>
+    <message>
+        <source>with seasons</source>
+        <translation>con estaciones</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>si difiere la cota de los vecinos</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>siempre</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>nunca (suelo llano)</translation>
+    </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>según encajen sus bases en el terreno</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>cada uno apoyado en el terreno</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>a las cotas del archivo</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>según sus saltos en los contornos</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>el suelo desnudo</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>una superficie con edificios</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Sun to indigo</source>
+        <translation>Sol a índigo</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Magma</source>
+        <translation>Magma</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Green to red</source>
+        <translation>Verde a rojo</translation>
+    </message>
+    <message>
+        <source>Orange to violet</source>
+        <translation>Naranja a violeta</translation>
+    </message>
+    <message>
+        <source>Green-blue to brown</source>
+        <translation>Verde azulado a marrón</translation>
+    </message>
+    <message>
+        <source>Orange to purple</source>
+        <translation>Naranja a púrpura</translation>
+    </message>
+    <message>
+        <source>Blue to red</source>
+        <translation>Azul a rojo</translation>
+    </message>
+    <message>
+        <source>Green to red, pale in the middle</source>
+        <translation>Verde a rojo, pálido en el centro</translation>
+    </message>
+    <message>
+        <source>Gross shadow of a cell</source>
+        <translation>Sombra bruta de una celda</translation>
+    </message>
+    <message>
+        <source>Longest shadow of a cell</source>
+        <translation>Sombra más larga de una celda</translation>
+    </message>
+    <message>
+        <source>Shadow of a cell in a month</source>
+        <translation>Sombra de una celda en un mes</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow of a cell</source>
+        <translation>Cambio de la sombra bruta de una celda</translation>
+    </message>
+    <message>
+        <source>Change of the longest shadow of a cell</source>
+        <translation>Cambio de la sombra más larga de una celda</translation>
+    </message>
+    <message>
+        <source>Score of a cell</source>
+        <translation>Puntuación de una celda</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>Puntuación de sombra</translation>
+    </message>
+    <message>
+        <source>Weighted shade</source>
+        <translation>Sombra ponderada</translation>
+    </message>
+    <message>
+        <source>Shadow area of a month</source>
+        <translation>Área de sombra de un mes</translation>
+    </message>
+    <message>
+        <source>Shadow score of a month</source>
+        <translation>Puntuación de sombra de un mes</translation>
+    </message>
+    <message>
+        <source>Weighted shade of a month</source>
+        <translation>Sombra ponderada de un mes</translation>
+    </message>
+    <message>
+        <source>Shadow area of an interval</source>
+        <translation>Área de sombra de un intervalo</translation>
+    </message>
+    <message>
+        <source>Shadow score of an interval</source>
+        <translation>Puntuación de sombra de un intervalo</translation>
+    </message>
+    <message>
+        <source>Weighted shade of an interval</source>
+        <translation>Sombra ponderada de un intervalo</translation>
+    </message>
+    <message>
+        <source>Least and most sun of a place, at a cell</source>
+        <translation>Menos y más sol de un lugar, en una celda</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place</source>
+        <translation>Sol medio de un lugar</translation>
+    </message>
+    <message>
+        <source>Mean sun of a small place with cells of its own</source>
+        <translation>Sol medio de un lugar pequeño con celdas propias</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place in a month</source>
+        <translation>Sol medio de un lugar en un mes</translation>
+    </message>
+    <message>
+        <source>Share of a place with enough sun</source>
+        <translation>Parte de un lugar con sol suficiente</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place on a date</source>
+        <translation>Sol medio de un lugar en una fecha</translation>
+    </message>
+    <message>
+        <source>Share of a place with less than enough sun on a date</source>
+        <translation>Parte de un lugar con sol insuficiente en una fecha</translation>
+    </message>
+    <message>
+        <source>Change of the mean sun of a place</source>
+        <translation>Cambio del sol medio de un lugar</translation>
+    </message>
+    <message>
+        <source>Largest loss and gain of a place, at a cell</source>
+        <translation>Mayor pérdida y ganancia de un lugar, en una celda</translation>
+    </message>
+    <message>
+        <source>Share of a place that loses sun</source>
+        <translation>Parte de un lugar que pierde sol</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>en el suelo</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>en las cubiertas</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>en el suelo y las cubiertas</translation>
+    </message>
+    <message>
+        <source>buildings stand on all of it</source>
+        <translation>hay edificios en toda su superficie</translation>
+    </message>
+    <message>
+        <source>no cell has its centre on its open ground</source>
+        <translation>ninguna celda tiene su centro en su suelo libre</translation>
+    </message>
+    <message>
+        <source>beyond the terrain: the nearest elevation is taken</source>
+        <translation>fuera del terreno: se toma la elevación más próxima</translation>
+    </message>
+    <message>
+        <source>mostly on water: measured at its surface</source>
+        <translation>en su mayor parte sobre agua: medido en su superficie</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>cotas</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>sobre el terreno</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>en fachadas</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>en ventanas de un archivo</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>en un plano horizontal</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>en líneas alrededor de una parcela</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>en puntos concretos</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>Horas de sol al día por mes</translation>
+    </message>
+    <message>
+        <source>first light of the disc (-0.833°)</source>
+        <translation>primera luz (-0,833°)</translation>
+    </message>
+    <message>
+        <source>middle of the disc (0°)</source>
+        <translation>centro del disco (0°)</translation>
     </message>
 </context>
 </TS>

@@ -1419,10 +1419,6 @@ Default: %2</source>
 %2 から %3 %4、通常 %5</translation>
     </message>
     <message>
-        <source>automatic</source>
-        <translation>自動</translation>
-    </message>
-    <message>
         <source> of %1</source>
         <translation> (階高 %1)</translation>
     </message>
@@ -1467,10 +1463,6 @@ Default: %2</source>
     <message>
         <source>Guided &amp;tours</source>
         <translation>ガイドツアー(&amp;T)</translation>
-    </message>
-    <message>
-        <source>none: the processor</source>
-        <translation>なし: プロセッサ</translation>
     </message>
     <message>
         <source>Plan, elevat&amp;ions, from the sun</source>
@@ -2283,6 +2275,20 @@ Updated when the view or the time changes, coarse at first, then pixel by pixel.
 Opens the panel Review.</source>
         <translation>審査機関の規定による、計画案または既存の街の判定。
 「審査」パネルを開きます。</translation>
+    </message>
+    <message>
+        <source>Heights of buildings:</source>
+        <translation>建物の高さ:</translation>
+    </message>
+    <message>
+        <source>height %1</source>
+        <translation>高さ %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>; %1 of them were there before and stay as they are</source>
+        <translation>
+            <numerusform>; うち %1 か所は以前からあり、そのまま残ります</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3386,14 +3392,6 @@ Opens the panel Review.</source>
         <translation>%2 か所中 %1 か所で日照が 1 日 %3 未満</translation>
     </message>
     <message>
-        <source>On average over their area %1, of %2 a day with the sun up.</source>
-        <translation>面積の平均で %1（太陽が出ている 1 日 %2 のうち）。</translation>
-    </message>
-    <message>
-        <source>Hours of sun a day by month</source>
-        <translation>月別の 1 日の日照時間</translation>
-    </message>
-    <message>
         <source>Change of mean sun</source>
         <translation>平均日照の変化</translation>
     </message>
@@ -4010,184 +4008,8 @@ Opens the panel Review.</source>
         <translation>1 日の日照の分数</translation>
     </message>
     <message>
-        <source> min</source>
-        <translation> 分</translation>
-    </message>
-    <message>
-        <source> min a day</source>
-        <translation> 分/日</translation>
-    </message>
-    <message>
-        <source> h</source>
-        <translation> 時間</translation>
-    </message>
-    <message>
-        <source> h a day</source>
-        <translation> 時間/日</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>not counted</source>
-        <translation>未集計</translation>
-    </message>
-    <message>
-        <source>if neighbours&apos; ground heights differ</source>
-        <translation>隣接する地盤高が異なる場合</translation>
-    </message>
-    <message>
-        <source>always</source>
-        <translation>常に</translation>
-    </message>
-    <message>
-        <source>never (flat ground)</source>
-        <translation>しない (平らな地面)</translation>
-    </message>
-    <message>
-        <source>as their bases fit the terrain</source>
-        <translation>基部と地形の合い方に応じて</translation>
-    </message>
-    <message>
-        <source>each set down on the terrain</source>
-        <translation>それぞれを地形に載せる</translation>
-    </message>
-    <message>
-        <source>at the elevations in the file</source>
-        <translation>ファイルの標高のまま</translation>
-    </message>
-    <message>
-        <source>found by its steps at outlines</source>
-        <translation>輪郭での段差から判定</translation>
-    </message>
-    <message>
-        <source>the bare ground</source>
-        <translation>地表面のみ</translation>
-    </message>
-    <message>
-        <source>a surface with buildings</source>
-        <translation>建物を含む表面</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
-        <source>Z</source>
-        <translation>Z</translation>
-    </message>
-    <message>
         <source>CityGML, CityJSON: level of detail (default: the highest)</source>
         <translation>CityGML、CityJSON：詳細度（既定：最も高いもの）</translation>
-    </message>
-    <message>
-        <source>Sun to indigo</source>
-        <translation>日なた色から藍色</translation>
-    </message>
-    <message>
-        <source>Viridis</source>
-        <translation>Viridis</translation>
-    </message>
-    <message>
-        <source>Cividis</source>
-        <translation>Cividis</translation>
-    </message>
-    <message>
-        <source>Magma</source>
-        <translation>Magma</translation>
-    </message>
-    <message>
-        <source>Grey</source>
-        <translation>グレー</translation>
-    </message>
-    <message>
-        <source>Green to red</source>
-        <translation>緑から赤</translation>
-    </message>
-    <message>
-        <source>Orange to violet</source>
-        <translation>橙から紫</translation>
-    </message>
-    <message>
-        <source>Green-blue to brown</source>
-        <translation>青緑から茶</translation>
-    </message>
-    <message>
-        <source>Orange to purple</source>
-        <translation>橙から赤紫</translation>
-    </message>
-    <message>
-        <source>Blue to red</source>
-        <translation>青から赤</translation>
-    </message>
-    <message>
-        <source>Green to red, pale in the middle</source>
-        <translation>緑から赤、中央は淡い色</translation>
-    </message>
-    <message>
-        <source>Gross shadow of a cell</source>
-        <translation>セルの総日影</translation>
-    </message>
-    <message>
-        <source>Longest shadow of a cell</source>
-        <translation>セルの最長連続日影</translation>
-    </message>
-    <message>
-        <source>Shadow of a cell in a month</source>
-        <translation>セルの月別の日影</translation>
-    </message>
-    <message>
-        <source>Change of gross shadow of a cell</source>
-        <translation>セルの総日影の変化</translation>
-    </message>
-    <message>
-        <source>Change of the longest shadow of a cell</source>
-        <translation>セルの最長連続日影の変化</translation>
-    </message>
-    <message>
-        <source>Score of a cell</source>
-        <translation>セルの得点</translation>
-    </message>
-    <message>
-        <source>Weighted shade</source>
-        <translation>重み付きの日陰</translation>
-    </message>
-    <message>
-        <source>Least and most sun of a place, at a cell</source>
-        <translation>場所の最小・最大の日照（セル）</translation>
-    </message>
-    <message>
-        <source>Mean sun of a place</source>
-        <translation>場所の平均日照</translation>
-    </message>
-    <message>
-        <source>Mean sun of a place in a month</source>
-        <translation>場所の月別平均日照</translation>
-    </message>
-    <message>
-        <source>Share of a place with enough sun</source>
-        <translation>十分な日照がある場所の割合</translation>
-    </message>
-    <message>
-        <source>Mean sun of a place on a date</source>
-        <translation>場所の指定日の平均日照</translation>
-    </message>
-    <message>
-        <source>Share of a place with less than enough sun on a date</source>
-        <translation>指定日に日照が不足する場所の割合</translation>
-    </message>
-    <message>
-        <source>Change of the mean sun of a place</source>
-        <translation>場所の平均日照の変化</translation>
-    </message>
-    <message>
-        <source>Largest loss and gain of a place, at a cell</source>
-        <translation>場所の最大の減少と増加（セル）</translation>
-    </message>
-    <message>
-        <source>Share of a place that loses sun</source>
-        <translation>日照が減る場所の割合</translation>
     </message>
     <message>
         <source>%1, with 99 % certainty within %2</source>
@@ -4198,64 +4020,8 @@ Opens the panel Review.</source>
         <translation>平均 %1、100 のうち 99 は %2 以内、最大 %3</translation>
     </message>
     <message>
-        <source>on the ground</source>
-        <translation>地面</translation>
-    </message>
-    <message>
-        <source>on roofs</source>
-        <translation>屋根</translation>
-    </message>
-    <message>
-        <source>on the ground and roofs</source>
-        <translation>地面と屋根</translation>
-    </message>
-    <message>
         <source>%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot.</source>
         <translation>%1 は %2 か所で 1 日 1 分を超える日照を奪い、1 地点では最大 %3 です。</translation>
-    </message>
-    <message>
-        <source>buildings stand on all of it</source>
-        <translation>全体に建物が建っています</translation>
-    </message>
-    <message>
-        <source>no cell has its centre on its open ground</source>
-        <translation>空地に中心を持つセルがありません</translation>
-    </message>
-    <message>
-        <source>beyond the terrain: the nearest elevation is taken</source>
-        <translation>地形の範囲外：最も近い標高を使用</translation>
-    </message>
-    <message>
-        <source>mostly on water: measured at its surface</source>
-        <translation>大部分が水面上：水面で計測</translation>
-    </message>
-    <message>
-        <source>elevations</source>
-        <translation>標高</translation>
-    </message>
-    <message>
-        <source>above the ground</source>
-        <translation>地盤からの高さ</translation>
-    </message>
-    <message>
-        <source>on facades</source>
-        <translation>ファサード</translation>
-    </message>
-    <message>
-        <source>at windows of a file</source>
-        <translation>ファイルの窓</translation>
-    </message>
-    <message>
-        <source>on a level plane</source>
-        <translation>水平面</translation>
-    </message>
-    <message>
-        <source>on lines around a parcel</source>
-        <translation>敷地まわりの線上</translation>
-    </message>
-    <message>
-        <source>at single points</source>
-        <translation>個別の点</translation>
     </message>
     <message>
         <source>Floor plate</source>
@@ -4286,56 +4052,12 @@ Opens the panel Review.</source>
         <translation>審査</translation>
     </message>
     <message>
-        <source>without trees, as evergreens, with seasons</source>
-        <translation>樹木なし、常緑として、季節あり</translation>
-    </message>
-    <message>
-        <source>without trees</source>
-        <translation>樹木なし</translation>
-    </message>
-    <message>
-        <source>as evergreens</source>
-        <translation>常緑として</translation>
-    </message>
-    <message>
-        <source>with seasons</source>
-        <translation>季節あり</translation>
-    </message>
-    <message>
         <source>Inventories of trees</source>
         <translation>樹木台帳</translation>
     </message>
     <message>
         <source>File with trees beside those of the city&apos;s files: points or a table with species, height, crown or stem; may be repeated</source>
         <translation>都市ファイルの樹木に加える樹木のファイル: 点、または樹種・高さ・樹冠・幹の表。複数指定できます</translation>
-    </message>
-    <message>
-        <source>Shadow area of a month</source>
-        <translation>月の日影面積</translation>
-    </message>
-    <message>
-        <source>Shadow score of a month</source>
-        <translation>月の日影スコア</translation>
-    </message>
-    <message>
-        <source>Weighted shade of a month</source>
-        <translation>月の重み付き日陰</translation>
-    </message>
-    <message>
-        <source>Shadow area of an interval</source>
-        <translation>区間の日影面積</translation>
-    </message>
-    <message>
-        <source>Shadow score of an interval</source>
-        <translation>区間の日影スコア</translation>
-    </message>
-    <message>
-        <source>Weighted shade of an interval</source>
-        <translation>区間の重み付き日陰</translation>
-    </message>
-    <message>
-        <source>Mean sun of a small place with cells of its own</source>
-        <translation>専用のセルを持つ小さな場所の平均日照</translation>
     </message>
     <message>
         <source>Change of the minutes of sun a day by month</source>
@@ -4514,14 +4236,6 @@ Opens the panel Review.</source>
         <translation>都市に樹木がある場合、樹木なしの影のほかに測るもの: なし、常緑、季節、すべて (既定)</translation>
     </message>
     <message>
-        <source>first light of the disc (-0.833°)</source>
-        <translation>上縁が出る時 (-0.833°)</translation>
-    </message>
-    <message>
-        <source>middle of the disc (0°)</source>
-        <translation>中心が出る時 (0°)</translation>
-    </message>
-    <message>
         <source>After sunrise</source>
         <translation>日の出後</translation>
     </message>
@@ -4544,6 +4258,330 @@ Opens the panel Review.</source>
     <message>
         <source>Which moment counts as sunrise and sunset: the altitude of the sun&apos;s centre</source>
         <translation>日の出・日没とみなす時点: 太陽中心の高度</translation>
+    </message>
+    <message>
+        <source>repaired</source>
+        <translation>修復</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>切り取り</translation>
+    </message>
+    <message>
+        <source>dropped</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>仮定</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>実測</translation>
+    </message>
+    <message>
+        <source>from storeys</source>
+        <translation>階数から</translation>
+    </message>
+    <message>
+        <source>of a 3D model</source>
+        <translation>3D モデルから</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>設計値</translation>
+    </message>
+    <message>
+        <source>made up</source>
+        <translation>架空</translation>
+    </message>
+    <message>
+        <source>has no area, so it casts no shadow</source>
+        <translation>面積がないため影を落としません</translation>
+    </message>
+    <message>
+        <source>faces without area were left out</source>
+        <translation>面積のない面を除外しました</translation>
+    </message>
+    <message>
+        <source>its surface is not closed; it is used unchanged</source>
+        <translation>表面が閉じていません。そのまま使います</translation>
+    </message>
+    <message>
+        <source>its faces pointed inward and were turned</source>
+        <translation>面が内側を向いていたため反転しました</translation>
+    </message>
+    <message>
+        <source>its outline could not be determined</source>
+        <translation>外形を求められませんでした</translation>
+    </message>
+    <message>
+        <source>Choose the horizon sweep</source>
+        <translation>地平線掃引を選んでください</translation>
+    </message>
+    <message>
+        <source>Choose projected shadows, or rays on terrain and roofs</source>
+        <translation>投影した影を、地形や屋根ではレイを選んでください</translation>
+    </message>
+    <message>
+        <source>Choose the horizon sweep or the ray reference</source>
+        <translation>地平線掃引またはレイ基準を選んでください</translation>
+    </message>
+    <message>
+        <source>Choose a step of 3 seconds or more</source>
+        <translation>3 秒以上のステップを選んでください</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>none: the processor</source>
+        <translation>なし: プロセッサ</translation>
+    </message>
+    <message>
+        <source>the coordinates are read as longitude or easting first</source>
+        <translation>座標は経度または東距を先として読み込みます</translation>
+    </message>
+    <message>
+        <source>far from the middle of the data</source>
+        <translation>データの中心から遠く離れています</translation>
+    </message>
+    <message>
+        <source>one of several polygon layers; all are read as buildings</source>
+        <translation>複数あるポリゴンレイヤーの一つ。すべて建物として読み込みます</translation>
+    </message>
+    <message>
+        <source>is not tagged as a building</source>
+        <translation>建物のタグがありません</translation>
+    </message>
+    <message>
+        <source>lies underground</source>
+        <translation>地下にあります</translation>
+    </message>
+    <message>
+        <source>its roof is not flat; it is drawn flat at its full height</source>
+        <translation>屋根が平らではありません。全高で平らに描きます</translation>
+    </message>
+    <message>
+        <source>its polygons overlapped or shared a wall and were joined</source>
+        <translation>ポリゴンが重なるか壁を共有していたため結合しました</translation>
+    </message>
+    <message>
+        <source>No file is named</source>
+        <translation>ファイルが指定されていません</translation>
+    </message>
+    <message>
+        <source>Name at least one file with buildings</source>
+        <translation>建物のあるファイルを一つ以上指定してください</translation>
+    </message>
+    <message>
+        <source>None of the files states its position on earth</source>
+        <translation>地球上の位置が示されたファイルがありません</translation>
+    </message>
+    <message>
+        <source>there is no terrain: the ground between the buildings was interpolated from their bases</source>
+        <translation>地形がありません: 建物の間の地面は基部から補間しました</translation>
+    </message>
+    <message>
+        <source>buildings beyond the terrain stand on its nearest elevation</source>
+        <translation>地形の範囲外の建物は最も近い標高に載せます</translation>
+    </message>
+    <message>
+        <source>The file holds no polygon with an area</source>
+        <translation>ファイルに面積のある多角形がありません</translation>
+    </message>
+    <message>
+        <source>Draw the region as a polygon</source>
+        <translation>範囲を多角形で描いてください</translation>
+    </message>
+    <message>
+        <source>It is not a polygon in well-known text</source>
+        <translation>Well-known text の多角形ではありません</translation>
+    </message>
+    <message>
+        <source>Give degrees, longitude first: POLYGON ((-73.98 40.76, -73.97 40.76, -73.97 40.77, -73.98 40.76))</source>
+        <translation>経度を先に、度で指定してください: POLYGON ((-73.98 40.76, -73.97 40.76, -73.97 40.77, -73.98 40.76))</translation>
+    </message>
+    <message>
+        <source>The polygon has no area</source>
+        <translation>多角形に面積がありません</translation>
+    </message>
+    <message>
+        <source>Give at least three corners</source>
+        <translation>三つ以上の角を指定してください</translation>
+    </message>
+    <message>
+        <source>There is no such file, and the text is neither four numbers nor a polygon</source>
+        <translation>そのようなファイルはなく、文字列は四つの数値でも多角形でもありません</translation>
+    </message>
+    <message>
+        <source>Give west,south,east,north in degrees, for example -73.99,40.75,-73.98,40.76, a polygon as well-known text, or a polygon file</source>
+        <translation>西,南,東,北を度で (例: -73.99,40.75,-73.98,40.76)、または well-known text の多角形かポリゴンのファイルを指定してください</translation>
+    </message>
+    <message>
+        <source>Names field</source>
+        <translation>名称の項目</translation>
+    </message>
+    <message>
+        <source>Field with the names of the buildings (default: found by its name)</source>
+        <translation>建物の名称のフィールド（既定：名前から判定）</translation>
+    </message>
+    <message>
+        <source>terrain far from the city was left out</source>
+        <translation>都市から遠い地形を除外しました</translation>
+    </message>
+    <message>
+        <source>cells without elevation were filled from the nearest one</source>
+        <translation>標高のないセルを最も近いセルの値で補いました</translation>
+    </message>
+    <message>
+        <source>a tree far from the buildings</source>
+        <translation>建物から遠い樹木</translation>
+    </message>
+    <message>
+        <source>a second tree at the same place</source>
+        <translation>同じ位置の二本目の樹木</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>差なし</translation>
+    </message>
+    <message>
+        <source>Choose 0.25 to 10 m</source>
+        <translation>0.25～10 m を選んでください</translation>
+    </message>
+    <message>
+        <source>The region has no area</source>
+        <translation>範囲に面積がありません</translation>
+    </message>
+    <message>
+        <source>Draw a polygon with an interior</source>
+        <translation>内部のある多角形を描いてください</translation>
+    </message>
+    <message>
+        <source>Choose larger cells or a smaller region; the limit is 2.1 billion cells</source>
+        <translation>セルを大きくするか範囲を小さくしてください。上限は 21 億セルです</translation>
+    </message>
+    <message>
+        <source>A corner is not on the globe</source>
+        <translation>地球上にない角があります</translation>
+    </message>
+    <message>
+        <source>Give degrees: west,south,east,north</source>
+        <translation>度で指定してください: 西,南,東,北</translation>
+    </message>
+    <message>
+        <source>The box is empty</source>
+        <translation>長方形が空です</translation>
+    </message>
+    <message>
+        <source>Give west &lt; east (or west &gt; east across the 180th meridian) and south &lt; north</source>
+        <translation>西 &lt; 東 (180 度経線をまたぐときは 西 &gt; 東)、南 &lt; 北 で指定してください</translation>
+    </message>
+    <message>
+        <source>This is measured on the ground only, not on roofs</source>
+        <translation>これは地面でのみ測り、屋根では測りません</translation>
+    </message>
+    <message>
+        <source>Choose the ground, or run a study of the roofs</source>
+        <translation>地面を選ぶか、屋根の検討を計算してください</translation>
+    </message>
+    <message>
+        <source>On %1 it is %2 of %3 places that have less than %4.</source>
+        <translation>%1 は %3 か所中 %2 か所が %4 未満です。</translation>
+    </message>
+    <message>
+        <source>Least sun has %1 with %2, most %3 with %4.</source>
+        <translation>日照が最も少ないのは %1 の %2、最も多いのは %3 の %4 です。</translation>
+    </message>
+    <message>
+        <source>On average over their area %1 a day, of %2 without any shadow.</source>
+        <translation>面積平均で 1 日 %1、影がまったくない場合は %2 です。</translation>
+    </message>
+    <message>
+        <source>Choose larger cells, a smaller region or fewer steps</source>
+        <translation>セルを大きく、範囲を小さく、またはステップを少なくしてください</translation>
+    </message>
+    <message>
+        <source>No cell of the region lies on a roof</source>
+        <translation>範囲内に屋根の上のセルがありません</translation>
+    </message>
+    <message>
+        <source>Choose a region with buildings, or smaller cells</source>
+        <translation>建物のある範囲を選ぶか、セルを小さくしてください</translation>
+    </message>
+    <message>
+        <source>No cell of the region lies on open ground</source>
+        <translation>範囲内に空地のセルがありません</translation>
+    </message>
+    <message>
+        <source>Choose a region outside buildings and water, or smaller cells</source>
+        <translation>建物と水面の外の範囲を選ぶか、セルを小さくしてください</translation>
+    </message>
+    <message>
+        <source>The start is not a date of the calendar</source>
+        <translation>開始日が暦にない日付です</translation>
+    </message>
+    <message>
+        <source>Give a date such as 2026-03-21</source>
+        <translation>2026-03-21 のように日付を指定してください</translation>
+    </message>
+    <message>
+        <source>Choose other dates; the position of the sun is known for these years only</source>
+        <translation>別の日付を選んでください。太陽位置がわかるのはこれらの年だけです</translation>
+    </message>
+    <message>
+        <source>The time of day at which the hours begin is out of range</source>
+        <translation>時間帯の開始時刻が範囲外です</translation>
+    </message>
+    <message>
+        <source>Give 00:00 to 24:00</source>
+        <translation>00:00～24:00 を指定してください</translation>
+    </message>
+    <message>
+        <source>Give 0 (one instant), or 0.00028 to 24</source>
+        <translation>0 (一瞬)、または 0.00028～24 を指定してください</translation>
+    </message>
+    <message>
+        <source>The hours after sunrise or before sunset are out of range</source>
+        <translation>日の出後または日没前の時間数が範囲外です</translation>
+    </message>
+    <message>
+        <source>Give at most 12 hours on either side</source>
+        <translation>どちらも 12 時間以下を指定してください</translation>
+    </message>
+    <message>
+        <source>Choose a longer step or fewer days; the limit is 50 million steps</source>
+        <translation>ステップを長くするか日数を減らしてください。上限は 5000 万ステップです</translation>
+    </message>
+    <message>
+        <source>The sun is below the horizon all the time</source>
+        <translation>太陽はずっと地平線の下です</translation>
+    </message>
+    <message>
+        <source>Choose other hours or days</source>
+        <translation>別の時間帯または日を選んでください</translation>
+    </message>
+    <message>
+        <source>%1 takes sun from %2, at most %3 a day at one spot</source>
+        <translation>%1 は %2 の範囲で日照を、最大の地点で 1 日 %3 減らします</translation>
+    </message>
+    <message>
+        <source>%1 gives sun to %2, at most %3 a day at one spot</source>
+        <translation>%1 は %2 の範囲で日照を、最大の地点で 1 日 %3 増やします</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>間隔</translation>
+    </message>
+    <message>
+        <source>Between the pieces of the lot of several towers</source>
+        <translation>複数のタワーで分けた敷地の各部分の間</translation>
+    </message>
+    <message>
+        <source>Further towers</source>
+        <translation>追加のタワー</translation>
     </message>
 </context>
 <context>
@@ -5412,6 +5450,18 @@ as published. Approximate: the legend states the measured error</source>
         <source>Laying out the sheets</source>
         <translation>図面を配置中</translation>
     </message>
+    <message>
+        <source> pixels high</source>
+        <translation> 画素高</translation>
+    </message>
+    <message>
+        <source>Title, legend and scale bar</source>
+        <translation>題名、凡例、縮尺バー</translation>
+    </message>
+    <message>
+        <source>Around the view, within the size of the picture</source>
+        <translation>画像の大きさの中で、表示の周囲に付けます</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ExtrudeHandle</name>
@@ -5520,6 +5570,27 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::FieldChoices</name>
+    <message>
+        <source>none is found by name</source>
+        <translation>名称で検出されず</translation>
+    </message>
+    <message>
+        <source>found by name: %1</source>
+        <translation>名称で検出: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1   %2 feature(s)</source>
+        <translation>
+            <numerusform>%1   地物 %2 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lists the fields with sample values</source>
+        <translation>フィールドを値の例とともに一覧にします</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::FieldHelp</name>
     <message>
         <source>%1 to %2</source>
@@ -5528,6 +5599,37 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>More in the guide (F1)</source>
         <translation>ガイドを見る (F1)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::FurtherTable</name>
+    <message>
+        <source>Add tower</source>
+        <translation>タワーを追加</translation>
+    </message>
+    <message>
+        <source>Another tower on the lot, apart from the others: each has a piece of it</source>
+        <translation>同じ敷地に、ほかと離れて建つタワー。それぞれが敷地の一部を占めます</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Removes the selected tower, or the last one</source>
+        <translation>選択したタワー、または最後のタワーを削除します</translation>
+    </message>
+    <message>
+        <source>Storeys</source>
+        <translation>階数</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>基準階</translation>
+    </message>
+    <message>
+        <source>Further towers, which the same step builds; the lot is divided across its longest side</source>
+        <translation>同じステップで建設する追加のタワー。敷地は最も長い辺を横切って分けます</translation>
     </message>
 </context>
 <context>
@@ -5673,6 +5775,17 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     <message>
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::HeightColours</name>
+    <message>
+        <source>Colour &amp;by source of height</source>
+        <translation>高さの出典で色分け(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Buildings whose height is measured, computed from storeys or assumed</source>
+        <translation>高さが実測、階数からの計算、仮定の建物</translation>
     </message>
 </context>
 <context>
@@ -6266,6 +6379,25 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     </message>
 </context>
 <context>
+    <name>noonmark::MassingPreview</name>
+    <message>
+        <source>Reading the files...</source>
+        <translation>ファイルを読み込んでいます...</translation>
+    </message>
+    <message>
+        <source>The files hold no buildings.</source>
+        <translation>ファイルに建物がありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 building(s); heights: %2.
+Lowest %3, median %4, tallest %5.</source>
+        <translation>
+            <numerusform>建物 %1 棟。高さ: %2。
+最低 %3、中央値 %4、最高 %5。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noonmark::MeshPlacing</name>
     <message>
         <source>Reading %1</source>
@@ -6329,6 +6461,14 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
             <numerusform>%1 コマの動画を %2 として保存しました</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Filming the view</source>
+        <translation>表示を撮影しています</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MovieDialog</name>
@@ -6373,20 +6513,12 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <translation>間隔</translation>
     </message>
     <message>
-        <source>The ground that all frames show, from above</source>
-        <translation>全コマに写る地面 (上から)</translation>
-    </message>
-    <message>
         <source>What changes and what its shadows reach, or the places</source>
         <translation>変わる所とその影の届く所、または場所</translation>
     </message>
     <message>
         <source>The region of the study</source>
         <translation>検討範囲</translation>
-    </message>
-    <message>
-        <source>What the view shows</source>
-        <translation>表示中の範囲</translation>
     </message>
     <message>
         <source>Small pictures make small files, which matters for GIF</source>
@@ -6424,6 +6556,22 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <source>Asks for a file: MP4 for players, GIF for pages and mail</source>
         <translation>ファイルを指定: MP4 は再生ソフト、GIF はウェブやメール向け</translation>
     </message>
+    <message>
+        <source>Shadows at one time through the period</source>
+        <translation>同じ時刻の期間中の影</translation>
+    </message>
+    <message>
+        <source>What all frames show: a map, or the view from where its camera stands</source>
+        <translation>全コマが示すもの: 地図、またはカメラの位置からの表示</translation>
+    </message>
+    <message>
+        <source>The ground that the view shows</source>
+        <translation>ビューに見える地面</translation>
+    </message>
+    <message>
+        <source>The view in 3D, as it is shown</source>
+        <translation>表示中のままの 3D ビュー</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OpenOptions</name>
@@ -6434,6 +6582,22 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>Read the files with these settings</source>
         <translation>この設定でファイルを読み込む</translation>
+    </message>
+    <message>
+        <source>Add terrain or surface model...</source>
+        <translation>地形または表面モデルを追加...</translation>
+    </message>
+    <message>
+        <source>Reads elevations together with the buildings. Of a surface model and a terrain, missing heights are the difference.</source>
+        <translation>標高を建物と一緒に読み込みます。表面モデルと地形があれば、その差を欠けている高さとします。</translation>
+    </message>
+    <message>
+        <source>Listing fields</source>
+        <translation>フィールドを一覧にしています</translation>
+    </message>
+    <message>
+        <source>Reading for the preview</source>
+        <translation>プレビュー用に読み込み中</translation>
     </message>
 </context>
 <context>
@@ -6523,6 +6687,16 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>Open a folder of city files</source>
         <translation>都市ファイルのフォルダーを開く</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 terrain(s) in the folder are not in the city: %2.</source>
+        <translation>
+            <numerusform>フォルダーの地形 %1 件が都市に含まれていません: %2。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add terrain</source>
+        <translation>地形を追加</translation>
     </message>
 </context>
 <context>
@@ -6974,6 +7148,10 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>%1: %2 min of sun a day more</source>
         <translation>%1: 日照が 1 日 %2 分増加</translation>
+    </message>
+    <message>
+        <source>%1. Headline and shares of the area are for %2 h, as they were saved</source>
+        <translation>%1。見出しと面積の割合は、保存時の %2 時間によるものです</translation>
     </message>
 </context>
 <context>
@@ -7589,10 +7767,6 @@ After: %3
         <translation>開いている都市の中央</translation>
     </message>
     <message>
-        <source>Heights</source>
-        <translation>高さ</translation>
-    </message>
-    <message>
         <source>Place and choice of data</source>
         <translation>位置とデータの選択</translation>
     </message>
@@ -7617,6 +7791,10 @@ Off: at the origin of the city from the other files.</source>
     <message>
         <source>Meshes (%1)</source>
         <translation>メッシュ（%1）</translation>
+    </message>
+    <message>
+        <source>Heights and names</source>
+        <translation>高さと名称</translation>
     </message>
 </context>
 <context>
@@ -7759,6 +7937,10 @@ Off: at the origin of the city from the other files.</source>
     <message>
         <source>What buildings take from %1</source>
         <translation>%1 から建物が奪う日照</translation>
+    </message>
+    <message>
+        <source>Picture of the view</source>
+        <translation>表示の画像</translation>
     </message>
 </context>
 <context>
@@ -8001,6 +8183,14 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Press Run review to evaluate the rule on the windows.</source>
         <translation>「審査を実行」を押すと、窓について規則を評価します。</translation>
+    </message>
+    <message>
+        <source>Press Run review to see which places fail as the city stands, or design a tower.</source>
+        <translation>「審査する」を押すと、現況の都市で不適合となる場所がわかります。または塔を設計してください。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2 の現状。%3</translation>
     </message>
 </context>
 <context>
@@ -10030,6 +10220,317 @@ Click a building first.</source>
     <message>
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>Shadow</source>
+        <translation>日影</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>日照</translation>
+    </message>
+    <message>
+        <source>Share of the sunlit time</source>
+        <translation>可照時間に占める割合</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分</translation>
+    </message>
+    <message>
+        <source> min a day</source>
+        <translation> 分/日</translation>
+    </message>
+    <message>
+        <source> h</source>
+        <translation> 時間</translation>
+    </message>
+    <message>
+        <source> h a day</source>
+        <translation> 時間/日</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>未集計</translation>
+    </message>
+    <message>
+        <source>without trees, as evergreens, with seasons</source>
+        <translation>樹木なし、常緑として、季節あり</translation>
+    </message>
+    <message>
+        <source>without trees</source>
+        <translation>樹木なし</translation>
+    </message>
+    <message>
+        <source>as evergreens</source>
+        <translation>常緑として</translation>
+    </message>
+    <message>
+        <source>with seasons</source>
+        <translation>季節あり</translation>
+    </message>
+    <message>
+        <source>if neighbours&apos; ground heights differ</source>
+        <translation>隣接する地盤高が異なる場合</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>常に</translation>
+    </message>
+    <message>
+        <source>never (flat ground)</source>
+        <translation>しない (平らな地面)</translation>
+    </message>
+    <message>
+        <source>as their bases fit the terrain</source>
+        <translation>基部と地形の合い方に応じて</translation>
+    </message>
+    <message>
+        <source>each set down on the terrain</source>
+        <translation>それぞれを地形に載せる</translation>
+    </message>
+    <message>
+        <source>at the elevations in the file</source>
+        <translation>ファイルの標高のまま</translation>
+    </message>
+    <message>
+        <source>found by its steps at outlines</source>
+        <translation>輪郭での段差から判定</translation>
+    </message>
+    <message>
+        <source>the bare ground</source>
+        <translation>地表面のみ</translation>
+    </message>
+    <message>
+        <source>a surface with buildings</source>
+        <translation>建物を含む表面</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Sun to indigo</source>
+        <translation>日なた色から藍色</translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Magma</source>
+        <translation>Magma</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>グレー</translation>
+    </message>
+    <message>
+        <source>Green to red</source>
+        <translation>緑から赤</translation>
+    </message>
+    <message>
+        <source>Orange to violet</source>
+        <translation>橙から紫</translation>
+    </message>
+    <message>
+        <source>Green-blue to brown</source>
+        <translation>青緑から茶</translation>
+    </message>
+    <message>
+        <source>Orange to purple</source>
+        <translation>橙から赤紫</translation>
+    </message>
+    <message>
+        <source>Blue to red</source>
+        <translation>青から赤</translation>
+    </message>
+    <message>
+        <source>Green to red, pale in the middle</source>
+        <translation>緑から赤、中央は淡い色</translation>
+    </message>
+    <message>
+        <source>Gross shadow of a cell</source>
+        <translation>セルの総日影</translation>
+    </message>
+    <message>
+        <source>Longest shadow of a cell</source>
+        <translation>セルの最長連続日影</translation>
+    </message>
+    <message>
+        <source>Shadow of a cell in a month</source>
+        <translation>セルの月別の日影</translation>
+    </message>
+    <message>
+        <source>Change of gross shadow of a cell</source>
+        <translation>セルの総日影の変化</translation>
+    </message>
+    <message>
+        <source>Change of the longest shadow of a cell</source>
+        <translation>セルの最長連続日影の変化</translation>
+    </message>
+    <message>
+        <source>Score of a cell</source>
+        <translation>セルの得点</translation>
+    </message>
+    <message>
+        <source>Shadow score</source>
+        <translation>日影スコア</translation>
+    </message>
+    <message>
+        <source>Weighted shade</source>
+        <translation>重み付きの日陰</translation>
+    </message>
+    <message>
+        <source>Shadow area of a month</source>
+        <translation>月の日影面積</translation>
+    </message>
+    <message>
+        <source>Shadow score of a month</source>
+        <translation>月の日影スコア</translation>
+    </message>
+    <message>
+        <source>Weighted shade of a month</source>
+        <translation>月の重み付き日陰</translation>
+    </message>
+    <message>
+        <source>Shadow area of an interval</source>
+        <translation>区間の日影面積</translation>
+    </message>
+    <message>
+        <source>Shadow score of an interval</source>
+        <translation>区間の日影スコア</translation>
+    </message>
+    <message>
+        <source>Weighted shade of an interval</source>
+        <translation>区間の重み付き日陰</translation>
+    </message>
+    <message>
+        <source>Least and most sun of a place, at a cell</source>
+        <translation>場所の最小・最大の日照（セル）</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place</source>
+        <translation>場所の平均日照</translation>
+    </message>
+    <message>
+        <source>Mean sun of a small place with cells of its own</source>
+        <translation>専用のセルを持つ小さな場所の平均日照</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place in a month</source>
+        <translation>場所の月別平均日照</translation>
+    </message>
+    <message>
+        <source>Share of a place with enough sun</source>
+        <translation>十分な日照がある場所の割合</translation>
+    </message>
+    <message>
+        <source>Mean sun of a place on a date</source>
+        <translation>場所の指定日の平均日照</translation>
+    </message>
+    <message>
+        <source>Share of a place with less than enough sun on a date</source>
+        <translation>指定日に日照が不足する場所の割合</translation>
+    </message>
+    <message>
+        <source>Change of the mean sun of a place</source>
+        <translation>場所の平均日照の変化</translation>
+    </message>
+    <message>
+        <source>Largest loss and gain of a place, at a cell</source>
+        <translation>場所の最大の減少と増加（セル）</translation>
+    </message>
+    <message>
+        <source>Share of a place that loses sun</source>
+        <translation>日照が減る場所の割合</translation>
+    </message>
+    <message>
+        <source>on the ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>on roofs</source>
+        <translation>屋根</translation>
+    </message>
+    <message>
+        <source>on the ground and roofs</source>
+        <translation>地面と屋根</translation>
+    </message>
+    <message>
+        <source>buildings stand on all of it</source>
+        <translation>全体に建物が建っています</translation>
+    </message>
+    <message>
+        <source>no cell has its centre on its open ground</source>
+        <translation>空地に中心を持つセルがありません</translation>
+    </message>
+    <message>
+        <source>beyond the terrain: the nearest elevation is taken</source>
+        <translation>地形の範囲外：最も近い標高を使用</translation>
+    </message>
+    <message>
+        <source>mostly on water: measured at its surface</source>
+        <translation>大部分が水面上：水面で計測</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>標高</translation>
+    </message>
+    <message>
+        <source>above the ground</source>
+        <translation>地盤からの高さ</translation>
+    </message>
+    <message>
+        <source>on facades</source>
+        <translation>ファサード</translation>
+    </message>
+    <message>
+        <source>at windows of a file</source>
+        <translation>ファイルの窓</translation>
+    </message>
+    <message>
+        <source>on a level plane</source>
+        <translation>水平面</translation>
+    </message>
+    <message>
+        <source>on lines around a parcel</source>
+        <translation>敷地まわりの線上</translation>
+    </message>
+    <message>
+        <source>at single points</source>
+        <translation>個別の点</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>月別の 1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>first light of the disc (-0.833°)</source>
+        <translation>上縁が出る時 (-0.833°)</translation>
+    </message>
+    <message>
+        <source>middle of the disc (0°)</source>
+        <translation>中心が出る時 (0°)</translation>
     </message>
 </context>
 </TS>

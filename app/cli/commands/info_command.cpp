@@ -198,7 +198,7 @@ void addInfoCommand(CLI::App& app, Run& run) {
     addReadOptions(*command, options->read);
     command->add_flag("--fields", options->fields,
                       "List the layers of the files and their fields with sample values instead, to choose "
-                      "one with --height-field, --levels-field or --name-field");
+                      "one with --height-field, --levels-field or --building-name-field");
     addJsonFlag(*command, options->json);
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runInfo(*options, console); }; });

@@ -19,7 +19,7 @@ Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receiv
         ShadowField field = makeBlankField(receivers, own);
         field.days = 1;  // so that minutes are totals
         ProgressShare share(progress, set, sets.names.size());
-        if (const auto filled = Projection(casters, receivers, own, share, stop).run(field); !filled)
+        if (const auto filled = ShadowProjection(casters, receivers, own, share, stop).run(field); !filled)
             return tl::make_unexpected(filled.error());
         breakdown.minutes.push_back(valuesAt(receivers.cells, field.grossMin));
     }

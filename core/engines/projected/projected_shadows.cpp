@@ -61,7 +61,7 @@ Result<ShadowField> fillShadows(const City& city, const Receivers& receivers, co
     const ShadowCasters casters = makeShadowCasters(city, used, receivers.grid);
     field.cost.seconds["build"] = watch.seconds();
     const Shade shade = [&](const SunSteps& steps, ShadowField& into, Progress& share) {
-        return Projection(casters, receivers, steps, share, stop).run(into);
+        return ShadowProjection(casters, receivers, steps, share, stop).run(into);
     };
     PartialSink* sink = findPartialSink(progress);
     const auto total = sink && sun.dayCount() > 1

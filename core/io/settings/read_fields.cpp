@@ -78,7 +78,7 @@ Fields<ReadSettings> heightFields() {
                .whenEmpty = NM_TEXT("found by name")}),
         field(&ReadSettings::nameField,
               {.key = "name_field",
-               .flag = "--name-field",
+               .flag = "--building-name-field",
                .label = NM_TEXT("Names field"),
                .help = NM_TEXT("Field with the names of the buildings (default: found by its name)"),
                .hint = "NAME",

@@ -44,7 +44,7 @@ void ReadingForm::makeFields() {
 
 QGroupBox* ReadingForm::makeHeights() {
     auto* group = new QGroupBox(tr("Heights and names"));
-    rows_->addRows(*new QFormLayout(group), {"--height-field", "--levels-field", "--name-field",
+    rows_->addRows(*new QFormLayout(group), {"--height-field", "--levels-field", "--building-name-field",
                                              "--height-unit", "--metres-per-level", "--default-height"});
     return group;
 }

@@ -49,7 +49,7 @@ std::vector<LegendPatch> translatedPatches(const SourceCounts& counts) {
 HeightColours::HeightColours(Workbench& workbench, ViewPanel& panel)
     : workbench_(workbench),
       panel_(panel),
-      action_(makeAction(this, tr("Colour by source of hei&ght"), {},
+      action_(makeAction(this, tr("Colour &by source of height"), {},
                          tr("Buildings whose height is measured, computed from storeys or assumed"))),
       legend_(new QLabel) {
     action_->setObjectName(QStringLiteral("colourByHeightSource"));

@@ -48,7 +48,7 @@ void measureHeights(const City& city, MassingSketch& sketch) {
 }
 
 /// From local metres to the widget.
-struct Projection {
+struct SketchView {
     QPointF origin;
     double scale = 1;
     Box2 box;
@@ -59,7 +59,7 @@ struct Projection {
     }
 };
 
-Projection fit(const MassingSketch& sketch, const QRectF& area) {
+SketchView fit(const MassingSketch& sketch, const QRectF& area) {
     const glm::dvec2 size = glm::dvec2(sketch.box.high - sketch.box.low);
     const double upM = size.y * depthShare + double(sketch.tallestM) * heightShare;
     const double scale = std::min(area.width() / std::max(1.0, size.x), area.height() / std::max(1.0, upM));
@@ -68,7 +68,7 @@ Projection fit(const MassingSketch& sketch, const QRectF& area) {
 }
 
 // Only walls that face the viewer: of an outline that runs counter-clockwise those that run eastwards.
-void paintWalls(QPainter& painter, const MassingSketch::Prism& prism, const Projection& to,
+void paintWalls(QPainter& painter, const MassingSketch::Prism& prism, const SketchView& to,
                 const QColor& colour) {
     for (std::size_t i = 0; i < prism.outline.size(); ++i) {
         const glm::vec2 a = prism.outline[i], b = prism.outline[(i + 1) % prism.outline.size()];
@@ -82,7 +82,7 @@ void paintWalls(QPainter& painter, const MassingSketch::Prism& prism, const Proj
     }
 }
 
-void paintPrism(QPainter& painter, const MassingSketch::Prism& prism, const Projection& to) {
+void paintPrism(QPainter& painter, const MassingSketch::Prism& prism, const SketchView& to) {
     const QColor colour = colourOf(prism.source).colour;
     painter.setPen(QPen(colour.darker(200), 0.4));
     paintWalls(painter, prism, to, colour);
@@ -152,7 +152,7 @@ void MassingPreview::paintEvent(QPaintEvent*) {
     const QRectF all = QRectF(rect()).adjusted(8, 8, -8, -8);
     const QRectF room = painter.boundingRect(all, Qt::TextWordWrap | Qt::AlignBottom, text);
     if (sketch_ && !waiting_ && !sketch_->prisms.empty()) {
-        const Projection to = fit(*sketch_, all.adjusted(0, 0, 0, -room.height() - 8));
+        const SketchView to = fit(*sketch_, all.adjusted(0, 0, 0, -room.height() - 8));
         for (const MassingSketch::Prism& prism : sketch_->prisms) paintPrism(painter, prism, to);
     }
     painter.setPen(palette().color(QPalette::WindowText));

@@ -10,8 +10,8 @@
 
 namespace noonmark {
 
-Projection::Projection(const ShadowCasters& casters, const Receivers& receivers, const SunSteps& sun,
-                       Progress& progress, std::stop_token stop)
+ShadowProjection::ShadowProjection(const ShadowCasters& casters, const Receivers& receivers,
+                                   const SunSteps& sun, Progress& progress, std::stop_token stop)
     : casters_(casters),
       receivers_(receivers),
       sun_(sun),
@@ -21,7 +21,7 @@ Projection::Projection(const ShadowCasters& casters, const Receivers& receivers,
       progress_(progress),
       stop_(std::move(stop)) {}
 
-Result<FillCount> Projection::run(ShadowField& field) {
+Result<FillCount> ShadowProjection::run(ShadowField& field) {
     tbb::combinable<FillCount> counts;
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, bands_.size(), 1),
@@ -34,7 +34,7 @@ Result<FillCount> Projection::run(ShadowField& field) {
     return counts.combine([](FillCount a, const FillCount& b) { return a += b; });
 }
 
-FillCount Projection::count(const RowBand& band, ShadowField& field) {
+FillCount ShadowProjection::count(const RowBand& band, ShadowField& field) {
     if (stop_.stop_requested()) return {};
     StepFiller filler(casters_, where_, receivers_, sun_, band);
     ShadowEvents events(filler.layout(), band, filler.noReceivers());
@@ -50,7 +50,7 @@ FillCount Projection::count(const RowBand& band, ShadowField& field) {
 }
 
 // Reports that eight more steps of a band are done, and returns whether to continue.
-bool Projection::goOn() {
+bool ShadowProjection::goOn() {
     const double all = double(sun_.steps.size()) * double(bands_.size());
     progress_.report(std::min(1.0, double(done_ += stepsTogether) / all), "filling shadows");
     return !stop_.stop_requested();

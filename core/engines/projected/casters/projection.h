@@ -17,11 +17,11 @@ namespace noonmark {
 
 /// Fills the shadows of casters at the steps of a period and counts the receivers' minutes, band by band, so
 /// that the raster and the counts of a band stay in cache. Uses all cores.
-class Projection {
+class ShadowProjection {
 public:
     /// All arguments except `stop` must outlive this object.
-    Projection(const ShadowCasters& casters, const Receivers& receivers, const SunSteps& sun,
-               Progress& progress, std::stop_token stop);
+    ShadowProjection(const ShadowCasters& casters, const Receivers& receivers, const SunSteps& sun,
+                     Progress& progress, std::stop_token stop);
 
     /// Writes minutes to the receivers' cells of a blank field. Error: cancelled().
     Result<FillCount> run(ShadowField& field);

@@ -3,8 +3,8 @@
 // Casters: occluders as convex pieces whose shadows are polygons. ShadowCasters holds those of a city and
 // BuildingCasters groups them by building; convex_pieces.h splits footprints, ring_lines.h describes edges as
 // lines, and cell_coordinates.h and shadow_offsets.h convert points and sun directions to cells.
-// caster_shaping-inl.h computes a caster's shadow at eight steps. Projection runs filling and counting over a
-// period.
+// caster_shaping-inl.h computes a caster's shadow at eight steps. ShadowProjection runs filling and counting
+// over a period.
 
 #include <array>
 #include <cstdint>
