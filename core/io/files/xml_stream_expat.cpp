@@ -45,8 +45,11 @@ public:
         const bool isLast = count == 0;
         if (XML_ParseBuffer(parser_.get(), int(count), isLast ? 1 : 0) == XML_STATUS_ERROR)
             return error_ || thrown_ ? false : fail(damaged());
+        // Negative where Expat waits for more of a long tag before it looks at it again, as it does since 2.6
+        // and its backports.
         const XML_Index read = XML_GetCurrentByteIndex(parser_.get());
-        if (read >= 0 && fed_ - std::size_t(read) > maxTagBytes)
+        if (read >= 0) read_ = std::size_t(read);
+        if (fed_ - read_ > maxTagBytes)
             return fail(limitReached("A tag or comment of the file has more than 16 MiB"));
         return !isLast;
     }
@@ -131,6 +134,7 @@ private:
     XmlListener& listener_;
     std::string text_;
     std::size_t fed_ = 0;
+    std::size_t read_ = 0;  ///< where Expat stands
     int nesting_ = 0;
     std::optional<Error> error_;
     std::exception_ptr thrown_;

@@ -215,6 +215,7 @@ TEST(Contributions, TheTableStatesEachFigureAndTheTerrainLast) {
     ShadowBreakdown breakdown;
     breakdown.grid = {0, 0, 2, 2, 1};
     breakdown.sets.names = {"all"};
+    breakdown.cells = {0, 1};
     breakdown.minutes = {{90, 30}};
     breakdown.buildings = {{0, {120}, {0}}, {1, {240}, {60}}};
     breakdown.terrain = BuildingShadow{0, {120}, {120}};
