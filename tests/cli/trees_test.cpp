@@ -143,7 +143,8 @@ TEST_F(TreesLeftOut, OfAProjectEveryAnswerRepeatsIt) {
 
 TEST_F(TreesLeftOut, AStudyCountsThem) {
     EXPECT_THAT(study({"--trees", inventory}).out, Not(HasSubstr("left out: trees")));
-    EXPECT_EQ(figures({"--trees", inventory}).at("warnings"), figures({}).at("warnings"));
+    for (const nlohmann::json& warning : figures({"--trees", inventory}).at("warnings"))
+        EXPECT_THAT(warning.at("what").get<std::string>(), Not(testing::StartsWith("trees:")));
 }
 
 }  // namespace
