@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/city/trees/tree.h"
 #include "core/io/write_city.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/tile_tasks/merge/merge_by_place.h"
@@ -160,6 +162,27 @@ TEST_P(ByPlacePlan, WhatIsDoneIsNotComputedAgainAndWhatIsMissingIsSaid) {
     EXPECT_FALSE(part.sun.baseline.places.empty());
     EXPECT_TRUE(std::ranges::any_of(part.sun.baseline.warnings, [](const Warning& warning) {
         return warning.what == "a place of no finished tile";
+    }));
+}
+
+// Tiles read trees of their own extent, some of them in several tiles, and measure none.
+TEST_P(ByPlacePlan, TreesThatNoTileMeasuresAreSaidOnce) {
+    const LonLat at = placesFrame.lonLatFromLocal({30, 30});
+    request.reading.treeFiles = {folder
+                                     .file("trees.csv", fmt::format("tree_dbh,spc_latin,latitude,longitude\n"
+                                                                    "20,Pinus nigra,{:.7f},{:.7f}\n",
+                                                                    at.latDeg, at.lonDeg))
+                                     .string()};
+    const TaskPlan made = plan();
+    runAll(made);
+    const Warning trees = makeTreeWarning({});
+    std::vector<std::string> said;
+    for (const Warning& warning : merge(made).value().sun.baseline.warnings)
+        if (warning.what == trees.what) said.push_back(warning.where);
+    EXPECT_THAT(said, testing::ElementsAre(HasSubstr("in ")));
+    const Warnings whole = onOneMachine().warnings;
+    EXPECT_TRUE(std::ranges::any_of(whole, [&](const Warning& warning) {
+        return warning.what == trees.what && warning.where == "1 trees";
     }));
 }
 
