@@ -35,7 +35,8 @@ Warning makeTreeWarning(std::string where, std::string_view why) {
 
 Warnings warnOfTrees(const std::shared_ptr<const Trees>& trees, std::string_view why) {
     if (!trees || trees->trees.empty()) return {};
-    return {makeTreeWarning(fmt::format("{} trees", trees->trees.size()), why)};
+    const std::size_t count = trees->trees.size();
+    return {makeTreeWarning(fmt::format("{} tree{}", count, count == 1 ? "" : "s"), why)};
 }
 
 }  // namespace noonmark

@@ -182,7 +182,7 @@ TEST_P(ByPlacePlan, TreesThatNoTileMeasuresAreSaidOnce) {
     EXPECT_THAT(said, testing::ElementsAre(HasSubstr("in ")));
     const Warnings whole = onOneMachine().warnings;
     EXPECT_TRUE(std::ranges::any_of(whole, [&](const Warning& warning) {
-        return warning.what == trees.what && warning.where == "1 trees";
+        return warning.what == trees.what && warning.where == "1 tree";
     }));
 }
 
