@@ -25,12 +25,25 @@ Result<PlacesRead> loadPlaceFiles(const std::vector<std::string>& files, const P
     return before;
 }
 
+namespace {
+
+std::vector<Place> placesOfSample(const PlaceSettings& settings, const Frame& frame) {
+    std::vector<Place> places = listCentralParkPlaces(frame);
+    std::erase_if(places, [&](const Place& place) {
+        const bool isOtherKind = !settings.kinds.empty() && !settings.kinds.contains(place.kind);
+        return isOtherKind || (place.kind == PlaceKind::street && !settings.streets);
+    });
+    return places;
+}
+
+}  // namespace
+
 Result<PlacesRead> loadCityPlaces(const std::vector<std::string>& files, const PlaceSettings& settings,
                                   const Frame& frame, Progress& progress, const std::stop_token& stop) {
     std::vector<std::string> maps;
     PlacesRead ofSample;
     for (const std::string& file : files) {
-        if (isParkSample(file)) ofSample.places = listCentralParkPlaces(frame);
+        if (isParkSample(file)) ofSample.places = placesOfSample(settings, frame);
         if (!isSample(file) && isOsmFile(file)) maps.push_back(file);
     }
     return loadPlaceFiles(maps, settings, frame, std::move(ofSample), progress, stop);

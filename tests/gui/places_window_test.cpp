@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QTreeView>
 #include <QUndoStack>
+#include <algorithm>
 
 #include "app/gui/docks/project/lot_roads_dialog.h"
 #include "app/gui/docks/project/project_dock.h"
@@ -102,6 +103,16 @@ TEST_F(PlacesWindow, AnotherFileOfTheSameNameIsAddedBesideTheFirst) {
     add(other.fileName());
     ASSERT_EQ(places().size(), 4U) << message().toStdString();
     EXPECT_NE(places()[2].name, places()[0].name);
+}
+
+TEST_F(PlacesWindow, TheSampleHasItsParkAndStreetsOnRequest) {
+    open(QStringLiteral("sample:central-park-south"));
+    ASSERT_EQ(places().size(), 1U);
+    EXPECT_EQ(places()[0].name, "Central Park");
+    window->places().readStreets();
+    ASSERT_TRUE(waitFor([this] { return !window->places().reading().busy(); }));
+    EXPECT_GT(std::ranges::count(places(), PlaceKind::street, &Place::kind), 300);
+    EXPECT_EQ(std::ranges::count(places(), PlaceKind::park, &Place::kind), 1);
 }
 
 TEST_F(PlacesWindow, KindNameAndRemovalAreUndone) {

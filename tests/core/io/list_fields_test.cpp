@@ -15,7 +15,7 @@ namespace {
 
 using tests::TemporaryFolder;
 
-std::string squareAt(double west) {
+std::string houseAt(double west) {
     return fmt::format(R"("geometry":{{"type":"Polygon","coordinates":
         [[[{0},50.0001],[{1},50.0001],[{1},50.0003],[{0},50.0003],[{0},50.0001]]]}})",
                        west, west + 0.0002);
@@ -32,7 +32,7 @@ std::filesystem::path writeHouses(const TemporaryFolder& folder) {
     double west = 10;
     for (const char* row : rows) {
         out << (row == rows[0] ? "" : ",")
-            << fmt::format(R"({{"type":"Feature","properties":{{{}}},{}}})", row, squareAt(west));
+            << fmt::format(R"({{"type":"Feature","properties":{{{}}},{}}})", row, houseAt(west));
         west += 0.0005;
     }
     out << "]}";

@@ -15,6 +15,7 @@
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/tools/photograph/photograph_actions.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/input/load_city.h"
 #include "app/input/load_places.h"
 #include "app/report/sheets/study_words.h"
 #include "core/io/files/file_kind.h"
@@ -158,7 +159,8 @@ void PlaceActions::readStreets() {
         return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
     QStringList files;
     const auto add = [&files](const QString& file) {
-        if (isOsmFile(file.toStdString()) && !files.contains(file)) files << file;
+        const bool hasStreets = isOsmFile(file.toStdString()) || isParkSample(file.toStdString());
+        if (hasStreets && !files.contains(file)) files << file;
     };
     for (const QString& file : workbench_.source().files) add(file);
     for (const InputFile& input : workbench_.session().project().inputs)
@@ -177,7 +179,8 @@ void PlaceActions::read(const QStringList& files, const PlaceSettings& settings,
         tr("Reading places"),
         [names, settings, frame = workbench_.city()->city().frame](Progress& progress,
                                                                    const std::stop_token& stop) {
-            return loadPlaceFiles(names, settings, frame, {}, progress, stop);
+            return isParkSample(names.front()) ? loadCityPlaces(names, settings, frame, progress, stop)
+                                               : loadPlaceFiles(names, settings, frame, {}, progress, stop);
         },
         [this, earlier](Result<PlacesRead> read) {
             if (read) return take(*read, earlier);
