@@ -59,6 +59,8 @@ TEST_F(StartPageWindow, TheViewStaysInSightBetweenItsSides) {
     EXPECT_GT(middle, 400);
     EXPECT_GE(page->geometry().right() + 1, std::min(panel.mapTo(window.get(), QPoint()).x(), 400));
     EXPECT_EQ(page->questions()->geometry().right() + 1, window->width());
+    const auto* bar = page->questions()->findChild<QScrollArea*>()->verticalScrollBar();
+    EXPECT_EQ(bar->maximum(), 0) << "all of it is in sight";
     window->resize(1000, 700);
     QCoreApplication::processEvents();
     EXPECT_EQ(page->questions()->geometry().right() + 1, window->width()) << "it follows the window";

@@ -143,6 +143,7 @@ TEST_F(SunByPlaceWindow, TheThresholdColoursAndCountsThePlacesBelowIt) {
     }
     EXPECT_NE(dock().view()->picture.pixels, before->picture.pixels);
     EXPECT_EQ(window->panel().legend().legend()->title, QStringLiteral("Sun by place"));
+    EXPECT_TRUE(field<QComboBox>("measure").isHidden()) << "gross shadow is not what is shown";
     auto& shown = field<QComboBox>("placesShown");
     ASSERT_EQ(shown.count(), 4) << "the period and three dates";
     shown.setCurrentIndex(1);

@@ -26,7 +26,8 @@ namespace noonmark {
 namespace {
 
 constexpr int kindRole = Qt::UserRole;
-constexpr int ownRegions = -1;  // in place of a kind
+constexpr int ownRegions = -1;    // in place of a kind
+constexpr int textMarginPx = 16;  // of a line of text
 
 // The shortest day, an equinox and the longest day, as planners state them.
 QString defaultDates(std::chrono::year year) {
@@ -60,6 +61,7 @@ PlacesForm::PlacesForm(QWidget* parent)
     enough_->setValue(SunByPlaceSettings().enoughHours);
     dates_->setObjectName(QStringLiteral("placeDates"));
     dates_->setCursorPosition(0);
+    dates_->setMinimumWidth(dates_->fontMetrics().horizontalAdvance(defaultDates(year_)) + textMarginPx);
     dates_->setToolTip(
         tr("Days on which the hours of sun of each place are stated, too, with commas between"));
     all_->setObjectName(QStringLiteral("placesAllScenarios"));
@@ -70,6 +72,7 @@ PlacesForm::PlacesForm(QWidget* parent)
     showAsError(*refusal_);
     auto* form = new QFormLayout;
     form->setContentsMargins(0, 0, 0, 0);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     form->addRow(tr("Enough sun"), enough_);
     form->addRow(tr("Dates"), dates_);
     auto* column = new QVBoxLayout(this);

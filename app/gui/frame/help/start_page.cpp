@@ -67,11 +67,17 @@ QLabel* makeHeading(const QString& text, double scale) {
     return label;
 }
 
+// Its height follows from its width: labels that wrap have no minimum of their own, at no width.
+class ColumnContent final : public QWidget {
+public:
+    [[nodiscard]] QSize minimumSizeHint() const override { return {QWidget::minimumSizeHint().width(), 0}; }
+};
+
 // A side that scrolls where a screen is low, so that nothing is cut.
 QVBoxLayout* makeColumn(QFrame& side) {
     side.setAutoFillBackground(true);
     side.setFrameShape(QFrame::NoFrame);
-    auto* content = new QWidget;
+    auto* content = new ColumnContent;
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);

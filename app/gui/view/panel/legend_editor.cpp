@@ -196,9 +196,7 @@ void LegendEditor::fillRamps() {
 
 // The scale of sun by place knows no sunlit time; until classes are chosen, the threshold of its panel makes
 // them.
-bool LegendEditor::isOfPlaces() const {
-    return fitted_ && fitted_->quantity.isSun() && fitted_->quantity.sunlitMin == 0;
-}
+bool LegendEditor::isOfPlaces() const { return fitted_ && isOfPlaces(*fitted_); }
 
 void LegendEditor::setCanUndo(bool can) { undo_->setEnabled(can); }
 

@@ -25,6 +25,11 @@ public:
     void setChoice(const LegendChoice& choice, const std::optional<ColourScale>& fitted);
     void setCanUndo(bool can);
 
+    /// Whether a scale is of hours of sun by place, which has no other measure.
+    [[nodiscard]] static bool isOfPlaces(const ColourScale& scale) {
+        return scale.quantity.isSun() && scale.quantity.sunlitMin == 0;
+    }
+
 Q_SIGNALS:
     void chosen(const LegendChoice& choice);
     void undoRequested();

@@ -252,6 +252,9 @@ void LegendStrip::setLegend(std::optional<Legend> legend) {
     legend_ = std::move(legend);
     scale_->setVisible(legend_ && legend_->change && !legend_->instant &&
                        legend_->colours->of == ColourScale::Of::change);
+    const bool ofPlaces = legend_ && legend_->colours && LegendEditor::isOfPlaces(*legend_->colours);
+    for (QWidget* choice : std::initializer_list<QWidget*>{measure_, shadow_, sun_})
+        choice->setHidden(ofPlaces);
     tellEditor();
     update();
 }
