@@ -104,10 +104,12 @@ struct FieldLists : ::testing::Test {
     QLineEdit& line(const char* name) { return *dialog.findChild<QLineEdit*>(QString::fromLatin1(name)); }
     // Clicks an entry of a field's list.
     void choose(const char* name, const QString& field) {
+        line(name).findChild<QAction*>(QStringLiteral("openList"))->trigger();
+        ASSERT_TRUE(waitFor([&] { return line(name).hasFocus(); }));
         QCompleter& list = *line(name).completer();
         const auto found = list.model()->match(list.model()->index(0, 0), Qt::UserRole, field);
         ASSERT_EQ(found.size(), 1);
-        Q_EMIT list.popup()->activated(list.completionModel()->index(found.front().row(), 0));
+        Q_EMIT list.popup()->clicked(list.completionModel()->index(found.front().row(), 0));
         ASSERT_TRUE(waitFor([&] { return line(name).text() == field; })) << line(name).text().toStdString();
     }
 };

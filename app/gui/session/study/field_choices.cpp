@@ -115,7 +115,10 @@ void FieldChoices::addList(QLineEdit& line, const Entries& entries) {
         line.addAction(line.style()->standardIcon(QStyle::SP_ArrowDown), QLineEdit::TrailingPosition);
     arrow->setObjectName(QStringLiteral("openList"));
     arrow->setToolTip(tr("Lists the fields with sample values"));
-    connect(arrow, &QAction::triggered, list, [list] { list->complete(); });
+    connect(arrow, &QAction::triggered, list, [list, &line] {
+        line.setFocus();  // only a line with the keys takes what is chosen
+        list->complete();
+    });
 }
 
 }  // namespace noonmark
