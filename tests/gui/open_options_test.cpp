@@ -65,8 +65,8 @@ TEST(ReadingForm, GivesBackWhatItShows) {
 TEST(ReadingForm, EveryFieldSaysWhatItIs) {
     const ReadingForm form;
     for (const char* name :
-         {"heightField", "nameField", "heightUnit", "metresPerLevel", "defaultHeight", "layer", "crs", "lod",
-          "farAway", "up", "meshUnit", "meshNorth", "anchored", "longitude", "latitude", "toMiddle"}) {
+         {"heightField", "buildingNameField", "heightUnit", "metresPerLevel", "defaultHeight", "layer", "crs",
+          "lod", "farAway", "up", "meshUnit", "meshNorth", "anchored", "longitude", "latitude", "toMiddle"}) {
         const auto* field = form.findChild<QWidget*>(QString::fromLatin1(name));
         ASSERT_NE(field, nullptr) << name;
         EXPECT_FALSE(field->toolTip().isEmpty()) << name;

@@ -77,7 +77,7 @@ Fields<ReadSettings> heightFields() {
                .hint = "NAME",
                .whenEmpty = NM_TEXT("found by name")}),
         field(&ReadSettings::nameField,
-              {.key = "name_field",
+              {.key = "building_name_field",
                .flag = "--building-name-field",
                .label = NM_TEXT("Names field"),
                .help = NM_TEXT("Field with the names of the buildings (default: found by its name)"),

@@ -69,7 +69,7 @@ FieldChoices::FieldChoices(QWidget& form) : QObject(&form) {
     };
     fields_ = {{line("heightField"), FieldRole::height},
                {line("levelsField"), FieldRole::levels},
-               {line("nameField"), FieldRole::name}};
+               {line("buildingNameField"), FieldRole::name}};
     layer_ = line("layer");
 }
 

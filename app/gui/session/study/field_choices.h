@@ -21,7 +21,7 @@ struct FieldsOfFile {
 class FieldChoices final : public QObject {
     Q_OBJECT
 public:
-    /// `form` has the text fields layer, heightField, levelsField and nameField, and owns this object.
+    /// `form` has the text fields layer, heightField, levelsField and buildingNameField, and owns this object.
     explicit FieldChoices(QWidget& form);
 
     void show(const std::vector<FieldsOfFile>& files);
