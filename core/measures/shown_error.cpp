@@ -125,7 +125,7 @@ std::string labelOf(const ShownError& error) {
 Sentence describe(const ShownError& error) {
     const Amount mean = amountOf(error.mean, error.facts.unit), p99 = amountOf(error.p99, error.facts.unit);
     if (std::isnan(error.largest)) return {NM_TEXT("%1, with 99 % certainty within %2"), {mean, p99}};
-    if (error.largest == 0) return {NM_TEXT("no difference"), {}};
+    if (error.largest == 0) return {NM_TEXT("%1 everywhere"), {mean}};
     return {NM_TEXT("%1 in the mean, 99 of 100 within %2, at most %3"),
             {mean, p99, amountOf(error.largest, error.facts.unit)}};
 }

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/samples/central_park_streets.h"
+#include "core/samples/central_park_towers.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark {
@@ -29,14 +30,17 @@ struct StreetPiece {
     StreetBox box;
 };
 
-bool isInPark(const StreetBox& box) {
-    const StreetBox park = parkBox();
-    const glm::dvec2 at = box.middle();
-    return at.x > park.west && at.x < park.east && at.y > park.south && at.y < park.north;
+bool holds(const StreetBox& box, glm::dvec2 at) {
+    return at.x > box.west && at.x < box.east && at.y > box.south && at.y < box.north;
+}
+
+// Streets end at the park, and 59th Street at the podium over it.
+bool isStreet(const StreetBox& box) {
+    return !holds(parkBox(), box.middle()) && !holds(timeWarnerPodium(), box.middle());
 }
 
 void addPiece(std::vector<StreetPiece>& pieces, StreetPiece piece) {
-    if (!isInPark(piece.box)) pieces.push_back(std::move(piece));
+    if (isStreet(piece.box)) pieces.push_back(std::move(piece));
 }
 
 void addStreetPieces(std::vector<StreetPiece>& pieces, int street) {

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QMenu>
 
 #include "app/gui/docks/project/saved_views.h"
 #include "app/gui/session/project/project_changes.h"
@@ -67,7 +68,10 @@ TEST_F(ProjectWindow, PlanAndProjectionFollowTheMenu) {
 }
 
 TEST_F(ProjectWindow, BuildingsHaveTheColourOfTheSourceOfTheirHeight) {
-    auto* action = window->findChild<QAction*>(QStringLiteral("colourByHeightSource"));
+    QAction* action = nullptr;
+    for (const QMenu* menu : window->findChildren<QMenu*>())
+        for (QAction* entry : menu->actions())
+            if (entry->objectName() == QStringLiteral("colourByHeightSource")) action = entry;
     auto* legend = window->findChild<QLabel*>(QStringLiteral("heightSourceLegend"));
     ASSERT_TRUE(action && legend);
     const OverlayBodies& overlay = window->panel().view().overlay();

@@ -32,8 +32,8 @@ TEST(ShownError, SmallOnesKeepTwoDigits) {
               "0.023 min a day in the mean, 99 of 100 within 0.046 min a day, at most 0.046 min a day");
 }
 
-TEST(ShownError, ThatIsNoneIsSaidInTwoWords) {
-    EXPECT_EQ(formatText(describe(sumUpError("place_mean", {0, 0, 0}))), "no difference");
+TEST(ShownError, ThatIsNoneIsSaidOnce) {
+    EXPECT_EQ(formatText(describe(sumUpError("place_mean", {0, 0, 0}))), "0 min a day everywhere");
 }
 
 // Standard deviation of 1 .. 100: 29.01; over sqrt(100).
