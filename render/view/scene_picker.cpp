@@ -1,9 +1,20 @@
 #include "render/view/scene_picker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace noonmark {
+
+namespace {
+
+// A view that has no size yet has no rays, and Embree ends the program at one that is no number.
+bool isRay(const ViewRay& ray) {
+    const glm::dvec3 sum = ray.origin + ray.direction;
+    return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
+}
+
+}  // namespace
 
 ScenePicker::ScenePicker(City city, RayScene scene) : city_(std::move(city)), scene_(std::move(scene)) {
     if (!city_.terrain) return;
@@ -20,6 +31,7 @@ std::optional<glm::dvec3> ScenePicker::ground(const ViewRay& ray) const {
 }
 
 std::optional<Pick> ScenePicker::pick(const ViewRay& ray) const {
+    if (!isRay(ray)) return std::nullopt;
     std::optional<Pick> nearest;
     if (const auto point = ground(ray)) nearest = Pick{*point, {}};
     if (!scene_) return nearest;
@@ -30,6 +42,7 @@ std::optional<Pick> ScenePicker::pick(const ViewRay& ray) const {
 }
 
 std::optional<Pick> ScenePicker::pick(const ViewRay& ray, const SectionBox& section) const {
+    if (!isRay(ray)) return std::nullopt;
     const auto span = findSpan(section, ray);
     if (!span) return std::nullopt;
     const glm::dvec3 start = ray.origin + span->fromM * ray.direction;

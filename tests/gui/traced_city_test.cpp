@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <functional>
 
 #include "app/gui/view/panel/view_panel.h"
+#include "render/view/scene_picker.h"
 #include "render/view/software_drawing.h"
+#include "tests/gui/small_city.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
 
@@ -148,6 +152,16 @@ TEST_F(TracedCityView, EndsWithoutFaces) {
     EXPECT_FALSE(panel.view().isTraced());
     panel.view().showFaces(true);
     EXPECT_TRUE(panel.view().isTraced());
+}
+
+// Of a view without a size: 0 divided by 0.
+TEST(ScenePicker, ARayThatIsNoNumberHitsNothing) {
+    const City city = test::smallCity();
+    const ScenePicker picker(city, RayScene::over(city).value());
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(picker.pick({{0, 0, 100}, {none, none, none}}));
+    EXPECT_FALSE(picker.pick({{0, 0, 100}, {none, 0, -1}}, {{-50, -50, 0}, {50, 50, 90}}));
+    EXPECT_TRUE(picker.pick({{0, -40, 100}, {0, 0, -1}})) << "South House";
 }
 
 }  // namespace
