@@ -265,13 +265,13 @@ TEST_F(ExportWindow, AMovieSaysWhichTimesHaveNoFrame) {
 TEST_F(ExportWindow, ASwipeIsOfferedOnlyWithABaseline) {
     auto* alone = openDialog<MovieDialog>("Ctrl+Shift+E");
     ASSERT_NE(alone, nullptr);
-    EXPECT_EQ(fieldOf<QComboBox>(*alone, "movieKind")->count(), 2) << "a period of one day";
+    EXPECT_EQ(fieldOf<QComboBox>(*alone, "movieKind")->count(), 3) << "a period of one day";
     delete alone;
     session().goTo("Tower");
     session().compareWith(existingCity);
     auto* comparing = openDialog<MovieDialog>("Ctrl+Shift+E");
     ASSERT_NE(comparing, nullptr);
-    EXPECT_EQ(fieldOf<QComboBox>(*comparing, "movieKind")->count(), 3);
+    EXPECT_EQ(fieldOf<QComboBox>(*comparing, "movieKind")->count(), 4);
     EXPECT_THAT(comparing->choice().title, HasSubstr("Tower compared with"));
 }
 

@@ -64,7 +64,7 @@ QString describePlacesRead(std::size_t places, const PlacesAdded& added, const W
                     .arg(formatCount(added.replaced));
     if (added.same > 0)
         text +=
-            QObject::tr("; %1 of them were there before and stay as they are", "", pluralNumber(added.same))
+            QObject::tr("; %1 place(s) were there before and stay as they are", "", pluralNumber(added.same))
                 .arg(formatCount(added.same));
     text += u'.';
     constexpr std::size_t most = 3;
