@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include <functional>
+#include <limits>
 
 #include "app/gui/view/panel/view_panel.h"
 #include "render/view/scene_picker.h"
