@@ -2311,7 +2311,7 @@ Opens the panel Review.</source>
         <translation>Höhe %1</translation>
     </message>
     <message numerus="yes">
-        <source>; %1 of them were there before and stay as they are</source>
+        <source>; %1 place(s) were there before and stay as they are</source>
         <translation>
             <numerusform>; %1 davon war schon da und bleibt, wie er ist</numerusform>
             <numerusform>; %1 davon waren schon da und bleiben, wie sie sind</numerusform>
@@ -4471,10 +4471,6 @@ Opens the panel Review.</source>
         <translation>ein zweiter Baum an derselben Stelle</translation>
     </message>
     <message>
-        <source>no difference</source>
-        <translation>kein Unterschied</translation>
-    </message>
-    <message>
         <source>Choose 0.25 to 10 m</source>
         <translation>0,25 bis 10 m wählen</translation>
     </message>
@@ -4609,6 +4605,10 @@ Opens the panel Review.</source>
     <message>
         <source>Further towers</source>
         <translation>Weitere Türme</translation>
+    </message>
+    <message>
+        <source>%1 everywhere</source>
+        <translation>%1 überall</translation>
     </message>
 </context>
 <context>

@@ -182,10 +182,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>; %1 of them were there before and stay as they are</source>
+        <source>; %1 place(s) were there before and stay as they are</source>
         <translation>
-            <numerusform>; %1 of them was there before and stays as it is</numerusform>
-            <numerusform>; %1 of them were there before and stay as they are</numerusform>
+            <numerusform>; %1 place was there before and stays as it is</numerusform>
+            <numerusform>; %1 places were there before and stay as they are</numerusform>
         </translation>
     </message>
 </context>

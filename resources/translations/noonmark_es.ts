@@ -2311,7 +2311,7 @@ Abre el panel Evaluación.</translation>
         <translation>altura %1</translation>
     </message>
     <message numerus="yes">
-        <source>; %1 of them were there before and stay as they are</source>
+        <source>; %1 place(s) were there before and stay as they are</source>
         <translation>
             <numerusform>; %1 de ellos ya estaba y queda como está</numerusform>
             <numerusform>; %1 de ellos ya estaban y quedan como están</numerusform>
@@ -4471,10 +4471,6 @@ Abre el panel Evaluación.</translation>
         <translation>un segundo árbol en el mismo sitio</translation>
     </message>
     <message>
-        <source>no difference</source>
-        <translation>sin diferencia</translation>
-    </message>
-    <message>
         <source>Choose 0.25 to 10 m</source>
         <translation>Elija de 0,25 a 10 m</translation>
     </message>
@@ -4609,6 +4605,10 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>Further towers</source>
         <translation>Otras torres</translation>
+    </message>
+    <message>
+        <source>%1 everywhere</source>
+        <translation>%1 en todas partes</translation>
     </message>
 </context>
 <context>

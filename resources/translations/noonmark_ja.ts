@@ -2285,7 +2285,7 @@ Opens the panel Review.</source>
         <translation>高さ %1</translation>
     </message>
     <message numerus="yes">
-        <source>; %1 of them were there before and stay as they are</source>
+        <source>; %1 place(s) were there before and stay as they are</source>
         <translation>
             <numerusform>; うち %1 か所は以前からあり、そのまま残ります</numerusform>
         </translation>
@@ -4444,10 +4444,6 @@ Opens the panel Review.</source>
         <translation>同じ位置の二本目の樹木</translation>
     </message>
     <message>
-        <source>no difference</source>
-        <translation>差なし</translation>
-    </message>
-    <message>
         <source>Choose 0.25 to 10 m</source>
         <translation>0.25～10 m を選んでください</translation>
     </message>
@@ -4582,6 +4578,10 @@ Opens the panel Review.</source>
     <message>
         <source>Further towers</source>
         <translation>追加のタワー</translation>
+    </message>
+    <message>
+        <source>%1 everywhere</source>
+        <translation>どこでも %1</translation>
     </message>
 </context>
 <context>

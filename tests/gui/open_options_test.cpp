@@ -129,7 +129,8 @@ TEST_F(FieldLists, TheChosenFieldGivesThePreviewItsHeights) {
     choose("heightField", QStringLiteral("QX7"));
     ASSERT_TRUE(waitFor([this] { return dialog.preview().words().contains(QStringLiteral("2 measured")); }))
         << dialog.preview().words().toStdString();
-    EXPECT_TRUE(dialog.preview().words().contains(QStringLiteral("Lowest 4 m, median 30 m, tallest 30 m")))
+    EXPECT_TRUE(
+        dialog.preview().words().contains(QStringLiteral("Lowest 4.0 m, median 30.0 m, tallest 30.0 m")))
         << dialog.preview().words().toStdString();
 }
 

@@ -27,6 +27,8 @@ namespace noonmark {
 
 namespace {
 
+constexpr int minScreenPx = 300;  // of the fields, so that the window fits on small screens
+
 QString makeUseRows(const std::vector<UseArea>& uses) {
     QString rows;
     for (const UseArea& area : uses) {
@@ -96,9 +98,9 @@ MassingPanel::MassingPanel(QWidget* parent)
     connect(target, &TargetRow::fitRequested, this, &MassingPanel::fitRequested);
     connect(form_, &MassingForm::edited, this, &MassingPanel::edited);
     connect(name_, &QLineEdit::textEdited, this, &MassingPanel::edited);
-    // No field is cut, and none needs to be scrolled to sideways.
-    scroll->setMinimumWidth(scrolled->minimumSizeHint().width() +
-                            scroll->verticalScrollBar()->sizeHint().width());
+    // No field is cut, and none needs to be scrolled to sideways; on small screens they scroll.
+    scroll->setMinimumWidth(std::min(
+        minScreenPx, scrolled->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width()));
     setLots({});
     showNone();
 }

@@ -177,7 +177,9 @@ TEST_P(ByPlacePlan, TreesThatNoTileMeasuresAreSaidOnce) {
     runAll(made);
     const Warning trees = makeTreeWarning({});
     std::vector<std::string> said;
-    for (const Warning& warning : merge(made).value().sun.baseline.warnings)
+    const auto merged = merge(made);
+    ASSERT_TRUE(merged) << merged.error().text();
+    for (const Warning& warning : merged->sun.baseline.warnings)
         if (warning.what == trees.what) said.push_back(warning.where);
     EXPECT_THAT(said, testing::ElementsAre(HasSubstr("in ")));
     const Warnings whole = onOneMachine().warnings;
