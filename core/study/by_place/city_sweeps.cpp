@@ -14,8 +14,8 @@ namespace {
 
 constexpr double modelCores = 2;  // of estimateSeconds()
 // Months on the cells of places, which lie far apart, against the model's dense regions without months: of
-// Midtown and the Loop, a day to a year.
-constexpr double placesOverModel = 2.3;
+// Midtown and Monaco, a day to a year.
+constexpr double sweepOverModel = 4, projectedOverModel = 2.3;
 
 // Overhangs take time where receivers are, not on all of their grid.
 double areaOfReceiver(const Receivers& receivers) {
@@ -89,10 +89,12 @@ double CitySweeps::forecastOne(const City& city, const Receivers& receivers, std
     load.cellAreaM2 = std::max(load.cellAreaM2, areaOfReceiver(receivers));
     const std::string_view key = engine_.chosenKey().empty() ? asked : engine_.chosenKey();
     const EstimatedSeconds all = estimateSeconds(load);
-    const double sweep = receivers.cells.empty() ? 0 : key == "projected" ? all.projected : all.horizon;
+    const double sweep = receivers.cells.empty() ? 0
+                         : key == "projected"    ? all.projected * projectedOverModel
+                                                 : all.horizon * sweepOverModel;
     load.receivers = std::min(sample, receivers_.cells.size());
     const double rays = sample == 0 ? 0 : estimateSeconds(load).ray;
-    return (sweep * placesOverModel + rays) * modelCores / double(tbb::this_task_arena::max_concurrency());
+    return (sweep + rays) * modelCores / double(tbb::this_task_arena::max_concurrency());
 }
 
 }  // namespace noonmark

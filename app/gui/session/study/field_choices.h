@@ -21,7 +21,8 @@ struct FieldsOfFile {
 class FieldChoices final : public QObject {
     Q_OBJECT
 public:
-    /// `form` has the text fields layer, heightField, levelsField and buildingNameField, and owns this object.
+    /// `form` has the text fields layer, heightField, levelsField and buildingNameField, and owns this
+    /// object.
     explicit FieldChoices(QWidget& form);
 
     void show(const std::vector<FieldsOfFile>& files);
