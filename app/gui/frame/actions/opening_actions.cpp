@@ -12,6 +12,7 @@
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/frame/actions/place_actions.h"
 #include "app/gui/frame/actions/saving_actions.h"
+#include "app/gui/session/project/recent_files.h"
 #include "app/gui/session/study/open_options.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/photograph/photograph_actions.h"
@@ -235,7 +236,11 @@ void OpeningActions::showGuesses() {
                      .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
     const std::size_t far = workbench_.city()->arrays->mainPart.farBuildings;
     if (far > 0) lines << tr("%1 far building(s) left aside.", "", pluralNumber(far)).arg(formatCount(far));
-    const bool read = !workbench_.session().file() && !workbench_.session().project().places.empty();
+    const auto areSamples = [](const QStringList& files) {
+        return std::ranges::any_of(files, &RecentFiles::isSampleEntry);
+    };
+    const bool read = !workbench_.session().file() && !workbench_.session().project().places.empty() &&
+                      !areSamples(workbench_.source().files);
     if (read || !workbench_.placeWarnings().empty())
         lines << describePlacesRead(workbench_.session().project().places.size(), {},
                                     workbench_.placeWarnings());
