@@ -86,7 +86,7 @@ TEST_F(StudyCommand, TheStyleOfMonthsEndsAtTheSunOfTheLongestMonth) {
     const Spoken spoken = study({"--days", "40", "--by", "month", "--range", "0:200", "--classes", "50,100"});
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;
     constexpr double longest = 29 * 6 * 60;
-    EXPECT_THAT(contentOf(out / "by_month.csv"), HasSubstr("\n2026-04,10440,"));
+    EXPECT_THAT(contentOf(out / "by_month.csv"), HasSubstr("\n2026-04,10440.0,"));
     const double end = endOfStyle(contentOf(out / "by_month.qml"));
     EXPECT_GE(end, longest);
     EXPECT_LT(end, 1.5 * longest);

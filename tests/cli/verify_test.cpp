@@ -65,29 +65,25 @@ TEST_F(VerifyCommand, FindsTheProjectThatWasPutBesideTheFiles) {
     };
     run({"project", "new", project, folder_.path("houses.geojson").string()});
     run({"project", "add-scenario", project, "Tower"});
-    const std::vector<std::string> when{"--start",
-                                        "2026-03-21",
-                                        "--from",
-                                        "09:00",
-                                        "--hours",
-                                        "6",
-                                        "--step",
-                                        "10",
-                                        "--zone",
-                                        "America/New_York",
-                                        "--with-project",
-                                        "--cell",
-                                        "2",
-                                        "--region",
-                                        "-73.9845,40.7525,-73.9828,40.7536"};
+    const std::vector<std::string> common{"--start",
+                                          "2026-03-21",
+                                          "--step",
+                                          "10",
+                                          "--zone",
+                                          "America/New_York",
+                                          "--with-project",
+                                          "--cell",
+                                          "2",
+                                          "--region",
+                                          "-73.9845,40.7525,-73.9828,40.7536"};
     const auto ask = [&](std::vector<std::string> words, const std::string& out) {
         words.insert(words.begin() + 1, project);
-        words.insert(words.end(), when.begin(), when.end());
+        words.insert(words.end(), common.begin(), common.end());
         words.insert(words.end(), {"--out", folder_.path(out).string()});
         run(words);
     };
-    ask({"study"}, "study");
-    ask({"impact", "--to", "Tower"}, "impact");
+    ask({"study", "--from", "09:00", "--hours", "6"}, "study");
+    ask({"impact", "--to", "Tower", "--at", "09:00", "--hours", "6"}, "impact");
     ask({"score"}, "score");
     ask({"by-place"}, "places");
     fs::rename(project, folder_.path("elsewhere.gpkg"));

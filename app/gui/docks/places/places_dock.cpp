@@ -38,10 +38,9 @@ constexpr int thresholdRestMs = 250;
 
 constexpr int fittedRows = 200;  // that columns are made wide enough for
 
-// From them the shares for another threshold follow; a saved answer has none.
+// From them the shares for another threshold follow. A saved answer holds none, nor how many there were.
 bool knowsCells(const SunByPlace& sun) {
-    return std::ranges::none_of(sun.sun,
-                                [](const SunOfPlace& of) { return of.cells > 0 && of.ofCells.empty(); });
+    return std::ranges::any_of(sun.sun, [](const SunOfPlace& of) { return !of.ofCells.empty(); });
 }
 
 QString longNameOf(const CivilDate& date) {
