@@ -87,7 +87,7 @@ TEST_F(PlacesWindow, AFileAddedToTheCityReplacesNoPlace) {
     EXPECT_EQ(places()[0].name, "Green");
     EXPECT_EQ(places()[0].kind, PlaceKind::cemetery);
     EXPECT_EQ(undo().count(), steps) << "nothing changed";
-    EXPECT_TRUE(message().contains(QStringLiteral("2 of them were there before"))) << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("2 places were there before"))) << message().toStdString();
 }
 
 TEST_F(PlacesWindow, AnotherFileOfTheSameNameIsAddedBesideTheFirst) {
