@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
@@ -37,9 +38,16 @@ std::optional<double> numberOf(const OGRFeature& feature, int index, const std::
     return type == OFTString ? parseMetres(withDecimalPoint(text)) : std::nullopt;
 }
 
+// GDAL writes a real number with all decimals of its column.
+std::string listedValue(const OGRFeature& feature, int index) {
+    if (feature.GetFieldDefnRef(index)->GetType() == OFTReal)
+        return fmt::format("{}", feature.GetFieldAsDouble(index));
+    return listedText(feature.GetFieldAsString(index));
+}
+
 void addValue(ListedField& field, const OGRFeature& feature, int index) {
     if (feature.IsFieldSetAndNotNull(index) == FALSE) return;
-    const std::string text = listedText(feature.GetFieldAsString(index));
+    const std::string text = listedValue(feature, index);
     if (text.empty()) return;
     ++field.values;
     const bool isNew = std::ranges::find(field.samples, text) == field.samples.end();

@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/io/read_city.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/shared/shared_data.h"
 
 namespace noonmark {
 namespace {
@@ -59,6 +60,15 @@ TEST(ListFields, ShowsWhatEachFieldHolds) {
     EXPECT_EQ(describeValues(fieldOf(layer, "note"), layer.sampled), "a (3 of 3 features)");
     EXPECT_EQ(nameOfRole(fieldOf(layer, "storeys").role), "storeys");
     EXPECT_EQ(nameOfRole(fieldOf(layer, "QX7").role), "");
+}
+
+TEST(ListFields, ShowsRealNumbersWithoutTheDecimalsOfTheirColumn) {
+    const auto file = tests::sharedData("goteborg/buildings.shp");
+    if (!file) GTEST_SKIP() << "the shared data is not there";
+    const auto layers = listLayers(*file, {});
+    ASSERT_TRUE(layers) << layers.error().what;
+    EXPECT_EQ(describeValues(fieldOf(layers->front(), "KVALITET"), layers->front().sampled),
+              "200 (200 to 200 in 137 of 137 features)");
 }
 
 TEST(ListFields, HasNothingToChooseInAMesh) {
