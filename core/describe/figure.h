@@ -52,13 +52,15 @@ enum class Better {
 /// What a figure is a part of; its share is shown, too.
 enum class Whole { none, area, sunlitTime };
 
+inline constexpr int allDigits = -1;
+
 /// What is written down about one number of a result: JSON, CSV, tables, sheets and the GUI take key, label
 /// and definition from here. Texts are in English and marked by NM_TEXT.
 struct FigureFacts {
     std::string_view key;                  ///< of JSON and CSV, with its unit: "shadow_area_m2"
     std::string_view label = {};           ///< "Shadow area"
     std::string_view definition = {};      ///< begins in lower case and ends without a full stop
-    int decimals = 1;                      ///< in CSV
+    int decimals = 1;                      ///< in CSV; allDigits: as many as the value needs
     std::optional<int> jsonDecimals = {};  ///< rounded to in JSON; none: all digits
     /// In saved results of versions that did not state it; none: it was always stated.
     std::optional<double> whenMissing = {};

@@ -197,6 +197,8 @@ void addFigures(CsvText& csv, const DescribedFigures& figures) {
         const double value = figures.get(figure);
         if (figure.isCount)
             csv.whole(std::uint64_t(value));
+        else if (figure.decimals == allDigits)
+            csv.number(value);
         else
             csv.number(value, figure.decimals);
     }

@@ -1,5 +1,9 @@
 #include "scenarios/impact/impact_figure_tables.h"
 
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 
@@ -116,6 +120,7 @@ const Figures<ImpactFigures>& impactFigures() {
                 .label = NM_TEXT("Threshold"),
                 .definition = NM_TEXT("change that counts: minutes a day of gross shadow, minutes of "
                                       "continuous shadow"),
+                .decimals = allDigits,
                 .unit = FigureUnit::minutes,
                 .use = FigureUse::file}),
         figure(&ImpactFigures::receiverAreaM2, findFigure(shadowFigures().rows(), "receiver_area_m2")),
@@ -150,6 +155,16 @@ const Figures<ImpactFigures>& impactFigures() {
                 .unit = FigureUnit::squareMetres,
                 .use = FigureUse::basis}),
     };
+    return figures;
+}
+
+const std::vector<Figure>& figuresByThreshold() {
+    static const auto figures = [] {
+        std::vector<Figure> rows;
+        std::ranges::copy_if(changeFigures().rows(), std::back_inserter(rows),
+                             [](const Figure& row) { return row.byThreshold && row.inFiles; });
+        return rows;
+    }();
     return figures;
 }
 

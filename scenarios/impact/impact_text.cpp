@@ -59,20 +59,20 @@ Json definitions() {
 }
 
 std::vector<std::string> columnsOf() {
-    std::vector<std::string> columns{"id", "name", "threshold_min"};
-    for (std::string& column : listColumns(changeFigures().rows())) columns.push_back(std::move(column));
-    columns.insert(columns.end(), {"continuous_gained_m2", "continuous_lost_m2", "shadow_area_change_m2",
-                                   "became_building_m2", "became_ground_m2"});
+    std::vector<std::string> columns{"id", "name"};
+    std::ranges::move(listColumns(impactFigures().rows()), std::back_inserter(columns));
+    std::ranges::move(listColumns(changeFigures().rows()), std::back_inserter(columns));
+    for (const std::string& column : listColumns(figuresByThreshold()))
+        columns.push_back("continuous_" + column);
     return withSourceColumns(std::move(columns));
 }
 
 void addLine(CsvText& csv, const std::string& id, const std::string& name, const ImpactFigures& figures,
              const SourceValues& source) {
-    csv.text(id).text(name).number(figures.thresholdMin);
+    csv.text(id).text(name);
+    addFigures(csv, impactFigures().of(figures));
     addFigures(csv, changeFigures().of(figures.gross));
-    csv.number(figures.continuous.gainedM2, 1).number(figures.continuous.lostM2, 1);
-    csv.number(figures.shadowAreaChangeM2, 1);
-    csv.number(figures.becameBuildingM2, 1).number(figures.becameGroundM2, 1);
+    addFigures(csv, {figuresByThreshold(), &figures.continuous});
     addSource(csv, source);
     csv.endRow();
 }

@@ -27,6 +27,14 @@ struct IntervalFigures {
     double weightedShadeM2h = 0;
 };
 
+/// The sums of a score over its region.
+struct ScoreTotals {
+    double scoreM2 = 0;
+    double receiverAreaM2 = 0;
+    double waterM2 = 0;           ///< of the region's cells on water, which are no receivers
+    double weightedShadeM2h = 0;  ///< NaN: of a result saved before it was counted
+};
+
 /// Shadow score (paper, section 5.4). At a receiver: the sum over intervals of weight x share of the
 /// interval's sunlit time in shadow. Over a region: the sum over receivers of that x cell area. Positive
 /// where wanted shade outweighs unwanted shadow. An interval that is cut in two counts twice, as each share
@@ -34,13 +42,9 @@ struct IntervalFigures {
 ///
 /// Weighted shade: the sum over the steps of weight x hours in shadow x cell area, m2 h over the period. How
 /// the table is cut into intervals does not change it.
-struct Score {
+struct Score : ScoreTotals {
     Grid grid;
-    std::vector<float> score;  ///< one per cell, NaN where there is no receiver; grid order
-    double scoreM2 = 0;
-    double receiverAreaM2 = 0;
-    double waterM2 = 0;                      ///< of the region's cells on water, which are no receivers
-    double weightedShadeM2h = 0;             ///< NaN: of a result saved before it was counted
+    std::vector<float> score;                ///< one per cell, NaN where there is no receiver; grid order
     std::vector<MonthFigures> months;        ///< of the period, in order
     std::vector<IntervalFigures> intervals;  ///< of the weight table, in its order
     std::string engine;                      ///< name and settings, as text
@@ -50,17 +54,6 @@ struct Score {
     std::vector<ShownError> errors;
     Warnings warnings;
 };
-
-/// The sums of a score over its region.
-struct ScoreTotals {
-    double scoreM2 = 0;
-    double weightedShadeM2h = 0;  ///< NaN: not counted
-    double receiverAreaM2 = 0;
-    double waterM2 = 0;
-};
-inline ScoreTotals totalsOf(const Score& score) {
-    return {score.scoreM2, score.weightedShadeM2h, score.receiverAreaM2, score.waterM2};
-}
 
 /// Computes the score over given steps. `zone`: time zone of their wall clock. The horizon sweep and
 /// projected shadows process the city once for all months and intervals, at the cost of one field. Any other

@@ -49,25 +49,25 @@ double scorePerArea(const ScoreTotals& totals) {
     return totals.scoreM2 / std::max(1.0, totals.receiverAreaM2);
 }
 
-// Files state it beside the totals.
-Figure beside(Figure figure) {
-    figure.inFiles = false;
-    return figure;
+// The figures that a project kept of its scenarios did not state it at first.
+Figure receiverArea() {
+    Figure row = figure(&ScoreTotals::receiverAreaM2, findFigure(shadowFigures().rows(), "receiver_area_m2"));
+    row.whenMissing = std::numeric_limits<double>::quiet_NaN();
+    return row;
 }
 
 }  // namespace
 
 const Figures<ScoreTotals>& scoreFigures() {
     static const Figures<ScoreTotals> figures{
+        receiverArea(), figure(&ScoreTotals::waterM2, findFigure(shadowFigures().rows(), "water_m2")),
         weightedShade<ScoreTotals>(), scoreM2<ScoreTotals>(),
         derivedFigure(&scorePerArea, {.key = "score_per_m2",
                                       .label = NM_TEXT("Score per m² of ground"),
                                       .definition = NM_TEXT("score divided by the area of all receivers"),
                                       .shownDecimals = 3,
                                       .isChange = true,
-                                      .inFiles = false}),
-        beside(figure(&ScoreTotals::receiverAreaM2, findFigure(shadowFigures().rows(), "receiver_area_m2"))),
-        beside(figure(&ScoreTotals::waterM2, findFigure(shadowFigures().rows(), "water_m2")))};
+                                      .inFiles = false})};
     return figures;
 }
 

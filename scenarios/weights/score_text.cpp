@@ -55,10 +55,7 @@ std::string scoreJson(const ScoreAnswer& answer) {
     json["scenario"] = answer.scenario;
     json["weights"] = answer.weights.name;
     json["engine_settings"] = answer.score.engine;
-    json["receiver_area_m2"] = answer.score.receiverAreaM2;
-    json["water_m2"] = answer.score.waterM2;
-    const ScoreTotals totals = totalsOf(answer.score);
-    json.update(figuresJson(scoreFigures().of(totals)));
+    json.update(figuresJson(scoreFigures().of(answer.score)));
     json["errors"] = errorsJson(answer.score.errors);
     json["months"] = monthsJson(answer.score.months);
     json["intervals"] = listJson(

@@ -35,8 +35,7 @@ void printScore(const Answer& weighed, std::ostream& out) {
     table.add("period", formatText(answer.settings.period));
     table.add("weights", answer.weights.name);
     table.add("engine", score.engine);
-    const ScoreTotals totals = totalsOf(score);
-    addFigures(table, listLines(scoreFigures().of(totals)));
+    addFigures(table, listLines(scoreFigures().of(score)));
     for (const MonthFigures& month : score.months)
         addFigures(table, fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month())),
                    listLines(scoreMonthFigures().of(month), FigureUse::result));

@@ -1,6 +1,7 @@
 #include "app/report/scenarios/scenario_text.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "app/report/scenarios/scenario_months.h"
@@ -9,6 +10,7 @@
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/source_columns.h"
 #include "core/study/text/warnings_json.h"
+#include "scenarios/impact/impact_figure_tables.h"
 #include "scenarios/settings_json.h"
 #include "scenarios/weights/score_figures.h"
 
@@ -26,12 +28,10 @@ Json measuredJson(const ScenarioStudies& scenarios, const ScenarioStudy& scenari
 
 Json impactJson(const std::optional<ScenarioImpact>& impact) {
     if (!impact) return {};
-    const ImpactFigures& figures = impact->figures;
-    return {{"baseline", impact->baseline},
-            {"shadow_area_change_m2", figures.shadowAreaChangeM2},
-            {"threshold_min", figures.thresholdMin},
-            {"gained_m2", figures.gross.gainedM2},
-            {"lost_m2", figures.gross.lostM2}};
+    Json json{{"baseline", impact->baseline}};
+    json.update(figuresJson(impactFigures().of(impact->figures)));
+    json.update(figuresJson({figuresByThreshold(), &impact->figures.gross}));
+    return json;
 }
 
 Json scoreJson(const std::optional<ScenarioScore>& score) {
@@ -42,12 +42,25 @@ Json scoreJson(const std::optional<ScenarioScore>& score) {
     return json;
 }
 
+double countNotJudged(const VerdictCounts& counts) { return double(counts.notJudged()); }
+
+// Of places or windows.
+const Figures<VerdictCounts>& verdictFigures() {
+    static const auto figures = [] {
+        Figure notJudged = derivedFigure(&countNotJudged, {.key = "not_judged"});
+        notJudged.isCount = true;
+        return Figures<VerdictCounts>{figure(&VerdictCounts::pass, {.key = "pass"}),
+                                      figure(&VerdictCounts::borderline, {.key = "borderline"}),
+                                      figure(&VerdictCounts::fail, {.key = "fail"}), std::move(notJudged)};
+    }();
+    return figures;
+}
+
 Json verdictsJson(const std::optional<ScenarioVerdicts>& verdicts) {
     if (!verdicts) return {};
-    const VerdictCounts& counts = verdicts->counts;
-    return {{"rule", verdicts->rule}, {"baseline", verdicts->baseline},
-            {"pass", counts.pass},    {"borderline", counts.borderline},
-            {"fail", counts.fail},    {"not_judged", counts.notJudged()}};
+    Json json{{"rule", verdicts->rule}, {"baseline", verdicts->baseline}};
+    json.update(figuresJson(verdictFigures().of(verdicts->counts)));
+    return json;
 }
 
 template <class T>
@@ -64,65 +77,108 @@ Json usesJson(const ScenarioUses& uses) {
     return json;
 }
 
-std::vector<Figure> listCompared() {
-    const auto all = shadowFigures().rows();
-    std::vector<Figure> compared;
-    std::ranges::copy_if(all, std::back_inserter(compared), &Figure::inTable);
-    return compared;
+// A column of scenarios.csv with what it states of a scenario.
+struct Column {
+    std::string name;
+    std::function<void(CsvText&, const ScenarioStudy&)> add;
+};
+
+// Finds the object of a figure; null: the scenario was not asked for it.
+using FindObject = const void* (*)(const ScenarioStudy&);
+
+Column figureColumn(const Figure& figure, FindObject find, std::string_view name = {}) {
+    return {std::string(name.empty() ? figure.key : name),
+            [&figure, find](CsvText& csv, const ScenarioStudy& scenario) {
+                if (const void* object = find(scenario))
+                    addFigures(csv, {{&figure, 1}, object});
+                else
+                    csv.nothing();
+            }};
+}
+
+// A text that one of its answers states.
+template <class T>
+Column textColumn(std::string name, std::optional<T> ScenarioAnswers::*answer, std::string T::*text) {
+    return {std::move(name), [answer, text](CsvText& csv, const ScenarioStudy& scenario) {
+                const std::optional<T>& one = scenario.answers.*answer;
+                csv.text(one ? (*one).*text : std::string());
+            }};
 }
 
 // The change of the shadow area stands behind the shadow area.
-std::vector<std::string> columnsOfMeasured() {
-    std::vector<std::string> columns = listColumns(listCompared());
-    columns.insert(std::ranges::find(columns, "shadow_area_m2") + 1, "shadow_area_change_m2");
-    return columns;
-}
-
-void addMeasured(CsvText& csv, const ShadowStatistics& statistics, double changeM2) {
-    for (const Figure& figure : listCompared()) {
-        addFigures(csv, {{&figure, 1}, &statistics});
-        if (figure.key == "shadow_area_m2") csv.number(changeM2, 1);
+void addMeasured(std::vector<Column>& columns, const ScenarioStudies& scenarios) {
+    for (const Figure& figure : shadowFigures().rows()) {
+        if (!figure.inTable) continue;
+        columns.push_back(figureColumn(
+            figure, [](const ScenarioStudy& one) -> const void* { return &one.study->statistics; }));
+        if (figure.key == "shadow_area_m2")
+            columns.push_back({"shadow_area_change_m2", [&](CsvText& csv, const ScenarioStudy& scenario) {
+                                   csv.number(computeShadowAreaChange(scenarios, scenario), 1);
+                               }});
     }
 }
 
-void addImpact(CsvText& csv, const std::optional<ScenarioImpact>& impact) {
-    if (!impact) return void(csv.nothing(5));
-    const ImpactFigures& figures = impact->figures;
-    csv.text(impact->baseline).number(figures.shadowAreaChangeM2, 1).number(figures.thresholdMin);
-    csv.number(figures.gross.gainedM2, 1).number(figures.gross.lostM2, 1);
+void addTowers(std::vector<Column>& columns) {
+    columns.push_back(
+        {"height_m", [](CsvText& csv, const ScenarioStudy& one) { csv.number(one.heightM, 1); }});
+    columns.push_back({"gross_floor_m2", [](CsvText& csv, const ScenarioStudy& one) {
+                           csv.number(sumFloorAreaM2(one.uses), 1);
+                       }});
 }
 
-void addScore(CsvText& csv, const std::optional<ScenarioScore>& score) {
-    if (!score) return void(csv.nothing(3));
-    csv.text(score->weights);
-    addFigures(csv, scoreFigures().of(score->totals));
+void addImpact(std::vector<Column>& columns) {
+    const FindObject impact = [](const ScenarioStudy& one) -> const void* {
+        return one.answers.impact ? &one.answers.impact->figures : nullptr;
+    };
+    const FindObject gross = [](const ScenarioStudy& one) -> const void* {
+        return one.answers.impact ? &one.answers.impact->figures.gross : nullptr;
+    };
+    const auto all = impactFigures().rows();
+    columns.push_back(textColumn("impact_baseline", &ScenarioAnswers::impact, &ScenarioImpact::baseline));
+    columns.push_back(figureColumn(findFigure(all, "shadow_area_change_m2"), impact, "impact_m2"));
+    columns.push_back(figureColumn(findFigure(all, "threshold_min"), impact, "impact_threshold_min"));
+    for (const Figure& figure : figuresByThreshold()) columns.push_back(figureColumn(figure, gross));
 }
 
-void addVerdicts(CsvText& csv, const std::optional<ScenarioVerdicts>& verdicts) {
-    if (!verdicts) return void(csv.nothing(6));
-    const VerdictCounts& counts = verdicts->counts;
-    csv.text(verdicts->rule).text(verdicts->baseline);
-    csv.whole(counts.pass).whole(counts.borderline).whole(counts.fail).whole(counts.notJudged());
+void addScore(std::vector<Column>& columns) {
+    const FindObject score = [](const ScenarioStudy& one) -> const void* {
+        return one.answers.score ? &one.answers.score->totals : nullptr;
+    };
+    columns.push_back(textColumn("weights", &ScenarioAnswers::score, &ScenarioScore::weights));
+    for (const Figure& figure : scoreFigures().rows())
+        if (figure.inFiles && figure.use == FigureUse::result) columns.push_back(figureColumn(figure, score));
+}
+
+void addVerdicts(std::vector<Column>& columns) {
+    const FindObject verdicts = [](const ScenarioStudy& one) -> const void* {
+        return one.answers.verdicts ? &one.answers.verdicts->counts : nullptr;
+    };
+    columns.push_back(textColumn("rule", &ScenarioAnswers::verdicts, &ScenarioVerdicts::rule));
+    columns.push_back(textColumn("rule_baseline", &ScenarioAnswers::verdicts, &ScenarioVerdicts::baseline));
+    for (const Figure& figure : verdictFigures().rows()) columns.push_back(figureColumn(figure, verdicts));
+}
+
+std::vector<Column> listColumns(const ScenarioStudies& scenarios) {
+    std::vector<Column> columns{
+        {"name", [](CsvText& csv, const ScenarioStudy& one) { csv.text(one.name); }},
+        {"changes", [](CsvText& csv, const ScenarioStudy& one) { csv.whole(countChanges(one)); }}};
+    addMeasured(columns, scenarios);
+    addTowers(columns);
+    addImpact(columns);
+    addScore(columns);
+    addVerdicts(columns);
+    return columns;
 }
 
 }  // namespace
 
 std::string scenariosCsv(const ScenarioStudies& scenarios) {
-    std::vector<std::string> columns{"name", "changes"};
-    std::ranges::move(columnsOfMeasured(), std::back_inserter(columns));
-    columns.insert(columns.end(),
-                   {"height_m", "gross_floor_m2", "impact_baseline", "impact_m2", "impact_threshold_min",
-                    "gained_m2", "lost_m2", "weights", "weighted_shade_m2h", "score_m2", "rule",
-                    "rule_baseline", "pass", "borderline", "fail", "not_judged"});
-    CsvText csv(withSourceColumns(std::move(columns)));
+    const std::vector<Column> columns = listColumns(scenarios);
+    std::vector<std::string> names;
+    std::ranges::transform(columns, std::back_inserter(names), &Column::name);
+    CsvText csv(withSourceColumns(std::move(names)));
     for (const ScenarioStudy& scenario : scenarios) {
-        const ScenarioAnswers& answers = scenario.answers;
-        csv.text(scenario.name).whole(countChanges(scenario));
-        addMeasured(csv, scenario.study->statistics, computeShadowAreaChange(scenarios, scenario));
-        csv.number(scenario.heightM, 1).number(sumFloorAreaM2(scenario.uses), 1);
-        addImpact(csv, answers.impact);
-        addScore(csv, answers.score);
-        addVerdicts(csv, answers.verdicts);
+        for (const Column& column : columns) column.add(csv, scenario);
         addSource(csv, sourceValues(scenario.study->provenance));
         csv.endRow();
     }

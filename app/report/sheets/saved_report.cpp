@@ -154,10 +154,9 @@ SavedSheet makeSavedSheet(const SavedResult& result, const SavedImpact& saved, c
 }
 
 SavedSheet makeSavedSheet(const SavedResult& result, const SavedScore& saved, const SavedMaps& with) {
-    const ScoreTotals totals = totalsOf(saved.score);
     return {.subject = QStringLiteral("Shadow score of %1").arg(plainText(result.scenario)),
             .map = makeScoreMap(saved.score, with.city, with.region, with.legend),
-            .definitions = {body(defineFigures(listLines(scoreFigures().of(totals))))},
+            .definitions = {body(defineFigures(listLines(scoreFigures().of(saved.score))))},
             .figures = makeScoreFigures(saved.score)};
 }
 

@@ -21,7 +21,7 @@ QString monthName(std::chrono::year_month month) {
 QString describePart(const MonthFigures& month) {
     QStringList parts;
     for (const Figure& total : scoreFigures().rows())
-        if (total.inFiles) {
+        if (total.use == FigureUse::result && total.inFiles) {
             const Figure& part = findFigure(scoreMonthFigures().rows(), total.key);
             parts << QString::fromStdString(valueOf({&part, part.get(&month)}));
         }
@@ -29,8 +29,7 @@ QString describePart(const MonthFigures& month) {
 }
 
 TextBlocks definitionsOf(const Score& score) {
-    const ScoreTotals totals = totalsOf(score);
-    return {body(defineFigures(listLines(scoreFigures().of(totals))) +
+    return {body(defineFigures(listLines(scoreFigures().of(score))) +
                  QStringLiteral(" Positive means that wanted shade outweighs unwanted shadow. The figures of "
                                 "the months add up to the total."))};
 }
@@ -86,8 +85,7 @@ SheetMap makeScoreMap(const Score& score, const City& city, const Region& region
 }
 
 std::vector<FigureText> makeScoreFigures(const Score& score) {
-    const ScoreTotals totals = totalsOf(score);
-    std::vector<FigureText> figures = figureTexts(listLines(scoreFigures().of(totals)));
+    std::vector<FigureText> figures = figureTexts(listLines(scoreFigures().of(score)));
     for (const MonthFigures& month : score.months)
         figures.push_back({monthName(month.month), describePart(month)});
     return figures;

@@ -72,11 +72,7 @@ std::vector<MonthFigures> parseScoreMonths(const Json& months) {
 
 Score parseScore(const Json& json) {
     Score score;
-    const auto totals = readFigures(scoreFigures(), json);
-    score.scoreM2 = totals.scoreM2;
-    score.weightedShadeM2h = totals.weightedShadeM2h;
-    score.receiverAreaM2 = json.at("receiver_area_m2");
-    score.waterM2 = json.value("water_m2", 0.0);
+    static_cast<ScoreTotals&>(score) = readFigures(scoreFigures(), json);
     score.months = parseScoreMonths(json.at("months"));
     for (const Json& interval : json.at("intervals")) {
         IntervalFigures& figures =

@@ -91,7 +91,7 @@ void LatestAnswers::scoreAll() {
                          nullptr,
                          {.question = hashQuestion(settings),
                           .weights = weights,
-                          .score = totalsOf(score),
+                          .score = score,
                           .scoreMonths = std::move(score.months),
                           .scoreErrors = std::move(score.errors)}});
                 });

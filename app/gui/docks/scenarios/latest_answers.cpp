@@ -165,7 +165,7 @@ void LatestAnswers::adoptAnswer() {
              nullptr,
              {.question = hashQuestion(score->settings),
               .weights = score->weights,
-              .score = totalsOf(score->score),
+              .score = score->score,
               .scoreMonths = score->score.months,
               .scoreErrors = score->score.errors}});
     update();

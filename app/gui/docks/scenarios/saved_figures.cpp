@@ -78,7 +78,7 @@ std::optional<ViewFigures> viewFiguresFrom(const Json& json) try {
 void take(const SavedStudy& study, SavedFigures& figures) { figures.measured = study.statistics; }
 
 void take(const SavedScore& score, SavedFigures& figures) {
-    figures.score = totalsOf(score.score);
+    figures.score = score.score;
     figures.scoreMonths = score.score.months;
     figures.scoreErrors = score.score.errors;
 }

@@ -77,8 +77,7 @@ QString describeMonth(std::chrono::year_month month) {
 
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
                                      const std::string& weights, const std::string& period, ShownAs show) {
-    const ScoreTotals totals = totalsOf(score);
-    std::vector<ResultRow> rows = figureRows(listLines(scoreFigures().of(totals)));
+    std::vector<ResultRow> rows = figureRows(listLines(scoreFigures().of(score)));
     rows.push_back({QObject::tr("Scored"),
                     QObject::tr("%1\nwith the weights %2")
                         .arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
