@@ -184,7 +184,8 @@ const Question& byPlaceQuestion() {
                                    .label = NM_TEXT("Sun by place"),
                                    .ofRun = false,
                                    .compute = computeByPlace,
-                                   .saved = savedPlaces()};
+                                   .saved = savedPlaces(),
+                                   .filed = FiledForm{"by-place", "places.json"}};
     return question;
 }
 

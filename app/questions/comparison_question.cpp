@@ -101,7 +101,8 @@ const Question& comparisonQuestion() {
                                    .label = NM_TEXT("Comparison"),
                                    .fields = 2,
                                    .compute = computeComparison,
-                                   .saved = savedMaps<SavedImpact>(pageOfSavedImpact, drawnOfComparison)};
+                                   .saved = savedMaps<SavedImpact>(pageOfSavedImpact, drawnOfComparison),
+                                   .filed = FiledForm{"impact", "impact.json", "impact.pdf"}};
     return question;
 }
 

@@ -13,6 +13,13 @@ namespace noonmark {
 
 namespace {
 
+// Whatever the buildings.
+bool asksSame(const GlazingQuestion& a, const GlazingQuestion& b) {
+    return isSameRule(a.rule, b.rule) && a.settings.elements == b.settings.elements &&
+           a.settings.region == b.settings.region && a.settings.zone == b.settings.zone &&
+           a.settings.year == b.settings.year;
+}
+
 /// The options of the command line that ask for the same windows and sheets.
 std::vector<CommandOption> repeatOptions(const GlazingQuestion& question, const BookSettings& sheets) {
     std::vector<CommandOption> options = makeRepeatOptions(question.settings.elements);
@@ -35,10 +42,7 @@ public:
     [[nodiscard]] double seconds() const override { return content().study.seconds.at("total"); }
     [[nodiscard]] bool asksSameAs(const Answer& other) const override {
         const auto* review = other.as<GlazingAnswer>();
-        return review && Answer::asksSameAs(other) && isSameRule(asked().rule, review->question.rule) &&
-               asked().settings.elements == review->question.settings.elements &&
-               asked().settings.zone == review->question.settings.zone &&
-               asked().settings.year == review->question.settings.year;
+        return review && Answer::asksSameAs(other) && asksSame(asked(), review->question);
     }
 
     /// It names its cities itself, whatever is displayed.
@@ -132,7 +136,8 @@ const Question& glazingQuestion() {
                                    .ofBaseline = false,
                                    .compute = computeGlazing,
                                    .saved = SavedForm{.page = pageOfSavedGlazing},
-                                   .figures = glazingVerdictFigures().rows()};
+                                   .figures = glazingVerdictFigures().rows(),
+                                   .filed = FiledForm{"review", "review.json", "sheets.pdf", true}};
     return question;
 }
 
@@ -142,8 +147,7 @@ std::shared_ptr<const Answer> makeAnswer(std::shared_ptr<const GlazingAnswer> re
 }
 
 bool isSame(const GlazingQuestion& a, const GlazingQuestion& b) {
-    return isOfSameCase(a, b) && a.settings.zone == b.settings.zone && a.settings.year == b.settings.year &&
-           a.settings.elements == b.settings.elements;
+    return isOfSameCase(a, b) && asksSame(a, b);
 }
 
 Result<GlazingAnswer> computeGlazingReview(const GlazingQuestion& question, Progress& progress,

@@ -120,7 +120,8 @@ const Question& pointsQuestion() {
                                    .label = NM_TEXT("Study"),
                                    .ofPoints = true,
                                    .compute = computePoints,
-                                   .saved = savedPoints()};
+                                   .saved = savedPoints(),
+                                   .filed = FiledForm{"study", "study.json", "elements.pdf", true}};
     return question;
 }
 

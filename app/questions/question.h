@@ -57,6 +57,14 @@ struct SavedForm {
     std::function<std::vector<CommandOption>(const AnswerFiles&)> drawnOptions{};
 };
 
+/// How its command files an answer, so that `noonmark-cli verify` finds the record and repeats it.
+struct FiledForm {
+    std::string_view command;   ///< of noonmark-cli: "review"
+    std::string_view record;    ///< the JSON, attached to each PDF: "review.json"
+    std::string_view report{};  ///< the PDF that the command writes without being asked; empty: none
+    bool isBook = false;        ///< `report` is a book of sheets, with bookmarks
+};
+
 /// One thing that can be asked.
 struct Question {
     std::string_view key;    ///< "impact": the kind of a saved result
@@ -78,6 +86,7 @@ struct Question {
     /// own.
     std::string_view help{};
     std::vector<std::string> fileNames{};  ///< that its answers write, where it has `help`
+    std::optional<FiledForm> filed{};      ///< none: its files cannot be verified
 };
 
 /// What can be asked, in one list: it reads saved results back.

@@ -29,6 +29,12 @@ bool isAllOf(const Project& project, const ReviewQuestion& question) {
     return std::ranges::equal(all, question.places, {}, &Place::name, &Place::name);
 }
 
+// Whatever the buildings.
+bool asksSame(const ReviewQuestion& a, const ReviewQuestion& b) {
+    return isSameRule(a.rule, b.rule) && a.places == b.places &&
+           questionText(reviewFields().of(a.settings)) == questionText(reviewFields().of(b.settings));
+}
+
 ReviewLabels labelsOf(const ReviewQuestion& question, const ReviewSource& source,
                       const BookSettings& settings) {
     ReviewLabels labels{question.from, question.to, provenanceOf(source, question), question.named,
@@ -89,10 +95,7 @@ public:
     [[nodiscard]] double seconds() const override { return content().seconds; }
     [[nodiscard]] bool asksSameAs(const Answer& other) const override {
         const auto* review = other.as<ReviewAnswer>();
-        return review && Answer::asksSameAs(other) && isSameRule(asked().rule, review->question.rule) &&
-               asked().places == review->question.places &&
-               asked().settings.zone == review->question.settings.zone &&
-               asked().settings.year == review->question.settings.year;
+        return review && Answer::asksSameAs(other) && asksSame(asked(), review->question);
     }
 
     /// It names its cities itself, whatever is displayed.
@@ -224,7 +227,8 @@ const Question& reviewQuestion() {
                                    .ofBaseline = false,
                                    .compute = computePlaces,
                                    .saved = SavedForm{.page = pageOfSavedReview},
-                                   .figures = placeVerdictFigures().rows()};
+                                   .figures = placeVerdictFigures().rows(),
+                                   .filed = FiledForm{"review", "review.json", "sheets.pdf", true}};
     return question;
 }
 
@@ -247,8 +251,7 @@ Warnings statedWarnings(Warnings ofReview, const ReviewSource& source) {
 }
 
 bool isSame(const ReviewQuestion& a, const ReviewQuestion& b) {
-    return isOfSameCase(a, b) && a.places == b.places &&
-           questionText(reviewFields().of(a.settings)) == questionText(reviewFields().of(b.settings));
+    return isOfSameCase(a, b) && asksSame(a, b);
 }
 
 const Place& ReviewAnswer::placeOf(std::size_t review) const {

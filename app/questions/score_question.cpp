@@ -99,7 +99,8 @@ const Question& scoreQuestion() {
                                    .label = NM_TEXT("Score"),
                                    .ofRun = false,
                                    .compute = computeWeighed,
-                                   .saved = savedMaps<SavedScore>(pageOfSavedScore, drawnOfScore)};
+                                   .saved = savedMaps<SavedScore>(pageOfSavedScore, drawnOfScore),
+                                   .filed = FiledForm{"score", "score.json", "score.pdf"}};
     return question;
 }
 

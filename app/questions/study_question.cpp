@@ -116,7 +116,8 @@ const Question& studyQuestion() {
     static const Question question{.key = "study",
                                    .label = NM_TEXT("Study"),
                                    .compute = computeStudy,
-                                   .saved = savedMaps<SavedStudy>(pageOfSavedStudy, drawnOfStudy)};
+                                   .saved = savedMaps<SavedStudy>(pageOfSavedStudy, drawnOfStudy),
+                                   .filed = FiledForm{"study", "study.json", "report.pdf"}};
     return question;
 }
 

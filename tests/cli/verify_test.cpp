@@ -56,6 +56,20 @@ TEST_F(VerifyCommand, AgreesWithAReportAndItsRecord) {
     EXPECT_GT(verify("out/report.pdf").json()["printed"]["figures"], 50);
 }
 
+TEST_F(VerifyCommand, AgreesWithSunByPlace) {
+    const Spoken places =
+        noonmarkCli({"by-place", "sample:central-park-south", "--kind", "park", "--start", "2026-03-21",
+                     "--from", "09:00", "--hours", "2", "--step", "20", "--zone", "America/New_York",
+                     "--cell", "10", "--sheets", "--out", folder_.path("places").string()});
+    ASSERT_EQ(places.code, exitOk) << places.err;
+    for (const char* report : {"places/sheets.pdf", "places/places.json"}) {
+        const Spoken spoken = verify(report);
+        EXPECT_EQ(spoken.code, exitOk) << spoken.err << spoken.out;
+        EXPECT_GT(spoken.json()["figures"]["compared"], 50);
+        EXPECT_EQ(spoken.json()["tables"][0]["name"], "places.csv");
+    }
+}
+
 // The folder alone suffices: who gets it has the project, too.
 TEST_F(VerifyCommand, FindsTheProjectThatWasPutBesideTheFiles) {
     const std::string project = folder_.path("town.noonmark.gpkg").string();

@@ -10,7 +10,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark;
     using namespace noonmark::tests;
-    const auto record = parseResultRecord(std::string(formatText(data, size)), "study.json");
+    const auto record = parseResultRecord(std::string(formatText(data, size)), {"study"}, "study.json");
     if (!record) return requireSound(record.error()), 0;
     require(record->command.size() > 3 && record->command[0] == "noonmark-cli", "a command is one of ours");
     for (const std::string& word : record->command)

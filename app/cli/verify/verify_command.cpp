@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <ostream>
 #include <set>
@@ -14,6 +13,7 @@
 #include "app/cli/verify/later_save.h"
 #include "app/cli/verify/repeat_run.h"
 #include "app/cli/verify/verification.h"
+#include "app/questions/question.h"
 #include "app/report/files/read_report.h"
 #include "core/base/version.h"
 #include "core/io/files/plain_file.h"
@@ -32,14 +32,19 @@ struct VerifyOptions {
     bool json = false;
 };
 
-// The report that is written beside a record of that name.
-fs::path reportBeside(const std::string& recordName) {
-    static const std::map<std::string, const char*> reports{{"study.json", "report.pdf"},
-                                                            {"impact.json", "impact.pdf"},
-                                                            {"score.json", "score.pdf"},
-                                                            {"review.json", "sheets.pdf"}};
-    const auto found = reports.find(recordName);
-    return found == reports.end() ? fs::path() : fs::path(found->second);
+// How answers are filed; several questions may share a command.
+std::vector<FiledForm> listFiledForms() {
+    std::vector<FiledForm> forms;
+    for (const Question* question : allQuestions())
+        if (question->filed) forms.push_back(*question->filed);
+    return forms;
+}
+
+std::vector<std::string_view> listOnce(std::string_view FiledForm::*member) {
+    std::vector<std::string_view> values;
+    for (const FiledForm& form : listFiledForms())
+        if (std::ranges::find(values, form.*member) == values.end()) values.push_back(form.*member);
+    return values;
 }
 
 Result<std::string> readTable(const fs::path& file) {
@@ -52,7 +57,20 @@ Result<std::string> readTable(const fs::path& file) {
 }
 
 // A record that was renamed is recognised by the command that made it.
-std::string recordNameOf(const ResultRecord& record) { return record.command[1] + ".json"; }
+fs::path recordNameOf(const ResultRecord& record) {
+    const auto forms = listFiledForms();
+    return std::ranges::find(forms, record.command[1], &FiledForm::command)->record;
+}
+
+// The report of the filed one's kind that the command wrote; empty: none.
+fs::path findComputedReport(const ResultRecord& record, const FiledReport& filed, const fs::path& computed) {
+    std::error_code ignored;
+    for (const FiledForm& form : listFiledForms())
+        if (form.command == record.command[1] && form.isBook == filed.isBook && !form.report.empty() &&
+            fs::is_regular_file(computed / form.report, ignored))
+            return computed / form.report;
+    return {};
+}
 
 Result<nlohmann::ordered_json> readComputed(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -138,17 +156,17 @@ Result<void> repeat(const VerifyOptions& options, const ResultRecord& record, co
     if (auto compared = compareFilesBeside(options.report, folder->outputs(), verification); !compared)
         return compared;
     if (filed.isRecord) return {};
-    // The command of a comparison or a score writes its page, not the book of sheets.
-    if (!filed.isBook || record.command[1] == "review")
-        return comparePrinted(filed, folder->outputs() / reportBeside(recordNameOf(record)), verification);
+    // Of most questions the command writes a page, and a book of sheets only on request.
+    if (const fs::path report = findComputedReport(record, filed, folder->outputs()); !report.empty())
+        return comparePrinted(filed, report, verification);
     verification.notCompared.emplace_back("what the pages print, and how they look");
     return {};
 }
 
 Result<Verification> verify(const VerifyOptions& options, const Console& console) {
-    const auto filed = readReport(options.report);
+    const auto filed = readReport(options.report, listOnce(&FiledForm::record));
     if (!filed) return tl::make_unexpected(filed.error());
-    const auto record = parseResultRecord(filed->record, options.report);
+    const auto record = parseResultRecord(filed->record, listOnce(&FiledForm::command), options.report);
     if (!record) return tl::make_unexpected(record.error());
     Verification verification{.report = options.report,
                               .recordName = filed->recordName,
@@ -204,7 +222,7 @@ void addVerifyCommand(CLI::App& app, Run& run) {
         "verify", "Check a filed report: are its inputs the same, and does computing it again agree?");
     command
         ->add_option("report", options->report,
-                     "The report (PDF), or its study.json, impact.json, score.json or review.json")
+                     "The report (PDF), or the record beside it, such as study.json or places.json")
         ->required()
         ->type_name("FILE");
     command

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -11,17 +12,19 @@ namespace noonmark {
 
 /// A filed report: its record, and what its pages print.
 struct FiledReport {
-    std::string recordName;  ///< "study.json", "impact.json", "score.json" or "review.json"
+    std::string recordName;  ///< "study.json"
     std::string record;
     std::string printed;    ///< the words of all pages, UTF-8; empty if the file is a record, not a PDF
     bool isBook = false;    ///< a book of sheets, with bookmarks
     bool isRecord = false;  ///< the record itself, without pages
 };
 
-/// Reads a PDF with its attached record, or a record itself. The file comes from a stranger: links, scripts
-/// and forms in it are not followed. Error: it cannot be read, is larger than 256 MiB, or has no record
-/// (reports of versions before 0.2 have none; their study.json does). Backend: read_report_poppler.cpp.
-Result<FiledReport> readReport(const std::filesystem::path& file);
+/// Reads a PDF with its attached record, which has one of these names, or a record itself. The file comes
+/// from a stranger: links, scripts and forms in it are not followed. Error: it cannot be read, is larger than
+/// 256 MiB, or has no record (reports of versions before 0.2 have none; their study.json does). Backend:
+/// read_report_poppler.cpp.
+Result<FiledReport> readReport(const std::filesystem::path& file,
+                               const std::vector<std::string_view>& recordNames);
 
 /// The printed words of a PDF alone.
 Result<std::string> readPrintedWords(const std::filesystem::path& file);

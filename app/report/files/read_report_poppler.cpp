@@ -4,7 +4,6 @@
 #include <QImage>
 #include <QVariant>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 
@@ -18,7 +17,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::array recordNames{"study.json", "impact.json", "score.json", "review.json"};
 constexpr int maxPages = 10'000;
 
 Result<QByteArray> readBytes(const std::filesystem::path& path) {
@@ -91,13 +89,14 @@ void showAsViewersDo(Poppler::Document& document) {
     document.setRenderHint(Poppler::Document::TextAntialiasing);
 }
 
-bool isRecordName(const QString& name) {
-    return std::ranges::any_of(recordNames, [&](const char* known) { return name == QLatin1String(known); });
+bool isAmong(const std::vector<std::string_view>& names, const QString& name) {
+    return std::ranges::find(names, name.toStdString()) != names.end();
 }
 
 }  // namespace
 
-Result<FiledReport> readReport(const std::filesystem::path& path) {
+Result<FiledReport> readReport(const std::filesystem::path& path,
+                               const std::vector<std::string_view>& recordNames) {
     const auto bytes = readBytes(path);
     if (!bytes) return tl::make_unexpected(bytes.error());
     if (!bytes->startsWith("%PDF"))
@@ -105,11 +104,11 @@ Result<FiledReport> readReport(const std::filesystem::path& path) {
     const auto document = openPdf(*bytes, path);
     if (!document) return tl::make_unexpected(document.error());
     for (Poppler::EmbeddedFile* attached : (*document)->embeddedFiles())
-        if (attached->isValid() && isRecordName(attached->name()))
+        if (attached->isValid() && isAmong(recordNames, attached->name()))
             return FiledReport{attached->name().toStdString(), attached->data().toStdString(),
                                printedWords(**document), !(*document)->outline().isEmpty()};
     return failure("The PDF has no record of its result attached", path.string(),
-                   "Give the study.json, impact.json, score.json or review.json that was written beside it");
+                   "Give the record that was written beside it, such as study.json");
 }
 
 Result<PageComparison> comparePages(const std::filesystem::path& filed, const std::filesystem::path& computed,

@@ -1,9 +1,9 @@
 #include "core/study/verification/result_record.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "core/describe/command_flags.h"
@@ -15,8 +15,6 @@ namespace noonmark {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::array<std::string_view, 4> knownCommands{"study", "impact", "score", "review"};
 
 std::string textAt(const Json& json, const char* key) {
     const auto found = json.find(key);
@@ -64,14 +62,14 @@ bool saves(const std::string& word) {
     return name == flags::save || name == flags::keep || name == flags::overwrite;
 }
 
-Result<void> checkCommand(const std::vector<std::string>& words, const std::string& where) {
+Result<void> checkCommand(const std::vector<std::string>& words, const Commands& known,
+                          const std::string& where) {
     const auto refuse = [&](const std::string& why) {
         return failure(fmt::format("The recorded command is not run: {}", why), where,
                        "Read the command in the report and run it yourself if you trust it");
     };
-    if (words.size() < 2 || words[0] != "noonmark-cli" ||
-        std::ranges::find(knownCommands, words[1]) == knownCommands.end())
-        return refuse("it is not a study, an impact, a score or a review");
+    if (words.size() < 2 || words[0] != "noonmark-cli" || std::ranges::find(known, words[1]) == known.end())
+        return refuse(fmt::format("it is none of {}", fmt::join(known, ", ")));
     const auto out = std::ranges::find(words, std::string(flags::out));
     if (std::ranges::count_if(words, [](const auto& word) { return word.starts_with(flags::out); }) != 1 ||
         out == words.end() || std::next(out) == words.end() || *std::next(out) != "repeated")
@@ -84,12 +82,13 @@ Result<void> checkCommand(const std::vector<std::string>& words, const std::stri
 
 }  // namespace
 
-Result<ResultRecord> parseResultRecord(const std::string& text, const std::string& where) {
+Result<ResultRecord> parseResultRecord(const std::string& text, const Commands& known,
+                                       const std::string& where) {
     ResultRecord record;
     record.json = Json::parse(text, nullptr, false);
     if (!record.json.is_object())
         return failure("This is not the record of a result", where,
-                       "Give a report.pdf, study.json, impact.json, score.json or review.json of Noonmark");
+                       "Give a report of Noonmark, or the record beside it, such as study.json");
     const std::string command = textAt(record.json, "repeat");
     if (command.empty()) {
         const std::string note = textAt(record.json, "repeat_note");
@@ -99,7 +98,7 @@ Result<ResultRecord> parseResultRecord(const std::string& text, const std::strin
     }
     auto words = splitCommand(command);
     if (!words) return tl::make_unexpected(words.error());
-    if (auto known = checkCommand(*words, where); !known) return tl::make_unexpected(known.error());
+    if (auto may = checkCommand(*words, known, where); !may) return tl::make_unexpected(may.error());
     record.command = *std::move(words);
     record.files = filesOf(record.json);
     return record;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -29,11 +30,15 @@ struct ResultRecord {  // NOLINT(bugprone-exception-escape): moving JSON throws 
     std::vector<RecordedFile> files;
 };
 
-/// Reads study.json, impact.json, score.json or review.json. Error: no JSON object, no command that repeats
-/// the result (the record's own reason is stated), or a command that verification does not run: one that is
-/// not a study, impact, score or review, that names a file outside its folder, that saves into a project,
-/// or that writes elsewhere than into `repeated`.
-Result<ResultRecord> parseResultRecord(const std::string& text, const std::string& where);
+/// Commands of noonmark-cli that file results and may be run again: "study".
+using Commands = std::vector<std::string_view>;
+
+/// Reads the record of a result, such as study.json. Error: no JSON object, no command that repeats the
+/// result (the record's own reason is stated), or a command that verification does not run: one that is not
+/// among `known`, that names a file outside its folder, that saves into a project, or that writes elsewhere
+/// than into `repeated`.
+Result<ResultRecord> parseResultRecord(const std::string& text, const Commands& known,
+                                       const std::string& where);
 
 /// Largest record that is read, bytes.
 inline constexpr std::uintmax_t maxBytesOfRecord = std::uintmax_t{256} << 20U;

@@ -16,6 +16,8 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
+const Commands known{"study", "impact", "review"};
+
 Json aRecord() {
     return {{"repeat",
              "noonmark-cli study city.gpkg --start 2026-03-21 --window sunrise+1h..sunset-1h --out repeated"},
@@ -26,12 +28,12 @@ Json aRecord() {
 }
 
 std::string troubleOf(const Json& record) {
-    const auto parsed = parseResultRecord(record.dump(), "study.json");
+    const auto parsed = parseResultRecord(record.dump(), known, "study.json");
     return parsed ? "" : parsed.error().text();
 }
 
 TEST(ResultRecord, StatesItsCommandAndFiles) {
-    const ResultRecord record = parseResultRecord(aRecord().dump(), "study.json").value();
+    const ResultRecord record = parseResultRecord(aRecord().dump(), known, "study.json").value();
     EXPECT_EQ(record.command[1], "study");
     ASSERT_EQ(record.files.size(), 1U);
     EXPECT_EQ(record.files[0].path, "/home/x/city.gpkg");
@@ -41,7 +43,7 @@ TEST(ResultRecord, StatesItsCommandAndFiles) {
 TEST(ResultRecord, FilesOfASavedProjectsCityAreNotNeeded) {
     Json record = aRecord();
     record["project"] = {{"file", "p.noonmark.gpkg"}, {"file_sha256", "cd"}};
-    const auto files = parseResultRecord(record.dump(), "study.json").value().files;
+    const auto files = parseResultRecord(record.dump(), known, "study.json").value().files;
     ASSERT_EQ(files.size(), 2U);
     EXPECT_TRUE(files[0].needed);
     EXPECT_FALSE(files[1].needed);
@@ -69,9 +71,9 @@ TEST(ResultRecord, CommandsThatReachElsewhereAreNotRun) {
 }
 
 TEST(ResultRecord, WhatIsNoRecordIsRefused) {
-    EXPECT_FALSE(parseResultRecord("", "x"));
-    EXPECT_FALSE(parseResultRecord("[1]", "x"));
-    EXPECT_FALSE(parseResultRecord(R"({"repeat": 7, "inputs": "many", "project": 3})", "x"));
+    EXPECT_FALSE(parseResultRecord("", known, "x"));
+    EXPECT_FALSE(parseResultRecord("[1]", known, "x"));
+    EXPECT_FALSE(parseResultRecord(R"({"repeat": 7, "inputs": "many", "project": 3})", known, "x"));
     Json record = aRecord();
     record["repeat"] = nullptr;
     record["repeat_note"] = "the project has not been saved";
