@@ -139,6 +139,7 @@ TEST_F(AnswersWindow, TheListOfAnswersLeadsBackToEachAndMarksThePast) {
     ASSERT_TRUE(
         waitFor([this] { return workbench().answerAs<ImpactAnswer>() && !workbench().following().busy(); }));
     EXPECT_EQ(session().scenario(), "Tower");
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
     EXPECT_EQ(workbench().measured().size(), 1) << "shown again, not computed again";
     window->mode().setMode(ViewMode::exploration);  // nothing is computed automatically
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));

@@ -501,7 +501,10 @@ void Workbench::showMeasured(const MeasuredAnswer& measured) {
     if (scenario.empty() || (known.before && baseline.empty())) return showPast(known.answer);
     if (known.before) comparison_ = known;
     session_.goTo(scenario);
-    if (known.before) session_.compareWith(baseline);
+    if (known.before && session_.baseline() != baseline) {
+        session_.compareWith(baseline);
+        running_.drop();  // a baseline that is chosen asks for the comparison, which is at hand
+    }
     if (!contentOf<Study>(known.answer)) return putInFront(known.before ? nullptr : known.answer);
     session_.compareWith({});
     adoptStudy(known);
