@@ -1,4 +1,5 @@
 #include "core/study/review_study.h"
+#include "core/study/study_fields.h"
 
 namespace noonmark {
 
@@ -18,14 +19,7 @@ const Fields<ReviewSettings>& reviewFields() {
                                       .hint = "ZONE",
                                       .entry = TextEntry::zone,
                                       .restated = true}),
-        field(&ReviewSettings::cellM,
-              {.key = "cell_m",
-               .flag = "--cell",
-               .label = "Cell",
-               .help = "Size of a cell, m",
-               .unit = "m",
-               .range = ValueRange{ReceiverSettings::minCellM, ReceiverSettings::maxCellM},
-               .restated = true})};
+        field(&ReviewSettings::cellM, cellSizeFacts())};
     return fields;
 }
 

@@ -20,15 +20,7 @@ Result<void> chooseSet(StudySettings& settings, const Value& value) {
 }
 
 const Fields<ReceiverSettings>& cellSizes() {
-    static const Fields<ReceiverSettings> fields{
-        field(&ReceiverSettings::cellM,
-              {.key = "cell_m",
-               .flag = "--cell",
-               .label = "Cell",
-               .help = "Size of a cell, m",
-               .unit = "m",
-               .range = ValueRange{ReceiverSettings::minCellM, ReceiverSettings::maxCellM},
-               .restated = true})};
+    static const Fields<ReceiverSettings> fields{field(&ReceiverSettings::cellM, cellSizeFacts())};
     return fields;
 }
 
@@ -60,6 +52,16 @@ const Fields<StudySettings>& limitFields() {
 }
 
 }  // namespace
+
+FieldFacts cellSizeFacts() {
+    return {.key = "cell_m",
+            .flag = "--cell",
+            .label = "Cell",
+            .help = "Size of a cell, m",
+            .unit = "m",
+            .range = ValueRange{ReceiverSettings::minCellM, ReceiverSettings::maxCellM},
+            .restated = true};
+}
 
 const Fields<ErrorSampleSettings>& sampleFields() {
     static const Fields<ErrorSampleSettings> fields{

@@ -19,4 +19,7 @@ const Fields<StudySettings>& contributionFields();  ///< contributions of buildi
 const Fields<StudySettings>& treeFields();          ///< which shade of trees is measured
 const Fields<ErrorSampleSettings>& sampleFields();  ///< how the error is measured
 
+/// What is written down about the size of a cell, of studies and of reviews.
+FieldFacts cellSizeFacts();
+
 }  // namespace noonmark

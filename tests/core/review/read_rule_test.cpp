@@ -34,7 +34,7 @@ TEST(RuleLibrary, EveryShippedRuleIsValidWithEveryChoice) {
     const auto library = RuleLibrary::load();
     ASSERT_TRUE(library);
     for (const Warning& warning : library->warnings()) ADD_FAILURE() << warning.where << ": " << warning.what;
-    EXPECT_EQ(library->rules().size(), 27);
+    EXPECT_FALSE(library->rules().empty());
     for (const Rule& rule : library->rules())
         for (const auto& [choice, options] : rule.choices)
             for (const std::string& option : options) {
@@ -68,7 +68,7 @@ TEST(RuleLibrary, ReadsFoldersAndLeavesOutBadFilesWithAWarning) {
     std::ofstream(folder.path("notes.txt")) << "no rule";
     const auto library = RuleLibrary::load({folder.path("")});
     ASSERT_TRUE(library) << library.error().text();
-    EXPECT_EQ(library->rules().size(), 28);
+    EXPECT_EQ(library->rules().size(), RuleLibrary::load().value().rules().size() + 1);
     EXPECT_EQ(library->warnings().size(), 2);
     const auto garden = library->find("garden");
     ASSERT_TRUE(garden);
