@@ -1,5 +1,9 @@
 #include "core/bench/bench_report.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/bench/contests/moments.h"
@@ -11,6 +15,32 @@ void fillSummary(BenchReport& report) {
         for (const Finding& finding : report.findings)
             if (const auto found = finding.summary.find(figure.key); found != finding.summary.end())
                 figure.value = found->second;
+}
+
+namespace {
+
+bool misses(const SummaryFigure& figure) {
+    constexpr double allowance = 1.25;
+    if (!figure.target) return false;
+    if (!figure.value) return true;
+    const double wanted = figure.target->value;
+    return figure.target->isLeast ? *figure.value * allowance < wanted : *figure.value > wanted * allowance;
+}
+
+}  // namespace
+
+SummaryFigure targetFigure(std::string key, std::string what, Target target) {
+    return {std::move(key),
+            std::move(what),
+            fmt::format("{} {:g}", target.isLeast ? ">=" : "<=", target.value),
+            {},
+            target};
+}
+
+std::vector<SummaryFigure> listMissed(const BenchReport& report) {
+    std::vector<SummaryFigure> missed;
+    std::ranges::copy_if(report.summary, std::back_inserter(missed), misses);
+    return missed;
 }
 
 std::string summaryJson(const BenchReport& report) {

@@ -14,13 +14,24 @@
 
 namespace noonmark::bench {
 
+/// What a ratio or an error should reach on any machine.
+struct Target {
+    bool isLeast = false;  ///< the value should be at least, else at most, this
+    double value = 0;
+};
+constexpr Target atLeast(double value) { return {true, value}; }
+constexpr Target atMost(double value) { return {false, value}; }
+
 /// A number in summary.json and on the first page.
 struct SummaryFigure {
-    std::string key;                   ///< "iam_vs_ray"
-    std::string what;                  ///< "inverse accrual map, times as fast as rays"
-    std::string paper;                 ///< the paper's value in words, or the target; may be empty
-    std::optional<double> value = {};  ///< nothing if an engine is missing or refused
+    std::string key;                    ///< "iam_vs_ray"
+    std::string what;                   ///< "inverse accrual map, times as fast as rays"
+    std::string paper;                  ///< the paper's value in words, or the target; may be empty
+    std::optional<double> value = {};   ///< nothing if an engine is missing or refused
+    std::optional<Target> target = {};  ///< none: it depends on the machine, or nothing was aimed at
 };
+/// With the target in words.
+SummaryFigure targetFigure(std::string key, std::string what, Target target);
 
 /// The result of a benchmark: findings for pages and tables, numbers for the summary.
 struct BenchReport {
@@ -36,6 +47,10 @@ struct BenchReport {
 
 /// Takes the values of `summary` from the findings.
 void fillSummary(BenchReport& report);
+
+/// The figures that are over a quarter worse than their target, or were not measured: a noisy machine alone
+/// does not make them so.
+std::vector<SummaryFigure> listMissed(const BenchReport& report);
 
 /// summary.json: one object of numbers or null, in the order of `summary`.
 std::string summaryJson(const BenchReport& report);

@@ -35,6 +35,7 @@ struct BenchOptions {
     std::uint32_t seed = 1;
     bool overwrite = false;
     bool quick = false;
+    bool gate = false;
     bool json = false;
 };
 
@@ -84,6 +85,16 @@ void print(const bench::BenchReport& report, const std::vector<std::filesystem::
     for (const auto& file : files) out << "  " << file.string() << '\n';
 }
 
+// Whether all figures reach their targets; else says which do not.
+bool reachesTargets(const bench::BenchReport& report, std::ostream& out) {
+    const auto missed = bench::listMissed(report);
+    for (const bench::SummaryFigure& figure : missed)
+        out << fmt::format("missed: {} is {}, not {}\n", figure.key,
+                           figure.value ? bench::formatThreeDigits(*figure.value) : "not measured",
+                           figure.paper);
+    return missed.empty();
+}
+
 struct Bench {
     Result<bench::BenchReport> (*run)(const bench::BenchSite&, const bench::Extent&, const EngineList&,
                                       Progress&, const std::stop_token&);
@@ -111,7 +122,7 @@ int runBench(const Bench& bench, const BenchOptions& options, const Console& con
         console.out << summaryJson(*report);
     else
         print(*report, *files, console.out);
-    return exitOk;
+    return options.gate && !reachesTargets(*report, console.err) ? exitFailed : exitOk;
 }
 
 void addBenchOptions(CLI::App& command, BenchOptions& options) {
@@ -140,6 +151,8 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
         ->type_name("S");
     command.add_flag("--quick", options.quick,
                      "Fewer places, days and settings: at most 5 minutes on two cores; the files state this");
+    command.add_flag("--gate", options.gate,
+                     "End with 1 where a ratio or an error is over a quarter worse than its target");
     addJsonFlag(command, options.json, "Print only summary.json to standard output");
 }
 

@@ -14,22 +14,27 @@ namespace noonmark::bench {
 namespace {
 
 std::vector<SummaryFigure> horizonSummary() {
-    return {{"year_vs_ray", "a year's gross shadow by the horizon sweep, times as fast as rays", ">= 2000"},
-            {"year_with_runs_vs_ray", "the same with continuous shadow", ""},
-            {"year_cell_error_mean_pct", "its cell error, mean, % of the year", "<= 0.05"},
-            {"year_cell_error_max_pct", "its cell error, largest, %", "<= 0.5"},
-            {"day_vs_ray", "a day by projected shadows, times as fast as rays", ">= 25"},
-            {"day_mistagged_pct", "cells and minutes mistagged by projected shadows, %", "<= 0.001"},
-            {"retime_fraction", "other hours with cached horizons, gross, as a share of the full sweep",
-             "<= 0.05"},
-            {"retime_with_runs_fraction", "the same with continuous shadow", ""},
-            {"edit_fraction", "a tower moved by 10 m, gross, as a share of the full sweep", "<= 0.02"},
-            {"edit_with_runs_fraction", "the same with continuous shadow", ""},
-            {"edit_ms", "a tower moved by 10 m, gross, ms", "< 33"},
-            {"day_edit_fraction",
-             "the same over a day by projected shadows, with continuous shadow, as a share of a full run",
-             "<= 0.05"},
-            {"day_edit_ms", "the same, ms", ""}};
+    return {
+        targetFigure("year_vs_ray", "a year's gross shadow by the horizon sweep, times as fast as rays",
+                     atLeast(2000)),
+        {"year_with_runs_vs_ray", "the same with continuous shadow", ""},
+        targetFigure("year_cell_error_mean_pct", "its cell error, mean, % of the year", atMost(0.05)),
+        targetFigure("year_cell_error_max_pct", "its cell error, largest, %", atMost(0.5)),
+        targetFigure("day_vs_ray", "a day by projected shadows, times as fast as rays", atLeast(25)),
+        targetFigure("day_mistagged_pct", "cells and minutes mistagged by projected shadows, %",
+                     atMost(0.001)),
+        targetFigure("retime_fraction",
+                     "other hours with cached horizons, gross, as a share of the full sweep", atMost(0.05)),
+        {"retime_with_runs_fraction", "the same with continuous shadow", ""},
+        targetFigure("edit_fraction", "a tower moved by 10 m, gross, as a share of the full sweep",
+                     atMost(0.02)),
+        {"edit_with_runs_fraction", "the same with continuous shadow", ""},
+        {"edit_ms", "a tower moved by 10 m, gross, ms", "< 33"},
+        targetFigure(
+            "day_edit_fraction",
+            "the same over a day by projected shadows, with continuous shadow, as a share of a full run",
+            atMost(0.05)),
+        {"day_edit_ms", "the same, ms", ""}};
 }
 
 }  // namespace

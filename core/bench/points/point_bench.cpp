@@ -9,7 +9,7 @@ namespace {
 
 std::vector<SummaryFigure> pointSummary() {
     return {{"points_year_s", "100,000 facade points, a year of daylight minutes, gross, s", "<= 60"},
-            {"points_vs_ray", "the same, times as fast as rays", ">= 200"},
+            targetFigure("points_vs_ray", "the same, times as fast as rays", atLeast(200)),
             {"points_with_runs_vs_ray", "the same with unbroken times", ""},
             {"points_error_mean_pct", "error of the sunlit time, mean, % of the year", ""},
             {"points_error_max_pct", "error of the sunlit time, largest, %", ""}};

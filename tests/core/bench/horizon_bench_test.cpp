@@ -55,5 +55,23 @@ TEST_F(HorizonBenchTest, EveryExperimentIsMadeAndEveryRowHasEveryColumn) {
     }
 }
 
+TEST(ListMissed, AllowsAQuarterAndNothingUnmeasured) {
+    BenchReport report;
+    for (const auto& [key, target, value] : {std::tuple("fast", atLeast(2000), 1601.0),
+                                             {"slow", atLeast(2000), 1599.0},
+                                             {"small", atMost(0.02), 0.0249},
+                                             {"large", atMost(0.02), 0.0251}}) {
+        report.summary.push_back(targetFigure(key, "what", target));
+        report.summary.back().value = value;
+    }
+    report.summary.push_back(targetFigure("unmeasured", "what", atMost(1)));
+    report.summary.push_back({"untargeted", "what", ""});
+    std::vector<std::string> missed;
+    for (const SummaryFigure& figure : listMissed(report)) missed.push_back(figure.key);
+    EXPECT_EQ(missed, (std::vector<std::string>{"slow", "large", "unmeasured"}));
+    EXPECT_EQ(report.summary[0].paper, ">= 2000");
+    EXPECT_EQ(report.summary[3].paper, "<= 0.02");
+}
+
 }  // namespace
 }  // namespace noonmark::bench
