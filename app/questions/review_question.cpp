@@ -250,9 +250,7 @@ Warnings statedWarnings(Warnings ofReview, const ReviewSource& source) {
     return ofReview;
 }
 
-bool isSame(const ReviewQuestion& a, const ReviewQuestion& b) {
-    return isOfSameCase(a, b) && asksSame(a, b);
-}
+bool isSame(const ReviewQuestion& a, const ReviewQuestion& b) { return isOfSameCase(a, b) && asksSame(a, b); }
 
 const Place& ReviewAnswer::placeOf(std::size_t review) const {
     const std::size_t each = question.rule.receivers.hasLines() ? 2 : 1;

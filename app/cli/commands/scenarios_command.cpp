@@ -60,8 +60,8 @@ Result<void> addScore(ScenarioStudy& scenario, const ScenariosQuestion& question
     auto score = runScore(scenario.study->city, settings, *question.weights, progress, stop,
                           enginesWith(settings.engine));
     if (!score) return tl::make_unexpected(score.error());
-    scenario.answers.score = ScenarioScore{question.weights->name, *score, std::move(score->months),
-                                           std::move(score->errors)};
+    scenario.answers.score =
+        ScenarioScore{question.weights->name, *score, std::move(score->months), std::move(score->errors)};
     return {};
 }
 
