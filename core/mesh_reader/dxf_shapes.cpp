@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 namespace noonmark {
@@ -48,18 +49,16 @@ bool isClosed(const DxfEntity& entity, std::vector<OutlinePoint>& corners) {
     return (entity.whole(70) & 1) != 0;
 }
 
-// An entity may be seen from below: its extrusion direction (210 to 230) is then -z and mirrors x.
 DxfShape extrude(const DxfEntity& entity, const std::vector<OutlinePoint>& corners, double elevation) {
-    const double thickness = entity.number(39), upwards = entity.number(230, 1);
-    if (thickness == 0) return {{}, "outlines without a thickness"};
-    if (std::abs(std::abs(upwards) - 1) > 1e-6) return {{}, "outlines that are not level"};
-    const double mirror = upwards < 0 ? -1 : 1;
+    const double thickness = entity.number(39);
+    const glm::dmat3 axes = ownAxes(entity);
     DxfPolygon low, high;
     for (const OutlinePoint& point : withArcs(corners)) {
-        low.emplace_back(point.x * mirror, point.y, elevation * mirror);
-        high.emplace_back(point.x * mirror, point.y, (elevation + thickness) * mirror);
+        low.push_back(axes * glm::dvec3(point.x, point.y, elevation));
+        high.push_back(axes * glm::dvec3(point.x, point.y, elevation + thickness));
     }
     if (low.size() < 3) return {{}, "outlines of fewer than three corners"};
+    if (thickness == 0) return {{}, "outlines without a thickness", std::move(low)};
     DxfShape shape;
     for (std::size_t i = 0; i < low.size(); ++i) {
         const std::size_t next = (i + 1) % low.size();
@@ -112,6 +111,44 @@ DxfShape makeGridMesh(const DxfEntity& polyline, const std::vector<DxfEntity>& v
 }
 
 }  // namespace
+
+// Autodesk's "arbitrary axis algorithm".
+glm::dmat3 ownAxes(const DxfEntity& entity) {
+    const glm::dvec3 direction(entity.number(210), entity.number(220), entity.number(230, 1));
+    const double length = glm::length(direction);
+    if (!(length > 1e-9) || !std::isfinite(length)) return glm::dmat3(1);
+    const glm::dvec3 z = direction / length;
+    constexpr double nearVertical = 1.0 / 64;
+    const bool isVertical = std::abs(z.x) < nearVertical && std::abs(z.y) < nearVertical;
+    const glm::dvec3 x =
+        glm::normalize(glm::cross(isVertical ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1), z));
+    return {x, glm::cross(z, x), z};
+}
+
+// Group 92 counts the points that follow, 93 the numbers of the list of faces in groups 90: the corners of a
+// face, then their numbers. Groups before 92 and after the list have other meanings.
+DxfShape makeSubdivisionMesh(const DxfEntity& mesh) {
+    std::vector<glm::dvec3> points;
+    std::vector<std::size_t> list;
+    bool isInFaces = false;
+    for (const auto& [code, value] : mesh.groups) {
+        const double number = parseDxfNumber(value).value_or(-1);
+        if (code == 10 && !isInFaces) points.emplace_back(number, 0, 0);
+        if (code == 20 && !points.empty()) points.back().y = number;
+        if (code == 30 && !points.empty()) points.back().z = number;
+        if (code == 93 || code == 94) isInFaces = code == 93;
+        if (code == 90 && isInFaces && number >= 0) list.push_back(std::size_t(number));
+    }
+    DxfShape shape;
+    for (std::size_t at = 0; at < list.size() && list[at] < list.size() - at; at += list[at] + 1) {
+        DxfPolygon face;
+        for (std::size_t i = at + 1; i <= at + list[at]; ++i)
+            if (list[i] < points.size()) face.push_back(points[list[i]]);
+        if (face.size() >= 3 && face.size() == list[at]) shape.polygons.push_back(std::move(face));
+    }
+    if (shape.polygons.empty()) shape.leftOut = "meshes without faces";
+    return shape;
+}
 
 // The fourth corner of a triangle repeats the third.
 DxfShape makeFace(const DxfEntity& face) {

@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <functional>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -68,6 +72,42 @@ std::vector<std::size_t> indicesOf(const std::string& list) {
         if (error == std::errc()) indices.push_back(index);
     }
     return indices;
+}
+
+std::optional<glm::dvec3> pointOf(const std::string& list) {
+    glm::dvec3 point(0);
+    glm::length_t axis = 0;
+    for (const std::string& word : ifcArguments(list)) {
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), point[axis]);
+        if (error != std::errc() || !std::isfinite(point[axis]) || ++axis == 3) break;
+    }
+    return axis >= 2 ? std::optional(point) : std::nullopt;
+}
+
+// The points of the arc from `a` by `b` to `c` without its ends, at most 10 degrees apart: "(1.,2.)" with as
+// many numbers as they have. Only `b` where the three lie on a line.
+std::vector<std::string> arcThrough(const std::string& a, const std::string& b, const std::string& c) {
+    constexpr double mostRad = std::numbers::pi / 18;
+    const auto start = pointOf(a), middle = pointOf(b), end = pointOf(c);
+    if (!start || !middle || !end) return {b};
+    const glm::dvec3 u = *middle - *start, v = *end - *start, normal = glm::cross(u, v);
+    const double square = glm::dot(normal, normal);
+    if (square <= 1e-18 * glm::dot(u, u) * glm::dot(v, v)) return {b};
+    const glm::dvec3 centre =
+        *start +
+        (glm::dot(u, u) * glm::cross(v, normal) + glm::dot(v, v) * glm::cross(normal, u)) / (2 * square);
+    const glm::dvec3 x = *start - centre, y = glm::cross(glm::normalize(normal), x);
+    double angle = std::atan2(glm::dot(*end - centre, y), glm::dot(*end - centre, x));
+    if (angle <= 0) angle += 2 * std::numbers::pi;
+    const int steps = int(std::ceil(angle / mostRad));
+    const bool isFlat = ifcArguments(a).size() < 3;
+    std::vector<std::string> points;
+    for (int i = 1; i < steps; ++i) {
+        const glm::dvec3 at = centre + std::cos(angle * i / steps) * x + std::sin(angle * i / steps) * y;
+        points.push_back(isFlat ? fmt::format("({:.12e},{:.12e})", at.x, at.y)
+                                : fmt::format("({:.12e},{:.12e},{:.12e})", at.x, at.y, at.z));
+    }
+    return points;
 }
 
 /// What the second reading needs of the first.
@@ -182,16 +222,36 @@ private:
     }
     void addCurve(const IfcStatement& curve) {
         const std::vector<Id>* points = addPoints(curve.arguments.front());
-        std::vector<std::size_t> indices;
+        std::vector<Id> path;
         const bool hasSegments = curve.arguments.size() > 1 && curve.arguments[1].starts_with('(');
-        if (hasSegments)
+        if (points != nullptr && hasSegments)
             for (const std::string& segment : ifcArguments(curve.arguments[1]))
-                for (const std::size_t index : indicesOf(ifcArguments(segment).front()))
-                    if (indices.empty() || indices.back() != index) indices.push_back(index);
-        if (points != nullptr && !hasSegments)
-            for (std::size_t i = 1; i <= points->size(); ++i) indices.push_back(i);
-        out_ += fmt::format("#{}=IFCPOLYLINE({});\n", curve.id,
-                            points == nullptr ? "()" : referencesTo(*points, indices));
+                addSegment(segment, *idOf(curve.arguments.front()), *points, path);
+        if (points != nullptr && !hasSegments) path = *points;
+        std::string list;
+        for (const Id point : path)
+            fmt::format_to(std::back_inserter(list), "{}#{}", list.empty() ? "" : ",", point);
+        out_ += fmt::format("#{}=IFCPOLYLINE(({}));\n", curve.id, list);
+    }
+
+    // IFCLINEINDEX((1,2,3)) or IFCARCINDEX((1,2,3)), whose middle point is on the arc.
+    void addSegment(const std::string& segment, Id list, const std::vector<Id>& points,
+                    std::vector<Id>& path) {
+        std::vector<std::size_t> indices = indicesOf(ifcArguments(segment).front());
+        std::erase_if(indices, [&](std::size_t index) { return index < 1 || index > points.size(); });
+        const auto add = [&](Id point) {
+            if (path.empty() || path.back() != point) path.push_back(point);
+        };
+        if (!segment.starts_with("IFCARCINDEX") || indices.size() != 3) {
+            for (const std::size_t index : indices) add(points[index - 1]);
+            return;
+        }
+        add(points[indices[0] - 1]);
+        const Words& all = lists_.points.at(list);
+        for (const std::string& point :
+             arcThrough(all[indices[0] - 1], all[indices[1] - 1], all[indices[2] - 1]))
+            add(addNew("IFCCARTESIANPOINT", point));
+        add(points[indices[2] - 1]);
     }
 
     // Whether it begins with a global id, and not with a name of 22 letters, as properties may.

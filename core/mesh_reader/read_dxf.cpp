@@ -33,17 +33,32 @@ struct Insert {
 struct DxfBlock {
     glm::dvec3 base{0};
     std::vector<LayeredShape> shapes;
+    std::vector<LayeredShape> outlines;  // closed ones without a thickness
     std::vector<Insert> inserts;
 };
 
-Insert parseInsert(const DxfEntity& entity) {
-    Insert insert{entity.text(2), entity.text(8)};
-    const double angle = glm::radians(entity.number(50));
-    insert.place = glm::translate(insert.place, entity.point(10));
-    insert.place = glm::rotate(insert.place, angle, glm::dvec3(0, 0, 1));
-    insert.place = glm::scale(insert.place,
-                              glm::dvec3(entity.number(41, 1), entity.number(42, 1), entity.number(43, 1)));
-    return insert;
+// Its place and those of its rows and columns; none where there are too many.
+std::vector<Insert> parseInserts(const DxfEntity& entity) {
+    constexpr int mostRepeated = 10'000;
+    const int columns = std::max(1, entity.whole(70, 1)), rows = std::max(1, entity.whole(71, 1));
+    if (columns > mostRepeated || rows > mostRepeated || columns * rows > mostRepeated) return {};
+    const glm::dmat4 axes(ownAxes(entity));
+    glm::dmat4 place = glm::translate(axes, entity.point(10));
+    place = glm::rotate(place, glm::radians(entity.number(50)), glm::dvec3(0, 0, 1));
+    const glm::dvec3 scale(entity.number(41, 1), entity.number(42, 1), entity.number(43, 1));
+    std::vector<Insert> inserts;
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const glm::dvec3 step(column * entity.number(44), row * entity.number(45), 0);
+            inserts.push_back(
+                {entity.text(2), entity.text(8), glm::scale(glm::translate(place, step), scale)});
+        }
+    return inserts;
+}
+
+// Solids, regions and surfaces are stored in the format of a modeller (ACIS), which only CAD programs read.
+bool isAcis(const std::string& type) {
+    return type == "3DSOLID" || type == "BODY" || type == "REGION" || type.ends_with("SURFACE");
 }
 
 /// Reads sections; remembers what was left out, by reason.
@@ -82,16 +97,20 @@ private:
 
     std::optional<DxfEntity> takeShape(const DxfEntity& entity) {
         if (entity.type == "POLYLINE") return takePolyline(entity);
-        if (entity.type == "INSERT") {
-            into_->inserts.push_back(parseInsert(entity));
-            if (entity.whole(70, 1) > 1 || entity.whole(71, 1) > 1)
-                ++leftOut_["repeated rows of inserted blocks"];
-        } else if (entity.type == "3DFACE")
+        if (entity.whole(67) == 1)  // of a sheet
+            return reader_.next();
+        if (entity.type == "INSERT")
+            addInserts(parseInserts(entity));
+        else if (entity.type == "3DFACE")
             add(entity, makeFace(entity));
         else if (entity.type == "SOLID" || entity.type == "TRACE")
             add(entity, makeSolid(entity));
         else if (entity.type == "LWPOLYLINE")
             add(entity, makeLightOutline(entity));
+        else if (entity.type == "MESH")
+            add(entity, makeSubdivisionMesh(entity));
+        else if (isAcis(entity.type))
+            ++leftOut_["ACIS solids, " + entity.type];
         else if (entity.type != "ENDSEC" && entity.type != "ATTRIB" && entity.type != "SEQEND")
             ++leftOut_[entity.type];
         return reader_.next();
@@ -101,15 +120,21 @@ private:
         std::vector<DxfEntity> vertices;
         auto entity = reader_.next();
         for (; entity && entity->type == "VERTEX"; entity = reader_.next()) vertices.push_back(*entity);
-        add(polyline, makePolyline(polyline, vertices));
+        if (polyline.whole(67) != 1) add(polyline, makePolyline(polyline, vertices));
         return entity;
     }
 
+    void addInserts(const std::vector<Insert>& inserts) {
+        if (inserts.empty()) ++leftOut_["blocks that are repeated more than 10,000 times"];
+        into_->inserts.insert(into_->inserts.end(), inserts.begin(), inserts.end());
+    }
+
     void add(const DxfEntity& entity, DxfShape shape) {
-        if (shape.polygons.empty())
-            ++leftOut_[shape.leftOut];
-        else
+        if (!shape.leftOut.empty()) ++leftOut_[shape.leftOut];
+        if (!shape.polygons.empty())
             into_->shapes.push_back({entity.text(8), std::move(shape.polygons)});
+        else if (!shape.outline.empty())
+            into_->outlines.push_back({entity.text(8), {std::move(shape.outline)}});
     }
 
     DxfReader reader_;
@@ -122,11 +147,12 @@ private:
 /// Collects the polygons of each layer, those of inserted blocks at their place.
 class LayerMeshes {
 public:
-    explicit LayerMeshes(const DxfDocument& document) : document_(document) {}
+    LayerMeshes(const DxfDocument& document, std::vector<LayeredShape> DxfBlock::*shapes)
+        : document_(document), shapes_(shapes) {}
 
     // False: there are too many.
     bool add(const DxfBlock& block, const glm::dmat4& place, const std::string& layer, int depth) {
-        for (const LayeredShape& shape : block.shapes) addShape(shape, place, layer);
+        for (const LayeredShape& shape : block.*shapes_) addShape(shape, place, layer);
         if (depth >= deepestInsert || count_ > maxPolygons) return false;
         for (const Insert& insert : block.inserts) {
             const DxfBlock* inserted = document_.block(insert.block);
@@ -155,6 +181,7 @@ private:
     }
 
     const DxfDocument& document_;
+    std::vector<LayeredShape> DxfBlock::*shapes_;
     std::map<std::string, MeshPiece> layers_;
     std::size_t count_ = 0, inserts_ = 0;
 };
@@ -192,17 +219,20 @@ Result<void> readDxf(const std::filesystem::path& file, const std::function<void
     std::ifstream stream(file, std::ios::binary);
     DxfDocument document(stream);
     document.read();
-    LayerMeshes meshes(document);
-    if (!meshes.add(document.drawing(), glm::dmat4(1), {}, 0))
+    LayerMeshes masses(document, &DxfBlock::shapes), outlines(document, &DxfBlock::outlines);
+    if (!masses.add(document.drawing(), glm::dmat4(1), {}, 0) ||
+        (masses.layers().empty() && !outlines.add(document.drawing(), glm::dmat4(1), {}, 0)))
         return failure("Blocks of the DXF insert each other too often", file.string(),
                        "Explode the blocks of the masses, and export these alone");
     const std::string leftOut = describeLeftOut(document.leftOut());
-    if (meshes.layers().empty())
+    if (masses.layers().empty() && outlines.layers().empty())
         return failure(
             "The DXF holds no mass" + (leftOut.empty() ? leftOut : ", only " + leftOut), file.string(),
-            "Draw masses as 3D faces, polyface meshes or closed outlines with a thickness; convert "
-            "3D solids to meshes");
-    for (const auto& [layer, piece] : meshes.layers()) take({layer, {piece}});
+            "Draw masses as 3D faces, meshes or closed outlines with a thickness; convert 3D solids "
+            "to meshes (CONVTOMESH, or 3DSOUT)");
+    for (const auto& [layer, piece] : masses.layers()) take({layer, {piece}});
+    for (const auto& [layer, piece] : outlines.layers())
+        take({.name = layer, .pieces = {piece}, .kind = MeshObject::Kind::outlines});
     for (const auto& [what, count] : document.leftOut())
         take({{}, {}, {}, fmt::format("{} ({})", what, count)});
     return {};

@@ -88,18 +88,16 @@ MeshPiece pieceOf(const aiMesh& mesh, const glm::dmat4& toScene) {
 
 struct SceneWalk {
     const aiScene& scene;
-    std::function<void(MeshObject, const std::string& building)> take;
+    std::function<void(MeshObject, const IfcWithin&)> take;
 
-    // `building`: the node of an IfcBuilding above; empty for none.
-    void visit(const aiNode& node, const glm::dmat4& parent, const std::string& building = {}) const {
+    void visit(const aiNode& node, const glm::dmat4& parent, IfcWithin within = {}) const {
         const glm::dmat4 toScene = parent * inDouble(node.mTransformation);
         // The root is named after the file.
         const bool isNested = node.mParent != nullptr && node.mParent->mParent != nullptr;
         MeshObject object{node.mName.C_Str(), {}, isNested ? node.mParent->mName.C_Str() : ""};
         for (unsigned i = 0; i < node.mNumMeshes; ++i)
             object.pieces.push_back(pieceOf(*scene.mMeshes[node.mMeshes[i]], toScene));
-        const bool isBuilding = IfcObjects::classOf(object.name) == "IfcBuilding";
-        const std::string within = isBuilding ? object.name : building;
+        within.enter(object.name, toScene[3].y);
         if (!object.pieces.empty()) take(std::move(object), within);
         for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], toScene, within);
     }
@@ -107,8 +105,8 @@ struct SceneWalk {
 
 Result<void> takeIfc(const aiScene& scene, const std::function<void(const MeshObject&)>& take) {
     IfcObjects objects;
-    SceneWalk{scene, [&](MeshObject object,
-                         const std::string& building) { objects.add(std::move(object), building); }}
+    SceneWalk{scene,
+              [&](MeshObject object, const IfcWithin& within) { objects.add(std::move(object), within); }}
         .visit(*scene.mRootNode, glm::dmat4(1));
     for (const MeshObject& object : objects.take()) take(object);
     return {};
@@ -131,7 +129,7 @@ Result<void> readScene(const std::filesystem::path& file,
     if (scene->mRootNode == nullptr)
         return failure("The file holds no triangles", file.string(), trianglesAdvice);
     if (ifc) return takeIfc(*scene, take);
-    SceneWalk{*scene, [&](const MeshObject& object, const std::string&) { take(object); }}.visit(
+    SceneWalk{*scene, [&](const MeshObject& object, const IfcWithin&) { take(object); }}.visit(
         *scene->mRootNode, glm::translate(glm::dmat4(1), near.origin));
     return {};
 } catch (const std::exception& exception) {

@@ -1,4 +1,4 @@
-#include "core/io/elements/citygml_glazing.h"
+#include "core/io/elements/model_glazing.h"
 
 #include "core/io/citygml/citygml_load.h"
 #include "core/io/citygml/citygml_reference.h"

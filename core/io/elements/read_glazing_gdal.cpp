@@ -10,8 +10,7 @@
 #include "core/base/gdal_calls.h"
 #include "core/geo/distance.h"
 #include "core/geo/earth_drop.h"
-#include "core/io/elements/citygml_glazing.h"
-#include "core/io/elements/cityjson_glazing.h"
+#include "core/io/elements/model_glazing.h"
 #include "core/io/elements/read_glazing.h"
 #include "core/io/files/file_kind.h"
 #include "core/io/files/open_dataset.h"
@@ -258,7 +257,9 @@ Result<GlazingRead> readLayers(GDALDataset& dataset, const GdalCalls& calls, con
 Result<GlazingRead> readGlazing(const Path& file, const GlazingFileSettings& settings, const City& city,
                                 Progress& progress, const std::stop_token& stop) try {
     const GdalCalls calls(stop);
-    if (const auto format = detectFormat(file); format && (*format)->reader.kind == FileKind::cityJson)
+    const auto format = detectFormat(file);
+    if (format && (*format)->name == "IFC") return readIfcGlazing(file, settings, city, stop);
+    if (format && (*format)->reader.kind == FileKind::cityJson)
         return (*format)->name == "CityGML" ? readCityGmlGlazing(file, settings, city, progress, stop)
                                             : readCityJsonGlazing(file, settings, city, stop);
     const auto dataset = openDataset(file, DatasetContent::vectors);

@@ -63,6 +63,7 @@ public:
             north_ = words[5].starts_with('#') ? words[5] : "";
         if (body.starts_with("IFCPROJECTEDCRS(")) crs_ = words.front();
         if (body.starts_with("IFCMAPCONVERSION(") && words.size() > 3) takeConversion(words);
+        if (plain.find(".LENGTHUNIT.") != plain.npos) takeUnit(body, words);
     }
 
     IfcSite site() {
@@ -72,6 +73,9 @@ public:
                 axes.size() < 2 ? 0 : std::atan2(axes[0], axes[1]) * 180 / std::numbers::pi;
             if (std::abs(degrees) > 0.01) site_.trueNorthDeg = degrees;
         }
+        const double metres = feetM_ > 0 ? feetM_ : metresPerUnit_;
+        if (site_.elevationM) *site_.elevationM *= metres;
+        if (site_.mapHeightM) *site_.mapHeightM *= metres;
         std::erase(crs_, '\'');
         site_.mapCrs = crs_;
         if (!origin_.empty()) site_.mapConversion = crs_.empty() ? origin_ : crs_ + " " + origin_;
@@ -83,9 +87,19 @@ private:
         origin_ = words[2] + ", " + words[3];
         const auto east = numberOf(words[2]), north = numberOf(words[3]);
         if (east && north) site_.mapOrigin = glm::dvec2(*east, *north);
+        if (words.size() > 4) site_.mapHeightM = numberOf(words[4]);
         if (words.size() < 7) return;
         const auto x = numberOf(words[5]), y = numberOf(words[6]);
         if (x && y && std::hypot(*x, *y) > 1e-9) site_.mapAxis = {*x, *y};
+    }
+    // A file that measures in feet states the metre, too.
+    void takeUnit(const std::string& body, const Words& words) {
+        constexpr double footM = 0.3048, inchM = 0.0254;
+        if (body.starts_with("IFCSIUNIT(") && words.size() > 2)
+            metresPerUnit_ = words[2] == ".MILLI." ? 0.001 : words[2] == ".CENTI." ? 0.01 : 1;
+        if (!body.starts_with("IFCCONVERSIONBASEDUNIT(") || words.size() < 3) return;
+        if (words[2].find("FOOT") != std::string::npos) feetM_ = footM;
+        if (words[2].find("INCH") != std::string::npos) feetM_ = inchM;
     }
     void takeSite(const Words& words) {
         if (words.size() < 12) return;
@@ -95,6 +109,7 @@ private:
     }
 
     IfcSite site_;
+    double metresPerUnit_ = 1, feetM_ = 0;
     std::map<std::string, std::string> directions_;
     std::string north_, crs_, origin_;
 };
@@ -131,7 +146,8 @@ std::optional<IfcPlace> findPlaceOnMap(const IfcSite& site) {
         const LonLat place = crs->lonLat(std::vector{at}).front();
         if (!std::isfinite(place.lonDeg + place.latDeg) || !crs->isPlausible(place)) continue;
         const glm::dvec2 north(-site.mapAxis.y, site.mapAxis.x);
-        return IfcPlace{place, azimuthOnMap(*crs, at, north), "IfcMapConversion, " + crs->name()};
+        return IfcPlace{place, azimuthOnMap(*crs, at, north), "IfcMapConversion, " + crs->name(),
+                        site.mapHeightM.value_or(0)};
     }
     return std::nullopt;
 }
@@ -142,7 +158,7 @@ std::optional<IfcPlace> findPlace(const IfcSite& site) {
     if (auto onMap = findPlaceOnMap(site)) return onMap;
     if (!site.place || (site.place->lonDeg == 0 && site.place->latDeg == 0)) return std::nullopt;
     if (std::abs(site.place->lonDeg) > 180 || std::abs(site.place->latDeg) > 90) return std::nullopt;
-    return IfcPlace{*site.place, -site.trueNorthDeg.value_or(0), "IfcSite"};
+    return IfcPlace{*site.place, -site.trueNorthDeg.value_or(0), "IfcSite", site.elevationM.value_or(0)};
 }
 
 std::string describe(const IfcSite& site) {
@@ -151,7 +167,7 @@ std::string describe(const IfcSite& site) {
         words.push_back(fmt::format("its place ({} {:.6f},{:.6f})", readOption("mesh_anchor"),
                                     site.place->lonDeg, site.place->latDeg));
     if (site.place && site.elevationM && *site.elevationM != 0)
-        words.push_back(fmt::format("its elevation, {:g}", *site.elevationM));
+        words.push_back(fmt::format("its elevation, {:g} m", *site.elevationM));
     if (site.trueNorthDeg)
         words.push_back(fmt::format("true north {:.4g} deg clockwise of its y axis ({} {:.4g})",
                                     *site.trueNorthDeg, readOption("mesh_north_deg"), -*site.trueNorthDeg));

@@ -12,12 +12,13 @@ namespace noonmark {
 /// What an IFC file states about its place on earth.
 struct IfcSite {
     std::optional<LonLat> place;          ///< of the site's origin (IfcSite)
-    std::optional<double> elevationM;     ///< of the same, in metres if the file's unit is the metre
+    std::optional<double> elevationM;     ///< of the same
     std::optional<double> trueNorthDeg;   ///< true north from the model's +y, clockwise; only if it is not 0
     std::string mapConversion;            ///< "EPSG:25832 428000, 5444000"; empty: none
     std::string mapCrs;                   ///< of IfcMapConversion: "EPSG:25832"
     std::optional<glm::dvec2> mapOrigin;  ///< easting and northing of the model's origin there
     glm::dvec2 mapAxis{1, 0};             ///< direction of the model's x axis there
+    std::optional<double> mapHeightM;     ///< of the model's origin there
 };
 
 /// Where a model's origin lies, and how it is turned.
@@ -25,6 +26,7 @@ struct IfcPlace {
     LonLat origin;
     double northDeg = 0;  ///< azimuth of the model's +y from true north, clockwise
     std::string words;    ///< where this is stated: "IfcSite"
+    double elevationM = 0;
 };
 
 /// The place that the file states: on a map (IfcMapConversion) if its system is known, else that of its site.

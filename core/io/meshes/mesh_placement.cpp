@@ -121,6 +121,7 @@ Result<MeshPlacement> MeshPlacement::of(const MeshScene& scene, const MeshFile& 
     if (!settings.frame && !settings.meshAnchor)
         return failure("The mesh has no position", file.path, anchorAdvice());
     placement.placeAboutOrigin(settings);
+    placement.zeroM_ = file.zeroM;
     return placement;
 }
 
@@ -194,7 +195,7 @@ std::vector<glm::dvec3> MeshPlacement::local(const MeshPiece& piece) const {
         // it.
         for (glm::dvec3& point : points)
             point = {origin_.x + point.x * cos_ + point.y * sin_, origin_.y - point.x * sin_ + point.y * cos_,
-                     point.z};
+                     point.z + zeroM_};
         return points;
     }
     const std::vector<LonLat> places = crs_->lonLat(std::vector<glm::dvec2>(points.begin(), points.end()));

@@ -21,6 +21,7 @@ struct MeshFile {
     std::string name;    ///< for warnings
     std::string format;  ///< "glTF"
     std::optional<StatedAxes> stated;
+    double zeroM = 0;  ///< elevation of the zero of its heights, where it lies about an origin of its own
 };
 
 /// Where the points of a mesh lie in local metres: about an origin of their own (ReadSettings::meshAnchor,
@@ -56,6 +57,7 @@ private:
     bool yUp_ = false;
     double across_ = 1;  // metres, or units of the system, per unit of the mesh: east and north
     double up_ = 1;      // metres per unit of the mesh: upwards
+    double zeroM_ = 0;
     glm::dvec2 origin_{0};
     double sin_ = 0, cos_ = 1;  // azimuth of the mesh's north
 };

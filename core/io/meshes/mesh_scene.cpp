@@ -4,17 +4,17 @@
 #include <cmath>
 #include <cstring>
 #include <glm/common.hpp>
+#include <limits>
 
 namespace noonmark {
 
 namespace {
 
-constexpr std::string_view sceneHead = "noonmark mesh 4\n";
+constexpr std::string_view sceneHead = "noonmark mesh 5\n";
 constexpr char objectTag = 'o';
 constexpr char endTag = 'z';
 constexpr char errorTag = 'e';
-constexpr char oneBuildingTag = 'b';
-constexpr char piecesTag = 'p';
+constexpr std::int32_t noFloor = std::numeric_limits<std::int32_t>::min();
 
 template <class Item>
 void appendItems(std::string& bytes, const Item* items, std::uint64_t count) {
@@ -106,7 +106,11 @@ MeshObject takeObject(SceneBytes& bytes) {
     for (std::size_t i = 0; i < pieces && bytes.good(); ++i) object.pieces.push_back(takePiece(bytes));
     bytes.takeList(object.parent);
     bytes.takeList(object.note);
-    object.oneBuilding = bytes.takeTag() == oneBuildingTag;
+    object.kind = MeshObject::Kind(bytes.takeTag());
+    if (object.kind < MeshObject::Kind::pieces || object.kind > MeshObject::Kind::outlines) bytes.refuse();
+    std::int32_t floor = noFloor;
+    bytes.takeValue(floor);
+    if (floor != noFloor) object.floor = floor;
     return object;
 }
 
@@ -148,7 +152,8 @@ void appendObject(std::string& bytes, const MeshObject& object) {
     }
     appendList(bytes, object.parent);
     appendList(bytes, object.note);
-    bytes += object.oneBuilding ? oneBuildingTag : piecesTag;
+    appendValue(bytes, object.kind);
+    appendValue(bytes, object.floor.value_or(noFloor));
 }
 
 void appendSceneEnd(std::string& bytes) { bytes += endTag; }

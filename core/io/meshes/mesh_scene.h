@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,7 +36,16 @@ struct MeshObject {
     std::string parent = {};  ///< name of the object that contains it; empty for the file itself
     /// What the reader left out, such as "3DSOLID (2)"; such an object has nothing else. Empty: none.
     std::string note = {};
-    bool oneBuilding = false;  ///< it is all of a building, which is not to be split
+    enum class Kind : char {
+        pieces,    ///< geometry decides what a building is
+        building,  ///< all of a building, which is not to be split
+        window,    ///< of an IFC; its pieces are those of a building, too, which another object holds
+        door,      ///< as a window
+        outlines,  ///< of a drawing without masses: closed lines, whose height must be stated
+    };
+    Kind kind = Kind::pieces;
+    std::optional<std::int32_t> floor = {};  ///< of a window or door: 0 is at the building's own zero
+    [[nodiscard]] bool isOpening() const { return kind == Kind::window || kind == Kind::door; }
     bool operator==(const MeshObject&) const = default;
 };
 

@@ -54,6 +54,7 @@ struct SceneReader {
     const MeshPlacement& placement;
     std::string file;
     bool ifc = false;
+    double outlineHeightM = 0;
     std::vector<NamedMesh> objects;
     Warnings warnings;
 
@@ -63,10 +64,46 @@ struct SceneReader {
                                 ifc ? "objects of the IFC that belong to no building"
                                     : "drawing entities that are no masses",
                                 fmt::format("{}: {}", file, read.note)});
+        if (read.isOpening()) return;
+        if (read.kind == MeshObject::Kind::outlines) return addOutlines(read);
         NamedMesh object{read.name, {}, read.parent};
-        object.oneBuilding = read.oneBuilding;
+        object.oneBuilding = read.kind == MeshObject::Kind::building;
         for (const MeshPiece& piece : read.pieces) addPiece(piece, object);
         if (!object.mesh.triangles.empty()) objects.push_back(std::move(object));
+    }
+
+    // A building for each.
+    void addOutlines(const MeshObject& read) {
+        for (const MeshPiece& piece : read.pieces) {
+            const std::vector<glm::dvec3> points = placement.local(piece);
+            auto corner = piece.corners.begin();
+            for (const std::uint32_t count : piece.cornerCounts) {
+                std::vector<std::uint32_t> ring(corner, corner + count);
+                corner += count;
+                NamedMesh object{read.name, {}, read.parent};
+                object.oneBuilding = true;
+                if (std::ranges::max(ring) < points.size()) extrude(ring, points, object);
+                if (!object.mesh.triangles.empty()) objects.push_back(std::move(object));
+            }
+        }
+    }
+
+    void extrude(const std::vector<std::uint32_t>& ring, const std::vector<glm::dvec3>& points,
+                 NamedMesh& object) const {
+        std::vector<glm::dvec3> corners;
+        for (const double heightM : {0.0, outlineHeightM})
+            for (const std::uint32_t i : ring) corners.push_back(points[i] + glm::dvec3(0, 0, heightM));
+        const auto count = std::uint32_t(ring.size());
+        std::vector<std::uint32_t> low(count), high(count);
+        SurfaceMesher mesher(corners);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t next = (i + 1) % count;
+            low[count - 1 - i] = i, high[i] = count + i;
+            mesher.add({{i, next, count + next, count + i}});
+        }
+        mesher.add({low});
+        mesher.add({high});
+        append(object.mesh, mesher.mesh());
     }
 
     void addPiece(const MeshPiece& piece, NamedMesh& object) {
@@ -129,15 +166,42 @@ std::string formatOf(const std::filesystem::path& file) {
     return isMesh ? std::string((*format)->nameInResults()) : "mesh";
 }
 
-void warnOfUnusedPlace(const std::filesystem::path& file, const ReadSettings& settings, SceneReader& reader,
-                       const std::stop_token& stop) {
-    const IfcSite site = readIfcSite(file, stop);
+void warnOfUnusedPlace(const IfcSite& site, const ReadSettings& settings, SceneReader& reader) {
     const auto place = findPlace(site);
     if (place && settings.meshAnchor == place->origin) return;
     if (const std::string words = describe(site); !words.empty())
         reader.warnings.push_back({WarningKind::leftOut,
                                    "the IFC states where it stands, which is not used: " + words,
                                    reader.file});
+}
+
+// A house is set on the ground with its cellar below, unless elevations are asked for.
+double zeroOf(const IfcSite& site, const ReadSettings& settings) {
+    const auto place = settings.stand == Stand::absolute ? findPlace(site) : std::nullopt;
+    return place ? place->elevationM : 0;
+}
+
+// Of a drawing that holds nothing but outlines, which may be those of lots.
+Result<void> checkOutlines(const MeshScene& scene, const std::filesystem::path& file,
+                           const ReadSettings& settings, Warnings& warnings) {
+    const auto isOutlines = [](const MeshObject& object) {
+        return object.kind == MeshObject::Kind::outlines;
+    };
+    if (std::ranges::none_of(scene, isOutlines)) return {};
+    std::string others;
+    for (const MeshObject& object : scene)
+        if (!object.note.empty()) others += (others.empty() ? "" : ", ") + object.note;
+    if (settings.defaultHeightM == ReadSettings{}.defaultHeightM)
+        return failure(
+            "The DXF holds no mass, only " + others, file.string(),
+            fmt::format("State the height of its outlines ({}), give them a thickness, or draw masses "
+                        "as 3D faces or meshes",
+                        readOption("default_height_m", "METRES")));
+    warnings.push_back({WarningKind::assumed,
+                        fmt::format("outlines without a thickness are {:g} m high ({})",
+                                    settings.defaultHeightM, readOption("default_height_m")),
+                        file.filename().string()});
+    return {};
 }
 
 Warning describeUnit(const StatedAxes& stated, const std::string& file) {
@@ -155,12 +219,16 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
     const auto stated = findStatedAxes(file);
     Warnings assumed;
     const std::string format = formatOf(file);
-    const auto placement = MeshPlacement::of(scene, {file.string(), file.filename().string(), format, stated},
-                                             settings, assumed);
+    const IfcSite site = format == ifcFormat ? readIfcSite(file, stop) : IfcSite{};
+    const MeshFile described{file.string(), file.filename().string(), format, stated, zeroOf(site, settings)};
+    const auto placement = MeshPlacement::of(scene, described, settings, assumed);
     if (!placement) return tl::make_unexpected(placement.error());
-    SceneReader reader{*placement, file.filename().string(), format == ifcFormat, {}, std::move(assumed)};
+    if (const auto checked = checkOutlines(scene, file, settings, assumed); !checked)
+        return tl::make_unexpected(checked.error());
+    SceneReader reader{*placement, described.name,    format == ifcFormat, settings.defaultHeightM,
+                       {},         std::move(assumed)};
     if (stated) reader.warnings.push_back(describeUnit(*stated, reader.file));
-    if (reader.ifc) warnOfUnusedPlace(file, settings, reader, stop);
+    if (reader.ifc) warnOfUnusedPlace(site, settings, reader);
     for (const MeshObject& object : scene) {
         if (stop.stop_requested()) return cancelled();
         reader.add(object);

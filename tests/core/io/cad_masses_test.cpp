@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 #include "core/io/files/file_kind.h"
+#include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/pieces/read_part.h"
 #include "tests/core/io/temporary_folder.h"
@@ -176,6 +178,147 @@ TEST(DxfMasses, BlocksAreInsertedScaledAndTurned) {
     EXPECT_NEAR(extent.box.high.y, 90, 1e-2);
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+std::string blockOf(const std::string& name, const std::string& content) {
+    return groups({{0, "BLOCK"}, {2, name}}) + content + groups({{0, "ENDBLK"}});
+}
+
+std::string blocks(const std::string& content) {
+    return groups({{0, "SECTION"}, {2, "BLOCKS"}}) + content + groups({{0, "ENDSEC"}});
+}
+
+// Block "inner" holds the outline of 20 x 10, 30 high; "outer" inserts it at (5, 0) in half its size; the
+// drawing inserts "outer" at (100, 0) turned by 90 deg: x from 100 - 5 to 100, y from 5 to 15, 15 high.
+TEST(DxfMasses, BlocksInBlocksAreTurnedAndScaledTogether) {
+    const std::string nested =
+        blocks(blockOf("inner", outline()) +
+               blockOf("outer",
+                       groups({{0, "INSERT"}, {2, "inner"}, {10, "5"}, {41, ".5"}, {42, ".5"}, {43, ".5"}})));
+    const std::string insert = groups({{0, "INSERT"}, {2, "outer"}, {10, "100"}, {50, "90"}});
+    const TemporaryFolder folder;
+    const Extent extent =
+        extentOf(readMass(folder.file("nested.dxf", drawing(insert, header(6) + nested))).value());
+    EXPECT_NEAR(extent.box.low.x, 95, 1e-3);
+    EXPECT_NEAR(extent.box.high.x, 100, 1e-3);
+    EXPECT_NEAR(extent.box.low.y, 5, 1e-3);
+    EXPECT_NEAR(extent.box.high.y, 15, 1e-3);
+    EXPECT_NEAR(extent.topM, 15, 1e-3);
+}
+
+TEST(DxfMasses, RowsAndColumnsOfABlockAreBuildingsOfTheirOwn) {
+    const std::string insert =
+        groups({{0, "INSERT"}, {2, "t"}, {70, "3"}, {71, "2"}, {44, "40"}, {45, "25"}});
+    const TemporaryFolder folder;
+    const auto file = folder.file("rows.dxf", drawing(insert, header(6) + blocks(blockOf("t", outline()))));
+    const auto piece = readMass(file).value();
+    EXPECT_EQ(piece.buildings.size(), 6U);
+    EXPECT_NEAR(extentOf(piece).box.high.x, 2 * 40 + 20, 1e-3);
+    EXPECT_NEAR(extentOf(piece).box.high.y, 25 + 10, 1e-3);
+    const std::string many = groups({{0, "INSERT"}, {2, "t"}, {70, "2000"}, {71, "2000"}});
+    const auto refused =
+        readMass(folder.file("many.dxf", drawing(many, header(6) + blocks(blockOf("t", outline())))));
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().text(), HasSubstr("10,000 times"));
+}
+
+// The extrusion direction -z mirrors x: an insert at x = 100 lies at -100, its outline from there to the
+// left.
+TEST(DxfMasses, AMirroredBlockLiesOnTheOtherSide) {
+    const std::string insert = groups({{0, "INSERT"}, {2, "t"}, {10, "100"}, {30, "-30"}, {230, "-1"}});
+    const TemporaryFolder folder;
+    const auto file =
+        folder.file("mirrored.dxf", drawing(insert, header(6) + blocks(blockOf("t", outline()))));
+    const Extent extent = extentOf(readMass(file).value());
+    EXPECT_NEAR(extent.box.low.x, -120, 1e-3);
+    EXPECT_NEAR(extent.box.high.x, -100, 1e-3);
+    EXPECT_NEAR(extent.topM, 30, 1e-3);
+}
+
+TEST(DxfMasses, WhatIsDrawnOnSheetsIsNoMass) {
+    const TemporaryFolder folder;
+    const std::string frame = replaced(outline(), "8\ntower\n", "8\nframe\n67\n1\n");
+    const auto piece = readMass(folder.file("sheet.dxf", drawing(boxFaces() + frame, header(6)))).value();
+    EXPECT_NEAR(extentOf(piece).topM, 9, 1e-3) << "not the 30 m of the frame";
+}
+
+TEST(DxfMasses, OutlinesWithoutAThicknessTakeTheStatedHeight) {
+    const TemporaryFolder folder;
+    const auto file = folder.file("flat.dxf", drawing(outline("0"), header(1)));
+    const auto refused = readMass(file);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().text(), HasSubstr("--default-height METRES"));
+    ReadSettings settings;
+    settings.meshAnchor = LonLat{-73.98, 40.75};
+    settings.defaultHeightM = 12.5;
+    NoProgress progress;
+    const auto piece = readMesh(file, settings, progress, {});
+    ASSERT_TRUE(piece) << piece.error().text();
+    ASSERT_EQ(piece->buildings.size(), 1U);
+    EXPECT_NEAR(extentOf(*piece).topM, 12.5, 1e-3) << "metres, whatever the drawing's unit";
+    EXPECT_NEAR(extentOf(*piece).box.high.x - extentOf(*piece).box.low.x, 20 * 0.0254, 1e-4);
+    EXPECT_THAT(allWarnings(*piece), HasSubstr("12.5 m high"));
+}
+
+// A pyramid of 10 x 10, 6 high, as a MESH: five points, a face of four and four of three corners.
+TEST(DxfMasses, AMeshEntityIsRead) {
+    std::string mesh = groups({{0, "MESH"}, {8, "roof"}, {71, "2"}, {72, "0"}, {91, "0"}, {92, "5"}});
+    for (const auto& [x, y, z] :
+         std::vector<std::array<int, 3>>{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {5, 5, 6}})
+        mesh += groups({{10, std::to_string(x)}, {20, std::to_string(y)}, {30, std::to_string(z)}});
+    mesh += groups({{93, "21"}});
+    for (const char* number : {"4", "0", "3", "2", "1", "3", "0", "1", "4", "3", "1",
+                               "2", "4", "3", "2", "3", "4", "3", "3", "0", "4"})
+        mesh += groups({{90, number}});
+    mesh += groups({{94, "1"}, {90, "0"}, {90, "1"}, {95, "0"}});
+    const TemporaryFolder folder;
+    const auto piece = readMass(folder.file("mesh.dxf", drawing(mesh, header(6)))).value();
+    ASSERT_EQ(piece.buildings.size(), 1U);
+    EXPECT_NEAR(extentOf(piece).topM, 6, 1e-3);
+    EXPECT_NEAR(area(piece.buildings[0]->parts[0].footprint), 100, 1e-2);
+    EXPECT_THAT(allWarnings(piece), testing::Not(HasSubstr("not closed")));
+}
+
+TEST(DxfMasses, EveryUnitOfInsUnitsIsObeyed) {
+    const TemporaryFolder folder;
+    for (const auto& [code, metres] : std::vector<std::pair<int, double>>{{1, 0.0254},
+                                                                          {2, 0.3048},
+                                                                          {4, 0.001},
+                                                                          {5, 0.01},
+                                                                          {6, 1.0},
+                                                                          {10, 0.9144},
+                                                                          {14, 0.1},
+                                                                          {21, 1200.0 / 3937}}) {
+        const std::string wide = std::to_string(20 / metres), high = std::to_string(30 / metres);
+        const std::string square = groups({{0, "LWPOLYLINE"},
+                                           {70, "1"},
+                                           {39, high},
+                                           {10, "0"},
+                                           {20, "0"},
+                                           {10, wide},
+                                           {20, "0"},
+                                           {10, wide},
+                                           {20, wide},
+                                           {10, "0"},
+                                           {20, wide}});
+        const auto piece = readMass(folder.file("unit.dxf", drawing(square, header(code))));
+        ASSERT_TRUE(piece) << code << piece.error().text();
+        EXPECT_NEAR(extentOf(*piece).topM, 30, 0.01) << code;
+    }
+}
+
+TEST(DxfMasses, AcisSolidsAreNamed) {
+    const TemporaryFolder folder;
+    const auto refused =
+        readMass(folder.file("solids.dxf", drawing(groups({{0, "3DSOLID"}, {8, "0"}, {0, "REGION"}}))));
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().text(),
+                testing::AllOf(HasSubstr("ACIS solids, 3DSOLID (1)"), HasSubstr("ACIS solids, REGION (1)"),
+                               HasSubstr("CONVTOMESH")));
+}
+
 TEST(DxfMasses, ArcsAreRounded) {
     // A circle of radius 10 as two half circles: bulge 1.
     const std::string circle = groups({{0, "LWPOLYLINE"},
@@ -327,6 +470,80 @@ TEST(IfcMasses, FacetedSetsOfIfc4AreRead) {
         EXPECT_NEAR(box.high.y - box.low.y, 10, 1e-3) << body;
         EXPECT_NEAR(topM(*read->buildings[0]), 60, 1e-3) << body;
     }
+}
+
+std::string ifcWithSurroundings();
+
+// A rectangle of 20 x 10 m with half a circle of 5 m at its end, in chords of 10 degrees:
+// 200 + 18 x 25 / 2 x sin(10 deg).
+constexpr double roundEndedM2 = 239.07;
+
+TEST(IfcMasses, ArcsOfProfilesAreChordsOfTenDegrees) {
+    const TemporaryFolder folder;
+    const std::string curve =
+        "#40=IFCCARTESIANPOINTLIST2D(((-10000.,-5000.),(10000.,-5000.),(15000.,0.),(10000.,5000.),(-10000.,"
+        "5000.)));\n"
+        "#41=IFCINDEXEDPOLYCURVE(#40,(IFCLINEINDEX((1,2)),IFCARCINDEX((2,3,4)),IFCLINEINDEX((4,5,1))),$);\n"
+        "#42=IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#41);\n"
+        "#25=IFCEXTRUDEDAREASOLID(#42,#9,#24,60000.);";
+    const auto read = readMass(folder.file("round.ifc", ifc4With(curve)));
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->buildings.size(), 1U);
+    EXPECT_NEAR(area(read->buildings[0]->parts[0].footprint), roundEndedM2, 0.05);
+    EXPECT_NEAR(extentOf(*read).box.high.x - extentOf(*read).box.low.x, 25, 0.05);
+}
+
+TEST(IfcMasses, TrimmedCirclesOf2x3AreArcs) {
+    const TemporaryFolder folder;
+    const std::string curve =
+        "#40=IFCCARTESIANPOINT((10000.,5000.));\n#41=IFCCARTESIANPOINT((-10000.,5000.));\n"
+        "#42=IFCCARTESIANPOINT((-10000.,-5000.));\n#43=IFCCARTESIANPOINT((10000.,-5000.));\n"
+        "#44=IFCPOLYLINE((#40,#41,#42,#43));\n#45=IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,.T.,#44);\n"
+        "#46=IFCCARTESIANPOINT((10000.,0.));\n#47=IFCAXIS2PLACEMENT2D(#46,$);\n#48=IFCCIRCLE(#47,5000.);\n"
+        "#49=IFCTRIMMEDCURVE(#48,(IFCPARAMETERVALUE(-1.5707963)),(IFCPARAMETERVALUE(1.5707963)),.T.,"
+        ".PARAMETER.);\n#50=IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,.T.,#49);\n"
+        "#51=IFCCOMPOSITECURVE((#45,#50),.F.);\n#52=IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#51);\n"
+        "#25=IFCEXTRUDEDAREASOLID(#52,#9,#24,60000.);";
+    const auto read = readMass(
+        folder.file("round.ifc", replacedAll(ifc, "#25=IFCEXTRUDEDAREASOLID(#23,#9,#24,60000.);", curve)));
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->buildings.size(), 1U);
+    EXPECT_NEAR(area(read->buildings[0]->parts[0].footprint), roundEndedM2, 1);
+}
+
+TEST(IfcMasses, FurnitureIsLeftOutEvenIfItsShapeIsShared) {
+    const TemporaryFolder folder;
+    const std::string shared =
+        "#40=IFCPRODUCTDEFINITIONSHAPE($,$,(#53));\n#50=IFCREPRESENTATIONMAP(#9,#26);\n"
+        "#51=IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,#8,$,$);\n#52=IFCMAPPEDITEM(#50,#51);\n"
+        "#53=IFCSHAPEREPRESENTATION(#10,'Body','MappedRepresentation',(#52));";
+    const auto piece = readMass(folder.file(
+        "site.ifc", replacedAll(ifcWithSurroundings(), "#40=IFCPRODUCTDEFINITIONSHAPE($,$,(#26));", shared)));
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_NEAR(extentOf(*piece).box.high.x - extentOf(*piece).box.low.x, 20, 1e-3);
+    EXPECT_THAT(allWarnings(*piece), HasSubstr("IfcFurnishingElement (1)"));
+}
+
+// The model's x axis points along (0.8, 0.6) on the map: its y axis to 36.87 deg west of grid north, which is
+// (lon - 9) x sin(lat) = -0.428 deg off true north there.
+TEST(IfcMasses, StandsWhereItsMapConversionPutsIt) {
+    const TemporaryFolder folder;
+    const std::string map =
+        "#60=IFCPROJECTEDCRS('EPSG:25832',$,$,$,$,$,$);\n"
+        "#61=IFCMAPCONVERSION(#10,#60,458700.,5438800.,110000.,0.8,0.6,$);\n#7=IFCUNITASSIGNMENT((#6));";
+    const auto file =
+        folder.file("map.ifc", replacedAll(ifc4With("#25=IFCEXTRUDEDAREASOLID(#23,#9,#24,60000.);"),
+                                           "#7=IFCUNITASSIGNMENT((#6));", map));
+    const auto place = findPlace(readIfcSite(file, {}));
+    ASSERT_TRUE(place);
+    EXPECT_NEAR(place->northDeg, -36.87 - 0.428, 0.01);
+    EXPECT_NEAR(place->elevationM, 110, 1e-6);
+    NoProgress quiet;
+    const auto piece = readMesh(file, {}, quiet, {});
+    ASSERT_TRUE(piece) << piece.error().text();
+    // 41,300 m west of the central meridian on a scale of 0.9996, at 49.1 deg.
+    EXPECT_NEAR(piece->frame->origin().lonDeg, 9 - 41'300 / 0.9996 / 73'030, 2e-4);
+    EXPECT_NEAR(piece->frame->origin().latDeg, 49.1, 0.01);
 }
 
 TEST(IfcMasses, BrokenIfc4EndsInAWarningOrAnError) {

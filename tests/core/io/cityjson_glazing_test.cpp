@@ -1,4 +1,4 @@
-#include "core/io/elements/cityjson_glazing.h"
+#include "core/io/elements/model_glazing.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
