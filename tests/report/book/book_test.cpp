@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "app/report/book/flow.h"
 #include "app/report/book/page_painter.h"
@@ -159,6 +160,24 @@ TEST(Book, DiagramsHaveTheStatedScaleOnPaper) {
                 EXPECT_EQ(diagram->scale, 500);
             }
     EXPECT_EQ(diagrams, 4U) << "two days of two hours";
+}
+
+TEST(Book, NoDiagramIsAloneOnAPageBesideFullOnes) {
+    for (std::size_t hours = 1; hours <= 6; ++hours) {
+        ReviewedPark park;
+        auto& times = park.study.rule.deliverables.diagrams->timesMin;
+        times.clear();
+        for (std::size_t i = 0; i < hours; ++i) times.push_back(600 + 45 * double(i));
+        std::vector<std::size_t> onPages;
+        for (const BookPage& page : park.book({{Paper::a3, true}, 500, {}}).pages) {
+            const auto count = std::size_t(std::ranges::count_if(page.items, [](const PageItem& item) {
+                return std::holds_alternative<Diagram>(item.content);
+            }));
+            if (page.title == QStringLiteral("Shadow diagrams")) onPages.push_back(count);
+        }
+        EXPECT_EQ(std::accumulate(onPages.begin(), onPages.end(), std::size_t(0)), 2 * hours);
+        EXPECT_LE(std::ranges::max(onPages) - std::ranges::min(onPages), 1U) << hours << " times on two days";
+    }
 }
 
 TEST(Book, AMetreOfTheMapIsPaintedAtTheScale) {

@@ -101,16 +101,22 @@ public:
     MomentPages(QString title, QString subtitle, std::vector<QRectF> areas)
         : title_(std::move(title)), subtitle_(std::move(subtitle)), areas_(std::move(areas)) {}
 
+    /// Of so many items as many pages as they need hold equally many, but for one: none is left alone.
+    void spread(std::size_t count) { count_ = count; }
+
     /// The next cell; true where it is the first of its page.
     std::pair<QRectF, bool> next(CivilDate day) {
-        const bool isFirst = used_ % areas_.size() == 0;
-        if (isFirst) pages_.push_back({title_, subtitle_, {}, 1, {}});
+        const bool isFirst = pages_.empty() || used_ == sizeOf(pages_.size() - 1);
+        if (isFirst) {
+            pages_.push_back({title_, subtitle_, {}, 1, {}});
+            used_ = 0;
+        }
         if (!day_ || *day_ != day) {
             QString& bookmark = pages_.back().bookmark;
             bookmark += (bookmark.isEmpty() ? QString() : QStringLiteral("; ")) + dayText(day);
         }
         day_ = day;
-        return {areas_[used_++ % areas_.size()], isFirst};
+        return {areas_[used_++], isFirst};
     }
 
     BookPage& page() { return pages_.back(); }
@@ -124,10 +130,17 @@ public:
     }
 
 private:
+    [[nodiscard]] std::size_t sizeOf(std::size_t page) const {
+        if (count_ == 0) return areas_.size();
+        const std::size_t pages = (count_ + areas_.size() - 1) / areas_.size();
+        return count_ / pages + (page < count_ % pages ? 1 : 0);
+    }
+
     QString title_, subtitle_;
     std::vector<QRectF> areas_;
     std::vector<BookPage> pages_;
-    std::size_t used_ = 0;
+    std::size_t count_ = 0;  // of all items; 0: not known, and pages are filled
+    std::size_t used_ = 0;   // of the last page
     std::optional<CivilDate> day_;
 };
 
@@ -157,6 +170,7 @@ PageItem keyOf(const ReviewScene& scene, const std::vector<DayDiagram>& diagrams
 /// Puts diagrams on pages, each with foot and key.
 std::vector<BookPage> placeDiagrams(const ReviewScene& scene, MomentPages pages, const QRectF& area,
                                     std::vector<DayDiagram> diagrams) {
+    pages.spread(diagrams.size());
     const bool hasKey = scene.keyPt > 0 && !diagrams.empty();
     const std::optional<PageItem> key = hasKey ? std::optional(keyOf(scene, diagrams, area)) : std::nullopt;
     for (auto& [day, diagram] : diagrams) {

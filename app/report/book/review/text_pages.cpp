@@ -48,10 +48,17 @@ TextBlocks methodOf(const ReviewScene& scene) {
     return blocks;
 }
 
+// The title of a list is a heading, which stays with the list's first line.
 TextBlocks ruleBlocks(const Rule& rule) {
     TextBlocks blocks{heading(QStringLiteral("The rule, as it was read"))};
-    for (const QString& line : QString::fromStdString(describeRule(rule)).split(u'\n'))
-        if (!line.trimmed().isEmpty()) blocks.push_back(body(plainText(line)));
+    const QStringList lines = QString::fromStdString(describeRule(rule)).split(u'\n', Qt::SkipEmptyParts);
+    const QString item = QStringLiteral("  - ");
+    for (qsizetype i = 0; i < lines.size(); ++i) {
+        const bool isTitle =
+            !lines[i].startsWith(item) && i + 1 < lines.size() && lines[i + 1].startsWith(item);
+        if (!lines[i].trimmed().isEmpty())
+            blocks.push_back(isTitle ? heading(plainText(lines[i])) : body(plainText(lines[i])));
+    }
     return blocks;
 }
 
