@@ -1,6 +1,8 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "tests/cli/project_command.h"
 
@@ -22,6 +24,33 @@ std::vector<std::string> pointOf(const std::string& file, const std::string& at,
     if (std::ranges::find(more, "--step") == more.end()) more.insert(more.end(), {"--step", "5"});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
+}
+
+TEST(Point, CountsWarningsAndListsAFewPlacesOrAllOnRequest) {
+    const noonmark::tests::TemporaryFolder folder;
+    std::string features;
+    for (int i = 0; i < 5; ++i) {  // squares of 20 m without a height, 40 m apart
+        const double west = -73.98 + i * 4.7e-4, east = west + 2.4e-4;
+        features += fmt::format(
+            R"({}{{"type":"Feature","properties":{{}},"geometry":{{"type":"Polygon","coordinates":)"
+            R"([[[{:.6f},40.7],[{:.6f},40.7],[{:.6f},40.7002],[{:.6f},40.7002],[{:.6f},40.7]]]}}}})",
+            i == 0 ? "" : ",", west, east, east, west, west);
+    }
+    const std::string file = folder.path("bare.geojson").string();
+    std::ofstream(file) << R"({"type":"FeatureCollection","features":[)" << features << "]}";
+    const auto assumed = [&](std::vector<std::string> more) {
+        const Spoken spoken = noonmarkCli(pointOf(file, "-73.98,40.699", std::move(more)));
+        EXPECT_EQ(spoken.code, exitOk) << spoken.err;
+        const auto json = spoken.json();
+        for (const auto& warning : json["warnings"])
+            if (warning["what"].get<std::string>().find("no height") != std::string::npos) return warning;
+        return nlohmann::json();
+    };
+    const auto few = assumed({}), all = assumed({"--all-warnings"});
+    EXPECT_EQ(few.at("count"), 5);
+    EXPECT_EQ(few.at("where").size(), 3U);
+    EXPECT_EQ(all.at("count"), 5);
+    EXPECT_EQ(all.at("where").size(), 5U);
 }
 
 TEST(Point, TheDrawingIsNotWrittenOverTheTable) {

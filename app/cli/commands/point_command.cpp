@@ -31,6 +31,8 @@ namespace noonmark::cli {
 
 namespace {
 
+constexpr std::size_t fewPlaces = 3;  // of each warning, as in printed lines
+
 struct PointOptions {
     ReadOptions read;
     PointQuestion question;
@@ -43,6 +45,7 @@ struct PointOptions {
     std::string csv;            ///< file of the minutes by month and hour; empty: none
     bool overwrite = false;
     bool json = false;
+    bool allWarnings = false;  ///< in JSON: all places of each
 };
 
 /// The cities of the question, and the clock.
@@ -171,6 +174,12 @@ Result<void> writeFiles(const PointOptions& options, const PointStudy& study, co
     return options.csv.empty() ? Result<void>() : writeText(options.csv, pointCsv(study));
 }
 
+// "count" states how many there are.
+void listFew(nlohmann::ordered_json& warnings) {
+    for (auto& group : warnings)
+        while (group["where"].size() > fewPlaces) group["where"].erase(fewPlaces);
+}
+
 int runPoint(const PointOptions& options, const Console& console) {
     PointQuestion question = options.question;
     const auto day = parseDate(options.day);
@@ -195,6 +204,7 @@ int runPoint(const PointOptions& options, const Console& console) {
         auto json = pointJson(*study, cities->baseline, scenario, *zone);
         if (!cases->empty()) json["scenarios"] = pointCasesJson(*cases, wall);
         json["warnings"] = warningsJson(cities->warnings);
+        if (!options.allWarnings) listFew(json["warnings"]);
         console.out << toJsonText(json) << '\n';
         return exitOk;
     }
@@ -251,6 +261,8 @@ void addPointCommand(CLI::App& app, Run& run) {
         ->type_name("FILE");
     addOverwriteOption(*command, options->overwrite);
     addJsonFlag(*command, options->json);
+    command->add_flag("--all-warnings", options->allWarnings,
+                      "In JSON, list all places of each warning of reading (default: three)");
     command->footer(
         "A window 4.5 m above the street that faces south:\n"
         "  noonmark-cli point midtown.gpkg --at -73.9781,40.7648,4.5 --facing 180 --day 2026-12-21 \\\n"
