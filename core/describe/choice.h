@@ -14,6 +14,10 @@ struct Choice {
     std::string_view label = {};  ///< NM_TEXT
 };
 
+// Clang before 17 deduces no arguments of aggregates.
+template <class E, class... Texts>
+Choice(E, Texts...) -> Choice<E>;
+
 /// Empty for a value without a choice.
 template <class E>
 std::string_view keyOf(std::span<const Choice<E>> choices, E value) {

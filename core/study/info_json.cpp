@@ -90,12 +90,12 @@ Json extentLonLat(const City& city) {
     return {low.lonDeg, low.latDeg, high.lonDeg, high.latDeg};
 }
 
-// Where the middle of the buildings lies; null without a table of towns.
+// The town nearest to the middle of the buildings; null without a table of towns.
 Json townJson(const City& city) {
     const Box2 box = bounds(city);
     if (box.empty()) return nullptr;
     const auto middle = (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0;
-    const auto town = findNearestZoneTown(city.frame.lonLatFromLocal(middle));
+    const auto town = findNearestTown(city.frame.lonLatFromLocal(middle));
     if (!town) return nullptr;
     return {
         {"name", town->name}, {"country", countryName(town->country)}, {"away_m", std::round(town->awayM)}};
@@ -119,7 +119,7 @@ std::string infoJson(const CityRead& read) {
     info["tallest_m"] = double(counts.tallestM);
     info["tallest"] = counts.tallest;
     info["crs"] = read.crs;
-    info["nearest_zone_town"] = townJson(read.city);
+    info["nearest_town"] = townJson(read.city);
     info["extent_lonlat"] = extentLonLat(read.city);
     info["origin_lonlat"] = {read.city.frame.origin().lonDeg, read.city.frame.origin().latDeg};
     info["origin_elevation_m"] = read.city.frame.originElevationM();

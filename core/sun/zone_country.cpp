@@ -82,6 +82,15 @@ std::optional<ZoneTown> findNearestZoneTown(LonLat place) {
     return nearest;
 }
 
+std::optional<ZoneTown> findNearestTown(LonLat place) {
+    std::optional<ZoneTown> nearest;
+    for (const Town& town : listTowns()) {
+        const double awayM = computeGreatCircleM(town.place, place);
+        if (!nearest || awayM < nearest->awayM) nearest = ZoneTown{town.name, town.country, awayM};
+    }
+    return nearest ? nearest : findNearestZoneTown(place);
+}
+
 std::string countryName(std::string_view code) {
     std::string name = findInTable("iso3166.tab", 0, code, 1);
     return name.empty() ? std::string(code) : name;

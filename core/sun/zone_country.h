@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/units.h"
 
@@ -21,6 +22,21 @@ struct ZoneTown {
 
 /// Nothing where the database is missing. Reads a file of 20 kB.
 std::optional<ZoneTown> findNearestZoneTown(LonLat place);
+
+/// A city of the gazetteer GeoNames.
+struct Town {
+    LonLat place;
+    std::string name;     ///< "Monaco"
+    std::string country;  ///< ISO 3166 code: "MC"
+    std::string zone;     ///< IANA: "Europe/Monaco"
+};
+
+/// Cities with 15,000 or more inhabitants, about 24,000 of them. Empty if the program was built without
+/// libgeonames. Takes about 0.1 s. Backend: towns_geonames.cpp.
+std::vector<Town> listTowns();
+
+/// The nearest of listTowns(), else of findNearestZoneTown().
+std::optional<ZoneTown> findNearestTown(LonLat place);
 
 /// The English name of a country by the same database: "France" of "FR". The code where it states none.
 std::string countryName(std::string_view code);

@@ -86,10 +86,9 @@ void print(const CityRead& read, std::ostream& out) {
         table.add("ground", describeRange(ground) + " above the datum, under the buildings");
     table.add("terrain", read.city.terrain ? formatText(*read.city.terrain) : "none: flat ground");
     if (!read.crs.empty()) table.add("coordinates", read.crs);
-    if (const auto& town = info["nearest_zone_town"]; !town.is_null())
-        table.add("place", fmt::format("{:.0f} km from {}, {}, the nearest city of the time zones' table",
-                                       town["away_m"].get<double>() / 1000, town["name"].get<std::string>(),
-                                       town["country"].get<std::string>()));
+    if (const auto& town = info["nearest_town"]; !town.is_null())
+        table.add("place", fmt::format("{:.1f} km from {}, {}", town["away_m"].get<double>() / 1000,
+                                       town["name"].get<std::string>(), town["country"].get<std::string>()));
     if (const auto& box = info["extent_lonlat"]; !box.is_null())
         table.add("extent",
                   fmt::format("{:.5f},{:.5f},{:.5f},{:.5f} (west,south,east,north)", box[0].get<double>(),

@@ -20,6 +20,7 @@ namespace noonmark {
 namespace {
 
 constexpr std::size_t mostCorners = 40'000'000;
+constexpr std::size_t mostShared = 200'000;  // ids that objects take from others
 
 bool isBlankText(std::string_view text) { return text.find_first_not_of(" \t\r\n") == text.npos; }
 
@@ -35,6 +36,10 @@ public:
     CityGmlListener(std::string file, const ReadSettings& settings, LodChoice choice, GmlContent wanted)
         : file_(std::move(file)), values_(file_, settings), choice_(choice), wanted_(wanted) {}
     CityGmlData data;
+    std::unordered_set<std::string> wantedIds;  ///< that an object refers to and another one may have
+    GmlShared shared;                           ///< what has these ids
+
+    bool isCollecting = false;  ///< nothing is kept but what has the ids in `wantedIds`
 
     Result<void> begin(const XmlElement& element) override {
         if (skipped_ > 0) return void(++skipped_), Result<void>();
@@ -209,6 +214,14 @@ private:
     Result<void> endObject() {
         open_.pop_back();
         if (!open_.empty()) return {};
+        if (isCollecting) {
+            reader_.share(wantedIds, shared);
+            forgetObject();
+            return {};
+        }
+        reader_.adopt(shared);
+        for (std::string& id : reader_.unresolved())
+            if (wantedIds.size() < mostShared) wantedIds.insert(std::move(id));
         for (GmlObject& one : objects_) values_.add(one.attributes, one.object, data.city);
         for (const GmlObject& one : objects_)
             std::ranges::move(findOpenings(one, reader_), std::back_inserter(data.openings));
@@ -220,11 +233,15 @@ private:
                                 "Divide it");
         data.city.blocks.push_back(std::move(block));
         warnOf(id);
+        forgetObject();
+        return {};
+    }
+
+    void forgetObject() {
         objects_.clear();
         reader_.clear();
         ids_.clear();
         genericName_.clear();
-        return {};
     }
 
     void warnOf(const std::string& id) {
@@ -267,11 +284,25 @@ Result<CityGmlData> loadCityGml(const std::filesystem::path& file, const ReadSet
                                 Progress& progress, const std::stop_token& stop, GmlContent wanted) {
     const Result<LodChoice> choice = parseLodChoice(settings.lod);
     if (!choice) return tl::make_unexpected(choice.error());
-    CityGmlListener listener(file.filename().string(), settings, *choice, wanted);
-    if (auto read = streamXml(file, listener, progress, stop); !read)
-        return tl::make_unexpected(read.error());
-    listener.sayWhatIsInside();
-    return std::move(listener.data);
+    std::optional<CityGmlListener> listener;
+    const auto read = [&](bool collects, std::unordered_set<std::string> wantedIds, GmlShared shared) {
+        listener.emplace(file.filename().string(), settings, *choice, wanted);
+        listener->isCollecting = collects;
+        listener->wantedIds = std::move(wantedIds);
+        listener->shared = std::move(shared);
+        return streamXml(file, *listener, progress, stop);
+    };
+    if (auto done = read(false, {}, {}); !done) return tl::make_unexpected(done.error());
+    // Objects that refer to surfaces of others, before or after them: these are collected, and all is read
+    // again.
+    if (!listener->wantedIds.empty()) {
+        if (auto done = read(true, std::move(listener->wantedIds), {}); !done)
+            return tl::make_unexpected(done.error());
+        if (auto done = read(false, {}, std::move(listener->shared)); !done)
+            return tl::make_unexpected(done.error());
+    }
+    listener->sayWhatIsInside();
+    return std::move(listener->data);
 }
 
 }  // namespace noonmark

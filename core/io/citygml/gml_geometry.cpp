@@ -198,7 +198,7 @@ void GmlGeometryReader::finishImplicit() {
     if (implicit_.isReference) {
         useTemplate(id.starts_with('#') ? id.substr(1) : id);
     } else if (!id.empty()) {
-        Template made{{points_.begin() + std::ptrdiff_t(implicit_.firstPoint), points_.end()}, {}};
+        GmlTemplate made{{points_.begin() + std::ptrdiff_t(implicit_.firstPoint), points_.end()}, {}};
         GmlReferences ignored;
         made.surfaces = surfacesOf({{implicit_.firstMember, members_.size()}}, ignored);
         for (Surface& surface : made.surfaces)
@@ -214,13 +214,55 @@ void GmlGeometryReader::finishImplicit() {
 void GmlGeometryReader::useTemplate(const std::string& id) {
     const auto found = templates_.find(id);
     if (found == templates_.end()) return addReference("#" + id, false);
-    const auto first = std::uint32_t(points_.size());
-    points_.insert(points_.end(), found->second.points.begin(), found->second.points.end());
-    for (Surface surface : found->second.surfaces) {
+    const GmlRange copied = copyPolygons(found->second);
+    for (std::size_t i = copied.first; i < copied.end; ++i) addMember({std::uint32_t(i), false, false});
+}
+
+// Returns the range in polygons_.
+GmlRange GmlGeometryReader::copyPolygons(const GmlTemplate& from) {
+    const auto firstPoint = std::uint32_t(points_.size());
+    const std::size_t first = polygons_.size();
+    points_.insert(points_.end(), from.points.begin(), from.points.end());
+    for (Surface surface : from.surfaces) {
         for (auto& ring : surface)
-            for (auto& index : ring) index += first;
+            for (auto& index : ring) index += firstPoint;
         polygons_.push_back(std::move(surface));
-        addMember({std::uint32_t(polygons_.size() - 1), false, false});
+    }
+    return {first, polygons_.size()};
+}
+
+std::vector<std::string> GmlGeometryReader::unresolved() const {
+    std::vector<std::string> ids;
+    for (const std::string& target : references_)
+        if (target.starts_with('#') && !ids_.contains(target.substr(1))) ids.push_back(target.substr(1));
+    return ids;
+}
+
+void GmlGeometryReader::share(const std::unordered_set<std::string>& ids, GmlShared& shared) const {
+    for (const auto& [id, range] : ids_) {
+        if (!ids.contains(id) || shared.contains(id)) continue;
+        GmlTemplate made;
+        GmlReferences ignored;
+        made.surfaces = surfacesOf({range}, ignored);
+        for (Surface& surface : made.surfaces)
+            for (auto& ring : surface)
+                for (auto& index : ring) {
+                    made.points.push_back(points_[index]);
+                    index = std::uint32_t(made.points.size() - 1);
+                }
+        shared.emplace(id, std::move(made));
+    }
+}
+
+void GmlGeometryReader::adopt(const GmlShared& shared) {
+    for (const std::string& id : unresolved()) {
+        const auto found = shared.find(id);
+        if (found == shared.end() || ids_.contains(id)) continue;
+        const GmlRange copied = copyPolygons(found->second);
+        const std::size_t first = members_.size();
+        for (std::size_t i = copied.first; i < copied.end; ++i)
+            members_.push_back({std::uint32_t(i), false, false});
+        ids_.emplace(id, GmlRange{first, members_.size()});
     }
 }
 

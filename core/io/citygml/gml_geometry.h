@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "core/base/result.h"
@@ -35,6 +36,13 @@ struct GmlReferences {
     std::size_t steps = 0;    ///< taken so far for the object; limited
 };
 
+/// Polygons with points of their own.
+struct GmlTemplate {
+    std::vector<glm::dvec3> points;
+    std::vector<Surface> surfaces;
+};
+using GmlShared = std::unordered_map<std::string, GmlTemplate>;  ///< by their id
+
 /// Collects the geometries of one object of CityGML with all that it contains, in the coordinates of the
 /// file. GML 2, 3.1 and 3.2: polygons, triangles, surfaces, solids, their aggregates, references among them,
 /// and CityGML's implicit geometries, which are moved to their place.
@@ -63,6 +71,13 @@ public:
     /// The polygons of a shell, those referred to included, as indices of points().
     [[nodiscard]] std::vector<Surface> surfacesOf(const GmlShell& shell, GmlReferences& references) const;
 
+    /// The ids that the object refers to and does not have.
+    [[nodiscard]] std::vector<std::string> unresolved() const;
+    /// Keeps those of the object's polygons that have these ids, for other objects.
+    void share(const std::unordered_set<std::string>& ids, GmlShared& shared) const;
+    /// Copies what the object refers to and another object has.
+    void adopt(const GmlShared& shared);
+
     /// Forgets the object; templates of implicit geometries stay, as later objects refer to them.
     void clear();
 
@@ -81,10 +96,6 @@ private:
         int dimension;
         bool flipped;
     };
-    struct Template {
-        std::vector<glm::dvec3> points;
-        std::vector<Surface> surfaces;
-    };
     enum class Role { other, ring, polygon, solid, implicit };
 
     void beginPart(std::string_view name);
@@ -95,6 +106,7 @@ private:
     void finishPolygon();
     void finishImplicit();
     void useTemplate(const std::string& id);
+    GmlRange copyPolygons(const GmlTemplate& from);
     void expand(const GmlRange& range, bool flipped, int depth, std::vector<Surface>& surfaces,
                 GmlReferences& references) const;
 
@@ -104,7 +116,7 @@ private:
     std::vector<std::string> references_;
     std::vector<Member> members_;
     std::unordered_map<std::string, GmlRange> ids_;
-    std::unordered_map<std::string, Template> templates_;
+    GmlShared templates_;
 
     // What is being read.
     std::vector<Open> open_;

@@ -113,6 +113,31 @@ TEST(ReadCityGml, ReferencesThatLeadNowhereAreListed) {
     EXPECT_TRUE(warns(*piece, "refer to other files, which are not opened"));
 }
 
+// Two houses of 10 x 10 m share the wall between them: a surface of one, to which the other refers; what
+// refers comes last, then first.
+TEST(ReadCityGml, SurfacesOfOtherBuildingsAreFoundInTheFile) {
+    std::vector<std::string> other = gmlBoxFaces(bonn + glm::dvec3(10, 0, 0), bonn + glm::dvec3(20, 10, 6));
+    other[4] =
+        "<gml:OrientableSurface orientation=\"-\"><gml:baseSurface xlink:href=\"#shared5\"/>"
+        "</gml:OrientableSurface>";  // at x = 10
+    const auto solidOf = [](const std::vector<std::string>& faces) {
+        return "<bldg:lod2Solid>" + gmlSolid(faces) + "</bldg:lod2Solid>";
+    };
+    const std::string owner =
+        gmlBuilding("owner", solidOf(gmlBoxFaces(bonn, bonn + glm::dvec3(10, 10, 6), "shared")));
+    const std::string borrower = gmlBuilding("borrower", solidOf(other));
+    for (const std::string& members : {owner + borrower, borrower + owner}) {
+        const auto piece = readGmlText(cityGml(members));
+        ASSERT_TRUE(piece) << piece.error().text();
+        ASSERT_EQ(piece->buildings.size(), 2U) << "each once";
+        for (const auto& building : piece->buildings) expectClosedSolid(building->parts.at(0), 600);
+        EXPECT_TRUE(piece->warnings.empty()) << piece->warnings[0].what;
+    }
+    const auto lost = readGmlText(cityGml(borrower));
+    ASSERT_TRUE(lost) << lost.error().text();
+    EXPECT_TRUE(warns(*lost, "refer to ids that"));
+}
+
 TEST(ReadCityGml, ReferencesInCirclesEnd) {
     std::string surfaces = gmlMembers(gmlBoxFaces(bonn, bonn + glm::dvec3(10, 10, 7)));
     for (int i = 0; i < 40; ++i) surfaces += "<gml:surfaceMember xlink:href=\"#all\"/>";

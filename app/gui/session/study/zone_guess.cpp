@@ -6,8 +6,8 @@
 #include <QTimeZone>
 #include <limits>
 
-#include "app/gui/session/study/gazetteer_cities.h"
 #include "core/geo/distance.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 
@@ -91,6 +91,19 @@ ZoneGuess guessZone(const std::vector<ZoneCity>& principal, const std::vector<Zo
     if (!principalCounts) addOthers(guess, cities, place, withinM);
     return guess;
 }
+
+namespace {
+
+std::vector<ZoneCity> gazetteerCities() {
+    std::vector<ZoneCity> cities;
+    for (const Town& town : listTowns())
+        if (!town.zone.empty())
+            cities.push_back(
+                {town.place, QString::fromStdString(town.country), QString::fromStdString(town.zone)});
+    return cities;
+}
+
+}  // namespace
 
 ZoneGuess findNearestZone(LonLat place) {
     QFile file(QStringLiteral("/usr/share/zoneinfo/zone.tab"));
