@@ -218,6 +218,21 @@ TEST_F(EditToolsTest, ALotIsDrawnAndATowerBuiltOnIt) {
     EXPECT_EQ(tools.building().id(), "Tower 1") << "the new building is selected";
 }
 
+TEST_F(EditToolsTest, OnALowScreenTheFieldsOfATowerComeIntoSight) {
+    QWidget* panel = tools.massingDock();
+    panel->setAttribute(Qt::WA_DontShowOnScreen);
+    panel->resize(330, 520);
+    panel->show();
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    const auto isInSight = [&](const char* name) {
+        QWidget& one = field<QWidget>(panel, name);
+        return one.visibleRegion().boundingRect().height() == one.height();
+    };
+    EXPECT_TRUE(waitFor([&] { return isInSight("storeys"); }));
+    EXPECT_TRUE(isInSight("applyMassing"));
+    EXPECT_TRUE(isInSight("figures"));
+}
+
 TEST_F(EditToolsTest, ATowerIsCopiedToAnotherLotWithItsParameters) {
     lots = {{"South", test::square({-25, -65}, 40)}, {"East", test::square({120, -65}, 25)}};
     tools.setLots(lots);

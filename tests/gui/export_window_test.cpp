@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDateEdit>
 #include <QFile>
 #include <QGuiApplication>
 #include <QImage>
@@ -15,6 +16,7 @@
 #include <QSpinBox>
 #include <QStandardItemModel>
 #include <QTableView>
+#include <QTimeEdit>
 #include <atomic>
 
 #include "app/gui/docks/export/export_dialog.h"
@@ -260,6 +262,27 @@ TEST_F(ExportWindow, AMovieSaysWhichTimesHaveNoFrame) {
     window->movies().writeTo(file, choice);
     ASSERT_TRUE(waitFor([this] { return !window->movies().writing().busy(); }));
     EXPECT_THAT(message(), HasSubstr("sun below the horizon"));
+}
+
+TEST_F(ExportWindow, DateAndTimeOfAMovieAndOfTheStripFollowEachOther) {
+    using namespace std::chrono_literals;
+    TimeStrip& strip = window->panel().time();
+    const auto year = strip.look().date.year();
+    strip.choose({LookSpan::moment, year / std::chrono::June / 21, 9h});
+    auto* dialog = openDialog<MovieDialog>("Ctrl+Shift+E");
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_EQ(dialog->choice().date, CivilDate(year / std::chrono::June / 21));
+    auto* date = fieldOf<QDateEdit>(*dialog, "movieDate");
+    date->setDate(QDate(int(year), 12, 21));
+    EXPECT_EQ(strip.look(), (TimeLook{LookSpan::moment, year / std::chrono::December / 21, 9h}));
+    fieldOf<QTimeEdit>(*dialog, "movieTime")->setTime(QTime(14, 30));
+    EXPECT_EQ(strip.look().at, 14h + 30min);
+    date->setDate(QDate(2028, 2, 29));
+    EXPECT_EQ(strip.look().date, CivilDate(year / std::chrono::February / 28)) << "in a year without one";
+    EXPECT_EQ(date->date(), QDate(2028, 2, 29)) << "what was typed stays";
+    strip.choose({LookSpan::moment, year / std::chrono::March / 21, 10h});
+    EXPECT_EQ(date->date(), QDate(2028, 3, 21)) << "the movie's year is its own";
+    EXPECT_EQ(dialog->choice().at, 10h);
 }
 
 TEST_F(ExportWindow, ASwipeIsOfferedOnlyWithABaseline) {

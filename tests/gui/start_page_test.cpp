@@ -66,6 +66,21 @@ TEST_F(StartPageWindow, TheViewStaysInSightBetweenItsSides) {
     EXPECT_EQ(page->questions()->geometry().right() + 1, window->width()) << "it follows the window";
 }
 
+TEST_F(StartPageWindow, AMessageStandsBetweenItsSides) {
+    window->resize(1366, 728);
+    const QPointer<StartPage> page = begin();
+    MessageBar& messages = window->panel().messages();
+    messages.showHelp(QStringLiteral("A message"));
+    const auto left = [&] { return messages.mapTo(window.get(), QPoint()).x(); };
+    EXPECT_TRUE(waitFor([&] {
+        return left() > page->geometry().right() && left() + messages.width() <= page->questions()->x();
+    })) << left()
+        << ", " << messages.width();
+    page->close();
+    EXPECT_TRUE(isGone(page));
+    EXPECT_TRUE(waitFor([&] { return messages.width() == window->panel().width(); })) << messages.width();
+}
+
 TEST_F(StartPageWindow, AFileThatIsGoneIsShownSoAndCannotBeOpened) {
     RecentFiles(settings).add({folder.filePath(QStringLiteral("moved.gpkg"))});
     const StartPage* page = begin();

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
+#include <QAccessible>
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -63,6 +68,74 @@ TEST_F(RenewalTest, AnotherLanguageAndOtherUnitsHoldAtOnceForAllTexts) {
     const auto fields = window().findChildren<LengthField*>();
     ASSERT_FALSE(fields.isEmpty());
     EXPECT_TRUE(fields[0]->textFromValue(10).contains(u'\'')) << fields[0]->textFromValue(10).toStdString();
+}
+
+/// All that a widget says: its text, tooltip and entries.
+QStringList textsOf(const QWidget& widget) {
+    QStringList texts{widget.toolTip()};
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) texts << label->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) texts << button->text();
+    if (const auto* field = qobject_cast<const QAbstractSpinBox*>(&widget)) texts << field->text();
+    if (const auto* list = qobject_cast<const QComboBox*>(&widget))
+        for (int i = 0; i < list->count(); ++i) texts << list->itemText(i);
+    const auto* view = qobject_cast<const QAbstractItemView*>(&widget);
+    const QAbstractItemModel* model = view != nullptr ? view->model() : nullptr;
+    for (int column = 0; model != nullptr && column < model->columnCount(); ++column) {
+        texts << model->headerData(column, Qt::Horizontal).toString();
+        for (int row = 0; row < model->rowCount(); ++row)
+            texts << model->index(row, column).data().toString();
+    }
+    return texts;
+}
+
+TEST_F(RenewalTest, NoDockStatesMetresWhereFeetAreChosen) {
+    const QRegularExpression metres(QStringLiteral("\\d\\s?(m|m²|km)(?![\\w/])"));
+    const auto stated = [&] {
+        QStringList found;
+        for (const QDockWidget* dock : window().findChildren<QDockWidget*>())
+            for (const QWidget* widget : dock->findChildren<QWidget*>())
+                for (const QString& text : textsOf(*widget))
+                    if (metres.match(text).hasMatch())
+                        found << dock->objectName() + QStringLiteral(": ") + text;
+        return found;
+    };
+    EXPECT_FALSE(stated().isEmpty()) << "metres are found where they are";
+    choose(Language::english, UnitSystem::imperial);
+    EXPECT_EQ(stated().join(u'\n').toStdString(), "");
+}
+
+/// Those that Tab reaches in a dock that is in front, in its order.
+std::vector<QWidget*> tabOrder(QDockWidget& dock) {
+    std::vector<QWidget*> order;
+    for (QWidget* next = dock.nextInFocusChain(); next != &dock; next = next->nextInFocusChain())
+        if (dock.isAncestorOf(next) && next->isVisible() && next->isEnabled() &&
+            (next->focusPolicy() & Qt::TabFocus) != 0)
+            order.push_back(next);
+    return order;
+}
+
+TEST_F(RenewalTest, TabGoesDownEveryDockAndAllItReachesHasAName) {
+    window().resize(1600, 1100);
+    for (QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+        dock->show();
+        dock->raise();
+        ASSERT_TRUE(waitFor([&] { return !dock->visibleRegion().isEmpty(); }))
+            << dock->objectName().toStdString();
+        const QWidget* before = nullptr;
+        for (QWidget* next : tabOrder(*dock)) {
+            const std::string name =
+                (dock->objectName() + QStringLiteral(": ") + next->objectName()).toStdString() + ", a " +
+                next->metaObject()->className();
+            QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(next);
+            ASSERT_NE(spoken, nullptr) << name;
+            EXPECT_FALSE(spoken->text(QAccessible::Name).isEmpty()) << name;
+            const auto top = [&](const QWidget* widget) { return widget->mapTo(dock, QPoint()).y(); };
+            if (before != nullptr)
+                EXPECT_GT(top(next) + next->height(), top(before))
+                    << name << " lies above " << before->objectName().toStdString();
+            before = next;
+        }
+    }
 }
 
 TEST_F(RenewalTest, TheWorkStaysWithItsUndoAndItsView) {

@@ -1,6 +1,7 @@
 #include "app/gui/frame/window_view.h"
 
 #include <QSettings>
+#include <glm/common.hpp>
 
 #include "app/gui/docks/review/review_session.h"
 #include "app/gui/frame/actions/view_actions.h"
@@ -17,6 +18,14 @@ const QString shownKey = QStringLiteral("legendShow");
 ShownAs lastShown(const QSettings& settings) {
     const std::string key = settings.value(shownKey).toString().toStdString();
     return findChoice(shownChoices(), key).value_or(ShownAs::shadow);
+}
+
+// The region with ground around it; of a city that is smaller than that only the city with some ground.
+Box2 firstSight(const Region& region, const Box2& city) {
+    const Box2 wide = boxAround(region);
+    const glm::vec2 border = (city.high - city.low) * 0.2F;
+    const Box2 seen{glm::max(wide.low, city.low - border), glm::min(wide.high, city.high + border)};
+    return seen.empty() ? wide : seen;
 }
 
 }  // namespace
@@ -63,7 +72,8 @@ void WindowView::restore(const ViewState& view) {
     if (view.camera)
         panel_.view().setPose(*view.camera);
     else
-        panel_.navigator().showSlanting(boxAround(workbench_.document().settings().region));
+        panel_.navigator().showSlanting(
+            firstSight(workbench_.document().settings().region, panel_.view().mainBounds().box));
 }
 
 }  // namespace noonmark

@@ -1,6 +1,7 @@
 #include "app/gui/docks/export/movie_actions.h"
 
 #include <QProgressDialog>
+#include <QSignalBlocker>
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/error_words.h"
@@ -34,7 +35,21 @@ void MovieActions::ask() {
         const QString file = askForMovie(&window_, workbench_.projectName());
         if (!file.isEmpty()) writeTo(file, choice);
     });
+    moveTogether(*dialog);
     dialog->open();
+}
+
+// The view shows the moment that is chosen for the movie, and the movie follows the strip below the view.
+void MovieActions::moveTogether(MovieDialog& dialog) {
+    TimeStrip& strip = panel_.time();
+    connect(&dialog, &MovieDialog::momentChosen, &strip, [&dialog, &strip] {
+        const MovieChoice choice = dialog.choice();
+        const QSignalBlocker quiet(dialog);
+        strip.choose({LookSpan::moment, choice.date, choice.at});
+    });
+    connect(&strip, &TimeStrip::lookChanged, &dialog, [&dialog](const TimeLook& look) {
+        if (!dialog.signalsBlocked()) dialog.setMoment(look.date, look.at);
+    });
 }
 
 // The date and time of the strip below the view.

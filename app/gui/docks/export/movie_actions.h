@@ -32,6 +32,7 @@ public:
 private:
     void ask();
     [[nodiscard]] MovieChoice firstChoice() const;
+    void moveTogether(MovieDialog& dialog);
     [[nodiscard]] DrawnTimeChoice timesOf(const MovieChoice& choice) const;
     void filmView(const QString& file, const MovieChoice& choice);
     void askToStop();

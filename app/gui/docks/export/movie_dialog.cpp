@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTimeEdit>
 
@@ -47,6 +48,8 @@ MovieDialog::MovieDialog(const MovieChoice& first, bool comparing, int days, QWi
     makeButtons(*form);
     for (QComboBox* list : {kind_, area_})
         connect(list, &QComboBox::currentIndexChanged, this, &MovieDialog::update);
+    for (QDateTimeEdit* field : std::initializer_list<QDateTimeEdit*>{date_, at_})
+        connect(field, &QDateTimeEdit::dateTimeChanged, this, &MovieDialog::momentChosen);
     update();
     setMinimumWidth(440);
 }
@@ -119,6 +122,15 @@ MovieChoice MovieDialog::choice() const {
     choice.format = {size_->currentData().toSize(), double(rate_->value())};
     choice.title = title_->text().trimmed().toStdString();
     return choice;
+}
+
+void MovieDialog::setMoment(CivilDate date, std::chrono::minutes at) {
+    const QSignalBlocker quietDate(date_), quietTime(at_);
+    const QDate there = dateOf(date);
+    QDate here(date_->date().year(), there.month(), there.day());
+    if (!here.isValid()) here = QDate(date_->date().year(), 2, 28);
+    date_->setDate(here);
+    at_->setTime(QTime(0, 0).addSecs(int(at.count()) * 60));
 }
 
 void MovieDialog::update() {

@@ -46,9 +46,12 @@ public:
     MovieDialog(const MovieChoice& first, bool comparing, int days, QWidget* parent);
 
     [[nodiscard]] MovieChoice choice() const;
+    /// Shows another date and time, as they were chosen elsewhere; the year stays.
+    void setMoment(CivilDate date, std::chrono::minutes at);
 
 Q_SIGNALS:
     void chosen(noonmark::MovieChoice choice);
+    void momentChosen();  ///< the user chose another date or time: those of choice()
 
 private:
     void makeTimes(QFormLayout& form, const MovieChoice& first, bool comparing, int days);

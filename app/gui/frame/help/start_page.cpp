@@ -151,6 +151,7 @@ StartPage::StartPage(const RecentFiles& recent, bool cityChosen, QMainWindow& wi
 
 StartPage::~StartPage() {
     view_.setBare(false);
+    view_.setCovered(0, 0);
     delete questions_;
 }
 
@@ -285,6 +286,8 @@ void StartPage::place() {
     const int right = std::clamp(window_.width() - middle.right() - 1, side, window_.width() / 2);
     setGeometry(0, top, left, height);
     questions_->setGeometry(window_.width() - right, top, right, height);
+    view_.setCovered(std::max(0, left - middle.left()),
+                     std::max(0, middle.right() + 1 - (window_.width() - right)));
 }
 
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,12 @@ QString makeRows(const Massing& massing, std::size_t demolished, double groundEl
 }  // namespace
 
 MassingPanel::MassingPanel(QWidget* parent)
-    : QWidget(parent), body_(new QWidget), on_(new QLabel), name_(new QLineEdit), form_(new MassingForm) {
+    : QWidget(parent),
+      scroll_(new QScrollArea),
+      body_(new QWidget),
+      on_(new QLabel),
+      name_(new QLineEdit),
+      form_(new MassingForm) {
     name_->setMaxLength(80);
     name_->setToolTip(tr("Name and id of the new building"));
     auto* names = new QFormLayout;
@@ -86,21 +92,20 @@ MassingPanel::MassingPanel(QWidget* parent)
     above->addWidget(makeLotRow());
     above->addWidget(body_);
     above->addStretch(1);
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(scrolled);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
+    scroll_->setWidget(scrolled);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(scroll, 1);
+    column->addWidget(scroll_, 1);
     footer_ = makeFooter();
     column->addWidget(footer_);
     connect(target, &TargetRow::fitRequested, this, &MassingPanel::fitRequested);
     connect(form_, &MassingForm::edited, this, &MassingPanel::edited);
     connect(name_, &QLineEdit::textEdited, this, &MassingPanel::edited);
     // No field is cut, and none needs to be scrolled to sideways; on small screens they scroll.
-    scroll->setMinimumWidth(std::min(
-        minScreenPx, scrolled->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width()));
+    const int barPx = scroll_->verticalScrollBar()->sizeHint().width();
+    scroll_->setMinimumWidth(std::min(minScreenPx, scrolled->minimumSizeHint().width() + barPx));
     setLots({});
     showNone();
 }
@@ -212,6 +217,8 @@ QWidget* MassingPanel::makeFooter() {
     auto* group = new QFrame;
     group->setFrameShape(QFrame::StyledPanel);
     auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(8, 4, 8, 4);
+    column->setSpacing(4);
     for (QWidget* one :
          std::initializer_list<QWidget*>{figures_, effect_, error_, nearest_, makeAnswerButtons()})
         column->addWidget(one);
@@ -255,8 +262,12 @@ void MassingPanel::enableLotButtons() {
     editTower_->setEnabled(lot && designed_.contains(lot->name));
 }
 
+// What is done once for a lot moves out of sight where the screen is low, so that the fields are in sight.
 void MassingPanel::setDesigning(bool designing) {
+    const bool begins = designing && body_->isHidden();
     for (QWidget* one : {body_, footer_}) one->setVisible(designing);
+    if (begins)  // when all has its place
+        QTimer::singleShot(0, this, [this] { scroll_->verticalScrollBar()->setValue(body_->y()); });
 }
 
 void MassingPanel::showDraft(const TowerDraft& draft) {

@@ -14,6 +14,7 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 
 namespace noonmark {
 
@@ -76,6 +77,7 @@ private:
     QPushButton* editTower_;
     QPushButton* copy_;
     std::set<std::string> designed_;  ///< lots with a designed tower
+    QScrollArea* scroll_;
     QWidget* body_;
     QWidget* footer_;
     QLabel* on_;

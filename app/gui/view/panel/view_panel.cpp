@@ -54,6 +54,7 @@ void takeKeys(QWindow& view) {
 ViewPanel::ViewPanel(QWidget* parent)
     : QWidget(parent),
       column_(new QVBoxLayout(this)),
+      messageRow_(new QHBoxLayout),
       view_(new CityView),
       container_(QWidget::createWindowContainer(view_, this)),
       navigator_(new ViewNavigator(*view_)),
@@ -72,7 +73,9 @@ ViewPanel::ViewPanel(QWidget* parent)
     container_->setAccessibleDescription(tr("Arrow keys pan, plus and minus zoom; Ctrl+F1 lists all keys"));
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(0);
-    column_->addWidget(messages_);
+    setCovered(0, 0);
+    messageRow_->addWidget(messages_);
+    column_->addLayout(messageRow_);
     column_->addWidget(container_, 1);
     column_->addWidget(time_);
     column_->addWidget(legend_);

@@ -66,6 +66,8 @@ public:
     void setBuildingPatches(std::vector<LegendPatch> patches) { buildingPatches_ = std::move(patches); }
     /// The picture alone, without the time strip and the legend below it.
     void setBare(bool bare);
+    /// So many pixels of its left and right are covered: messages stand between them.
+    void setCovered(int left, int right) { messageRow_->setContentsMargins(left, 0, right, 0); }
     /// Which scenarios the view shows on its sides, for pictures; empty: one alone.
     void setComparison(const QString& words) { comparison_ = words; }
 
@@ -115,6 +117,7 @@ private:
     void toolKey(int key);
 
     QVBoxLayout* column_;
+    QHBoxLayout* messageRow_;
     CityView* view_;
     QWidget* container_;  ///< of view_
     ViewNavigator* navigator_;
