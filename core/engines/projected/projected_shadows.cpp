@@ -105,7 +105,7 @@ Result<std::vector<std::uint64_t>> computeShadowRasters(const City& city, const 
     const ShadowCasters casters =
         makeShadowCasters(city, findBuildingsInReach(city, receivers, sun), receivers.grid);
     const ReceiverCount where(receivers);
-    StepFiller filler(casters, where, receivers, sun, {0, receivers.grid.rows});
+    StepFiller filler(casters, where, receivers, sun, {{0, receivers.grid.rows}, 0, receivers.grid.columns});
     const std::size_t words = filler.layout().words();
     std::vector<std::uint64_t> rasters(sun.steps.size() * words);
     std::vector<StepWords> eight(words);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/engines/projected/filling/caster_fill.h"
+#include "core/engines/projected/filling/step_filler.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/receivers/rasterize.h"
 #include "tests/core/engines/scenes.h"
@@ -183,6 +184,33 @@ TEST(ProjectedShadows, NoSunAndNoCityGiveZeros) {
     for (const std::uint32_t cell : receivers.cells) {
         EXPECT_EQ(dark.grossMin[cell], 0);
         EXPECT_EQ(empty.grossMin[cell], 0);
+    }
+}
+
+// Some columns in the west and some in the east of some rows.
+Receivers scattered(Receivers receivers) {
+    const auto columns = std::uint32_t(receivers.grid.columns);
+    std::erase_if(receivers.cells, [&](std::uint32_t cell) {
+        const std::uint32_t column = cell % columns, row = cell / columns;
+        return row < 150 || row >= 260 || (column >= 70 && column < 500) || column >= 540;
+    });
+    std::ranges::replace(receivers.kind, CellKind::ground, CellKind::outside);
+    for (const std::uint32_t cell : receivers.cells) receivers.kind[cell] = CellKind::ground;
+    return receivers;
+}
+
+TEST(ProjectedShadows, ReceiversFarApartHaveTheMinutesThatTheyHaveAmongAllOthers) {
+    const City city = cityOf(randomBoxes(7, 12));
+    const Receivers all = receiversOver(city, -20, -20, 120, 120, 0.25), some = scattered(all);
+    std::size_t words = 0;
+    for (const FillWindow& window : windowsOf(some)) words += window.layout().words();
+    EXPECT_LT(words, BitLayout(some.grid).words() / 3) << "rasters of the columns that hold receivers only";
+    const SunSteps sun = oneDay(arc(45, 60));
+    const ShadowField whole = projected(city, all, sun), part = projected(city, some, sun);
+    ASSERT_FALSE(some.cells.empty());
+    for (const std::uint32_t cell : some.cells) {
+        ASSERT_EQ(part.grossMin[cell], whole.grossMin[cell]);
+        ASSERT_EQ(part.continuousMin[cell], whole.continuousMin[cell]);
     }
 }
 

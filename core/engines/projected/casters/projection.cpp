@@ -17,27 +17,27 @@ ShadowProjection::ShadowProjection(const ShadowCasters& casters, const Receivers
       sun_(sun),
       where_(receivers),
       starts_(findRunStarts(sun)),
-      bands_(bandsOf(receivers.grid)),
+      windows_(windowsOf(receivers)),
       progress_(progress),
       stop_(std::move(stop)) {}
 
 Result<FillCount> ShadowProjection::run(ShadowField& field) {
     tbb::combinable<FillCount> counts;
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, bands_.size(), 1),
+        tbb::blocked_range<std::size_t>(0, windows_.size(), 1),
         [&](const auto& range) {
             for (std::size_t i = range.begin(); i < range.end(); ++i)
-                counts.local() += count(bands_[i], field);
+                counts.local() += count(windows_[i], field);
         },
         tbb::simple_partitioner());
     if (stop_.stop_requested()) return cancelled();
     return counts.combine([](FillCount a, const FillCount& b) { return a += b; });
 }
 
-FillCount ShadowProjection::count(const RowBand& band, ShadowField& field) {
+FillCount ShadowProjection::count(const FillWindow& window, ShadowField& field) {
     if (stop_.stop_requested()) return {};
-    StepFiller filler(casters_, where_, receivers_, sun_, band);
-    ShadowEvents events(filler.layout(), band, filler.noReceivers());
+    StepFiller filler(casters_, where_, receivers_, sun_, window);
+    ShadowEvents events(filler.layout(), window.band, filler.noReceivers());
     std::vector<StepWords> rasters(filler.layout().words());
     const std::span words(rasters.data()->words, rasters.size() * stepsTogether);
     for (std::size_t step = 0; step < sun_.steps.size(); step += stepsTogether) {
@@ -49,9 +49,9 @@ FillCount ShadowProjection::count(const RowBand& band, ShadowField& field) {
     return filler.count();
 }
 
-// Reports that eight more steps of a band are done, and returns whether to continue.
+// Reports that eight more steps of a window are done, and returns whether to continue.
 bool ShadowProjection::goOn() {
-    const double all = double(sun_.steps.size()) * double(bands_.size());
+    const double all = double(sun_.steps.size()) * double(windows_.size());
     progress_.report(std::min(1.0, double(done_ += stepsTogether) / all), "filling shadows");
     return !stop_.stop_requested();
 }

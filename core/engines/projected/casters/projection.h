@@ -15,8 +15,8 @@
 
 namespace noonmark {
 
-/// Fills the shadows of casters at the steps of a period and counts the receivers' minutes, band by band, so
-/// that the raster and the counts of a band stay in cache. Uses all cores.
+/// Fills the shadows of casters at the steps of a period and counts the receivers' minutes, window by window,
+/// so that the raster and the counts of a window stay in cache. Uses all cores.
 class ShadowProjection {
 public:
     /// All arguments except `stop` must outlive this object.
@@ -27,7 +27,7 @@ public:
     Result<FillCount> run(ShadowField& field);
 
 private:
-    FillCount count(const RowBand& band, ShadowField& field);
+    FillCount count(const FillWindow& window, ShadowField& field);
     bool goOn();
 
     const ShadowCasters& casters_;
@@ -35,10 +35,10 @@ private:
     const SunSteps& sun_;
     ReceiverCount where_;
     std::vector<RunStarts> starts_;
-    std::vector<RowBand> bands_;
+    std::vector<FillWindow> windows_;
     Progress& progress_;
     std::stop_token stop_;
-    std::atomic<std::size_t> done_{0};  // steps x bands
+    std::atomic<std::size_t> done_{0};  // steps x windows
 };
 
 }  // namespace noonmark

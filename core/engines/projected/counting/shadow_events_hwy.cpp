@@ -55,7 +55,7 @@ void ShadowEvents::finish(std::size_t steps, ShadowField& field) {
     for (std::size_t word = 0; word < shaded_.size(); ++word)
         changeRuns(&cells_[word * 64], shaded_[word], noReceivers_[word], std::uint32_t(steps));
     for (int row = 0; row < layout_.rows; ++row)
-        for (int column = 0; column < layout_.columns; column += 64)
+        for (int column = layout_.firstColumn(); column < layout_.columns; column += 64)
             write(layout_.word(column, row), std::uint32_t(field.grid.index(column, band_.first + row)),
                   field);
 }

@@ -43,4 +43,11 @@ struct RowBand {
     [[nodiscard]] int rows() const { return end - first; }
 };
 
+/// Columns [west, east) of a band of rows; west is a multiple of 64.
+struct FillWindow {
+    RowBand band;
+    int west = 0, east = 0;
+    [[nodiscard]] BitLayout layout() const { return {east, band.rows(), west / 64}; }
+};
+
 }  // namespace noonmark

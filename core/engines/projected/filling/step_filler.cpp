@@ -10,18 +10,59 @@ namespace noonmark {
 namespace {
 
 constexpr int wordsABand = 1536, minRows = 64, bandsAGrid = 8;
+constexpr int gapColumns = 256;      // between windows of a band
+constexpr std::size_t sparsity = 3;  // windows are used where they leave out two thirds of the grid
 
-std::vector<std::uint64_t> rasterOfNoReceivers(const Receivers& receivers, const BitLayout& layout,
-                                               const RowBand& band) {
-    std::vector<std::uint64_t> raster(layout.words(), ~std::uint64_t{0});
-    const auto columns = std::uint32_t(layout.columns);
+/// Calls `visit(column, row)` for each receiver of a band.
+template <class Visit>
+void forReceivers(const Receivers& receivers, const RowBand& band, const Visit& visit) {
+    const auto columns = std::uint32_t(receivers.grid.columns);
     const auto first = std::ranges::lower_bound(receivers.cells, std::uint32_t(band.first) * columns);
     for (auto cell = first; cell != receivers.cells.end() && *cell < std::uint32_t(band.end) * columns;
-         ++cell) {
-        const int column = int(*cell % columns), row = int(*cell / columns) - band.first;
-        raster[layout.word(column, row)] &= ~(std::uint64_t{1} << (column & 63));
-    }
+         ++cell)
+        visit(int(*cell % columns), int(*cell / columns));
+}
+
+std::vector<std::uint64_t> rasterOfNoReceivers(const Receivers& receivers, const FillWindow& window) {
+    const BitLayout layout = window.layout();
+    std::vector<std::uint64_t> raster(layout.words(), ~std::uint64_t{0});
+    forReceivers(receivers, window.band, [&](int column, int row) {
+        if (column >= window.west && column < window.east)
+            raster[layout.word(column, row - window.band.first)] &= ~(std::uint64_t{1} << (column & 63));
+    });
     return raster;
+}
+
+std::vector<RowBand> bandsOf(const Grid& grid) {
+    const int wordColumns = (grid.columns + 63) / 64,
+              rows = std::max(minRows, std::min(wordsABand / wordColumns, grid.rows / bandsAGrid));
+    std::vector<RowBand> bands;
+    for (int first = 0; first < grid.rows; first += rows)
+        bands.push_back({first, std::min(first + rows, grid.rows)});
+    return bands;
+}
+
+// Words beside each other, or nearly so, share a window: each one tests all casters.
+std::vector<FillWindow> windowsIn(const Receivers& receivers, const RowBand& band) {
+    const int end = receivers.grid.columns;
+    std::vector<bool> used(std::size_t(end + 63) / 64);
+    forReceivers(receivers, band, [&](int column, int) { used[std::size_t(column) / 64] = true; });
+    std::vector<FillWindow> windows;
+    for (int word = 0; word < int(used.size()); ++word) {
+        if (!used[std::size_t(word)]) continue;
+        const int west = word * 64, east = std::min(west + 64, end);
+        if (windows.empty() || west - windows.back().east > gapColumns)
+            windows.push_back({band, west, east});
+        else
+            windows.back().east = east;
+    }
+    return windows;
+}
+
+std::size_t countWords(const std::vector<FillWindow>& windows) {
+    std::size_t words = 0;
+    for (const FillWindow& window : windows) words += window.layout().words();
+    return words;
 }
 
 }  // namespace
@@ -33,14 +74,14 @@ FillCount& FillCount::operator+=(const FillCount& other) {
 }
 
 StepFiller::StepFiller(const ShadowCasters& casters, const ReceiverCount& where, const Receivers& receivers,
-                       const SunSteps& sun, const RowBand& band)
+                       const SunSteps& sun, const FillWindow& window)
     : casters_(casters),
       where_(where),
       sun_(sun),
-      band_(band),
-      layout_(receivers.grid.columns, band.rows()),
+      band_(window.band),
+      layout_(window.layout()),
       cellM_(receivers.grid.cellM),
-      noReceivers_(rasterOfNoReceivers(receivers, layout_, band)),
+      noReceivers_(rasterOfNoReceivers(receivers, window)),
       caster_(casters) {
     Indices all(casters.casters.size());
     std::iota(all.begin(), all.end(), 0U);
@@ -50,8 +91,10 @@ StepFiller::StepFiller(const ShadowCasters& casters, const ReceiverCount& where,
 void StepFiller::reach(const StepOffsets& throws, const Indices& among, Indices& inReach) const {
     inReach.clear();
     for (const std::uint32_t i : among) {
-        const SweptBox box = computeSweptBox(casters_.casters[i], throws);
-        if (where_.any(box.low, box.high, band_)) inReach.push_back(i);
+        SweptBox box = computeSweptBox(casters_.casters[i], throws);
+        box.low.x = std::max(box.low.x, layout_.firstColumn() - 1.0);
+        box.high.x = std::min(box.high.x, layout_.columns + 1.0);
+        if (box.low.x <= box.high.x && where_.any(box.low, box.high, band_)) inReach.push_back(i);
     }
 }
 
@@ -65,13 +108,14 @@ void StepFiller::fill(std::size_t first, std::span<std::uint64_t> rasters) {
     count_.outOfReach += (casters_.casters.size() - inReach_.size()) * steps;
 }
 
-std::vector<RowBand> bandsOf(const Grid& grid) {
-    const int wordColumns = (grid.columns + 63) / 64,
-              rows = std::max(minRows, std::min(wordsABand / wordColumns, grid.rows / bandsAGrid));
-    std::vector<RowBand> bands;
-    for (int first = 0; first < grid.rows; first += rows)
-        bands.push_back({first, std::min(first + rows, grid.rows)});
-    return bands;
+std::vector<FillWindow> windowsOf(const Receivers& receivers) {
+    std::vector<FillWindow> all, narrow;
+    for (const RowBand& band : bandsOf(receivers.grid)) {
+        all.push_back({band, 0, receivers.grid.columns});
+        const auto some = windowsIn(receivers, band);
+        narrow.insert(narrow.end(), some.begin(), some.end());
+    }
+    return countWords(narrow) * sparsity < countWords(all) ? narrow : all;
 }
 
 }  // namespace noonmark

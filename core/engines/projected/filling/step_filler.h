@@ -3,8 +3,7 @@
 // Filling of shadow polygons into bit rasters. step_lanes.h defines the data of eight consecutive steps, one
 // lane each, and step_registers-inl.h the same in registers. bit_raster.h is the raster's layout.
 // convex_fill-inl.h fills a convex shape at eight steps, convex_spans.h a single convex polygon. CasterFill
-// fills casters, BuildingFill one building at a time for the cache, and StepFiller all casters of a band of
-// rows.
+// fills casters, BuildingFill one building at a time for the cache, and StepFiller all casters of a window.
 
 #include <cstdint>
 #include <span>
@@ -19,22 +18,22 @@ namespace noonmark {
 /// The work done by filling, and the work skipped.
 struct FillCount {
     std::uint64_t rows = 0;        ///< rows visited, for eight steps each
-    std::uint64_t outOfReach = 0;  ///< casters x steps whose shadow meets no receiver of a band
+    std::uint64_t outOfReach = 0;  ///< casters x steps whose shadow meets no receiver of a window
     FillCount& operator+=(const FillCount& other);
 };
 
-/// Fills the rasters of the sun's steps over some rows of a grid. One per thread.
+/// Fills the rasters of the sun's steps over a window of a grid. One per thread.
 class StepFiller {
 public:
     StepFiller(const ShadowCasters& casters, const ReceiverCount& where, const Receivers& receivers,
-               const SunSteps& sun, const RowBand& band);
+               const SunSteps& sun, const FillWindow& window);
 
     /// Overwrites `rasters` with those of eight steps from `first` on (convex_fill-inl.h). After the period
     /// they repeat its last step. Cells that are not receivers are set from the start, so that shadows that
     /// fall only on them need not be filled. Fastest with steps in time order.
     void fill(std::size_t first, std::span<std::uint64_t> rasters);
 
-    [[nodiscard]] const BitLayout& layout() const { return layout_; }  ///< of the band
+    [[nodiscard]] const BitLayout& layout() const { return layout_; }  ///< of the window
     [[nodiscard]] std::span<const std::uint64_t> noReceivers() const { return noReceivers_; }
     [[nodiscard]] const FillCount& count() const { return count_; }
 
@@ -54,8 +53,8 @@ private:
     FillCount count_;
 };
 
-/// Divides the rows of a grid into bands whose rasters stay in the first-level cache, with several bands per
-/// core.
-std::vector<RowBand> bandsOf(const Grid& grid);
+/// Divides a grid into windows whose rasters stay in the first-level cache, with several per core: bands of
+/// all its columns or, where receivers lie far apart, only the columns of a band that hold some.
+std::vector<FillWindow> windowsOf(const Receivers& receivers);
 
 }  // namespace noonmark
