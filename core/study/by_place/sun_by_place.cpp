@@ -8,11 +8,8 @@
 #include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
 #include "core/base/rising_progress.h"
-#include "core/base/stopwatch.h"
 #include "core/describe/text.h"
-#include "core/measures/error_sample.h"
-#include "core/study/by_place/city_sweeps.h"
-#include "core/study/by_place/place_errors.h"
+#include "core/study/by_place/group_measure.h"
 #include "core/study/by_place/place_parts.h"
 #include "core/study/by_place/place_warnings.h"
 #include "core/study/by_place/sum_places.h"
@@ -23,44 +20,6 @@
 namespace noonmark {
 
 namespace {
-
-/// An engine that the one asked for chose; null: it chooses none, or one that sums no months.
-struct ChosenEngine {
-    std::string key;
-    std::unique_ptr<Engine> engine;
-};
-
-/// What is measured, in the course of it.
-struct Measuring {
-    std::vector<const City*> cities;  ///< the first is the baseline
-    const Engine& engine;
-    std::vector<SunByPlace>& made;  ///< of each city
-    Progress& progress;
-    std::stop_token stop;
-    SunSteps daylight{};
-    StepSets months{};
-    std::vector<SunSteps> dates{};
-    std::function<void(double)> takeForecast{};  ///< empty: none is wanted
-    std::optional<Observer> observer{};          ///< of a tile; none: in the middle of the places
-    Stopwatch watch{};
-    /// For the cells of all places, over the period and on each date. Small places are measured by the same.
-    std::vector<ChosenEngine> chosen{};
-    std::vector<SampledOff> off{};         ///< samples after which the engine was changed for a closer one
-    std::vector<ComparedSets> compared{};  ///< the period in the cities sampled so far
-    std::vector<std::vector<double>> smallOff{};  ///< of each city: how far means of small places are off
-
-    [[nodiscard]] const SunByPlaceSettings& settings() const { return made.front().settings; }
-    [[nodiscard]] const std::vector<Place>& places() const { return made.front().places; }
-    Warnings& warnings() { return made.front().warnings; }
-};
-
-template <class Stage>
-Result<void> timeStage(SunByPlace& made, const char* name, Stage&& stage) {
-    const Stopwatch watch;
-    auto done = std::forward<Stage>(stage)();
-    made.seconds[name] += watch.seconds();
-    return done;
-}
 
 Result<void> checkSettings(const SunByPlaceSettings& settings, const std::vector<Place>& places) {
     if (places.empty())
@@ -121,276 +80,11 @@ Result<void> findSun(Measuring& m, const Receivers& receivers) {
     return questionGround(m, receivers);
 }
 
-// A failure to measure the error does not fail the study; only a stop request ends it.
-Result<std::optional<SampledError>> measureError(Measuring& m, std::size_t city, const Receivers& receivers,
-                                                 const SunSteps& sun, const ShadowField& field) {
-    std::optional<SampledError> error;
-    const ErrorSampleSettings& sample = m.settings().study.errorSample;
-    if (sample.receivers == 0 || m.settings().study.engine == referenceEngine) return error;
-    NoProgress quiet;
-    auto taken = takeError(sampleError(*m.cities[city], receivers, sun, field, sample, quiet, m.stop), error,
-                           m.made[city].warnings);
-    if (!taken) return tl::make_unexpected(taken.error());
-    return error;
-}
-
-bool wantsErrors(const Measuring& m) {
-    return m.settings().study.errorSample.receivers > 0 && m.settings().study.engine != referenceEngine;
-}
-
-// Of small places rays are traced to some in a few groups: each group needs a scene of its own.
-constexpr std::size_t sampledSmallGroups = 3;
-
-ErrorSampleSettings sampleOf(const Measuring& m, bool isMain) {
-    constexpr int least = 8;  // cells
-    ErrorSampleSettings sample = m.settings().study.errorSample;
-    if (!isMain)
-        sample.receivers = std::max<decltype(sample.receivers)>(least, sample.receivers / sampledSmallGroups);
-    return sample;
-}
-
-/// Holds the figures of places against rays, in one city after the other.
-class PlaceErrors {
-public:
-    PlaceErrors(Measuring& m, const CellGroup& group, bool isMain)
-        : m_(m), receivers_(group.on.receivers), wanted_(wantsErrors(m)) {
-        if (wanted_) places_ = samplePlaces(group, sampleOf(m, isMain), m.daylight.steps.size());
-    }
-
-    /// Of small places; their differences are stated together with those of other groups.
-    Result<void> takeSmall(std::size_t city, const ShadowBreakdown& sums) {
-        if (!wanted_) return {};
-        const SunlitTime time{m_.daylight.sunlitMinutes(), countDays(m_.daylight), 0};
-        const auto compared = compare(city, m_.daylight, sums);
-        if (!compared) return warn(m_.made[city], compared.error());
-        std::vector<double>& off = m_.smallOff[city];
-        std::ranges::copy(listMeanDifferences(places_, *compared, time), std::back_inserter(off));
-        return {};
-    }
-
-    Result<void> takePeriod(std::size_t city, const ShadowBreakdown& sums) {
-        if (!wanted_) return {};
-        SunByPlace& made = m_.made[city];
-        const SunlitTime time{m_.daylight.sunlitMinutes(), countDays(m_.daylight), made.settings.enoughHours};
-        auto compared = compare(city, m_.daylight, sums);
-        if (!compared) return warn(made, compared.error());
-        if (made.error) {
-            const ShownError cells = listErrors(*made.error, false).front();
-            made.errors.push_back(
-                {findErrorFacts("cell_sun"), {}, cells.mean, cells.p99, cells.largest, cells.count});
-        }
-        append(made, listPeriodErrors(places_, *compared, time));
-        if (city > 0 && !m_.compared.empty())
-            append(made,
-                   listChangeErrors(places_, m_.compared.front(), *compared, time, made.settings.lossMin));
-        m_.compared.push_back(*std::move(compared));
-        return {};
-    }
-
-    Result<void> takeDate(std::size_t city, const SunSteps& sun, const ShadowBreakdown& sums,
-                          const CivilDate& date) {
-        if (!wanted_) return {};
-        SunByPlace& made = m_.made[city];
-        const SunlitTime time{sun.sunlitMinutes(), {1}, made.settings.enoughHours};
-        const auto compared = compare(city, sun, sums);
-        if (!compared) return warn(made, compared.error());
-        append(made, listDateErrors(places_, *compared, time, formatText(date)));
-        return {};
-    }
-
-private:
-    Result<ComparedSets> compare(std::size_t city, const SunSteps& sun, const ShadowBreakdown& sums) {
-        NoProgress quiet;
-        return compareSets(*m_.cities[city], receivers_, sun, sums, places_.cells, quiet, m_.stop);
-    }
-
-    static void append(SunByPlace& made, std::vector<ShownError> errors) {
-        std::ranges::move(errors, std::back_inserter(made.errors));
-    }
-
-    // A missing error fails nothing.
-    static Result<void> warn(SunByPlace& made, const Error& error) {
-        if (isCancelled(error)) return tl::make_unexpected(error);
-        made.warnings.push_back(
-            {WarningKind::leftOut, "the error of places against the ray reference", error.text()});
-        return {};
-    }
-
-    Measuring& m_;
-    const Receivers& receivers_;
-    bool wanted_;
-    SampledPlaces places_;
-};
-
-/// Measures the places of one group in all cities.
-class GroupMeasure {
-public:
-    /// The main group is sampled, too.
-    GroupMeasure(Measuring& m, const CellGroup& group, bool isMain, Progress& progress, bool isSampled = true)
-        : m_(m),
-          group_(group),
-          receivers_(group.on.receivers),
-          isMain_(isMain),
-          isSampled_(isSampled),
-          progress_(progress) {}
-
-    Result<void> run() {
-        if (isSampled_) errors_.emplace(m_, group_, isMain_);
-        if (auto done = timeStage(m_.made.front(), "accumulate", [&] { return sweepMonths(); }); !done)
-            return done;
-        for (std::size_t date = 0; date < m_.dates.size(); ++date)
-            if (auto done = timeStage(m_.made.front(), "dates", [&] { return sweepDate(date); }); !done)
-                return done;
-        return {};
-    }
-
-    /// Seconds that run() is expected to take, if no sample is off.
-    [[nodiscard]] double forecast() const {
-        double seconds = CitySweeps(engineOf(0), m_.cities, receivers_, m_.daylight, m_.months)
-                             .forecast(keyOf(0), sampledOver(m_.daylight));
-        for (std::size_t date = 0; date < m_.dates.size(); ++date) {
-            const SunSteps& day = m_.dates[date];
-            if (day.steps.empty() || m_.stop.stop_requested()) continue;
-            const StepSets one = makeOneSet(day);
-            seconds += CitySweeps(engineOf(date + 1), m_.cities, receivers_, day, one)
-                           .forecast(keyOf(date + 1), sampledOver(day));
-        }
-        return seconds;
-    }
-
-private:
-    // Cells that rays are traced to in each city: the sample, and half as many in places.
-    [[nodiscard]] std::size_t sampledOver(const SunSteps& sun) const {
-        const std::size_t places = sampleSize(sampleOf(m_, isMain_), sun.steps.size()) / 2;
-        if (isMain_) return places * 3;
-        return isSampled_ && &sun == &m_.daylight ? places : 0;
-    }
-
-    // Over the period (0) or on a date (1 and on).
-    [[nodiscard]] const Engine& engineOf(std::size_t sweep) const {
-        const auto& own = m_.chosen[sweep].engine;
-        return isMain_ || !own ? m_.engine : *own;
-    }
-    [[nodiscard]] std::string_view keyOf(std::size_t sweep) const {
-        const ChosenEngine& own = m_.chosen[sweep];
-        return isMain_ || !own.engine ? std::string_view(m_.settings().study.engine)
-                                      : std::string_view(own.key);
-    }
-
-    // By the engine in use, and by those that it goes on to while samples are off by more than it aims at.
-    Result<void> sweepMonths() {
-        CitySweeps sweeps(m_.off.empty() ? engineOf(0) : m_.engine, m_.cities, receivers_, m_.daylight,
-                          m_.months);
-        for (const SampledOff& off : m_.off) sweeps.goOn(off);
-        for (;;) {
-            auto first = sweepFirst(sweeps);
-            if (!first) return tl::make_unexpected(first.error());
-            const auto& error = m_.made.front().error;
-            if (isMain_ && error && sweeps.goOn(error->grossOff())) {
-                m_.off.push_back(error->grossOff());
-                --done_;  // the same again
-                continue;
-            }
-            if (auto taken = takeErrors(0, *first); !taken) return taken;
-            return sweepOthers(sweeps, *first);
-        }
-    }
-
-    Result<ShadowBreakdown> sweepFirst(CitySweeps& sweeps) {
-        ProgressShare share = nextShare();
-        auto sums = sweeps.sweepFirst(share, m_.stop);
-        if (!sums) return sums;
-        if (auto taken = take(0, *sums); !taken) return tl::make_unexpected(taken.error());
-        return sums;
-    }
-
-    Result<void> sweepOthers(CitySweeps& sweeps, const ShadowBreakdown& first) {
-        for (std::size_t city = 1; city < m_.cities.size(); ++city) {
-            ProgressShare share = nextShare();
-            const auto sums = sweeps.sweepOther(city, first, share, m_.stop);
-            if (!sums) return tl::make_unexpected(sums.error());
-            if (auto taken = take(city, *sums); !taken) return taken;
-            if (auto taken = takeErrors(city, *sums); !taken) return taken;
-        }
-        return {};
-    }
-
-    Result<void> takeErrors(std::size_t city, const ShadowBreakdown& sums) {
-        if (!errors_) return {};
-        const Stopwatch watch;
-        auto taken = isMain_ ? errors_->takePeriod(city, sums) : errors_->takeSmall(city, sums);
-        m_.made[city].seconds["error_sample"] += watch.seconds();
-        return taken;
-    }
-
-    Result<void> take(std::size_t city, const ShadowBreakdown& sums) {
-        SunByPlace& made = m_.made[city];
-        const MeanDay day = averageDay(sums, m_.daylight);
-        takeMonths(made, group_, sums, day);
-        if (!isMain_) return {};
-        ShadowField field = makeField(sums, day, receivers_, m_.daylight);
-        const Stopwatch watch;
-        auto error = measureError(m_, city, receivers_, m_.daylight, field);
-        made.seconds["error_sample"] += watch.seconds();
-        if (!error) return tl::make_unexpected(error.error());
-        made.error = *error;
-        made.field = std::move(field);
-        return {};
-    }
-
-    // A day on which the sun does not rise leaves every cell without sun.
-    Result<void> sweepDate(std::size_t date) {
-        const SunSteps& sun = m_.dates[date];
-        const StepSets one = makeOneSet(sun);
-        if (sun.steps.empty()) {
-            for (std::size_t city = 0; city < m_.cities.size(); ++city) takeSunlessDay(city);
-            return {};
-        }
-        CitySweeps sweeps(engineOf(date + 1), m_.cities, receivers_, sun, one);
-        std::optional<ShadowBreakdown> first;
-        for (std::size_t city = 0; city < m_.cities.size(); ++city) {
-            ProgressShare share = nextShare();
-            auto sums = city == 0 ? sweeps.sweepFirst(share, m_.stop)
-                                  : sweeps.sweepOther(city, *first, share, m_.stop);
-            if (!sums) return tl::make_unexpected(sums.error());
-            if (auto taken = takeDay(city, sun, *sums); !taken) return taken;
-            if (isMain_ && errors_)
-                if (auto taken = errors_->takeDate(city, sun, *sums, m_.settings().dates[date]); !taken)
-                    return taken;
-            if (city == 0) first = *std::move(sums);
-        }
-        return {};
-    }
-
-    void takeSunlessDay(std::size_t city) {
-        takeDate(m_.made[city], group_, {std::vector<float>(receivers_.cells.size()), 0});
-        if (isMain_) m_.made[city].dateErrors.emplace_back();
-    }
-
-    Result<void> takeDay(std::size_t city, const SunSteps& sun, const ShadowBreakdown& sums) {
-        const MeanDay day = averageDay(sums, sun);
-        takeDate(m_.made[city], group_, day);
-        if (!isMain_) return {};
-        auto error = measureError(m_, city, receivers_, sun, makeField(sums, day, receivers_, sun));
-        if (!error) return tl::make_unexpected(error.error());
-        m_.made[city].dateErrors.push_back(*error);
-        return {};
-    }
-
-    ProgressShare nextShare() { return {progress_, done_++, m_.cities.size() * (1 + m_.dates.size())}; }
-
-    Measuring& m_;
-    const CellGroup& group_;
-    const Receivers& receivers_;
-    bool isMain_, isSampled_;
-    Progress& progress_;
-    std::optional<PlaceErrors> errors_;  // if it is sampled
-    std::size_t done_ = 0;
-};
-
-// Those of small places are spread over the city.
-bool isSampled(std::size_t group, std::size_t groups) {
-    return group % ((groups + sampledSmallGroups - 1) / sampledSmallGroups) == 0;
+// The sampled ones are spread over the city.
+MeasuredGroup smallGroup(const PlaceCells& cells, std::size_t i) {
+    const std::size_t groups = cells.small.size();
+    const std::size_t stride = (groups + sampledSmallGroups - 1) / sampledSmallGroups;
+    return {cells.small[i], false, i % stride == 0};
 }
 
 void addSmallErrors(Measuring& m) {
@@ -406,11 +100,10 @@ Result<void> measureGroups(Measuring& m, const PlaceCells& cells) {
     m.smallOff.resize(m.made.size());
     ProgressShare first(m.progress, 0, parts, shareOfAll);
     if (!cells.all.on.receivers.cells.empty())
-        if (auto done = GroupMeasure(m, cells.all, true, first).run(); !done) return done;
+        if (auto done = measureGroup(m, {cells.all}, first); !done) return done;
     for (std::size_t i = 0; i < cells.small.size(); ++i) {
         ProgressShare share(m.progress, shareOfAll + i, parts);
-        GroupMeasure group(m, cells.small[i], false, share, isSampled(i, cells.small.size()));
-        if (auto done = group.run(); !done) return done;
+        if (auto done = measureGroup(m, smallGroup(cells, i), share); !done) return done;
     }
     addSmallErrors(m);
     return {};
@@ -435,10 +128,9 @@ void chooseEngines(Measuring& m, const Receivers& receivers) {
 
 // What has been done, and the sweeps that follow.
 void forecast(Measuring& m, const PlaceCells& cells) {
-    double seconds = m.watch.seconds() + GroupMeasure(m, cells.all, true, m.progress).forecast();
+    double seconds = m.watch.seconds() + forecastGroup(m, {cells.all});
     for (std::size_t i = 0; i < cells.small.size() && !m.stop.stop_requested(); ++i)
-        seconds +=
-            GroupMeasure(m, cells.small[i], false, m.progress, isSampled(i, cells.small.size())).forecast();
+        seconds += forecastGroup(m, smallGroup(cells, i));
     m.made.front().seconds["forecast"] = seconds;
     if (m.takeForecast) m.takeForecast(seconds);
 }

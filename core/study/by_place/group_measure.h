@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/stopwatch.h"
+#include "core/measures/error_sample.h"
+#include "core/study/by_place/cell_groups.h"
+#include "core/study/by_place/city_sweeps.h"
+#include "core/study/by_place/place_errors.h"
+#include "core/study/by_place/sun_by_place.h"
+
+namespace noonmark {
+
+/// An engine that the one asked for chose; null: it chooses none, or one that sums no months.
+struct ChosenEngine {
+    std::string key;
+    std::unique_ptr<Engine> engine;
+};
+
+/// What is measured, in the course of it.
+struct Measuring {
+    std::vector<const City*> cities;  ///< the first is the baseline
+    const Engine& engine;
+    std::vector<SunByPlace>& made;  ///< of each city
+    Progress& progress;
+    std::stop_token stop;
+    SunSteps daylight{};
+    StepSets months{};
+    std::vector<SunSteps> dates{};
+    std::function<void(double)> takeForecast{};  ///< empty: none is wanted
+    std::optional<Observer> observer{};          ///< of a tile; none: in the middle of the places
+    Stopwatch watch{};
+    /// For the cells of all places, over the period and on each date. Small places are measured by the same.
+    std::vector<ChosenEngine> chosen{};
+    std::vector<SampledOff> off{};         ///< samples after which the engine was changed for a closer one
+    std::vector<ComparedSets> compared{};  ///< the period in the cities sampled so far
+    std::vector<std::vector<double>> smallOff{};  ///< of each city: how far means of small places are off
+
+    [[nodiscard]] const SunByPlaceSettings& settings() const { return made.front().settings; }
+    [[nodiscard]] const std::vector<Place>& places() const { return made.front().places; }
+    Warnings& warnings() { return made.front().warnings; }
+};
+
+template <class Stage>
+Result<void> timeStage(SunByPlace& made, const char* name, Stage&& stage) {
+    const Stopwatch watch;
+    auto done = std::forward<Stage>(stage)();
+    made.seconds[name] += watch.seconds();
+    return done;
+}
+
+/// Of small places rays are traced to some in a few groups: each group needs a scene of its own.
+inline constexpr std::size_t sampledSmallGroups = 3;
+
+/// A group of places that is measured. The main one is that of all places.
+struct MeasuredGroup {
+    const CellGroup& cells;
+    bool isMain = true;
+    bool isSampled = true;  ///< its figures are held against rays; the main one's always
+};
+
+/// Measures the places of a group in all cities: their sun over the period, by month and on each date, and
+/// the errors of it. Error: cancelled(), those of the engine.
+Result<void> measureGroup(Measuring& m, const MeasuredGroup& group, Progress& progress);
+
+/// Seconds that this is expected to take, if no sample is off.
+double forecastGroup(Measuring& m, const MeasuredGroup& group);
+
+}  // namespace noonmark
