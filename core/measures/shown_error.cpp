@@ -69,6 +69,9 @@ bool isKnown(std::string_view key) {
     return std::ranges::find(shownErrorTable, key, &ErrorFacts::key) != shownErrorTable.end();
 }
 
+// The smallest error that is stated: the rounding of single precision lies below it.
+double smallest(FigureUnit unit) { return unit == FigureUnit::share ? 0.00001 : 0.001; }
+
 // Two digits that mean something: errors are small.
 Amount amountOf(double value, FigureUnit unit) {
     const double shown = unit == FigureUnit::share ? 100 * value : value;
@@ -126,6 +129,9 @@ Sentence describe(const ShownError& error) {
     const Amount mean = amountOf(error.mean, error.facts.unit), p99 = amountOf(error.p99, error.facts.unit);
     if (std::isnan(error.largest)) return {NM_TEXT("%1, with 99 % certainty within %2"), {mean, p99}};
     if (error.largest == 0) return {NM_TEXT("%1 everywhere"), {mean}};
+    if (error.largest < smallest(error.facts.unit))
+        return {NM_TEXT("less than %1 everywhere"),
+                {Amount{smallest(error.facts.unit), error.facts.unit, 3}}};
     return {NM_TEXT("%1 in the mean, 99 of 100 within %2, at most %3"),
             {mean, p99, amountOf(error.largest, error.facts.unit)}};
 }

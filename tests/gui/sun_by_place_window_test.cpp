@@ -210,7 +210,7 @@ TEST_F(SunByPlaceWindow, AChosenPlaceShowsItsMonthsAndItsContributorsInResults) 
     const auto& places = sun()->baseline.places;
     const auto park = std::ranges::find(places, "North Park", &Place::name) - places.begin();
     dock().select(std::size_t(park));
-    EXPECT_TRUE(results.headline().startsWith(QStringLiteral("North Park has ")))
+    EXPECT_TRUE(results.headline().startsWith(QStringLiteral("North Park: ")))
         << results.headline().toStdString();
     EXPECT_EQ(results.headline(), sentenceText(makePage(*sun(), std::size_t(park)).headline));
     EXPECT_TRUE(field<QPushButton>("allPlaces").isVisibleTo(&results));
@@ -231,6 +231,8 @@ TEST_F(SunByPlaceWindow, TheLegendTakesRangeAndClassesInHours) {
     measure();
     LegendStrip& strip = window->panel().legend();
     strip.edit();
+    EXPECT_TRUE(field<QComboBox>("legendRamp").currentText().startsWith(QStringLiteral("Orange to violet")))
+        << "the colours that the places have";
     auto& kinds = field<QComboBox>("legendClasses");
     ASSERT_TRUE(kinds.isEnabled());
     kinds.setCurrentIndex(int(LegendClasses::Kind::breaks));

@@ -46,7 +46,7 @@ Sentence countDark(const SunByPlace& sun, std::size_t date) {
         ++all;
         if (place.dateHours[date] < sun.settings.enoughHours) ++dark;
     }
-    return {NM_TEXT("On %1 it is %2 of %3 places that have less than %4."),
+    return {NM_TEXT("On %1, %2 of %3 places have less than %4."),
             {formatText(sun.settings.dates[date]), countOf(dark), countOf(all),
              hoursOf(sun.settings.enoughHours)}};
 }
@@ -59,7 +59,7 @@ std::optional<Sentence> describeExtremes(const SunByPlace& sun) {
     if (named.size() < 2) return std::nullopt;
     const auto [least, most] =
         std::ranges::minmax(named, {}, [&](std::size_t i) { return sun.sun[i].meanHours; });
-    return Sentence{NM_TEXT("Least sun has %1 with %2, most %3 with %4."),
+    return Sentence{NM_TEXT("%1 has the least sun, %2 a day, and %3 the most, %4."),
                     {sun.places[least].name, hoursOf(sun.sun[least].meanHours), sun.places[most].name,
                      hoursOf(sun.sun[most].meanHours)}};
 }
@@ -190,9 +190,9 @@ std::vector<Sentence> judgeCities(const SunOfCities& sun) {
 }
 
 Sentence headlineOf(const std::string& name, const SunOfPlace& of, double enoughHours) {
-    if (std::isnan(of.meanHours)) return {NM_TEXT("%1 has no open ground that was measured"), {name}};
+    if (std::isnan(of.meanHours)) return {NM_TEXT("%1: no open ground was measured"), {name}};
     return {
-        NM_TEXT("%1 has %2 of sun a day; %3 of its area has %4 or more"),
+        NM_TEXT("%1: %2 of sun a day; %3 of its area has %4 or more"),
         {name, hoursOf(of.meanHours), Amount{of.enoughShare, FigureUnit::share, 0}, hoursOf(enoughHours)}};
 }
 

@@ -1,7 +1,10 @@
 #include "core/study/by_place/sun_by_place.h"
 
+#include <fmt/format.h>
+#include <gdal_priv.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "core/base/gdal_calls.h"
 #include "core/city/map_context.h"
 #include "core/io/places/read_places.h"
 #include "core/receivers/place_names.h"
@@ -495,9 +499,10 @@ TEST(SunByPlace, SentencesCountPlacesOnDatesAndNameTheDarkestAndTheSunniest) {
     const SunByPlace sun = measured(tower(), places, settings);
     std::vector<std::string> findings;
     for (const Sentence& finding : makePage({sun, {}}).findings) findings.push_back(formatText(finding));
-    EXPECT_THAT(findings, testing::Contains("On 2026-12-21 it is 0 of 2 places that have less than 0.5 h."));
-    EXPECT_THAT(findings, testing::Contains(testing::AllOf(testing::StartsWith("Least sun has Park with "),
-                                                           testing::HasSubstr(" h, most Far with "))));
+    EXPECT_THAT(findings, testing::Contains("On 2026-12-21, 0 of 2 places have less than 0.5 h."));
+    EXPECT_THAT(findings,
+                testing::Contains(testing::AllOf(testing::StartsWith("Park has the least sun, "),
+                                                 testing::HasSubstr(" h a day, and Far the most, "))));
 }
 
 TEST(SunByPlace, AnotherThresholdGivesTheSharesOfARunWithIt) {
@@ -602,6 +607,50 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
     EXPECT_EQ(read->places[1].name, "A, \"B\"");
     EXPECT_EQ(read->places[1].kind, PlaceKind::plaza);
     EXPECT_NEAR(area(read->places[0]), 3200, 1);
+}
+
+// The numbers of all files come from one table: what CSV rounds, GeoPackage and JSON hold.
+TEST(SunByPlace, CsvGeoPackageAndJsonAgreeToTheLastDigit) {
+    SunByPlaceSettings settings = ofDays(20);
+    settings.dates = {std::chrono::year(2026) / 12 / 21};
+    const SunByPlace sun = measured(
+        tower(), {namedPlace("North", -30, 20, 50, 60), namedPlace("East", 24, -10, 61, 15)}, settings);
+    const ElementTable table = makeTable(sun);
+    const TemporaryFolder folder;
+    const auto file = folder.path("places.gpkg");
+    ASSERT_TRUE(writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeStyle(sun)));
+    const GdalCalls calls;
+    const GDALDatasetUniquePtr read(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR));
+    ASSERT_TRUE(read);
+    OGRLayer* places = read->GetLayerByName("places");
+    ASSERT_NE(places, nullptr);
+    const std::string csv = toCsv(table);
+    const auto json = nlohmann::json::parse(toJson(sun));
+    std::size_t compared = 0;
+    for (std::size_t row = 0; row < 2; ++row) {
+        const OGRFeatureUniquePtr feature(places->GetNextFeature());
+        ASSERT_TRUE(feature);
+        std::string line;
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            const ElementColumn& column = table.columns[i];
+            const int field = feature->GetFieldIndex(column.name.c_str());
+            ASSERT_GE(field, 0) << column.name;
+            line += i == 0 ? "\n" : ",";
+            if (!std::holds_alternative<double>(column.kind)) {
+                line += feature->GetFieldAsString(field);
+                continue;
+            }
+            line += fmt::format("{:.{}f}", feature->GetFieldAsDouble(field), column.decimals);
+            ++compared;
+            if (json["places"][row].contains(column.name)) {
+                EXPECT_NEAR(json["places"][row][column.name].get<double>(), feature->GetFieldAsDouble(field),
+                            1e-4)
+                    << column.name;
+            }
+        }
+        EXPECT_THAT(csv, HasSubstr(line)) << "a row of the CSV, made from the GeoPackage";
+    }
+    EXPECT_GT(compared, 20U);
 }
 
 TEST(SunByPlace, StyleHasTheClassesAroundEnoughSunInTheColoursOfTheLegend) {
