@@ -19,7 +19,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t commandLetters = 60;  // in a line of a column
 constexpr double tablePt = 7.8;
 
 /// The answer in a sentence at the top of a page. Returns the y below it.
@@ -225,8 +224,8 @@ Book makeStudyBook(const Study& study, const BookSettings& settings) {
     if (const Bars months = makeMonthBars(study); !months.groups.empty())
         book.pages.push_back(sunByMonthPage(months, settings));
     addText(book, sheet, sheet.sections,
-            repeatBlocks(makeRepeatCommand(study, commandLetters), needsRegionFile(study.provenance),
-                         listLegendOptions(settings.legend, false), commandLetters));
+            repeatBlocks(makeRepeatCommand(study, bookLetters), needsRegionFile(study.provenance),
+                         listLegendOptions(settings.legend, false), bookLetters));
     return book;
 }
 
@@ -239,8 +238,8 @@ Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, cons
     book.pages.push_back(sideBySide(answer, source, settings.setup, legend));
     appendPages(book, contributionPages(answer, settings, legend.show));
     addText(book, sheet, withoutCommand(sheet),
-            repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance),
-                         drawnOptions(scale, legend), commandLetters));
+            repeatBlocks(makeRepeatCommand(answer, bookLetters), needsRegionFile(answer.provenance),
+                         drawnOptions(scale, legend), bookLetters));
     return book;
 }
 
@@ -253,8 +252,8 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
     if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings, legend.show));
     appendPages(book, intervalPages(answer, settings, legend.show));
     addText(book, sheet, withoutCommand(sheet),
-            repeatBlocks(makeRepeatCommand(answer, commandLetters), needsRegionFile(answer.provenance),
-                         listLegendOptions(legend, true), commandLetters));
+            repeatBlocks(makeRepeatCommand(answer, bookLetters), needsRegionFile(answer.provenance),
+                         listLegendOptions(legend, true), bookLetters));
     return book;
 }
 

@@ -17,8 +17,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t elementCommandLetters = 60;  // in a line of a column
-
 /// The points of one building that elevations show, as indices of the map.
 struct PointsOfBuilding {
     std::uint32_t building = 0;
@@ -116,8 +114,8 @@ TextBlocks describeSources(const ElementStudy& study, const LegendChoice& legend
     sources.warnings = study.warnings;
     sources.provenance = study.provenance;
     sources.heights = study.heights;
-    return sourceBlocks(sources, repeatBlocks(makeRepeatCommand(study, elementCommandLetters), false,
-                                              listLegendOptions(legend, false), elementCommandLetters));
+    return sourceBlocks(sources, repeatBlocks(makeRepeatCommand(study, bookLetters), false,
+                                              listLegendOptions(legend, false), bookLetters));
 }
 
 }  // namespace

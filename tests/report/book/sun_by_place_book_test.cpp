@@ -58,6 +58,27 @@ TEST(SunByPlaceBook, StatesTheCommandThatRepeatsIt) {
     EXPECT_THAT(wordsOf(makeSunByPlaceBook(unknown, {})), HasSubstr("how its places were chosen"));
 }
 
+// A column of a page has room for 60 letters of a command; a longer line breaks where the column ends, which
+// may be between an option and its value.
+TEST(SunByPlaceBook, ItsCommandBreaksOnlyBeforeOptions) {
+    SunOfCities many = twoPlaces();
+    many.baseline.settings.study.period.days = 1;
+    many.baseline.settings.study.period.stepMinutes = 5;
+    many.baseline.settings.enoughHours = 3.5;
+    QStringList lines;
+    for (const BookPage& page : makeSunByPlaceBook(many, {}, {{.ramp = Ramp::viridis}, 3.0}).pages)
+        for (const PageItem& item : page.items)
+            if (const auto* text = std::get_if<PageText>(&item.content))
+                for (const TextBlock& block : text->blocks)
+                    if (block.text.startsWith(QStringLiteral("noonmark-cli")))
+                        lines = block.text.split(QChar(QChar::LineSeparator));
+    ASSERT_GT(lines.size(), 1);
+    for (qsizetype i = 0; i < lines.size(); ++i) {
+        EXPECT_LE(lines[i].size(), 60) << lines[i].toStdString();
+        if (i > 0) EXPECT_TRUE(lines[i].trimmed().startsWith(QStringLiteral("--"))) << lines[i].toStdString();
+    }
+}
+
 TEST(SunByPlaceBook, ItsMapIsDrawnWithTheLegendOfTheWindow) {
     const QImage plain = mapOf(makeSunByPlaceBook(twoPlaces(), {}));
     EXPECT_NE(mapOf(makeSunByPlaceBook(twoPlaces(), {}, {{.ramp = Ramp::viridis}, {}})), plain);

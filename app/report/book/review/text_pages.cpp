@@ -14,8 +14,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t commandLetters = 60;  // in a line of a column
-
 TextBlocks methodOf(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
     const Observer& observer = scene.observer;
@@ -85,8 +83,8 @@ TextBlocks sourcesOf(const ReviewScene& scene) {
 std::vector<BookPage> makeMethodPages(const ReviewScene& scene) {
     TextBlocks blocks = methodOf(scene);
     addBlocks(blocks, sourcesOf(scene));
-    addBlocks(blocks, repeatBlocks(makeRepeatCommand(scene.source.study, scene.source.labels, commandLetters),
-                                   false));
+    addBlocks(blocks,
+              repeatBlocks(makeRepeatCommand(scene.source.study, scene.source.labels, bookLetters), false));
     addBlocks(blocks, ruleBlocks(scene.source.study.rule));
     return makeTextPages(
         scene.settings.setup,
