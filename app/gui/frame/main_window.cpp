@@ -234,7 +234,9 @@ void MainWindow::connectJobs() {
          {&workbench_.saving(), &tools_.context().preview.working(),
           &tools_.context().preview.measuringFacades(), &time_.looking().working(), &points_.working()})
         progress_->follow(*slot, ProgressStrip::Jobs::often);
+    connect(docks_.study, &StudyDock::scoreRequested, docks_.weights, &WeightsDock::score);
     docks_.study->progress().follow(workbench_.running());
+    progress_->follow(workbench_.running(), ProgressStrip::Jobs::cancellable, &docks_.study->progress());
     connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {
         docks_.study->setRunning(true);
         mode_.showStudies();

@@ -196,8 +196,11 @@ void Workbench::saveAnswer(const QString& name) {
             if (!result) return report(result.error());
             result->name = freeName(session_.project(), ProjectPart::result, name.toStdString());
             if (measured) named_[measured] = result->name;
-            const QString what = tr("save result %1").arg(QString::fromStdString(result->name));
-            session_.change(addResult(session_.project(), *std::move(result)), what);
+            const QString saved = QString::fromStdString(result->name);
+            session_.change(addResult(session_.project(), *std::move(result)),
+                            tr("save result %1").arg(saved));
+            Q_EMIT noted(
+                tr("%1 is saved with the project: the list above the results shows it again").arg(saved));
         });
 }
 

@@ -34,9 +34,10 @@ ProgressStrip::ProgressStrip(QBoxLayout::Direction direction, QWidget* parent)
     hide();
 }
 
-void ProgressStrip::follow(JobSlot& slot, Jobs jobs) {
-    connect(&slot, &JobSlot::started, this,
-            [this, &slot, jobs](const Job& job, const QString& what) { begin(slot, jobs, job, what); });
+void ProgressStrip::follow(JobSlot& slot, Jobs jobs, const QWidget* other) {
+    connect(&slot, &JobSlot::started, this, [this, &slot, jobs, other](const Job& job, const QString& what) {
+        begin(slot, jobs, other, job, what);
+    });
     connect(&slot, &JobSlot::ended, this, [this, &slot] { finish(slot); });
     if (jobs == Jobs::whole) return;
     connect(cancel_, &QPushButton::clicked, &slot, [this, &slot] {
@@ -44,20 +45,22 @@ void ProgressStrip::follow(JobSlot& slot, Jobs jobs) {
     });
 }
 
-void ProgressStrip::begin(const JobSlot& slot, Jobs jobs, const Job& job, const QString& what) {
+void ProgressStrip::begin(const JobSlot& slot, Jobs jobs, const QWidget* other, const Job& job,
+                          const QString& what) {
     if (jobs == Jobs::often && shown_ && shown_ != &slot) return;
     shown_ = &slot;
     cancel_->setVisible(jobs != Jobs::whole);
     label_->setText(what);
     bar_->setValue(0);
-    connect(&job, &Job::progressed, this, [this, &slot, what](double fraction, const QString& stage) {
+    connect(&job, &Job::progressed, this, [this, &slot, other, what](double fraction, const QString& stage) {
         if (shown_ != &slot) return;
+        if (other) setVisible(!other->isVisible());
         bar_->setValue(int(fraction * 1000));
         label_->setText(QStringLiteral("%1: %2, %3 %").arg(what, stage).arg(int(fraction * 100)));
     });
     if (jobs == Jobs::often && !isVisible()) return wait_.start(shortMs);
     wait_.stop();
-    show();
+    setVisible(!other || !other->isVisible());
 }
 
 void ProgressStrip::finish(const JobSlot& slot) {

@@ -27,11 +27,12 @@ public:
         /// Frequent, usually short jobs: shown only if they take longer, and never instead of others.
         often,
     };
-    /// Follows the jobs that the slot starts from now on.
-    void follow(JobSlot& slot, Jobs jobs = Jobs::cancellable);
+    /// Follows the jobs that the slot starts from now on. `other`: shows them, too; while it can be seen,
+    /// this one is hidden. None: null.
+    void follow(JobSlot& slot, Jobs jobs = Jobs::cancellable, const QWidget* other = nullptr);
 
 private:
-    void begin(const JobSlot& slot, Jobs jobs, const Job& job, const QString& what);
+    void begin(const JobSlot& slot, Jobs jobs, const QWidget* other, const Job& job, const QString& what);
     void finish(const JobSlot& slot);
 
     QLabel* label_;

@@ -120,7 +120,7 @@ void PlaceSunModel::describeEnough(double hours) {
     const QString enough = formatAmount(hours);
     const Figure& figure = findFigure(sunOfPlaceFigures().rows(), enoughKey);
     FigureColumn& column = columns_[enough_];
-    column.heading = tr("%1 (%2 h), %").arg(translated(figure.label), enough);
+    column.heading = tr("\u2265 %1 h, %").arg(enough);  // as short as the number
     column.tip = tr("%1 (here: %2 h)").arg(translatedSentence(figure.definition), enough);
     const std::vector<CivilDate>& dates = sun_->baseline.settings.dates;
     for (std::size_t date = 0; date < dates.size(); ++date) {
@@ -376,13 +376,15 @@ bool PlaceSunFilter::accepts(std::size_t place) const {
     return text_.isEmpty() || QString::fromStdString(of.name).contains(text_, Qt::CaseInsensitive);
 }
 
-// Without a QVariant for each value: thousands of rows are sorted at a click. Rows without a number come
-// first.
+// Without a QVariant for each value: thousands of rows are sorted at a click. Rows without a number come last
+// in both orders.
 bool PlaceSunFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
     if (left.column() < PlaceSunModel::firstFigure)
         return QString::localeAwareCompare(left.data().toString(), right.data().toString()) < 0;
     const double a = model().valueAt(left), b = model().valueAt(right);
-    return std::isnan(a) ? !std::isnan(b) : a < b;
+    if (std::isnan(a) || std::isnan(b))
+        return std::isnan(a) != std::isnan(b) && std::isnan(a) == (sortOrder() == Qt::DescendingOrder);
+    return a < b;
 }
 
 bool PlaceSunFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {

@@ -37,6 +37,7 @@ constexpr double minutesOfHour = 60;
 constexpr int thresholdRestMs = 250;
 
 constexpr int fittedRows = 200;  // that columns are made wide enough for
+constexpr int nameLetters = 60;  // of the longest names that are shown whole
 
 // From them the shares for another threshold follow. A saved answer holds none, nor how many there were.
 bool knowsCells(const SunByPlace& sun) {
@@ -167,6 +168,7 @@ void PlacesDock::makeTable() {
     table_->setSortingEnabled(true);
     table_->sortByColumn(-1, Qt::AscendingOrder);
     table_->setUniformRowHeights(true);
+    table_->setTextElideMode(Qt::ElideMiddle);  // parts of one street differ at the end of their names
     table_->setAllColumnsShowFocus(true);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->header()->setStretchLastSection(false);
@@ -206,11 +208,10 @@ void PlacesDock::connectTable() {
             [this, placeOf](const QModelIndex& index) {
                 if (const auto place = placeOf(index)) Q_EMIT pointedAt(*place);
             });
-    connect(
-        table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-        [this, placeOf](const QModelIndex& index) { contributors_->setEnabled(placeOf(index).has_value()); });
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this, placeOf](const QModelIndex& index) { contributors_->setEnabled(hasSun(placeOf(index))); });
     const auto askFor = [this, placeOf](const QModelIndex& index) {
-        if (const auto place = placeOf(index)) Q_EMIT contributorsWanted(*place);
+        if (const auto place = placeOf(index); hasSun(place)) Q_EMIT contributorsWanted(*place);
     };
     connect(table_, &QTreeView::doubleClicked, this, askFor);
     connect(contributors_, &QPushButton::clicked, this, [this, askFor] { askFor(table_->currentIndex()); });
@@ -218,6 +219,10 @@ void PlacesDock::connectTable() {
         connect(table_, signal, this, [this, placeOf](const QModelIndex& index) {
             if (const auto place = placeOf(index)) Q_EMIT wanted(*place);
         });
+}
+
+bool PlacesDock::hasSun(std::optional<std::size_t> place) const {
+    return place && model_->sun() && !std::isnan(model_->hoursOf(*place, {}));
 }
 
 void PlacesDock::show(std::shared_ptr<const SunOfCities> sun, const QString& note, bool outdated) {
@@ -263,7 +268,8 @@ void PlacesDock::fillLists() {
     table_->header()->setResizeContentsPrecision(fittedRows);
     for (int column = 0; column < filter_->columnCount(); ++column) table_->resizeColumnToContents(column);
     showWordsLast();
-    table_->setColumnWidth(0, std::min(table_->columnWidth(0), 36 * fontMetrics().averageCharWidth()));
+    table_->setColumnWidth(0,
+                           std::min(table_->columnWidth(0), nameLetters * fontMetrics().averageCharWidth()));
     if (grouped_->isChecked()) table_->expandToDepth(0);
 }
 

@@ -57,6 +57,7 @@ private:
     void follow(double hours);
     void colour();
     void describeCount();
+    [[nodiscard]] bool hasSun(std::optional<std::size_t> place) const;
     [[nodiscard]] bool isCounted(std::size_t place) const;  ///< of the kind that is listed
     void listed();
     [[nodiscard]] ShownSun shown() const;

@@ -143,11 +143,13 @@ void ResultDisplay::showPlace(std::size_t place) {
     if (place_ == place) return;
     place_ = place;
     repeatFigures();
+    places_.figures.showTop();
 }
 
 void ResultDisplay::showAllPlaces() {
     place_.reset();
     repeatFigures();
+    places_.figures.showTop();
 }
 
 void ResultDisplay::repeatFigures() {
@@ -204,7 +206,7 @@ void ResultDisplay::update() {
 
 // States whether the displayed figures are up to date.
 void ResultDisplay::showOutdated() {
-    places_.figures.offerWayBack(workbench_.canShowStudyAgain());
+    places_.figures.offerWayBack(workbench_.canShowStudyAgain(), workbench_.behind() != nullptr);
     const auto answer = workbench_.answer();
     const auto describe = answer ? viewerOf(*answer).note : nullptr;
     if (describe && !preview_.shown()) {

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -199,7 +200,7 @@ void ResultsDock::show(const AnswerPage& page, const std::vector<ResultRow>& row
     foot_->setVisible(filled_);
     showMethod();
     setNote({});
-    offerWayBack(false);
+    offerWayBack(false, false);
     for (QPushButton* button : {allPlaces_, shadedBy_}) button->hide();
 }
 
@@ -258,7 +259,12 @@ void ResultsDock::setFaded(bool faded) {
         each->setStyleSheet(style);
 }
 
-void ResultsDock::offerWayBack(bool offered) { back_->setVisible(offered); }
+void ResultsDock::offerWayBack(bool offered, bool toStudy) {
+    back_->setText(toStudy ? tr("Show the study again") : tr("Hide this result"));
+    back_->setVisible(offered);
+}
+
+void ResultsDock::showTop() { scroll_->verticalScrollBar()->setValue(0); }
 
 void ResultsDock::offerAllPlaces(std::size_t places) {
     allPlaces_->setText(tr("Back to all %1 place(s)", "", pluralNumber(places)).arg(formatCount(places)));

@@ -148,10 +148,11 @@ void StudyDock::choose(StudyKind kind) {
     takeKind(kind);
 }
 
-// Scores and reviews have panels of their own, with their own buttons.
+// Reviews have a panel of their own, with its own button.
 void StudyDock::run() {
     const StudyKind kind = what_->kind();
-    if (kind == StudyKind::score || kind == StudyKind::review) return Q_EMIT kindChosen(kind);
+    if (kind == StudyKind::score) return Q_EMIT scoreRequested();
+    if (kind == StudyKind::review) return Q_EMIT kindChosen(kind);
     kind == StudyKind::places ? runByPlace() : Q_EMIT runRequested();
 }
 
@@ -161,15 +162,16 @@ void StudyDock::runByPlace() {
         Q_EMIT sunByPlaceRequested(places_->chosen(), *settings, places_->allScenarios());
 }
 
-// The sun of places is asked for over a year, until the user chooses other days; other questions get their
-// days back.
+// The sun of places and scores, whose weights differ by month, are asked for over a year, until the user
+// chooses other days; other questions get their days back.
 void StudyDock::usePeriodOf(StudyKind kind) {
     StudySettings settings = document_.settings();
     const Period year = wholeYear(settings.period);
-    if (kind == StudyKind::places && settings.period != year && !periodBefore_) {
+    const bool wantsYear = kind == StudyKind::places || kind == StudyKind::score;
+    if (wantsYear && settings.period != year && !periodBefore_) {
         periodBefore_ = settings.period;
         settings.period = year;
-    } else if (kind != StudyKind::places && periodBefore_) {
+    } else if (!wantsYear && periodBefore_) {
         if (settings.period == year) settings.period = *periodBefore_;
         periodBefore_.reset();
     }
@@ -302,7 +304,7 @@ void StudyDock::showKind() {
 
 QString StudyDock::runText() const {
     const StudyKind kind = what_->kind();
-    if (kind == StudyKind::score) return tr("Choose weights");
+    if (kind == StudyKind::score) return tr("Compute score");
     if (kind == StudyKind::review) return tr("Choose a rule");
     if (running_) return tr("Run again");
     if (kind == StudyKind::change) return tr("Compare");

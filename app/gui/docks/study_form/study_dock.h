@@ -69,6 +69,7 @@ Q_SIGNALS:
     void surroundingsRequested();           ///< of the selected building, as the region
     void regionNamed(const QString& name);  ///< of the list, or typed
     void kindChosen(noonmark::StudyKind kind);
+    void scoreRequested();  ///< with the weights of their panel
     void paperRequested();
 
 private:

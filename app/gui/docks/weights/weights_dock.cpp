@@ -55,13 +55,15 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
     column->addWidget(score_);
     connect(tables_, &QComboBox::currentTextChanged, this,
             [this](const QString& name) { choose(name.toStdString()); });
-    connect(score_, &QPushButton::clicked, this, [this] { Q_EMIT scoreRequested(model_->table().name); });
+    connect(score_, &QPushButton::clicked, this, &WeightsDock::score);
     connect(model_, &WeightsModel::refused, this, [this](const Error& error) { tell(describeError(error)); });
     connect(model_, &WeightsModel::edited, this, [this] { tell({}); });
     connect(&session_, &ProjectSession::changed, this, &WeightsDock::follow);
     tell({});
     follow();
 }
+
+void WeightsDock::score() { Q_EMIT scoreRequested(model_->table().name); }
 
 void WeightsDock::makeView() {
     view_->setObjectName(QStringLiteral("weights"));

@@ -27,6 +27,8 @@ public:
     void choose(const std::string& table);  ///< shows and edits this one
     [[nodiscard]] WeightsModel& model() { return *model_; }
 
+    void score();  ///< asks for the score with the table on display
+
 Q_SIGNALS:
     void scoreRequested(const std::string& table);
 

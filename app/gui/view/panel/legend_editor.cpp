@@ -40,10 +40,6 @@ QComboBox* rampField() {
     return field;
 }
 
-std::span<const Choice<Ramp>> rampsOf(bool aroundZero) {
-    return aroundZero ? changeRampChoices() : rampChoices();
-}
-
 QComboBox* shownField() {
     auto* field = new QComboBox;
     for (const Choice<ShownAs>& one : shownChoices()) field->addItem(translated(one.label));
@@ -183,15 +179,26 @@ void LegendEditor::setChoice(const LegendChoice& choice, const std::optional<Col
 
 void LegendEditor::fillRamps() {
     ramp_->clear();
-    for (const Choice<Ramp>& one : rampsOf(aroundZero())) {
+    const auto ramps = listRamps();
+    for (const Choice<Ramp>& one : ramps) {
         const QString name = translated(one.label);
         ramp_->addItem(rampIcon(one.value), isColourBlindSafe(one.value)
                                                 ? tr("%1 (safe for colour-blind readers)").arg(name)
                                                 : tr("%1 (not for colour-blind readers)").arg(name));
     }
-    const Ramp chosen = aroundZero() ? choice_.changeRamp : choice_.ramp;
-    const auto ramps = rampsOf(aroundZero());
+    const Ramp chosen = isOfPlaces() && !aroundZero() ? fitted_->ramp
+                        : aroundZero()                ? choice_.changeRamp
+                                                      : choice_.ramp;
     ramp_->setCurrentIndex(int(std::ranges::find(ramps, chosen, &Choice<Ramp>::value) - ramps.begin()));
+}
+
+// Places have a ramp of their own in place of the usual one (makeThresholdScale()).
+std::vector<Choice<Ramp>> LegendEditor::listRamps() const {
+    const auto all = aroundZero() ? changeRampChoices() : rampChoices();
+    std::vector<Choice<Ramp>> ramps(all.begin(), all.end());
+    if (isOfPlaces() && !aroundZero())
+        std::erase_if(ramps, [](const Choice<Ramp>& one) { return one.value == LegendChoice().ramp; });
+    return ramps;
 }
 
 // The scale of sun by place knows no sunlit time; until classes are chosen, the threshold of its panel makes
@@ -240,14 +247,14 @@ std::optional<LegendChoice> LegendEditor::readRows() const {
         range_->text().isEmpty() ? Result<LegendRange>() : parseLegendRange(withoutSpaces(*range_));
     if (!classes || !range) return std::nullopt;
     LegendChoice choice = choice_;
-    const Ramp ramp = fitted_ ? rampsOf(aroundZero())[std::size_t(ramp_->currentIndex())].value : choice.ramp;
+    const Ramp ramp = fitted_ ? listRamps()[std::size_t(ramp_->currentIndex())].value : choice.ramp;
     if (aroundZero()) {
         choice.changeRamp = ramp;
         choice.changeReversed = reversed_->isChecked();
         choice.changeClasses = *classes;
         if (isOfPlaces() && classes->kind == Kind::breaks) choice.show = ShownAs::sun;
     } else if (isOfPlaces()) {
-        choice.ramp = ramp;
+        if (ramp != fitted_->ramp) choice.ramp = ramp;  // else the usual one stays that of other maps
         choice.reversed = reversed_->isChecked();
         return withHours(choice, *classes, range_->text().isEmpty() ? std::nullopt : std::optional(*range));
     } else if (fitted_) {

@@ -47,6 +47,7 @@ private:
     [[nodiscard]] bool isOfPlaces() const;
     [[nodiscard]] static LegendChoice withHours(LegendChoice choice, const LegendClasses& classes,
                                                 const std::optional<LegendRange>& range);
+    [[nodiscard]] std::vector<Choice<Ramp>> listRamps() const;
     void fillRamps();
     [[nodiscard]] std::optional<LegendClasses> readClasses() const;
     void showEnabled();
