@@ -130,8 +130,7 @@ Sentence describe(const ShownError& error) {
     if (std::isnan(error.largest)) return {NM_TEXT("%1, with 99 % certainty within %2"), {mean, p99}};
     if (error.largest == 0) return {NM_TEXT("%1 everywhere"), {mean}};
     if (error.largest < smallest(error.facts.unit))
-        return {NM_TEXT("less than %1 everywhere"),
-                {Amount{smallest(error.facts.unit), error.facts.unit, 3}}};
+        return {NM_TEXT("%1 at most"), {Amount{smallest(error.facts.unit), error.facts.unit, 3}}};
     return {NM_TEXT("%1 in the mean, 99 of 100 within %2, at most %3"),
             {mean, p99, amountOf(error.largest, error.facts.unit)}};
 }
