@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAbstractSpinBox>
 #include <QAccessible>
 #include <QAction>
 #include <QApplication>
@@ -130,9 +132,10 @@ TEST_F(RenewalTest, TabGoesDownEveryDockAndAllItReachesHasAName) {
             ASSERT_NE(spoken, nullptr) << name;
             EXPECT_FALSE(spoken->text(QAccessible::Name).isEmpty()) << name;
             const auto top = [&](const QWidget* widget) { return widget->mapTo(dock, QPoint()).y(); };
-            if (before != nullptr)
+            if (before != nullptr) {
                 EXPECT_GT(top(next) + next->height(), top(before))
                     << name << " lies above " << before->objectName().toStdString();
+            }
             before = next;
         }
     }

@@ -610,7 +610,7 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
 }
 
 // The numbers of all files come from one table: what CSV rounds, GeoPackage and JSON hold.
-TEST(SunByPlace, CsvGeoPackageAndJsonAgreeToTheLastDigit) {
+TEST(SunByPlace, TheCsvIsTheGeoPackageRoundedAndJsonAgrees) {
     SunByPlaceSettings settings = ofDays(20);
     settings.dates = {std::chrono::year(2026) / 12 / 21};
     const SunByPlace sun = measured(
