@@ -1,10 +1,5 @@
 #pragma once
 
-// The folder scenarios/ answers "what if": edits/ holds single changes to a city, a scenario (this header) is
-// a named list of them, massing/ builds towers on lots, impact/ compares two cities, weights/ scores wanted
-// shade against unwanted shadow, and project/ stores all of it in one file. Everything here is a plain value
-// without Qt or OpenGL.
-
 #include <string>
 #include <vector>
 
@@ -14,6 +9,19 @@
 #include "scenarios/edits/edit.h"
 
 namespace noonmark {
+
+/// Returns `name`, or else the first of "name (2)", "name (3)"... for which `isTaken` is false.
+template <class IsTaken>
+std::string findFreeName(const std::string& name, IsTaken&& isTaken) {
+    std::string free = name;
+    for (int copy = 2; isTaken(free); ++copy) free = name + " (" + std::to_string(copy) + ")";
+    return free;
+}
+
+// The folder scenarios/ answers "what if": edits/ holds single changes to a city, a scenario (this header) is
+// a named list of them, massing/ builds towers on lots, impact/ compares two cities, weights/ scores wanted
+// shade against unwanted shadow, and project/ stores all of it in one file. Everything here is a plain value
+// without Qt or OpenGL.
 
 /// The name of the city without edits, from which a scenario with an empty base starts. No scenario may have
 /// this name.
@@ -45,5 +53,22 @@ Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& sce
 
 /// Error: a name is missing, used twice or equal to existingCity, or a base is unknown or part of a cycle.
 Result<void> validate(const std::vector<Scenario>& scenarios);
+
+/// The existing city, then the scenarios in their order.
+std::vector<std::string> listNames(const std::vector<Scenario>& scenarios);
+
+// Changes to a valid list of scenarios. The list stays valid; on an Error it stays unchanged. Error: there is
+// no such scenario, the name is that of the existing city, or the new name is taken.
+
+/// Scenarios based on it refer to the new name afterwards. Saved results keep the old name.
+Result<void> renameScenario(std::vector<Scenario>& scenarios, const std::string& name,
+                            const std::string& newName);
+
+/// Inserts a copy with the same base and edits right after the original.
+Result<void> duplicateScenario(std::vector<Scenario>& scenarios, const std::string& name,
+                               const std::string& newName);
+
+/// Error also where other scenarios are based on it; the Error lists their names.
+Result<void> removeScenario(std::vector<Scenario>& scenarios, const std::string& name);
 
 }  // namespace noonmark

@@ -1,14 +1,16 @@
 #include "app/bench/bench_pages.h"
 
 #include <fmt/format.h>
-
+#include <QBuffer>
+#include <QIODevice>
 #include <QPdfWriter>
 #include <algorithm>
 
 #include "app/bench/comparison_painter.h"
 #include "app/bench/finding_block.h"
-#include "app/report/sheets/headline.h"
+#include "app/report/files/output_folder.h"
 #include "app/report/sheets/pdf_page.h"
+#include "app/report/sheets/sheet.h"
 #include "app/report/sheets/study_words.h"
 
 namespace noonmark {
@@ -94,8 +96,9 @@ private:
     int page_ = 0;
 };
 
-}  // namespace
-
+/// Writes the report of a benchmark as a PDF of A4 pages: the summary with the first finding, then two
+/// findings per page. Every page names city, date and machine. Text remains text, charts are vectors.
+/// `device` must be open. False if the PDF could not be started or completed. Needs a QApplication.
 bool writeBenchPages(const bench::BenchReport& report, QIODevice& device) {
     QPdfWriter writer(&device);
     beginPdf(writer, QString::fromStdString(report.title));
@@ -103,6 +106,29 @@ bool writeBenchPages(const bench::BenchReport& report, QIODevice& device) {
     if (!painter.begin(&writer)) return false;
     BenchPages(writer, painter, report).paint();
     return painter.end();
+}
+
+}  // namespace
+
+Result<std::vector<std::filesystem::path>> writeBenchFiles(const bench::BenchReport& report,
+                                                           const std::filesystem::path& folder,
+                                                           const OutputRules& rules) {
+    OutputFolder files(folder, rules);
+    for (const bench::Finding& finding : report.findings)
+        if (!finding.key.empty()) files.add(finding.key + ".csv", textContent(toCsv(finding.table)));
+    QBuffer pages;  // charts are painted on this thread only
+    pages.open(QIODevice::WriteOnly);
+    const bool painted = writeBenchPages(report, pages);
+    files.add("report.pdf",
+              [&](QIODevice& device) { return painted && device.write(pages.data()) == pages.size(); });
+    files.add("summary.json", textContent(summaryJson(report)));
+    return std::move(files).result();
+}
+
+std::vector<std::string> benchFileNames(std::span<const char* const> keys) {
+    std::vector<std::string> names{"report.pdf", "summary.json"};
+    for (const char* key : keys) names.push_back(std::string(key) + ".csv");
+    return names;
 }
 
 }  // namespace noonmark

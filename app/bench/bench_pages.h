@@ -1,14 +1,27 @@
 #pragma once
 
-#include <QIODevice>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "core/base/result.h"
 #include "core/bench/bench_report.h"
+#include "core/io/files/check_output.h"
 
 namespace noonmark {
 
-/// Writes the report of a benchmark as a PDF of A4 pages: the summary with the first finding, then two
-/// findings per page. Every page names city, date and machine. Text remains text, charts are vectors.
-/// `device` must be open. False if the PDF could not be started or completed. Needs a QApplication.
-bool writeBenchPages(const bench::BenchReport& report, QIODevice& device);
+// The folder app/bench/ writes the report of a benchmark. This file writes all files; finding_block.h lays
+// out one finding on a page. Its charts come from chart_painter.h, its tables from comparison_painter.h.
+
+/// Writes all files of a benchmark into a folder, which is created if missing: one CSV per experiment, named
+/// by its key; report.pdf; summary.json. `rules`: which files may be replaced. Returns the paths written. A
+/// file is written completely or not at all. Needs a QApplication (the `offscreen` platform suffices).
+Result<std::vector<std::filesystem::path>> writeBenchFiles(const bench::BenchReport& report,
+                                                           const std::filesystem::path& folder,
+                                                           const OutputRules& rules = {});
+
+/// The names of those files for the keys of the findings.
+std::vector<std::string> benchFileNames(std::span<const char* const> keys);
 
 }  // namespace noonmark

@@ -2,17 +2,194 @@
 
 #include <QCategoryAxis>
 #include <QChart>
+#include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QLegend>
 #include <QLineSeries>
+#include <QPolygonF>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
 
-#include "app/bench/axis_scale.h"
-#include "app/bench/mark_painter.h"
-#include "app/bench/point_labels.h"
-
 namespace noonmark {
+
+namespace {
+
+/// Labels beside points. Labels do not overlap each other or a mark; a label without room is dropped.
+class PointLabels {
+public:
+    /// `within`: the area for labels; `markSize` in painter units.
+    PointLabels(const Canvas& canvas, const QRectF& within, double markSize);
+
+    /// Registers the position of a mark. Add all marks before painting labels.
+    void addMark(const QPointF& at);
+    void paint(const QPointF& at, const QString& text, const QColor& colour);
+
+private:
+    [[nodiscard]] bool isFree(const QRectF& box) const;
+
+    Canvas canvas_;
+    QRectF within_;
+    double markSize_;
+    std::vector<QRectF> taken_;
+};
+
+constexpr double labelPt = 5.8;
+
+PointLabels::PointLabels(const Canvas& canvas, const QRectF& within, double markSize)
+    : canvas_(canvas), within_(within), markSize_(markSize) {}
+
+void PointLabels::addMark(const QPointF& at) {
+    const double half = 0.6 * markSize_;
+    taken_.emplace_back(at - QPointF(half, half), QSizeF(2 * half, 2 * half));
+}
+
+void PointLabels::paint(const QPointF& at, const QString& text, const QColor& colour) {
+    if (text.isEmpty()) return;
+    QPainter& painter = canvas_.painter;
+    painter.setFont(textFont(canvas_, labelPt));
+    const QFontMetricsF metrics(painter.font());
+    const QSizeF size(metrics.horizontalAdvance(text), metrics.ascent());
+    const double gap = 0.75 * markSize_;
+    const double middle = at.y() - size.height() / 2, centre = at.x() - size.width() / 2;
+    const std::array places{QPointF(at.x() + gap, middle), QPointF(at.x() - gap - size.width(), middle),
+                            QPointF(centre, at.y() - gap - size.height()), QPointF(centre, at.y() + gap)};
+    for (const QPointF& place : places) {
+        const QRectF box(place, size);
+        if (!isFree(box)) continue;
+        taken_.push_back(box);
+        painter.fillRect(box, ink::paper);  // no line crosses a label
+        painter.setPen(colour);
+        painter.drawText(QPointF(box.left(), box.bottom() - 0.12 * size.height()), text);
+        return;
+    }
+}
+
+bool PointLabels::isFree(const QRectF& box) const {
+    return within_.contains(box) &&
+           std::ranges::none_of(taken_, [&](const QRectF& other) { return other.intersects(box); });
+}
+
+constexpr double maxTicks = 6;
+constexpr double edge = 0.06;  // share of the span of a logarithmic axis left free at each end
+
+QString powerText(int exponent) {
+    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString text = exponent < 0 ? QStringLiteral("10⁻") : QStringLiteral("10");
+    for (const QChar digit : QString::number(std::abs(exponent))) text += digits[digit.digitValue()];
+    return text;
+}
+
+QString numberText(double value) {
+    const double exponent = std::log10(std::abs(value));
+    const bool isPower = std::abs(exponent - std::round(exponent)) < 1e-9;
+    if (value != 0 && isPower && std::abs(exponent) > 3.5) return powerText(int(std::lround(exponent)));
+    return QString::number(value, 'g', 6);
+}
+
+/// 1, 2 or 5 times a power of ten, such that at most `maxTicks` steps fill the span.
+double roundStep(double span) {
+    double step = std::pow(10, std::floor(std::log10(span / maxTicks)));
+    for (const double factor : {2.0, 2.5, 2.0})
+        if (span / step > maxTicks) step *= factor;
+    return step;
+}
+
+/// The multiples within a decade that get a tick.
+std::vector<double> marksOfDecade(double decades) {
+    if (decades > 2.2) return {1};
+    if (decades > 1.2) return {1, 3};
+    return {1, 2, 5};
+}
+
+}  // namespace
+
+AxisScale::AxisScale(const bench::ChartAxis& axis, const std::vector<double>& values) : axis_(axis) {
+    double least = INFINITY, most = -INFINITY;
+    for (const double value : values) {
+        if (!shows(value)) continue;
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    if (least > most) least = most = 1;
+    axis.logarithmic ? setLogarithmic(least, most) : setLinear(least, most);
+}
+
+double AxisScale::placeOf(double value) const { return axis_.logarithmic ? std::log10(value) : value; }
+
+bool AxisScale::shows(double value) const {
+    return std::isfinite(value) && (!axis_.logarithmic || value > 0);
+}
+
+void AxisScale::setLinear(double least, double most) {
+    if (axis_.fromZero) least = std::min(least, 0.0);
+    if (most - least < 1e-12) most = least + 1;
+    const double step = std::max(roundStep(most - least), axis_.whole ? 1.0 : 0.0), slack = 1e-9 * step;
+    low_ = std::floor((least + slack) / step) * step;
+    high_ = std::ceil((most - slack) / step) * step;
+    for (double value = low_; value < high_ + step / 2; value += step)
+        ticks_.push_back({value, numberText(std::abs(value) < step / 2 ? 0 : value)});
+}
+
+void AxisScale::setLogarithmic(double least, double most) {
+    const double decades = std::max(0.3, std::log10(most / least));
+    low_ = std::log10(least) - edge * decades;
+    high_ = std::max(std::log10(most), std::log10(least) + decades) + edge * decades;
+    const int every = std::max(1, int(std::ceil(decades / maxTicks)));
+    for (int decade = int(std::floor(low_)); decade <= int(std::ceil(high_)); ++decade)
+        for (const double factor : marksOfDecade(decades)) {
+            const double place = decade + std::log10(factor);
+            if (decade % every == 0 && place >= low_ && place <= high_)
+                ticks_.push_back({place, numberText(factor * std::pow(10, decade))});
+        }
+}
+
+namespace {
+
+// A regular polygon with a corner at the top if `turn` is 0; `turn` is a share of the full circle.
+QPainterPath polygonPath(int corners, double radius, double turn = 0) {
+    QPolygonF polygon;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * std::numbers::pi * (double(i) / corners + turn);
+        polygon << QPointF(radius * std::sin(angle), -radius * std::cos(angle));
+    }
+    QPainterPath path;
+    path.addPolygon(polygon);
+    path.closeSubpath();
+    return path;
+}
+
+}  // namespace
+
+QPainterPath markPath(MarkShape shape, double size) {
+    const double radius = size / 2;
+    switch (shape) {
+        case MarkShape::square:
+            return polygonPath(4, radius * 1.2, 0.125);
+        case MarkShape::triangle:
+            return polygonPath(3, radius * 1.25);
+        case MarkShape::diamond:
+            return polygonPath(4, radius * 1.25);
+        case MarkShape::pentagon:
+            return polygonPath(5, radius * 1.15);
+        case MarkShape::circle:
+            break;
+    }
+    QPainterPath path;
+    path.addEllipse(QPointF(0, 0), radius, radius);
+    return path;
+}
+
+void paintMark(QPainter& painter, const QPointF& at, const ChartInk& look, bool hollow, double size,
+               double line) {
+    painter.setPen(QPen(hollow ? look.colour : ink::paper, line));
+    painter.setBrush(hollow ? ink::paper : look.colour);
+    painter.drawPath(markPath(look.shape, size).translated(at));
+    painter.setBrush(Qt::NoBrush);  // later lines must not be filled
+}
 
 namespace {
 

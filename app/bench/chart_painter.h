@@ -1,15 +1,58 @@
 #pragma once
 
+#include <QPainter>
+#include <QPainterPath>
 #include <QRectF>
+#include <QString>
+#include <vector>
 
-#include "app/bench/chart_inks.h"
+#include "app/bench/comparison_painter.h"
 #include "app/report/maps/style.h"
-#include "core/bench/chart.h"
+#include "core/bench/finding.h"
 
 namespace noonmark {
 
+/// A tick of an axis.
+struct AxisTick {
+    double place = 0;  ///< position along the axis, as placeOf() returns it
+    QString text;      ///< "0.5", "10⁻⁴"
+};
+
+/// Maps values to positions along an axis and computes its ticks: round numbers, few enough to fit side by
+/// side. Positions on a logarithmic axis are logarithms.
+class AxisScale {
+public:
+    /// The axis covers all `values`; a logarithmic axis ignores values of 0 or less. Without values it covers
+    /// a default range around 1.
+    AxisScale(const bench::ChartAxis& axis, const std::vector<double>& values);
+
+    [[nodiscard]] double placeOf(double value) const;
+    /// Whether the axis can show the value: finite, and above zero on a logarithmic axis.
+    [[nodiscard]] bool shows(double value) const;
+
+    [[nodiscard]] double low() const { return low_; }
+    [[nodiscard]] double high() const { return high_; }
+    [[nodiscard]] const std::vector<AxisTick>& ticks() const { return ticks_; }
+
+private:
+    void setLinear(double least, double most);
+    void setLogarithmic(double least, double most);
+
+    bench::ChartAxis axis_;
+    double low_ = 0;
+    double high_ = 1;
+    std::vector<AxisTick> ticks_;
+};
+
+/// The outline of a mark of size `size`, centred on the origin.
+QPainterPath markPath(MarkShape shape, double size);
+
+/// Paints a mark: filled, or hollow where its value is estimated. `size` and `line` in painter units.
+void paintMark(QPainter& painter, const QPointF& at, const ChartInk& look, bool hollow, double size,
+               double line);
+
 /// Paints a chart with its title into `area`: axes with round numbers, thin lines, a mark per point, and
-/// labels beside points where there is room. Does not paint the legend (chart_legend.h). Needs a
+/// labels beside points where there is room. Does not paint the legend (finding_block.cpp). Needs a
 /// QApplication.
 void paintChart(const Canvas& canvas, const QRectF& area, const bench::Chart& chart, const ChartInks& inks);
 

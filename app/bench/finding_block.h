@@ -2,7 +2,7 @@
 
 #include <QRectF>
 
-#include "app/bench/chart_inks.h"
+#include "app/bench/comparison_painter.h"
 #include "app/report/maps/style.h"
 #include "app/report/sheets/text_column.h"
 #include "core/bench/finding.h"

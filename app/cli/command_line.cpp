@@ -1,15 +1,17 @@
-#include "app/cli/base/command_line.h"
-
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 #include <exception>
 #include <ostream>
+#include <set>
+#include <streambuf>
 #include <string>
 #include <string_view>
 
 #include "app/cli/base/command.h"
-#include "app/cli/clean_output.h"
+#include "app/cli/base/command_line.h"
 #include "app/cli/commands/point_command.h"
 #include "app/cli/commands/question_commands.h"
-#include "app/cli/help_format.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/build_facts.h"
 #include "core/base/clean_text.h"
@@ -19,6 +21,70 @@
 namespace noonmark::cli {
 
 namespace {
+
+/// Passes text on line by line as cleanLines() makes it: whatever a command prints of the names in a
+/// stranger's file, it sends no commands to a terminal.
+class CleanOutput : public std::streambuf {
+public:
+    explicit CleanOutput(std::ostream& out) : out_(out) {}
+    ~CleanOutput() override;
+    CleanOutput(const CleanOutput&) = delete;
+    CleanOutput& operator=(const CleanOutput&) = delete;
+
+private:
+    int_type overflow(int_type letter) override;
+    std::streamsize xsputn(const char* text, std::streamsize size) override;
+    int sync() override;
+    bool pass(std::size_t size);
+
+    std::ostream& out_;
+    std::string waiting_;  ///< the line that has not ended
+};
+
+CleanOutput::~CleanOutput() { CleanOutput::sync(); }
+
+CleanOutput::int_type CleanOutput::overflow(int_type letter) {
+    if (traits_type::eq_int_type(letter, traits_type::eof())) return traits_type::not_eof(letter);
+    const char one = traits_type::to_char_type(letter);
+    return xsputn(&one, 1) == 1 ? letter : traits_type::eof();
+}
+
+std::streamsize CleanOutput::xsputn(const char* text, std::streamsize size) {
+    waiting_.append(text, std::size_t(size));
+    const auto lines = std::string_view(text, std::size_t(size)).rfind('\n');
+    if (lines == std::string_view::npos) return size;
+    return pass(waiting_.size() - (std::size_t(size) - lines - 1)) ? size : 0;
+}
+
+int CleanOutput::sync() { return pass(waiting_.size()) && out_.flush() ? 0 : -1; }
+
+bool CleanOutput::pass(std::size_t size) {
+    out_ << cleanLines(std::string_view(waiting_).substr(0, size));
+    waiting_.erase(0, size);
+    return bool(out_);
+}
+
+/// Help as the parser writes it, with the options that an option needs or excludes in alphabetical order. The
+/// parser lists them by their addresses, so that two runs would print two orders.
+class HelpFormat : public CLI::Formatter {
+public:
+    [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
+};
+
+std::string listOptions(const std::string& label, const std::set<CLI::Option*>& options) {
+    std::set<std::string> names;
+    for (const CLI::Option* option : options) names.insert(option->get_name());
+    return names.empty() ? std::string() : fmt::format(" {}: {}", label, fmt::join(names, " "));
+}
+
+std::string HelpFormat::make_option_opts(const CLI::Option* option) const {
+    const std::string text = CLI::Formatter::make_option_opts(option);
+    if (!option->get_option_text().empty()) return text;
+    const std::string needs = get_label("Needs"), excludes = get_label("Excludes");
+    const auto lists = std::min(text.find(" " + needs + ":"), text.find(" " + excludes + ":"));
+    return text.substr(0, lists) + listOptions(needs, option->get_needs()) +
+           listOptions(excludes, option->get_excludes());
+}
 
 void say(const Console& console, const std::string& text) {
     console.err << "noonmark-cli: " << cleanText(text) << '\n';

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-#include "app/gui/base/jobs/heap_memory.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/frame/appearance.h"
-#include "app/gui/frame/help/start_settings.h"
+#include "app/gui/frame/help/start_page.h"
 #include "app/gui/frame/main_window.h"
 #include "app/gui/frame/window_renewal.h"
 #include "app/input/window_arguments.h"

@@ -1,6 +1,6 @@
 #include "app/input/all_engines.h"
 
-#include "render/gl/gl_engines.h"
+#include "render/gl/gl_shadow_maps.h"
 
 namespace noonmark {
 

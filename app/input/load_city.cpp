@@ -1,17 +1,130 @@
 #include "app/input/load_city.h"
 
 #include <tbb/task_group.h>
-
 #include <algorithm>
 #include <glm/common.hpp>
+#include <iterator>
 
 #include "core/base/stop_scope.h"
-#include "core/base/stopwatch.h"
-#include "core/city/main_part.h"
+#include "core/city/city_position.h"
 #include "core/city/map_context.h"
+#include "core/io/pictures/ground_raster_file.h"
+#include "core/receivers/place_names.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark {
+
+namespace {
+
+void append(MapContext& to, MapContext from) {
+    std::ranges::move(from.areas, std::back_inserter(to.areas));
+    std::ranges::move(from.lines, std::back_inserter(to.lines));
+    std::ranges::move(from.trees, std::back_inserter(to.trees));
+    if (to.attribution.empty()) to.attribution = std::move(from.attribution);
+}
+
+}  // namespace
+
+Result<ContextRead> loadCityContext(const std::vector<std::string>& files, const Frame& frame,
+                                    Progress& progress, const std::stop_token& stop) {
+    ContextRead all;
+    for (const std::string& file : files) {
+        if (isParkSample(file)) append(all.context, makeCentralParkContext(frame));
+        if (isSample(file) || !isOsmFile(file)) continue;
+        auto read = readContext(file, {}, frame, progress, stop);
+        if (!read) return tl::make_unexpected(read.error());
+        append(all.context, std::move(read->context));
+        std::ranges::move(read->warnings, std::back_inserter(all.warnings));
+        all.features += read->features;
+    }
+    return all;
+}
+
+std::shared_ptr<const MapContext> joinContext(const std::shared_ptr<const MapContext>& before,
+                                              MapContext added) {
+    auto joined = std::make_shared<MapContext>(before ? *before : MapContext{});
+    append(*joined, std::move(added));
+    return joined->empty() ? nullptr : joined;
+}
+
+Box2 photographBox(const City& city) {
+    constexpr float aroundM = 500;
+    Box2 box = bounds(city);
+    box.low -= aroundM;
+    box.high += aroundM;
+    return box;
+}
+
+Result<Photograph> loadPhotograph(const GroundPictureFile& wanted, const City& city, Progress& progress,
+                                  const std::stop_token& stop) {
+    const StopScope scope(stop);
+    const auto described = describeInputFile(wanted.path);
+    if (!described) return tl::make_unexpected(described.error());
+    auto raster = readGroundRaster(wanted.path, city.frame, photographBox(city), {}, progress, stop);
+    if (!raster) return tl::make_unexpected(raster.error());
+    Photograph photograph{wanted, std::make_shared<const GroundRaster>(*std::move(raster))};
+    photograph.file.sha256 = described->sha256;
+    return photograph;
+}
+
+Project withPhotographAtHand(Project project, Warnings& warnings, Progress& progress,
+                             const std::stop_token& stop) {
+    if (!project.groundPicture || !project.groundPicture->shown) return project;
+    const GroundPictureFile file = *project.groundPicture;
+    const auto leftOut = [&](const std::string& what) {
+        warnings.push_back({WarningKind::leftOut, what, file.path.string()});
+    };
+    auto loaded = loadPhotograph(file, *project.city, progress, stop);
+    if (!loaded) {
+        leftOut("the aerial photograph is not drawn: " + loaded.error().what);
+        return project;
+    }
+    if (loaded->file.sha256 != file.sha256) {
+        leftOut("the aerial photograph is not drawn: its file has changed; choose it again");
+        return project;
+    }
+    return withGroundPicture(std::move(project), file, std::move(loaded->raster));
+}
+
+Result<PlacesRead> loadPlaceFiles(const std::vector<std::string>& files, const PlaceSettings& settings,
+                                  const Frame& frame, PlacesRead before, Progress& progress,
+                                  const std::stop_token& stop) {
+    for (const std::string& file : files) {
+        auto read = readPlaces(file, settings, frame, progress, stop);
+        if (!read) return tl::make_unexpected(read.error());
+        std::ranges::move(read->places, std::back_inserter(before.places));
+        std::ranges::move(read->warnings, std::back_inserter(before.warnings));
+        before.features += read->features;
+        before.streetsOfAssumedWidth += read->streetsOfAssumedWidth;
+        if (before.attribution.empty()) before.attribution = read->attribution;
+    }
+    nameApart(before.places);
+    return before;
+}
+
+namespace {
+
+std::vector<Place> placesOfSample(const PlaceSettings& settings, const Frame& frame) {
+    std::vector<Place> places = listCentralParkPlaces(frame);
+    std::erase_if(places, [&](const Place& place) {
+        const bool isOtherKind = !settings.kinds.empty() && !settings.kinds.contains(place.kind);
+        return isOtherKind || (place.kind == PlaceKind::street && !settings.streets);
+    });
+    return places;
+}
+
+}  // namespace
+
+Result<PlacesRead> loadCityPlaces(const std::vector<std::string>& files, const PlaceSettings& settings,
+                                  const Frame& frame, Progress& progress, const std::stop_token& stop) {
+    std::vector<std::string> maps;
+    PlacesRead ofSample;
+    for (const std::string& file : files) {
+        if (isParkSample(file)) ofSample.places = placesOfSample(settings, frame);
+        if (!isSample(file) && isOsmFile(file)) maps.push_back(file);
+    }
+    return loadPlaceFiles(maps, settings, frame, std::move(ofSample), progress, stop);
+}
 
 namespace {
 

@@ -1,17 +1,58 @@
 #pragma once
 
-// The folder app/input/ prepares input for the window and the command line. load_city.h reads a city from
-// files or makes a sample, load_project.h reads it from a project and project_of.h starts a project from it;
-// all_engines.h lists the engines; output_rules.h protects the input files from being overwritten.
-
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/io/context/read_context.h"
+#include "core/io/places/read_places.h"
 #include "core/study/study.h"
+#include "scenarios/project/project.h"
 
 namespace noonmark {
+
+/// What those files of a city that are maps (OpenStreetMap's) draw for orientation. Nothing from samples and
+/// other formats. Error: a file cannot be read; cancelled().
+Result<ContextRead> loadCityContext(const std::vector<std::string>& files, const Frame& frame,
+                                    Progress& progress, const std::stop_token& stop);
+
+/// Joins what another file draws to a city's context, which may be null.
+std::shared_ptr<const MapContext> joinContext(const std::shared_ptr<const MapContext>& before,
+                                              MapContext added);
+
+/// The ground that a photograph of this city is read for: its buildings with 500 m around them, local metres.
+Box2 photographBox(const City& city);
+
+/// A photograph's pixels, and its file with the file's hash.
+struct Photograph {
+    GroundPictureFile file;
+    std::shared_ptr<const GroundRaster> raster;
+};
+/// Reads the file of `wanted`, whose hash is set. Error: readGroundRaster()'s; cancelled().
+Result<Photograph> loadPhotograph(const GroundPictureFile& wanted, const City& city, Progress& progress,
+                                  const std::stop_token& stop);
+
+/// `project` with the photograph that its file names on the ground. A file that is missing, has changed or
+/// cannot be read gives a warning, and the project stays as it is: without pixels.
+Project withPhotographAtHand(Project project, Warnings& warnings, Progress& progress,
+                             const std::stop_token& stop);
+
+/// The places of those files of a city that state them: OpenStreetMap's. None from samples and other formats.
+/// Names are unique. Error: a file cannot be read; cancelled().
+Result<PlacesRead> loadCityPlaces(const std::vector<std::string>& files, const PlaceSettings& settings,
+                                  const Frame& frame, Progress& progress, const std::stop_token& stop);
+
+/// The places of all these files, of any format that readPlaces() reads, joined to those of `before`. Names
+/// are unique.
+Result<PlacesRead> loadPlaceFiles(const std::vector<std::string>& files, const PlaceSettings& settings,
+                                  const Frame& frame, PlacesRead before, Progress& progress,
+                                  const std::stop_token& stop);
+
+// The folder app/input/ prepares input for the window and the command line. load_city.h reads a city from
+// files or makes a sample, load_project.h reads it from a project or starts a project from it;
+// all_engines.h lists the engines; output_rules.h protects the input files from being overwritten.
 
 /// A city and where it came from.
 struct LoadedCity {
@@ -42,7 +83,7 @@ Result<City> sampleCity(const std::string& name);
 Result<Region> cityRegion(const City& city);
 
 /// A default region: the park for Central Park South, otherwise the main part of the city with a border of
-/// 50 m, or where it is densest if that is more than `maxM` metres wide or high (core/city/main_part.h).
+/// 50 m, or where it is densest if that is more than `maxM` metres wide or high (core/city/city_position.h).
 Region firstRegion(const LoadedCity& loaded, float maxM = 800);
 
 }  // namespace noonmark

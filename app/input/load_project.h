@@ -13,4 +13,8 @@ bool isProjectFile(const std::string& file);
 /// The project's existing city, with the warnings of reading its files. `file`: the path of the project.
 LoadedCity loadProjectCity(const Project& project, const std::string& file);
 
+/// Starts a project with a city: every building gets a unique id. The sample Central Park South includes the
+/// park and the lots of its case study.
+Project projectOf(const LoadedCity& loaded);
+
 }  // namespace noonmark

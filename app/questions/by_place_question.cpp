@@ -3,12 +3,12 @@
 #include "app/report/book/print_book.h"
 #include "app/report/book/sun_by_place_book.h"
 #include "app/report/files/output_folder.h"
-#include "app/report/files/place_maps.h"
-#include "core/base/progress_share.h"
+#include "app/report/files/saved_files.h"
+#include "core/base/progress.h"
 #include "core/describe/field_checks.h"
 #include "core/describe/text.h"
 #include "core/study/elements/element_tables.h"
-#include "core/study/provenance/provenance_tags.h"
+#include "core/study/provenance/provenance_texts.h"
 #include "scenarios/project/results/save_result.h"
 
 namespace noonmark {

@@ -2,12 +2,13 @@
 #include "app/questions/saved_question.h"
 #include "app/report/book/answer_book.h"
 #include "app/report/files/answer_files.h"
-#include "app/report/sheets/impact_report.h"
-#include "core/base/stopwatch.h"
+#include "app/report/sheets/answer_reports.h"
+#include "core/base/progress.h"
 #include "core/describe/text.h"
 #include "core/study/review_study.h"
 #include "core/study/text/region_text.h"
 #include "scenarios/project/results/save_result.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
@@ -103,6 +104,99 @@ const Question& comparisonQuestion() {
                                    .compute = computeComparison,
                                    .saved = savedMaps<SavedImpact>(pageOfSavedImpact, drawnOfComparison),
                                    .filed = FiledForm{"impact", "impact.json", "impact.pdf"}};
+    return question;
+}
+
+namespace {
+
+std::vector<CommandOption> drawnOfScore(const AnswerFiles& how) {
+    return listLegendOptions(how.legend, true);
+}
+
+/// Wanted shade weighed against unwanted shadow in one scenario.
+class WeighedAnswer final : public AnswerOf<ScoreAnswer> {
+public:
+    WeighedAnswer(std::shared_ptr<const ScoreAnswer> score, double seconds)
+        : AnswerOf(std::move(score)), seconds_(seconds) {}
+
+    [[nodiscard]] const Question& question() const override { return scoreQuestion(); }
+    [[nodiscard]] const StudySettings* settings() const override { return &content().settings; }
+    [[nodiscard]] MeasuredPart part() const override {
+        return {content().scenario, {}, settings()->region, content().weights};
+    }
+    [[nodiscard]] const Warnings& warnings() const override { return content().score.warnings; }
+    [[nodiscard]] double seconds() const override { return seconds_; }
+
+    [[nodiscard]] std::shared_ptr<const Answer> updated(const Project&, const std::string& scenario,
+                                                        const std::string&) const override {
+        if (scenario == content().scenario) return nullptr;
+        auto score = std::make_shared<ScoreAnswer>(content());
+        score->scenario = scenario;
+        return std::make_shared<WeighedAnswer>(std::move(score), seconds_);
+    }
+    [[nodiscard]] std::shared_ptr<const Answer> stated(Provenance provenance) const override {
+        auto score = std::make_shared<ScoreAnswer>(content());
+        score->provenance = std::move(provenance);
+        return std::make_shared<WeighedAnswer>(std::move(score), seconds_);
+    }
+
+    [[nodiscard]] AnswerPage page(ShownAs show) const override {
+        return makePage(content().score, content().scenario, show);
+    }
+    [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
+    [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
+        return drawnOfScore(how);
+    }
+    [[nodiscard]] std::string json() const override { return scoreJson(content()); }
+    [[nodiscard]] SavedResult toSave(const Project& project) const override {
+        return makeSavedResult(project, content());
+    }
+    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles& how) const override {
+        Provenance anyRegion;
+        anyRegion.region = regionFileName;
+        return scoreFileNames(anyRegion, how.sheets);
+    }
+    [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City& city,
+                                                                   const std::filesystem::path& folder,
+                                                                   const AnswerFiles& how) const override {
+        return writeScoreFiles(content(), {city}, folder, how.rules, how.sheets ? &how.book : nullptr,
+                               how.pictureWidth, how.legend);
+    }
+    [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>& city,
+                                                             const AnswerFiles& how) const override {
+        return keepWith(makeScoreBook(content(), {*city}, how.book, how.legend), shared(), city);
+    }
+
+private:
+    double seconds_;
+};
+
+Result<std::shared_ptr<const Answer>> computeWeighed(const Asked& asked, Progress& progress,
+                                                     const std::stop_token& stop) {
+    const Stopwatch watch;
+    ProgressShare whole(progress, 0, 1);  // forwards no partial results: they would cover one month only
+    auto score = runScore(asked.loaded.read.city, asked.settings, *asked.weights, whole, stop,
+                          enginesWith(asked.settings.engine));
+    if (!score) return tl::make_unexpected(score.error());
+    putBefore(score->warnings, asked.loaded.read.warnings);
+    auto answer = std::make_shared<const ScoreAnswer>(
+        ScoreAnswer{asked.scenario, asked.settings, *asked.weights, *std::move(score), asked.provenance});
+    return std::make_shared<WeighedAnswer>(std::move(answer), watch.seconds());
+}
+
+AnswerPage pageOfSavedScore(const SavedScore& score, const SavedContent& saved, ShownAs show) {
+    return makePage(score.score, saved.result->scenario, show);
+}
+
+}  // namespace
+
+const Question& scoreQuestion() {
+    static const Question question{.key = "score",
+                                   .label = NM_TEXT("Score"),
+                                   .ofRun = false,
+                                   .compute = computeWeighed,
+                                   .saved = savedMaps<SavedScore>(pageOfSavedScore, drawnOfScore),
+                                   .filed = FiledForm{"score", "score.json", "score.pdf"}};
     return question;
 }
 

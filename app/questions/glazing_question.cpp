@@ -1,12 +1,12 @@
 #include "app/questions/glazing_question.h"
 
 #include "app/questions/saved_question.h"
-#include "app/report/files/glazing_files.h"
+#include "app/report/files/element_files.h"
 #include "core/base/memory_guard.h"
 #include "core/describe/text.h"
 #include "core/study/glazing/glazing_text.h"
 #include "core/study/review_figures.h"
-#include "core/study/text/warnings_json.h"
+#include "core/study/text/error_words.h"
 #include "scenarios/project/results/save_result.h"
 
 namespace noonmark {

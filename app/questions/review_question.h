@@ -11,7 +11,7 @@
 #include "app/questions/question.h"
 #include "app/report/book/review/review_book.h"
 #include "core/io/files/check_output.h"
-#include "core/measures/place_screening.h"
+#include "core/measures/places/place_screening.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark {

@@ -16,7 +16,7 @@ std::vector<std::string> listChanges(const SavedContent& saved) {
     return all;
 }
 
-// Its JSON states it, or why there is none (addRepeat() in provenance_json.h).
+// Its JSON states it, or why there is none (addRepeat() in provenance_texts.h).
 Result<std::string> commandOf(const SavedResult& result) {
     const auto json = nlohmann::ordered_json::parse(result.settings, nullptr, false);
     const auto textOf = [&](const char* key) {

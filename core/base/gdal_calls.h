@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -9,10 +10,32 @@
 
 namespace noonmark {
 
-/// RAII guard around calls to GDAL. It makes sure that GDAL is set up for untrusted files (gdal_setup.h), and
-/// it collects GDAL's messages on this thread instead of letting GDAL print them. It is a StopScope:
-/// after a stop request every file that GDAL reads on this thread is at its end (gdal_files.h), since no
-/// driver can be stopped in another way. Backend: gdal_calls_gdal.cpp.
+/// Makes GDAL read plain files only, whatever a file or its companions name: a pipe or a device, which may
+/// block for ever, is refused. After a stop request to this thread's StopScope every file ends at once, so
+/// that drivers which read a whole file give up. Part of setUpGdal(). Backend: gdal_calls_gdal.cpp.
+void confineGdalFiles();
+
+/// While it lives, GDAL opens on this thread only files in one folder and below, and those that GDAL itself
+/// came with: a schema or an overview that a file names elsewhere stays closed.
+class FolderOfGdal {
+public:
+    explicit FolderOfGdal(const std::filesystem::path& folder);
+    ~FolderOfGdal();
+    FolderOfGdal(const FolderOfGdal&) = delete;
+    FolderOfGdal& operator=(const FolderOfGdal&) = delete;
+
+    /// Whether this thread may open the file.
+    [[nodiscard]] static bool admits(const std::filesystem::path& file);
+
+private:
+    std::filesystem::path folder_;
+    const FolderOfGdal* outer_;
+};
+
+/// RAII guard around calls to GDAL. It makes sure that GDAL is set up for untrusted files
+/// (gdal_calls_gdal.cpp), and it collects GDAL's messages on this thread instead of letting GDAL print them.
+/// It is a StopScope: after a stop request every file that GDAL reads on this thread is at its end
+/// (gdal_calls.h), since no driver can be stopped in another way. Backend: gdal_calls_gdal.cpp.
 class GdalCalls {
 public:
     explicit GdalCalls(std::stop_token stop = {});
@@ -36,5 +59,13 @@ private:
     std::vector<std::string> complaints_;
     std::string why_ = "no reason was given";
 };
+
+/// Confines PROJ to the files of its own folders, whatever a coordinate reference system names: parameters
+/// such as +init=FILE and +nadgrids=FILE, which come from untrusted files through GDAL's drivers too, open
+/// nothing else, and nothing is written. Call it before GDAL or PROJ is used. Backend: gdal_calls_proj.cpp.
+void confineProj();
+
+/// Whether one of PROJ's own folders holds a plain file of that name: "proj.db", "us_noaa_conus.tif".
+[[nodiscard]] bool isProjFile(const std::string& name);
 
 }  // namespace noonmark

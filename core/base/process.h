@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 namespace noonmark {
@@ -20,5 +21,11 @@ bool isTerminal(StandardStream stream);
 /// A write beyond the size that the user allows files to have (ulimit -f) fails from now on, and is reported
 /// as any other; by itself the system would end the process with SIGXFSZ.
 void letLargeWritesFail();
+
+/// Memory of at least this many bytes, not initialised and aligned to 2 MB, so that the system can map it in
+/// huge pages: with few page faults, and few entries of the processor's table of pages. Throws
+/// std::bad_alloc. Free it with freeHugePages().
+[[nodiscard]] void* allocateHugePages(std::size_t bytes);
+void freeHugePages(void* memory);
 
 }  // namespace noonmark

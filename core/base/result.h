@@ -1,7 +1,7 @@
 #pragma once
 
 // The folder core/base holds what every other folder uses: Result and Error (this file), Warnings about
-// single features (warnings.h), Progress (progress.h, progress_share.h), units (units.h), Stopwatch, the
+// single features (warnings.h), Progress (progress.h), units (units.h), Stopwatch, the
 // program's version, whole numbers from untrusted JSON (json_number.h), and the guard that every call to GDAL
 // needs (gdal_calls.h). It includes no other folder of core.
 

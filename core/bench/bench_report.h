@@ -1,11 +1,7 @@
 #pragma once
 
-// The folder core/bench measures the engines. contests/ runs engines against each other on equal terms:
-// sites, periods, timing, deadlines, errors against the ray reference. paper/ repeats the paper's experiments
-// with these contests, horizon/ measures the horizon sweep and projected shadows. Every experiment returns a
-// Finding (finding.h) with a table (table.h) and charts (chart.h); BenchReport (this file) collects them.
-// Extent (extent.h) says how much is measured, Work (work.h) carries progress, stop and time limit.
-
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +9,30 @@
 #include "core/bench/finding.h"
 
 namespace noonmark::bench {
+
+/// Peak memory of the process while `work` runs, minus its memory before, bytes, as the system counts pages
+/// (resident set; Linux). Memory that the process freed before is returned to the system first, so that it
+/// does not hide what `work` takes. Nothing if the system does not provide these numbers. Memory of other
+/// threads counts too.
+std::optional<std::uint64_t> measurePeakMemory(const std::function<void()>& work);
+
+/// The machine's properties that times depend on.
+struct Machine {
+    std::string processor;  ///< the model's name from the system; "unknown processor" if it gives none
+    int threads = 1;        ///< number of threads that the engines use
+};
+
+/// The machine that runs the program.
+Machine detectMachine();
+
+/// "AMD EPYC, 2 threads"
+std::string describeMachine(const Machine& machine);
+
+// The folder core/bench measures the engines. contests/ runs engines against each other on equal terms:
+// sites, periods, timing, deadlines, errors against the ray reference. paper/ repeats the paper's experiments
+// with these contests, horizon/ measures the horizon sweep and projected shadows. Every experiment returns a
+// Finding (finding.h) with a table (finding.h) and charts (finding.h); BenchReport (this file) collects them.
+// Extent (work.h) says how much is measured, Work (work.h) carries progress, stop and time limit.
 
 /// What a ratio or an error should reach on any machine.
 struct Target {

@@ -3,12 +3,53 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "core/bench/chart.h"
-#include "core/bench/table.h"
-
 namespace noonmark::bench {
+
+/// A number, a word, or nothing: a value that was not measured is empty, never zero.
+using TableCell = std::variant<std::monostate, double, std::string>;
+
+/// The result of an experiment for further use: one row per measurement.
+struct Table {
+    std::vector<std::string> columns;          ///< lower case, unit at the end: "time_s"
+    std::vector<std::vector<TableCell>> rows;  ///< each as long as `columns`
+};
+
+/// RFC 4180, lines end in \n, decimal points, a header row with the column names. Numbers have enough digits
+/// to be read back exactly.
+std::string toCsv(const Table& table);
+
+/// The content of a chart, independent of how it is drawn.
+struct ChartPoint {
+    double x = 0;
+    double y = 0;
+    std::string label;  ///< beside the point; may be empty
+};
+
+struct ChartSeries {
+    std::string name;      ///< name in the legend; series of one name share an entry
+    std::string colourOf;  ///< series with the same word have the same colour in every chart; empty: ink
+    std::vector<ChartPoint> points;
+    bool joined = true;      ///< points are joined by lines, in their order
+    bool marked = true;      ///< each point has a marker
+    bool estimated = false;  ///< hollow markers, dashed lines: estimated from a sample, or a published value
+};
+
+struct ChartAxis {
+    std::string label;  ///< with its unit
+    bool logarithmic = false;
+    bool fromZero = false;  ///< a linear axis that must show zero
+    bool whole = false;     ///< a linear axis of whole numbers
+};
+
+struct Chart {
+    std::string title;
+    ChartAxis x;
+    ChartAxis y;
+    std::vector<ChartSeries> series;
+};
 
 /// A small table for the page, as text: our values and the paper's side by side.
 struct Comparison {

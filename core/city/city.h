@@ -2,10 +2,10 @@
 
 // The folder core/city is the model of a city: City holds Buildings, Buildings hold Parts (building.h), and a
 // part is a prism over a footprint or a mesh. Footprints are polygons in plan (footprints/), meshes are
-// triangles (meshes/), the ground is in terrain/. settle_parts.h decides which raised parts are overhangs,
-// height_counts.h counts the sources of heights, map_context.h holds streets, parks and water, which are
-// drawn (water is no ground either), and city_observer.h places the observer who sees the sun. Readers of
-// files are in core/io.
+// triangles (meshes/), the ground is in terrain/. build_footprints.h decides which raised parts are
+// overhangs, building_heights.h counts the sources of heights, map_context.h holds streets, parks and water,
+// which are drawn (water is no ground either), and city_position.h places the observer who sees the sun.
+// Readers of files are in core/io.
 
 #include <cstdint>
 #include <memory>

@@ -9,9 +9,16 @@
 #include <vector>
 
 #include "core/city/footprints/footprint.h"
-#include "core/city/ground_raster.h"
+#include "core/geo/grid.h"
 
 namespace noonmark {
+
+/// A picture of the ground, such as an aerial photograph: drawn for orientation, nothing is measured on it.
+struct GroundRaster {
+    Grid grid;
+    std::vector<std::uint8_t>
+        rgba;  ///< four bytes a cell, grid order; alpha not multiplied in, 0: no picture
+};
 
 /// What a feature of the map is. The order is that in which areas and lines are drawn.
 enum class ContextKind : std::uint8_t {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/csv_text.h"
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 #include "core/describe/figure.h"
 
 namespace noonmark {

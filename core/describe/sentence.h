@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 #include "core/describe/figure.h"
 
 namespace noonmark {

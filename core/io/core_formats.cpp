@@ -8,7 +8,6 @@
 #include "core/io/formats/format.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/osm/read_osm_buildings.h"
-#include "core/io/osm/read_osm_footprints.h"
 #include "core/io/pieces/read_part.h"
 
 namespace noonmark {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/geo/lon_lat_box.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/read_city.h"
 
 namespace noonmark {

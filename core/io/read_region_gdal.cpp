@@ -13,9 +13,9 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/describe/text.h"
-#include "core/io/files/fold_text.h"
 #include "core/io/files/open_dataset.h"
-#include "core/io/footprints/polygon_layer.h"
+#include "core/io/files/readable_text.h"
+#include "core/io/footprints/ogr_polygons.h"
 
 namespace noonmark {
 

@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "core/base/warnings.h"
 #include "core/city/city.h"
-#include "core/io/styles/layer_style.h"
+#include "core/io/styles/qgis_style.h"
 
 namespace noonmark {
 

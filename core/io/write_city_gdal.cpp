@@ -9,10 +9,10 @@
 #include "core/base/gdal_calls.h"
 #include "core/city/terrain/building_ground.h"
 #include "core/city/trees/tree.h"
-#include "core/geo/earth_drop.h"
-#include "core/geo/longitude.h"
-#include "core/io/files/pending_file.h"
-#include "core/io/styles/layer_style_gdal.h"
+#include "core/geo/frame.h"
+#include "core/geo/lon_lat.h"
+#include "core/io/files/write_text.h"
+#include "core/io/styles/qgis_style.h"
 #include "core/io/write_city.h"
 
 namespace noonmark {

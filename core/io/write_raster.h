@@ -9,7 +9,7 @@
 #include "core/base/result.h"
 #include "core/geo/frame.h"
 #include "core/geo/grid.h"
-#include "core/io/files/file_tags.h"
+#include "core/io/files/write_text.h"
 
 namespace noonmark {
 

@@ -10,7 +10,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/files/open_dataset.h"
-#include "core/io/files/pending_file.h"
+#include "core/io/files/write_text.h"
 #include "core/io/write_raster.h"
 
 namespace noonmark {

@@ -5,12 +5,12 @@
 #include <span>
 
 #include "core/engines/api/shadow_field.h"
-#include "core/measures/sampled_error.h"
+#include "core/measures/error_sample.h"
 #include "core/measures/statistics.h"
 
 namespace noonmark {
 
-// Whether the longest runs were counted (core/engines/api/shadow_counts.h). If not, minutes of continuous
+// Whether the longest runs were counted (core/engines/api/shadow_field.h). If not, minutes of continuous
 // shadow are NaN in every cell and every statistic, and nothing is displayed or written for them.
 
 /// For a map of continuous minutes, or of their change. Reads as far as the first number; reads all cells if

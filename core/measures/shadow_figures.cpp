@@ -11,7 +11,7 @@
 
 #include "core/describe/text.h"
 #include "core/measures/has_runs.h"
-#include "core/measures/histogram.h"
+#include "core/measures/statistics.h"
 
 namespace noonmark {
 

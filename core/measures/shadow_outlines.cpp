@@ -6,10 +6,9 @@
 #include <numeric>
 
 #include "core/base/memory_guard.h"
-#include "core/base/progress_share.h"
-#include "core/measures/outlines/level_outlines.h"
-#include "core/measures/outlines/traced_outlines.h"
-#include "core/receivers/city_above_plane.h"
+#include "core/base/progress.h"
+#include "core/measures/outlines/moment_outlines.h"
+#include "core/receivers/roof_receivers.h"
 
 namespace noonmark {
 

@@ -9,7 +9,7 @@
 
 #include "core/describe/figure.h"
 #include "core/describe/sentence.h"
-#include "core/measures/sampled_error.h"
+#include "core/measures/error_sample.h"
 
 namespace noonmark {
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <map>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -9,13 +12,24 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/city/building_heights.h"
 #include "core/city/city.h"
-#include "core/city/storeys.h"
 #include "core/receivers/points/glazing_pane.h"
 #include "core/receivers/region.h"
-#include "core/receivers/surface_points.h"
 
 namespace noonmark {
+
+/// Receiver points on any surface: ground, roofs, facades, terrain. Two arrays of the same size; neighbours
+/// in the arrays should be neighbours in space, or engines are slower.
+struct SurfacePoints {
+    std::vector<glm::vec3> positions;  ///< local metres, on the surface
+    std::vector<glm::vec3> normals;    ///< unit vectors, outward from the surface
+    /// Position of the viewer. Engines that rasterise give more of their resolution to the surroundings of
+    /// this position; without it, all points get the same.
+    std::optional<glm::vec3> eye;
+
+    [[nodiscard]] std::size_t size() const { return positions.size(); }
+};
 
 /// What a point receiver belongs to.
 enum class ElementKind : std::uint8_t { facade, window, plane, point };

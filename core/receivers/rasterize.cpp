@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/city/footprints/crossing.h"
+#include "core/city/footprints/footprint.h"
 
 namespace noonmark {
 

@@ -9,6 +9,19 @@
 
 namespace noonmark {
 
+/// Whether a box intersects the cells of a grid, edges included.
+inline bool overlaps(const Box2& box, const Grid& grid) {
+    return !box.empty() && double(box.low.x) <= grid.eastM() && double(box.high.x) >= grid.westM &&
+           double(box.low.y) <= grid.northM() && double(box.high.y) >= grid.southM;
+}
+
+/// The square of a cell, by its number in grid order.
+inline Box2 cellBox(const Grid& grid, std::size_t cell) {
+    const glm::vec2 low(float(grid.westM + double(cell % std::size_t(grid.columns)) * grid.cellM),
+                        float(grid.southM + double(cell / std::size_t(grid.columns)) * grid.cellM));
+    return {low, low + float(grid.cellM)};
+}
+
 /// Calls `fill(row, firstColumn, endColumn)` for every run of cells whose centres lie in the footprint, by
 /// the half-open rule of `contains`: footprints that share an edge never share a cell. Crossings are computed
 /// in double; rings may have any orientation (even-odd). O(edges x rows they span).

@@ -7,9 +7,8 @@
 #include <limits>
 
 #include "core/city/map_context.h"
-#include "core/city/terrain/ground_contact.h"
+#include "core/city/terrain/building_ground.h"
 #include "core/describe/text.h"
-#include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {

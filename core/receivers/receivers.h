@@ -2,7 +2,7 @@
 
 // The folder core/receivers says where shadow is measured. Region (region.h) is the area of a study;
 // Receivers (this file) are the cells of a grid over it, on the ground or on roofs (roof_receivers.h);
-// SurfacePoints (surface_points.h) are points on any surface. rasterize.h turns polygons into cells,
+// SurfacePoints (point_receivers.h) are points on any surface. rasterize.h turns polygons into cells,
 // tile_plan.h divides a large grid into tiles.
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace noonmark {
 
 enum class CellKind : std::uint8_t {
     outside,   ///< its centre is not in the region, or no shadow is measured there
-    building,  ///< its centre is where a part touches the ground (core/city/terrain/ground_contact.h)
+    building,  ///< its centre is where a part touches the ground (core/city/terrain/building_ground.h)
     ground,    ///< a receiver
     roof,      ///< a receiver on top of a building
     water,     ///< its centre is on water of the city's map, and in no building: no receiver

@@ -1,13 +1,24 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
+#include "core/city/city.h"
 #include "core/describe/choice.h"
 #include "core/describe/text.h"
 #include "core/receivers/receivers.h"
 
 namespace noonmark {
+
+/// What of a city stands above a horizontal plane, lowered by its height, so that the plane becomes level
+/// ground, on which the exact engines work. `planeM`: metres above the ground, at least 0. Buildings wholly
+/// below the plane are left out. Nothing where the city has terrain or a mesh: there, receivers must be
+/// raised instead (raiseToPlane()).
+std::optional<City> cutAbovePlane(const City& city, double planeM);
+
+/// Raises all receivers to a horizontal plane, metres above the mean of the ground under them.
+void raiseToPlane(Receivers& receivers, double planeM);
 
 inline constexpr std::array receiverPlaceChoices{
     Choice{ReceiverPlaces::ground, "ground", NM_TEXT("on the ground")},

@@ -4,9 +4,8 @@
 #include <utility>
 
 #include "core/city/meshes/mesh_outline.h"
-#include "core/samples/block_buildings.h"
-#include "core/samples/central_park_streets.h"
-#include "core/samples/central_park_towers.h"
+#include "core/samples/central_park.h"
+#include "core/samples/lot_building.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/samples/block_buildings.h"
+#include "core/samples/lot_building.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark {

@@ -4,11 +4,96 @@
 #include <utility>
 
 #include "core/city/footprints/repair_footprint.h"
-#include "core/samples/lot_forms.h"
+#include "core/samples/street_axes.h"
 
 namespace noonmark {
 
 namespace {
+
+/// A floor plan on a lot, in the lot's own axes: x along the street, y from the street inwards, metres, both
+/// from 0. An outline counter-clockwise, then holes clockwise.
+using Plan = std::vector<StreetPolygon>;
+
+struct LotSize {
+    double width, depth;
+};
+
+StreetPolygon rectangle(double west, double south, double east, double north) {
+    return cornersOf({west, south, east, north});
+}
+
+StreetPolygon mirror(StreetPolygon outline, double width) {
+    for (glm::dvec2& point : outline) point.x = width - point.x;
+    return {outline.rbegin(), outline.rend()};
+}
+
+double builtDepth(LotSize lot, SampleRandom& random) { return lot.depth * random.between(0.6, 0.9); }
+
+/// Plans that fill the lot's street front from side to side, so that neighbours share party walls. A yard
+/// behind them stays free.
+Plan rowPlan(LotSize lot, SampleRandom& random) {
+    return {rectangle(0, 0, lot.width, builtDepth(lot, random))};
+}
+
+Plan lPlan(LotSize lot, SampleRandom& random) {
+    const double front = lot.depth * random.between(0.4, 0.6);
+    const double wing = lot.width * random.between(0.35, 0.6);
+    const double back = lot.depth * random.between(0.8, 0.98);
+    StreetPolygon outline{{0, 0}, {lot.width, 0}, {lot.width, front}, {wing, front}, {wing, back}, {0, back}};
+    return {random.chance(0.5) ? mirror(std::move(outline), lot.width) : std::move(outline)};
+}
+
+Plan uPlan(LotSize lot, SampleRandom& random) {
+    const double front = lot.depth * random.between(0.35, 0.55);
+    const double back = lot.depth * random.between(0.85, 1);
+    const double west = lot.width * random.between(0.25, 0.35);
+    const double east = lot.width * random.between(0.65, 0.75);
+    return {{{0, 0},
+             {lot.width, 0},
+             {lot.width, back},
+             {east, back},
+             {east, front},
+             {west, front},
+             {west, back},
+             {0, back}}};
+}
+
+Plan courtPlan(LotSize lot, SampleRandom& random) {
+    const double back = lot.depth * random.between(0.9, 1);
+    const double sideWing = lot.width * random.between(0.28, 0.36);
+    const double depthWing = back * random.between(0.28, 0.36);
+    const StreetPolygon court = rectangle(sideWing, depthWing, lot.width - sideWing, back - depthWing);
+    return {rectangle(0, 0, lot.width, back), {court.rbegin(), court.rend()}};
+}
+
+/// A front that bulges towards the street, with `points` points between its ends.
+Plan bowedPlan(LotSize lot, int points, SampleRandom& random) {
+    const double bulge = random.between(0.8, 2);
+    const double back = builtDepth(lot, random);
+    StreetPolygon outline{{0, bulge}};
+    for (int i = 1; i <= points; ++i) {
+        const double x = double(i) / (points + 1);
+        outline.emplace_back(lot.width * x, bulge * (2 * x - 1) * (2 * x - 1));
+    }
+    for (const glm::dvec2 corner : {glm::dvec2{lot.width, bulge}, {lot.width, back}, {0, back}})
+        outline.push_back(corner);
+    return {outline};
+}
+
+/// A rectangle `insetM` inside another plan's bounds on every side.
+Plan insetPlan(LotSize lot, double insetM) {
+    return {rectangle(insetM, insetM, lot.width - insetM, lot.depth - insetM)};
+}
+
+/// A circle in the middle of the lot, as a polygon with `sides` sides.
+Plan roundPlan(LotSize lot, double radiusM, int sides) {
+    StreetPolygon outline;
+    for (int i = 0; i < sides; ++i) {
+        const auto [sine, cosine] = sameSineCosine(double(i) / sides);
+        outline.emplace_back(lot.width / 2 + radiusM * cosine, lot.depth / 2 + radiusM * sine);
+    }
+    return {outline};
+}
 
 /// Makes parts of a lot's plans: transforms the lot's axes to the streets' and to the local frame.
 class Builder {
@@ -136,6 +221,39 @@ Building buildOnLot(const Lot& lot, const LotBuildingSettings& settings, const S
     building.status = "built";
     building.parts = Builder(lot, settings, axes, random).build();
     return building;
+}
+
+namespace {
+
+constexpr double maxSlender = 9;  // height over width
+
+std::vector<Lot> freeLots(const StreetBox& block, const BlockSettings& settings, SampleRandom& random) {
+    std::vector<Lot> lots = cutIntoLots(block, settings.widths, random);
+    for (const SkewedAvenue& avenue : settings.avenues) lots = cutBy(avenue, std::move(lots));
+    std::erase_if(lots, [&](const Lot& lot) {
+        return std::any_of(settings.cleared.begin(), settings.cleared.end(),
+                           [&](const StreetBox& box) { return box.overlaps(lot.box); });
+    });
+    return lots;
+}
+
+double heightOn(const Lot& lot, const BlockSettings& settings, SampleRandom& random) {
+    const double height = random.logNormal(settings.medianHeightM(lot.box.middle()), settings.heightSigma);
+    const double highest = std::min(settings.highestM, maxSlender * lot.box.width());
+    return std::clamp(height, settings.lowestM, std::max(settings.lowestM, highest));
+}
+
+}  // namespace
+
+std::vector<Building> buildOnLots(const StreetBox& block, const BlockSettings& settings,
+                                  const StreetAxes& axes, SampleRandom& random) {
+    std::vector<Building> buildings;
+    for (const Lot& lot : freeLots(block, settings, random)) {
+        const LotBuildingSettings one{heightOn(lot, settings, random), settings.roundness};
+        Building building = buildOnLot(lot, one, axes, random);
+        if (!building.parts.empty()) buildings.push_back(std::move(building));
+    }
+    return buildings;
 }
 
 }  // namespace noonmark

@@ -4,7 +4,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/city/trees/tree.h"
-#include "core/measures/place_run.h"
+#include "core/measures/places/place_run.h"
 
 namespace noonmark {
 

@@ -10,8 +10,8 @@
 #include "core/base/warnings.h"
 #include "core/city/city.h"
 #include "core/engines/api/engine.h"
-#include "core/measures/place_sums.h"
-#include "core/measures/place_timeline.h"
+#include "core/measures/places/place_sums.h"
+#include "core/measures/places/place_timeline.h"
 #include "core/receivers/place.h"
 #include "core/sun/period.h"
 

@@ -32,4 +32,18 @@ Result<std::vector<PointCaseFigures>> measurePointCases(const std::vector<PointC
                                                         const PointQuestion& question,
                                                         const std::stop_token& stop);
 
+/// The seasons in which steps that were lit are in shadow, most minutes first. The days are those of one
+/// year, whose end joins its beginning.
+std::vector<SeasonOfLoss> findLosses(const ShadedSteps& before, const ShadedSteps& after, const SunSteps& sun,
+                                     const Zone& zone);
+
+struct SettledPoint {
+    SkyPoint point;
+    bool onRoof = false;
+};
+
+/// Where the point of a question is in a city: on the ground or the roof, or at its height. Its normal is
+/// level towards `facingDeg`, or up. Error: it is inside a building or an overhang. O(parts).
+Result<SettledPoint> settlePoint(const City& city, const PointQuestion& question);
+
 }  // namespace noonmark

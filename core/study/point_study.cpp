@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/stopwatch.h"
-#include "core/city/city_observer.h"
-#include "core/study/point_losses.h"
-#include "core/study/settle_point.h"
+#include "core/base/progress.h"
+#include "core/city/city_position.h"
+#include "core/study/point_cases.h"
 
 namespace noonmark {
 

@@ -7,9 +7,8 @@
 #include <map>
 #include <set>
 
-#include "core/receivers/city_above_plane.h"
-#include "core/receivers/parcels/line_belts.h"
-#include "core/receivers/plane_receivers.h"
+#include "core/receivers/parcels/parcel_lines.h"
+#include "core/receivers/roof_receivers.h"
 #include "core/study/elements/element_fields.h"
 
 namespace noonmark {

@@ -5,8 +5,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/measures/place_receivers.h"
-#include "core/measures/place_run.h"
+#include "core/measures/places/place_receivers.h"
+#include "core/measures/places/place_run.h"
 #include "core/study/review_study.h"
 
 namespace noonmark {

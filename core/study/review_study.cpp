@@ -2,20 +2,26 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/progress_share.h"
 #include "core/city/trees/tree.h"
 #include "core/engines/auto_engine.h"
-#include "core/measures/place_run.h"
-#include "core/measures/place_sums.h"
+#include "core/measures/places/place_run.h"
+#include "core/measures/places/place_sums.h"
 #include "core/review/criteria/worst_spots.h"
-#include "core/study/not_checked.h"
 #include "core/study/prepare_review.h"
 
 namespace noonmark {
+
+std::vector<std::string> listUnchecked(const Rule& rule, const City& city) {
+    std::vector<std::string> all = rule.notChecked;
+    if (!city.terrain) all.emplace_back("Slopes: there is no terrain, so the ground is taken as flat");
+    if (!rule.occluders.terrain && city.terrain)
+        all.emplace_back("The rule leaves terrain out; here terrain casts shadow");
+    if (rule.occluders.trees) all.emplace_back("The rule counts trees; the city has none");
+    return all;
+}
 
 namespace {
 

@@ -11,11 +11,16 @@
 #include "core/city/city.h"
 #include "core/describe/field.h"
 #include "core/engines/api/engine.h"
-#include "core/measures/place_timeline.h"
+#include "core/measures/places/place_timeline.h"
 #include "core/review/places/place_review.h"
+#include "core/review/rule/rule.h"
 #include "core/review/rule/rule_days.h"
 
 namespace noonmark {
+
+/// What a review of places or windows leaves unchecked: what the rule states, and what it asks of the city
+/// that the city does not have.
+std::vector<std::string> listUnchecked(const Rule& rule, const City& city);
 
 struct ReviewSettings {
     double cellM = 1;  ///< 0.25 to 10

@@ -6,13 +6,13 @@
 #include <array>
 #include <glm/common.hpp>
 
-#include "core/base/progress_share.h"
+#include "core/base/progress.h"
 #include "core/measures/outlines/day_isochrones.h"
 #include "core/measures/outlines/shadow_fan.h"
-#include "core/measures/place_run.h"
-#include "core/receivers/parcels/line_belts.h"
+#include "core/measures/places/place_run.h"
+#include "core/receivers/parcels/parcel_lines.h"
 #include "core/study/prepare_review.h"
-#include "core/sun/chosen_days.h"
+#include "core/sun/sun_steps.h"
 
 namespace noonmark {
 

@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/io/shadows/shadow_drawing.h"
-#include "core/review/rule/rule_moments.h"
+#include "core/review/rule/rule_days.h"
 #include "core/study/review_study.h"
 
 namespace noonmark {

@@ -7,18 +7,16 @@
 #include <utility>
 
 #include "core/base/memory_guard.h"
-#include "core/base/stopwatch.h"
-#include "core/city/city_observer.h"
+#include "core/base/progress.h"
+#include "core/city/city_position.h"
 #include "core/city/trees/tree.h"
 #include "core/describe/text.h"
 #include "core/engines/common/engine_in_use.h"
 #include "core/engines/shade_trees.h"
-#include "core/measures/compared_cells.h"
 #include "core/measures/error_sample.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/study/breakdown_check.h"
-#include "core/study/memory_need.h"
-#include "core/sun/zone_question.h"
+#include "core/study/study_cost.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 // The folder core/study answers one question: the shadow over a region, in a period, by an engine. runStudy()
-// (this file) runs the steps and returns a Study; memory_need.h and terrain_coverage.h refuse studies that
-// cannot succeed, remaining_time.h estimates the remaining time. tiles/ does the same for regions that do not
+// (this file) runs the steps and returns a Study; study_cost.h and terrain_coverage.h refuse studies that
+// cannot succeed, study_cost.h estimates the remaining time. tiles/ does the same for regions that do not
 // fit into memory. text/ turns results into JSON, CSV and words, provenance/ records what a result was made
 // from.
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/engines/api/engine_registry.h"
-#include "core/engines/api/tree_columns.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/engines/horizon/attribution/horizon_breakdown.h"
 #include "core/io/read_city.h"
 #include "core/measures/error_sample.h"
@@ -90,7 +90,7 @@ struct SunFrameFacts {
     double convergenceDeg = 0;    ///< angle of the observer's north from the frame's +y, clockwise positive
     double tiltDeg = 0;           ///< angle of the observer's vertical from the frame's z; 0 on flat ground
     double farthestM = 0;         ///< from the observer to the farthest corner of the region
-    double verticalErrorDeg = 0;  ///< the largest error, at that corner (core/city/city_observer.h)
+    double verticalErrorDeg = 0;  ///< the largest error, at that corner (core/city/city_position.h)
 };
 SunFrameFacts computeSunFrame(const City& city, const StudySettings& settings);
 

@@ -1,8 +1,8 @@
 #include "core/sun/civil_time.h"
 
 #include <fmt/format.h>
-
 #include <cstdlib>
+#include <optional>
 
 namespace noonmark {
 
@@ -35,6 +35,141 @@ std::string formatText(CivilDate date) {
 
 std::string formatText(minutes timeOfDay) {
     return fmt::format("{:02}:{:02}", timeOfDay.count() / 60, timeOfDay.count() % 60);
+}
+
+namespace {
+
+/// Takes fields of digits from the left of a text.
+class TextReader {
+public:
+    explicit TextReader(std::string_view text) : rest_(text) {}
+
+    /// Exactly `count` digits; -1 if there are fewer.
+    int digits(std::size_t count) {
+        if (rest_.size() < count) return -1;
+        int value = 0;
+        for (const char c : rest_.substr(0, count)) {
+            if (c < '0' || c > '9') return -1;
+            value = value * 10 + (c - '0');
+        }
+        rest_.remove_prefix(count);
+        return value;
+    }
+
+    bool takeIf(char c) {
+        if (!rest_.starts_with(c)) return false;
+        rest_.remove_prefix(1);
+        return true;
+    }
+
+    [[nodiscard]] bool atEnd() const { return rest_.empty(); }
+    [[nodiscard]] std::string_view rest() const { return rest_; }
+
+private:
+    std::string_view rest_;
+};
+
+tl::unexpected<Error> badText(std::string_view text, std::string_view kind, std::string advice) {
+    return failure(fmt::format("\"{}\" is not a {}", text, kind), std::string(kind), std::move(advice));
+}
+
+tl::unexpected<Error> notInCalendar(std::string_view text, CivilDate date) {
+    if (!date.month().ok()) return badText(text, "date", "Months run from 01 to 12");
+    const unsigned lastDay = unsigned((date.year() / date.month() / last).day());
+    return badText(
+        text, "date",
+        fmt::format("Month {:02} of {} has {} days", unsigned(date.month()), int(date.year()), lastDay));
+}
+
+/// "09:00", up to "24:00"
+std::optional<milliseconds> takeTime(TextReader& fields) {
+    const int hour = fields.digits(2);
+    if (hour < 0 || !fields.takeIf(':')) return std::nullopt;
+    const int minute = fields.digits(2);
+    if (hour > 24 || minute < 0 || minute > 59 || (hour == 24 && minute > 0)) return std::nullopt;
+    return hours{hour} + minutes{minute};
+}
+
+/// ":30", ":30.5"; 0 if there is none.
+std::optional<milliseconds> takeSeconds(TextReader& fields) {
+    if (!fields.takeIf(':')) return 0ms;
+    const int second = fields.digits(2);
+    if (second < 0 || second > 59) return std::nullopt;
+    milliseconds value = seconds{second};
+    if (!fields.takeIf('.')) return value;
+    milliseconds unit = 100ms;
+    int digit = fields.digits(1);
+    if (digit < 0) return std::nullopt;
+    for (; digit >= 0; digit = fields.digits(1), unit /= 10) value += digit * unit;
+    return value;
+}
+
+/// "-07:00", "-0700", "-07", "Z"
+std::optional<minutes> takeOffset(TextReader& fields) {
+    if (fields.takeIf('Z') || fields.takeIf('z')) return 0min;
+    const bool west = fields.takeIf('-');
+    if (!west && !fields.takeIf('+')) return std::nullopt;
+    const int hour = fields.digits(2);
+    const bool hasMinutes = fields.takeIf(':') || !fields.atEnd();
+    const int minute = hasMinutes ? fields.digits(2) : 0;
+    if (hour < 0 || hour > 23 || minute < 0 || minute > 59) return std::nullopt;
+    const minutes offset = hours{hour} + minutes{minute};
+    return west ? -offset : offset;
+}
+
+constexpr auto instantAdvice = "Write it like 2003-10-17T12:30:30-07:00, or without the offset";
+
+/// Parses what follows the date and the T: time, seconds, offset.
+Result<Instant> instantOn(CivilDate date, std::string_view time, const Zone& zone, std::string_view whole) {
+    TextReader fields(time);
+    const auto minute = takeTime(fields);
+    const auto second = minute ? takeSeconds(fields) : std::nullopt;
+    if (!second || *minute + *second > 24h) return badText(whole, "date and time", instantAdvice);
+    const auto wallClock = local_days{date} + *minute + *second;
+    if (fields.atEnd()) {
+        const auto wholeSecond = floor<seconds>(wallClock);
+        return zone.instantOf(wholeSecond) + (wallClock - wholeSecond);
+    }
+    const auto offset = takeOffset(fields);
+    if (!offset || !fields.atEnd()) return badText(whole, "date and time", instantAdvice);
+    return Instant{wallClock.time_since_epoch()} - *offset;
+}
+
+}  // namespace
+
+Result<CivilDate> parseDate(std::string_view text) {
+    constexpr auto advice = "Write it like 2026-03-21: year, month, day";
+    TextReader fields(text);
+    const int year = fields.digits(4);
+    const bool firstDash = fields.takeIf('-');
+    const int month = fields.digits(2);
+    const bool secondDash = fields.takeIf('-');
+    const int day = fields.digits(2);
+    const bool complete = year >= 0 && firstDash && month >= 0 && secondDash && day >= 0 && fields.atEnd();
+    if (!complete) return badText(text, "date", advice);
+    const CivilDate date{std::chrono::year{year}, std::chrono::month{unsigned(month)},
+                         std::chrono::day{unsigned(day)}};
+    if (!date.ok()) return notInCalendar(text, date);
+    return date;
+}
+
+Result<minutes> parseTimeOfDay(std::string_view text) {
+    constexpr auto advice = "Write it like 09:00, from 00:00 to 24:00";
+    const std::string padded = fmt::format("{}{}", text.find(':') == 1 ? "0" : "", text);
+    TextReader fields(padded);
+    const auto time = takeTime(fields);
+    if (!time || !fields.atEnd()) return badText(text, "time of day", advice);
+    return duration_cast<minutes>(*time);
+}
+
+Result<Instant> parseInstant(std::string_view text, const Zone& zone) {
+    constexpr std::size_t dateLength = 10;
+    const bool separated =
+        text.size() > dateLength && std::string_view("Tt ").find(text[dateLength]) != std::string_view::npos;
+    if (!separated) return badText(text, "date and time", instantAdvice);
+    const auto date = parseDate(text.substr(0, dateLength));
+    if (!date) return tl::make_unexpected(date.error());
+    return instantOn(*date, text.substr(dateLength + 1), zone, text);
 }
 
 }  // namespace noonmark

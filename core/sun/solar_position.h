@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/base/units.h"
-#include "core/describe/value.h"
+#include "core/describe/codec.h"
 
 namespace noonmark {
 
@@ -19,7 +19,7 @@ enum class SunriseRule;
 using Instant = std::chrono::sys_time<std::chrono::milliseconds>;
 
 /// A place on earth and the state of its air, which determines refraction. The default air is the one that
-/// the refraction formula was made for and that almanacs use. placeObserver() (core/city/city_observer.h)
+/// the refraction formula was made for and that almanacs use. placeObserver() (core/city/city_position.h)
 /// makes the observer of a city; it knows how the place lies in the frame of the city's geometry.
 struct Observer {
     LonLat place;

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
-#include <span>
 
 #include "core/describe/text.h"
-#include "core/sun/day_hours.h"
+#include "core/sun/day_clock.h"
 
 namespace noonmark {
 
@@ -240,6 +238,20 @@ Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& obse
         return failure(NM_TEXT("The sun is below the horizon all the time"), formatText(period),
                        NM_TEXT("Choose other hours or days"));
     return sun;
+}
+
+SunSteps chooseDays(const SunSteps& sun, std::span<const std::size_t> days) {
+    SunSteps chosen;
+    chosen.stepMinutes = sun.stepMinutes;
+    for (const std::size_t number : days) {
+        SunDay day = sun.days[number];
+        const auto from = sun.steps.begin() + day.first;
+        day.first = std::uint32_t(chosen.steps.size());
+        chosen.steps.insert(chosen.steps.end(), from, from + day.count);
+        chosen.belowHorizon += day.belowHorizon;
+        chosen.days.push_back(day);
+    }
+    return chosen;
 }
 
 }  // namespace noonmark

@@ -1,19 +1,20 @@
 #pragma once
 
-// The folder core/sun computes the sun of a study. Period (period.h) states days, hours and step; SunSteps
-// (this file) is the resulting list of sun positions, and the only thing that engines know about time.
-// Positions come from ERFA through apparent_sun.h, observer_frame.h and time_scales.h, and are interpolated
-// by Ephemeris (solar_position.h); sunrise and sunset from sun_events.h; civil dates and time zones from
-// civil_time.h and posix_rule.h.
-
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <stop_token>
 #include <vector>
 
 #include "core/sun/period.h"
 
 namespace noonmark {
+
+// The folder core/sun computes the sun of a study. Period (period.h) states days, hours and step; SunSteps
+// (this file) is the resulting list of sun positions, and the only thing that engines know about time.
+// Positions come from ERFA through apparent_sun.h, and are interpolated
+// by Ephemeris (solar_position.h); sunrise and sunset from sun_events.h; civil dates and time zones from
+// civil_time.h and posix_rule.h.
 
 /// The sun at one step of the period.
 struct SunStep {
@@ -74,5 +75,9 @@ Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
 /// The same; error where the sun is below the horizon at all steps.
 Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& observer,
                                       const std::stop_token& stop);
+
+/// A period that consists of some days of `sun` (indices of SunSteps::days, in the order given). Steps below
+/// the horizon are counted for these days only.
+SunSteps chooseDays(const SunSteps& sun, std::span<const std::size_t> days);
 
 }  // namespace noonmark

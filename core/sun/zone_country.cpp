@@ -1,11 +1,12 @@
 #include "core/sun/zone_country.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
-#include <vector>
 
-#include "core/geo/distance.h"
+#include "core/geo/lon_lat.h"
 
 namespace noonmark {
 
@@ -94,6 +95,22 @@ std::optional<ZoneTown> findNearestTown(LonLat place) {
 std::string countryName(std::string_view code) {
     std::string name = findInTable("iso3166.tab", 0, code, 1);
     return name.empty() ? std::string(code) : name;
+}
+
+std::optional<Warning> questionZone(const Period& period, LonLat place) {
+    constexpr double maxHours = 4, degreesPerHour = 15;
+    const auto zone = Zone::named(period.zone);
+    if (!zone || period.zone.find('/') == std::string::npos || period.zone.starts_with("Etc/"))
+        return std::nullopt;
+    const auto noon = std::chrono::sys_days(period.start) + std::chrono::hours(12);
+    const double clockH = double(zone->offsetAt(noon).count()) / 3600;
+    const double apartH = std::abs(std::remainder(clockH - place.lonDeg / degreesPerHour, 24.0));
+    if (apartH <= maxHours) return std::nullopt;
+    return Warning{
+        WarningKind::assumed,
+        fmt::format("the clocks of the zone are {:.1f} h from the sun's time here: is it the right zone?",
+                    apartH),
+        period.zone};
 }
 
 }  // namespace noonmark

@@ -7,9 +7,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
-#include "render/gl/accrual_programs.h"
-#include "render/gl/gl_errors.h"
-#include "render/gl/gl_names.h"
+#include "render/gl/gl_program.h"
 
 namespace noonmark {
 

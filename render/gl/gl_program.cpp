@@ -2,7 +2,19 @@
 
 #include <fmt/format.h>
 
+#include "generated/accrual_shaders.h"
+
 namespace noonmark {
+
+Result<void> checkGlErrors(const char* doing) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR) return {};
+    while (glGetError() != GL_NO_ERROR) continue;
+    if (error == GL_OUT_OF_MEMORY)
+        return failure("The graphics device does not have enough memory", doing, "Choose a smaller map");
+    return failure(fmt::format("The graphics device failed (OpenGL error {:#x})", error), doing,
+                   "Choose an engine that runs on the processor");
+}
 
 namespace {
 
@@ -53,6 +65,28 @@ Result<GlProgram> GlProgram::make(const std::string& head, const std::vector<Sta
 
 GlProgram::~GlProgram() {
     if (name_ != 0) glDeleteProgram(name_);
+}
+
+namespace {
+
+std::string head(bool layerInVertex) {
+    std::string text = "#version 430 core\n";
+    if (layerInVertex)
+        text += "#extension GL_ARB_shader_viewport_layer_array : require\n#define LAYER_IN_VERTEX\n";
+    return text;
+}
+
+}  // namespace
+
+Result<GlProgram> drawingProgram(bool layerInVertex) {
+    std::vector<GlProgram::Stage> stages{{GL_VERTEX_SHADER, shaders::throwVertex},
+                                         {GL_FRAGMENT_SHADER, shaders::depthFragment}};
+    if (!layerInVertex) stages.push_back({GL_GEOMETRY_SHADER, shaders::layerGeometry});
+    return GlProgram::make(head(layerInVertex), stages);
+}
+
+Result<GlProgram> lookUpProgram() {
+    return GlProgram::make(head(false), {{GL_COMPUTE_SHADER, shaders::lookUpCompute}});
 }
 
 }  // namespace noonmark

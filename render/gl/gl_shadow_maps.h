@@ -1,17 +1,18 @@
 #pragma once
 
-// The folder render/gl/ contains the engines that draw with OpenGL, without a window and without Qt.
-// gl_engines.h registers them, gl_shadow_maps.h implements them, depth_maps.h draws the depth maps with the
-// programs of accrual_programs.h, and gl_context.h opens the device. The other headers wrap single OpenGL
-// objects and errors.
-
 #include <memory>
 
 #include "core/engines/accrual/accrual_settings.h"
+#include "core/engines/api/engine_registry.h"
 #include "core/engines/common/interval_engine.h"
 #include "render/gl/gl_context.h"
 
 namespace noonmark {
+
+// The folder render/gl/ contains the engines that draw with OpenGL, without a window and without Qt.
+// gl_shadow_maps.h registers and implements them, depth_maps.h draws the depth maps with the
+// programs of gl_program.h, and gl_context.h opens the device. The other headers wrap single OpenGL
+// objects and errors.
 
 enum class GlPasses {
     /// Conventional shadow maps: draws a depth map per step and tests all receivers against it.
@@ -41,5 +42,10 @@ private:
     AccrualSettings settings_;
     std::shared_ptr<const GlContext> context_;
 };
+
+/// The OpenGL engines that complement coreEngines(): "shadow-map-gl", with which the paper compares accrual
+/// maps, and "sam-gl". Empty without OpenGL 4.3. Software OpenGL counts too: it is slower than the CPU
+/// engines but allows the comparison. The first call looks for a device, about 50 ms.
+const EngineList& glEngines();
 
 }  // namespace noonmark

@@ -7,7 +7,7 @@
 
 #include "render/scene/name_labels.h"
 #include "render/scene/outline_geometry.h"
-#include "render/view/view_ray.h"
+#include "render/view/camera_pose.h"
 
 namespace Qt3DCore {
 class QEntity;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/view/view_ray.h"
+#include "render/view/camera_pose.h"
 
 namespace Qt3DCore {
 class QEntity;

@@ -12,8 +12,8 @@
 #include <cmath>
 
 #include "render/scene/array_entity.h"
+#include "render/scene/picture_texture.h"
 #include "render/scene/shader_material.h"
-#include "render/scene/texture_bytes.h"
 
 namespace noonmark {
 

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "render/scene/array_geometry.h"
+#include "core/city/meshes/mesh.h"
+#include "render/scene/array_entity.h"
 
 namespace noonmark {
 
@@ -14,5 +15,12 @@ struct GroundLine {
 
 /// The lines for the shader `ribbon`: four points per segment.
 ArrayGeometry* makeOutlineGeometry(const std::vector<GroundLine>& lines);
+
+/// A vertical double arrow from the origin up to `height`.
+TriangleMesh makeDoubleArrow(float height);
+/// A ball around the origin.
+TriangleMesh makeBall(float diameter);
+/// A pin with a round head that stands with its tip on the origin, `height` high.
+TriangleMesh makePin(float height);
 
 }  // namespace noonmark

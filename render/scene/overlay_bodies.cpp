@@ -11,7 +11,7 @@
 
 #include "render/scene/array_entity.h"
 #include "render/scene/city_arrays.h"
-#include "render/scene/mark_shapes.h"
+#include "render/scene/outline_geometry.h"
 #include "render/scene/shader_material.h"
 
 namespace noonmark {

@@ -11,7 +11,7 @@
 #include "core/city/city.h"
 #include "core/city/meshes/mesh.h"
 #include "render/scene/outline_geometry.h"
-#include "render/view/view_ray.h"
+#include "render/view/camera_pose.h"
 
 namespace Qt3DCore {
 class QEntity;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/scene/outline_geometry.h"
-#include "render/view/view_ray.h"
+#include "render/view/camera_pose.h"
 
 namespace Qt3DCore {
 class QEntity;

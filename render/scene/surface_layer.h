@@ -1,9 +1,11 @@
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <vector>
 
+#include "core/engines/accrual/sun_depth_map.h"
+#include "core/engines/ray/visible_surface.h"
 #include "render/scene/ground_picture.h"
-#include "render/scene/surface_picture.h"
 
 class QVariant;
 
@@ -12,6 +14,16 @@ class QNode;
 }
 
 namespace noonmark {
+
+/// The surfaces that a camera saw, with a value per pixel, drawn onto the surfaces themselves. The picture
+/// stays in place while the view moves; it does not cover what this camera did not see.
+struct SurfacePicture {
+    PixelCamera camera;
+    /// One per pixel of the camera, row 0 the TOP: position in local metres and share of the palette, 0 to 1;
+    /// below 0: unknown.
+    std::vector<glm::vec4> samples;
+    bool soFar = false;  ///< covers only a part of the period: shown with stripes
+};
 
 class ShaderMaterial;
 
@@ -32,6 +44,26 @@ private:
     Qt3DCore::QNode* parent_;
     Qt3DCore::QNode* samples_ = nullptr;
     Qt3DCore::QNode* palette_ = nullptr;
+};
+
+/// Sun and shadow of one moment on all surfaces of some materials. It stays while the camera moves.
+class SunLayer {
+public:
+    /// `parent` owns the nodes of this object; the shaders of `materials` include sunlit.inc.
+    SunLayer(std::vector<ShaderMaterial*> materials, Qt3DCore::QNode* parent);
+
+    void show(const SunDepthMap& map);
+    void clear();
+    [[nodiscard]] bool shown() const { return shown_; }
+
+private:
+    void set(const char* uniform, const QVariant& value);
+    void layTexture(const SunDepthMap& map);
+
+    std::vector<ShaderMaterial*> materials_;
+    Qt3DCore::QNode* parent_;
+    Qt3DCore::QNode* texture_ = nullptr;
+    bool shown_ = false;
 };
 
 }  // namespace noonmark

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/view/view_ray.h"
+#include "render/view/camera_pose.h"
 
 namespace noonmark {
 

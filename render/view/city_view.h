@@ -2,9 +2,9 @@
 
 // The folder render/view/ shows a city on the screen. city_view.h is the Qt3D window; drawn_city.h is one
 // city in it with the pictures on it, traced_city.h the same by rays, frame_graph.h the order in which all is
-// drawn, view_sides.h and side_divider.h the two sides of a comparison. view_navigator.h moves the camera
+// drawn, view_sides.h the two sides of a comparison. view_navigator.h moves the camera
 // with mouse and keys, camera_pose.h and camera_control.h are the camera as a value and its movements,
-// view_ray.h and scene_picker.h find what lies under a pixel, and explored_view.h holds shadow on the
+// camera_pose.h and scene_picker.h find what lies under a pixel, and explored_view.h holds shadow on the
 // surfaces that a camera sees.
 
 #include <QImage>
@@ -16,11 +16,9 @@
 #include "render/scene/element_tiles.h"
 #include "render/scene/overlay_bodies.h"
 #include "render/scene/place_marks.h"
-#include "render/scene/point_marks.h"
-#include "render/scene/section_marks.h"
+#include "render/scene/view_marks.h"
+#include "render/view/camera_pose.h"
 #include "render/view/drawn_city.h"
-#include "render/view/side_divider.h"
-#include "render/view/view_ray.h"
 #include "render/view/view_sides.h"
 
 class QTimer;

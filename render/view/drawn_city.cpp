@@ -5,7 +5,7 @@
 #include <Qt3DRender/QLayer>
 #include <algorithm>
 
-#include "core/city/height_counts.h"
+#include "core/city/building_heights.h"
 #include "render/scene/array_entity.h"
 #include "render/scene/overlay_bodies.h"
 #include "render/scene/picture_texture.h"

@@ -5,7 +5,6 @@
 
 #include "render/scene/building_bodies.h"
 #include "render/scene/ground_picture.h"
-#include "render/scene/sun_layer.h"
 #include "render/scene/surface_layer.h"
 #include "render/view/camera_pose.h"
 #include "render/view/traced_city.h"

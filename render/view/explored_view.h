@@ -6,7 +6,7 @@
 
 #include "core/engines/api/surface_engine.h"
 #include "core/engines/ray/visible_surface.h"
-#include "render/view/view_ray.h"
+#include "render/view/camera_pose.h"
 
 namespace noonmark {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/engines/ray/ray_scene.h"
+#include "render/view/camera_pose.h"
 #include "render/view/section_box.h"
-#include "render/view/view_ray.h"
 
 namespace noonmark {
 

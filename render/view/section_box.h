@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "render/view/view_ray.h"
+#include "render/view/camera_pose.h"
 
 namespace noonmark {
 

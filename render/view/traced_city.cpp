@@ -4,7 +4,7 @@
 #include <QVector3D>
 #include <algorithm>
 
-#include "core/city/height_counts.h"
+#include "core/city/building_heights.h"
 #include "core/engines/ray/traced_view.h"
 #include "render/scene/array_entity.h"
 #include "render/scene/picture_texture.h"

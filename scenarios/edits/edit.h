@@ -1,8 +1,8 @@
 #pragma once
 
 // The folder scenarios/edits/ changes cities. edit.h defines the edits, placed_building.h the geometry of
-// moving, turning and scaling a building, read_shape.h reads a building from a mesh file, building_ids.h
-// gives buildings unique ids, and apply_edits.h applies a list of edits to a City.
+// moving, turning and scaling a building, read_shape.h reads a building from a mesh file, apply_edits.h
+// gives buildings unique ids and applies a list of edits to a City.
 
 #include <memory>
 #include <string>
@@ -14,7 +14,7 @@
 namespace noonmark {
 
 /// One change to a city, as a plain value. An edit names a building by its `sourceId`, which is unique in a
-/// project (building_ids.h). New buildings give z relative to the ground under them (0: on the ground);
+/// project (apply_edits.h). New buildings give z relative to the ground under them (0: on the ground);
 /// applying the edit puts them onto the terrain. Buildings compare by pointer: a copied edit is equal, an
 /// edit with a newly built equal shape is not.
 using NewShape = std::shared_ptr<const Building>;  ///< never null, at least one part

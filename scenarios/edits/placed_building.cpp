@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/city/building_heights.h"
 #include "core/city/footprints/repair_footprint.h"
-#include "core/city/plausible_heights.h"
 
 namespace noonmark {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/settings/read_fields.h"
 #include "core/io/terrain/standing.h"
 

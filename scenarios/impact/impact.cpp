@@ -2,23 +2,58 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <unordered_set>
 
 #include "core/base/memory_guard.h"
-#include "core/base/progress_share.h"
+#include "core/base/progress.h"
 #include "core/city/trees/tree.h"
-#include "core/engines/api/blank_field.h"
-#include "core/engines/common/reached_receivers.h"
+#include "core/engines/common/shadow_reach.h"
 #include "core/measures/error_sample.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/study/memory_need.h"
+#include "core/study/study_cost.h"
 #include "core/study/terrain_coverage.h"
-#include "scenarios/impact/impact_error.h"
 
 namespace noonmark {
 
 namespace {
+
+/// A city and the field that an engine computed for it.
+struct CityField {
+    const City& city;
+    const ShadowField& field;
+};
+
+ComparedCell changeOf(const ComparedCell& before, const ComparedCell& after) {
+    return {.centreM = after.centreM,
+            .grossMin = after.grossMin - before.grossMin,
+            .referenceGrossMin = after.referenceGrossMin - before.referenceGrossMin,
+            .continuousMin = after.continuousMin - before.continuousMin,
+            .referenceContinuousMin = after.referenceContinuousMin - before.referenceContinuousMin};
+}
+
+/// Measures how far the change between two cities by an engine differs from the change by the ray reference,
+/// on a sample of the receivers common to both cities. It traces twice the rays of a study's error, so a
+/// limited number of rays covers half as many receivers.
+Result<SampledError> measureChangeError(const CityField& before, const CityField& after,
+                                        const Receivers& receivers, const SunSteps& sun,
+                                        const ErrorSampleSettings& settings, Progress& progress,
+                                        const std::stop_token& stop) {
+    const std::vector<std::uint32_t> cells =
+        spreadReceivers(receivers, sampleSize(settings, 2 * sun.steps.size()), settings.seed);
+    std::vector<ComparedCell> changes[2];
+    for (int i = 0; i < 2; ++i) {
+        const auto& [city, field] = i == 0 ? before : after;
+        ProgressShare share(progress, std::size_t(i), 2);
+        auto compared = compareWithReference(city, receivers, sun, field, cells, share, stop);
+        if (!compared) return tl::make_unexpected(compared.error());
+        changes[i] = *std::move(compared);
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) changes[1][i] = changeOf(changes[0][i], changes[1][i]);
+    SampledError error = errorOf(changes[1], after.field.sunlitMinutesPerDay, longestDayMinutes(sun));
+    error.ofReceivers = receivers.cells.size();
+    error.rays = 2 * cells.size() * sun.steps.size();
+    return error;
+}
 
 std::vector<float> difference(const std::vector<float>& before, const std::vector<float>& after) {
     std::vector<float> change(before.size());

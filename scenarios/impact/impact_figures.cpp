@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <ranges>
 
+#include "core/describe/text.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/rasterize.h"
-#include "scenarios/impact/impact_figure_tables.h"
 
 namespace noonmark {
 
@@ -76,6 +79,172 @@ ImpactFigures computeFigures(const Impact& impact, const Region& region, double 
 ImpactFigures computeFigures(const Impact& impact, const std::vector<std::uint32_t>& cells,
                              double thresholdMin) {
     return countCells(impact, thresholdMin, cells);
+}
+
+namespace {
+
+// The same change told as sun: less of it where shadow grew. Not set, as the row of shadow is.
+Figure asSun(double ChangeFigures::*member, FigureFacts facts) {
+    facts.tells = Tells::sunInstead;
+    facts.inFiles = false;
+    Figure row = figure(member, facts);
+    row.set = [](void*, double) {};
+    return row;
+}
+
+double sunChangeM2(const ImpactFigures& figures) { return -figures.shadowAreaChangeM2; }
+double meanSunChangeMin(const ChangeFigures& figures) { return -figures.meanMin; }
+
+}  // namespace
+
+const Figures<ChangeFigures>& changeFigures() {
+    static const Figures<ChangeFigures> figures{
+        figure(&ChangeFigures::gainedM2,
+               {.key = "gained_m2",
+                .label = NM_TEXT("More shadow"),
+                .definition = NM_TEXT("area where the minutes rose by more than the threshold"),
+                .unit = FigureUnit::squareMetres,
+                .byThreshold = true,
+                .tells = Tells::shadow}),
+        figure(&ChangeFigures::lostM2,
+               {.key = "lost_m2",
+                .label = NM_TEXT("Less shadow"),
+                .definition = NM_TEXT("area where the minutes fell by more than the threshold"),
+                .unit = FigureUnit::squareMetres,
+                .byThreshold = true,
+                .tells = Tells::shadow}),
+        figure(&ChangeFigures::touchedM2, {.key = "touched_m2",
+                                           .label = NM_TEXT("Any more shadow"),
+                                           .definition = NM_TEXT("area where the minutes rose at all"),
+                                           .unit = FigureUnit::squareMetres,
+                                           .tells = Tells::shadow}),
+        figure(&ChangeFigures::easedM2, {.key = "eased_m2",
+                                         .label = NM_TEXT("Any less shadow"),
+                                         .definition = NM_TEXT("area where the minutes fell at all"),
+                                         .unit = FigureUnit::squareMetres,
+                                         .tells = Tells::shadow}),
+        figure(&ChangeFigures::meanMin, {.key = "mean_min",
+                                         .label = NM_TEXT("Mean change"),
+                                         .definition = NM_TEXT("mean of the change over the receivers"),
+                                         .decimals = 3,
+                                         .unit = FigureUnit::minutesADay,
+                                         .shownDecimals = 2,
+                                         .isChange = true,
+                                         .tells = Tells::shadow}),
+        figure(&ChangeFigures::mostGainedMin, {.key = "most_gained_min",
+                                               .label = NM_TEXT("Largest increase"),
+                                               .definition = NM_TEXT("the largest increase of a receiver"),
+                                               .decimals = 2,
+                                               .unit = FigureUnit::minutesADay,
+                                               .tells = Tells::shadow}),
+        figure(&ChangeFigures::mostLostMin, {.key = "most_lost_min",
+                                             .label = NM_TEXT("Largest decrease"),
+                                             .definition = NM_TEXT("the largest decrease of a receiver"),
+                                             .decimals = 2,
+                                             .unit = FigureUnit::minutesADay,
+                                             .tells = Tells::shadow}),
+        asSun(&ChangeFigures::gainedM2,
+              {.key = "sun_lost_m2",
+               .label = NM_TEXT("Less sun"),
+               .definition = NM_TEXT("area that lost more minutes of sun than the threshold"),
+               .unit = FigureUnit::squareMetres,
+               .byThreshold = true}),
+        asSun(&ChangeFigures::lostM2,
+              {.key = "sun_gained_m2",
+               .label = NM_TEXT("More sun"),
+               .definition = NM_TEXT("area that gained more minutes of sun than the threshold"),
+               .unit = FigureUnit::squareMetres,
+               .byThreshold = true}),
+        asSun(&ChangeFigures::touchedM2, {.key = "sun_any_lost_m2",
+                                          .label = NM_TEXT("Any less sun"),
+                                          .definition = NM_TEXT("area that lost any sun"),
+                                          .unit = FigureUnit::squareMetres}),
+        asSun(&ChangeFigures::easedM2, {.key = "sun_any_gained_m2",
+                                        .label = NM_TEXT("Any more sun"),
+                                        .definition = NM_TEXT("area that gained any sun"),
+                                        .unit = FigureUnit::squareMetres}),
+        derivedFigure(&meanSunChangeMin,
+                      {.key = "sun_mean_min",
+                       .label = NM_TEXT("Mean change of sun"),
+                       .definition = NM_TEXT("mean of the change of sun over the receivers; negative: less "
+                                             "sun"),
+                       .unit = FigureUnit::minutesADay,
+                       .shownDecimals = 2,
+                       .isChange = true,
+                       .tells = Tells::sunInstead,
+                       .inFiles = false}),
+        asSun(&ChangeFigures::mostGainedMin, {.key = "sun_most_lost_min",
+                                              .label = NM_TEXT("Largest loss of sun"),
+                                              .definition = NM_TEXT("the most sun that a receiver loses"),
+                                              .unit = FigureUnit::minutesADay}),
+        asSun(&ChangeFigures::mostLostMin, {.key = "sun_most_gained_min",
+                                            .label = NM_TEXT("Largest gain of sun"),
+                                            .definition = NM_TEXT("the most sun that a receiver gains"),
+                                            .unit = FigureUnit::minutesADay}),
+    };
+    return figures;
+}
+
+const Figures<ImpactFigures>& impactFigures() {
+    static const Figures<ImpactFigures> figures{
+        figure(&ImpactFigures::thresholdMin,
+               {.key = "threshold_min",
+                .label = NM_TEXT("Threshold"),
+                .definition = NM_TEXT("change that counts: minutes a day of gross shadow, minutes of "
+                                      "continuous shadow"),
+                .decimals = allDigits,
+                .unit = FigureUnit::minutes,
+                .use = FigureUse::file}),
+        figure(&ImpactFigures::receiverAreaM2, findFigure(shadowFigures().rows(), "receiver_area_m2")),
+        figure(&ImpactFigures::shadowAreaChangeM2,
+               {.key = "shadow_area_change_m2",
+                .label = NM_TEXT("Change of the shadow area"),
+                .definition = NM_TEXT("change of the sum over the receivers of (share of the sunlit time in "
+                                      "shadow x cell area)"),
+                .unit = FigureUnit::squareMetres,
+                .better = Better::lessShadow,
+                .isChange = true,
+                .tells = Tells::shadow}),
+        derivedFigure(&sunChangeM2,
+                      {.key = "sun_area_change_m2",
+                       .label = NM_TEXT("Change of the sunlit area"),
+                       .definition = NM_TEXT("change of the sum over the receivers of (share of the sunlit "
+                                             "time in the sun x cell area)"),
+                       .unit = FigureUnit::squareMetres,
+                       .isChange = true,
+                       .tells = Tells::sunInstead,
+                       .inFiles = false}),
+        figure(&ImpactFigures::becameBuildingM2,
+               {.key = "became_building_m2",
+                .label = NM_TEXT("Built over"),
+                .definition = NM_TEXT("open ground before, under a building after: no receiver"),
+                .unit = FigureUnit::squareMetres,
+                .use = FigureUse::basis}),
+        figure(&ImpactFigures::becameGroundM2,
+               {.key = "became_ground_m2",
+                .label = NM_TEXT("Became ground"),
+                .definition = NM_TEXT("under a building before, open ground after: no receiver"),
+                .unit = FigureUnit::squareMetres,
+                .use = FigureUse::basis}),
+    };
+    return figures;
+}
+
+const std::vector<Figure>& figuresByThreshold() {
+    static const auto figures = [] {
+        std::vector<Figure> rows;
+        std::ranges::copy_if(changeFigures().rows(), std::back_inserter(rows),
+                             [](const Figure& row) { return row.byThreshold && row.inFiles; });
+        return rows;
+    }();
+    return figures;
+}
+
+ChangeFigures notComputed() {
+    ChangeFigures figures;
+    for (const Figure& figure : changeFigures().rows())
+        figure.set(&figures, std::numeric_limits<double>::quiet_NaN());
+    return figures;
 }
 
 }  // namespace noonmark

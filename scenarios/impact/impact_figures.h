@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/describe/figure.h"
+#include "core/measures/has_runs.h"
 #include "core/receivers/region.h"
 #include "scenarios/impact/impact.h"
 
@@ -38,5 +40,21 @@ ImpactFigures computeFigures(const Impact& impact, const Region& region, double 
 /// Figures over these cells of the grid, each listed once. O(cells listed).
 ImpactFigures computeFigures(const Impact& impact, const std::vector<std::uint32_t>& cells,
                              double thresholdMin = 30);
+
+/// Whether continuous shadow was computed for both fields, as in core/measures/has_runs.h. Where it was not,
+/// files hold its change as null or an empty field.
+inline bool hasRuns(const Impact& impact) { return hasRuns(impact.continuousMin); }
+inline bool hasRuns(const ImpactFigures& figures) { return !std::isnan(figures.continuous.meanMin); }
+
+const Figures<ChangeFigures>& changeFigures();
+
+/// Those of a comparison beside the change of its two measures.
+const Figures<ImpactFigures>& impactFigures();
+
+/// Those of a change that files state by threshold: the areas with more and with less shadow.
+const std::vector<Figure>& figuresByThreshold();
+
+/// All NaN: of a measure that was not computed.
+ChangeFigures notComputed();
 
 }  // namespace noonmark

@@ -8,17 +8,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
-#include "core/measures/histogram.h"
 #include "core/measures/shadow_figures.h"
-#include "core/study/provenance/provenance_json.h"
-#include "core/study/provenance/source_columns.h"
-#include "core/study/text/error_json.h"
-#include "core/study/text/warnings_json.h"
-#include "scenarios/impact/impact_figure_tables.h"
-#include "scenarios/impact/impact_runs.h"
+#include "core/measures/statistics.h"
+#include "core/study/provenance/provenance_texts.h"
+#include "core/study/text/error_words.h"
+#include "scenarios/impact/impact_figures.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {

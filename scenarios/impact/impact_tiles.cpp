@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "core/engines/api/blank_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/study/provenance/study_hash.h"
-#include "core/study/tiles/map_bands.h"
+#include "core/study/tiles/tile_maps.h"
 #include "scenarios/impact/impact_figures.h"
 
 namespace noonmark {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <limits>
+
+#include "core/city/building_heights.h"
+#include "scenarios/massing/floor_plate.h"
 #include "scenarios/massing/massing.h"
 
 namespace noonmark {
@@ -20,5 +24,31 @@ struct CopiedMassing {
 /// possible. Some 5 ms for each plate tried.
 Result<CopiedMassing> copyMassing(const Footprint& from, const MassingSettings& settings,
                                   const Footprint& to);
+
+/// What a reshaped massing must preserve.
+struct GivenMass {
+    Plate plate;              ///< where the building touches the ground
+    double grossFloorM2 = 0;  ///< preserved
+    double storeyHeightM = defaultStoreyM;
+    int estimatedStoreys = 0;  ///< of open meshes (core/city/meshes/mesh_section.h)
+};
+
+GivenMass givenBy(const Massing& massing);
+
+/// Cuts an existing building into storeys of `storeyHeightM` (2 to 10), starting at `groundM` (local z)
+/// (core/city/footprints/plan_areas.h). Error: it has less than one storey.
+Result<GivenMass> givenBy(const Building& building, double groundM, double storeyHeightM);
+
+/// Plate factor for "the largest plate that the lot allows".
+inline constexpr double largestPlate = std::numeric_limits<double>::infinity();
+
+/// Finds one tower of the same gross floor area (to 0.1 %) on a plate `plateFactor` times as large: a factor
+/// above 1 gives a lower, wider tower, below 1 a taller, slimmer one (paper, section 8.1: "we doubled the
+/// floor plate size. For others, we used the largest floor plate size that could be accommodated"). A wider
+/// plate keeps its shape and centroid and is cut by the lot; where the lot is too small, the plate is the
+/// whole lot. The plate area is then adjusted so that the number of storeys is whole. Error: a factor of 0 or
+/// less, a plate outside the lot, or more than 500 storeys or 2000 m; the last one states the smallest
+/// possible plate.
+Result<Massing> findSameFloorArea(const Footprint& lot, const GivenMass& given, double plateFactor);
 
 }  // namespace noonmark

@@ -9,14 +9,12 @@
 #include <limits>
 #include <utility>
 
+#include "core/city/building_heights.h"
 #include "core/city/city.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_topology.h"
-#include "core/city/plausible_heights.h"
 #include "scenarios/massing/floor_plate.h"
-#include "scenarios/massing/floor_uses.h"
-#include "scenarios/massing/leaning_walls.h"
 #include "scenarios/massing/massing_fields.h"
 
 namespace noonmark {

@@ -1,9 +1,9 @@
 #pragma once
 
 // The folder scenarios/massing/ builds towers on lots. massing.h makes one from a user's settings;
-// fit_floor_area.h finds settings for a floor area, nearest_fit.h those nearest to impossible ones;
-// floor_plate.h computes its plates with straight_skeleton.h (backend CGAL), leaning_walls.h the walls of
-// tapered and twisted volumes, floor_uses.h the floor area of each use; same_floor_area.h reshapes a building
+// fit_floor_area.h finds settings for a floor area and those nearest to impossible ones;
+// floor_plate.h computes its plates with straight_skeleton.h (backend CGAL), floor_plate.h the walls of
+// tapered and twisted volumes, floor_plate.h the floor area of each use; copy_massing.h reshapes a building
 // at constant gross floor area; lot_edits.h turns massings into edits of a city, and tower_design.h finds the
 // massing of a scenario's towers again.
 
@@ -13,7 +13,7 @@
 
 #include "core/base/result.h"
 #include "core/city/building.h"
-#include "core/city/storeys.h"
+#include "core/city/building_heights.h"
 
 namespace noonmark {
 
@@ -134,7 +134,7 @@ Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& setting
 Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM);
 
 /// A building on z = 0 with status "proposed", one part per piece of a tier: a prism, or a mesh where its
-/// walls lean (leaning_walls.h); a twisted one counts as an overhang. Error: a part is not a closed,
+/// walls lean (floor_plate.h); a twisted one counts as an overhang. Error: a part is not a closed,
 /// outward-oriented solid of the expected volume.
 Result<Building> buildingOf(const Massing& massing, const std::string& id);
 

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/city/plausible_heights.h"
+#include "core/city/building_heights.h"
 #include "core/describe/field_checks.h"
 #include "core/describe/text.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/city/ground_raster.h"
+#include "core/city/map_context.h"
 
 namespace noonmark {
 

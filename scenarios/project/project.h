@@ -1,10 +1,10 @@
 #pragma once
 
 // The folder scenarios/project/ holds the project and its file. project.h defines the Project value;
-// project_file.h opens and saves it as a GeoPackage through read_project.h and write_project.h, file_check.h
-// and edit_json.h; recovery_file.h stores unsaved work; project_provenance.h states what a result was made
-// from. results/ converts saved results to and from their JSON, and tables/ holds the SQLite and GeoPackage
-// layer.
+// project_file.h opens and saves it as a GeoPackage through read_project.h and write_project.h,
+// project_file.cpp and edit_json.h; project_file.h stores unsaved work; project_provenance.h states what a
+// result was made from. results/ converts saved results to and from their JSON, and tables/ holds the SQLite
+// and GeoPackage layer.
 
 #include <map>
 #include <memory>
@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 #include "core/city/city.h"
 #include "core/geo/grid.h"
 #include "core/io/heights/height_facts.h"
-#include "core/receivers/parcels/parcel_roads.h"
+#include "core/receivers/parcels/parcel_lines.h"
 #include "core/receivers/place.h"
 #include "core/receivers/region.h"
 #include "core/study/elements/element_map.h"

@@ -7,7 +7,7 @@
 #include "core/study/provenance/study_hash.h"
 #include "core/study/text/region_text.h"
 #include "scenarios/project/edit_json.h"
-#include "scenarios/weights/weights_text.h"
+#include "scenarios/weights/time_weights.h"
 
 namespace noonmark {
 

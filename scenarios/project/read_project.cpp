@@ -125,7 +125,7 @@ std::map<std::string, std::string> readView(Database& database) {
     return view;
 }
 
-// Whether a name is one that write_results.cpp gives to a result's layers. No other table may be read, or
+// Whether a name is one that save_result.cpp gives to a result's layers. No other table may be read, or
 // dropped with the result.
 bool isTileTable(std::string_view name) {
     constexpr std::string_view start = "result_";

@@ -8,15 +8,13 @@
 #include <span>
 
 #include "core/base/memory_guard.h"
-#include "core/base/progress_share.h"
+#include "core/base/progress.h"
 #include "core/city/trees/tree.h"
-#include "core/measures/compared_cells.h"
 #include "core/measures/error_sample.h"
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/study/memory_need.h"
+#include "core/study/study_cost.h"
 #include "scenarios/weights/score_sum.h"
-#include "scenarios/weights/time_pieces.h"
 
 namespace noonmark {
 

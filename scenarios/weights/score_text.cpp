@@ -1,18 +1,154 @@
 #include "scenarios/weights/score_text.h"
 
 #include <fmt/format.h>
-
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "core/describe/figure_text.h"
-#include "core/study/provenance/provenance_json.h"
-#include "core/study/provenance/source_columns.h"
-#include "core/study/text/warnings_json.h"
+#include "core/describe/text.h"
+#include "core/measures/shadow_figures.h"
+#include "core/study/provenance/provenance_texts.h"
+#include "core/study/text/error_words.h"
 #include "scenarios/settings_json.h"
-#include "scenarios/weights/score_figures.h"
 
 namespace noonmark {
+
+namespace {
+
+// The same figures of the region, of a month and of an interval.
+template <class R>
+Figure weightedShade() {
+    return figure(
+        &R::weightedShadeM2h,
+        {.key = "weighted_shade_m2h",
+         .label = NM_TEXT("Weighted shade"),
+         .definition =
+             NM_TEXT("sum over the steps of weight x hours in shadow x cell area, m2 h over the period; how "
+                     "the weight table is cut into intervals does not change it"),
+         .whenMissing = std::numeric_limits<double>::quiet_NaN(),
+         .unit = FigureUnit::squareMetreHours,
+         .better = Better::higher,
+         .isChange = true});
+}
+
+template <class R>
+Figure scoreM2() {
+    return figure(
+        &R::scoreM2,
+        {.key = "score_m2",
+         .label = NM_TEXT("Shadow score"),
+         .definition =
+             NM_TEXT("sum over the intervals of the weight table of weight x share of the interval's sunlit "
+                     "time in shadow, times cell area; an interval that is cut in two counts twice"),
+         .unit = FigureUnit::squareMetres,
+         .better = Better::higher,
+         .isChange = true});
+}
+
+template <class R>
+Figure shadowArea() {
+    return figure(&R::shadowAreaM2, findFigure(shadowFigures().rows(), "shadow_area_m2"));
+}
+
+double scorePerArea(const ScoreTotals& totals) {
+    return totals.scoreM2 / std::max(1.0, totals.receiverAreaM2);
+}
+
+// The figures that a project kept of its scenarios did not state it at first.
+Figure receiverArea() {
+    Figure row = figure(&ScoreTotals::receiverAreaM2, findFigure(shadowFigures().rows(), "receiver_area_m2"));
+    row.whenMissing = std::numeric_limits<double>::quiet_NaN();
+    return row;
+}
+
+}  // namespace
+
+const Figures<ScoreTotals>& scoreFigures() {
+    static const Figures<ScoreTotals> figures{
+        receiverArea(), figure(&ScoreTotals::waterM2, findFigure(shadowFigures().rows(), "water_m2")),
+        weightedShade<ScoreTotals>(), scoreM2<ScoreTotals>(),
+        derivedFigure(&scorePerArea, {.key = "score_per_m2",
+                                      .label = NM_TEXT("Score per m² of ground"),
+                                      .definition = NM_TEXT("score divided by the area of all receivers"),
+                                      .shownDecimals = 3,
+                                      .isChange = true,
+                                      .inFiles = false})};
+    return figures;
+}
+
+const Figures<MonthFigures>& scoreMonthFigures() {
+    static const Figures<MonthFigures> figures{
+        figure(&MonthFigures::sunlitMinutes,
+               {.key = "sunlit_min",
+                .label = NM_TEXT("Sunlit time"),
+                .definition = NM_TEXT("minutes of the period with the sun above the horizon"),
+                .unit = FigureUnit::minutes,
+                .use = FigureUse::basis,
+                .shownDecimals = 0}),
+        weightedShade<MonthFigures>(), shadowArea<MonthFigures>(), scoreM2<MonthFigures>()};
+    return figures;
+}
+
+const Figures<IntervalFigures>& scoreIntervalFigures() {
+    static const Figures<IntervalFigures> figures{
+        figure(&IntervalFigures::weight,
+               {.key = "weight",
+                .label = NM_TEXT("Weight"),
+                .definition = NM_TEXT("from -1 (shadow is unwanted) to 1 (shade is wanted)"),
+                .decimals = 3,
+                .shownDecimals = 3}),
+        weightedShade<IntervalFigures>(), shadowArea<IntervalFigures>(), scoreM2<IntervalFigures>()};
+    return figures;
+}
+
+namespace {
+
+Sentence describeBalance(const Score& score, const std::string& scenario) {
+    const Amount total{score.scoreM2, FigureUnit::squareMetres, 0, true};
+    if (score.scoreM2 > 0)
+        return {NM_TEXT("%1 scores %2: wanted shade outweighs unwanted shadow"), {scenario, total}};
+    if (score.scoreM2 < 0)
+        return {NM_TEXT("%1 scores %2: unwanted shadow outweighs wanted shade"), {scenario, total}};
+    return {NM_TEXT("%1 scores 0: wanted shade and unwanted shadow weigh the same"), {scenario}};
+}
+
+Bars monthBars(const Score& score, std::string_view title, double MonthFigures::*value) {
+    Bars bars{.title = title};
+    for (const MonthFigures& month : score.months) bars.groups.push_back({month.month, {month.*value}});
+    return bars;
+}
+
+Bars weightedBars(const Score& score) {
+    Bars bars = monthBars(score, NM_TEXT("Weighted shade by month, m² h"), &MonthFigures::weightedShadeM2h);
+    for (Bars::Group& group : bars.groups)
+        group.tone = group.values.front() < 0 ? BarTone::loss : BarTone::gain;
+    return bars;
+}
+
+// Where sun is shown, the rest of the receivers' area.
+Bars areaBars(const Score& score, ShownAs show) {
+    if (show == ShownAs::shadow)
+        return monthBars(score, NM_TEXT("Shadow area by month, m²"), &MonthFigures::shadowAreaM2);
+    Bars bars = monthBars(score, NM_TEXT("Sunlit area by month, m²"), &MonthFigures::shadowAreaM2);
+    for (Bars::Group& group : bars.groups) {
+        group.values.front() = score.receiverAreaM2 - group.values.front();
+        group.tone = BarTone::sun;
+    }
+    return bars;
+}
+
+}  // namespace
+
+AnswerPage makePage(const Score& score, const std::string& scenario, ShownAs show) {
+    AnswerPage page{describeBalance(score, scenario)};
+    if (!std::isnan(score.weightedShadeM2h))
+        page.findings.push_back({NM_TEXT("Weighted by time: %1."),
+                                 {Amount{score.weightedShadeM2h, FigureUnit::squareMetreHours, 0, true}}});
+    page.charts = {weightedBars(score), areaBars(score, show)};
+    return page;
+}
 
 using Json = nlohmann::ordered_json;
 

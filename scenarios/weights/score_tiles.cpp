@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "core/engines/api/blank_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "scenarios/weights/score.h"
-#include "scenarios/weights/weights_text.h"
+#include "scenarios/weights/time_weights.h"
 
 namespace noonmark {
 

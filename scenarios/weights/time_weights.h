@@ -1,13 +1,11 @@
 #pragma once
 
-// The folder scenarios/weights/ weighs wanted shade against unwanted shadow. time_weights.h defines tables of
-// weights by date and hour, weights_text.h reads and writes them, edit_weights.h edits their
-// intervals, and weight_templates.h has tables to begin with. score.h computes a shadow score: time_pieces.h
-// splits the steps by month and interval, score_sum.h adds the pieces up, score_text.h writes JSON and CSV.
-
 #include <chrono>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -15,6 +13,11 @@
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
+
+// The folder scenarios/weights/ weighs wanted shade against unwanted shadow. time_weights.h defines tables of
+// weights by date and hour, reads and writes them, edit_weights.h edits their intervals and has tables to
+// begin with. score.h computes a shadow score: score_sum.h splits the steps by month and interval and adds
+// the pieces up, score_text.h writes JSON and CSV.
 
 /// A range of dates in every year and a range of hours that share one weight.
 struct WeightedInterval {
@@ -48,5 +51,28 @@ Result<void> validate(const TimeWeights& weights);
 /// outside the tropics than in its summer: the table was made for the other half of the earth. None for a
 /// table that wants no shade at all, such as that of plants.
 std::optional<Warning> findSeasonMismatch(const TimeWeights& weights, double latitudeDeg);
+
+/// A heading "name,first,last,from,to,weight" and one line per interval: days as MM-DD (last day inclusive),
+/// hours as HH:MM; RFC 4180.
+std::string weightsCsv(const TimeWeights& weights);
+
+/// An array of objects with the same keys.
+std::string weightsJson(const TimeWeights& weights);
+
+/// Converts an interval to its texts by column of weightsCsv(), and back. A month ("June", "Jun") in `first`
+/// means its first day, in `last` its last day. Error, with `where` and the column: as below.
+std::map<std::string, std::string> textsOf(const WeightedInterval& interval);
+Result<WeightedInterval> intervalFrom(const std::map<std::string, std::string>& texts,
+                                      const std::string& where);
+
+/// Parses the output of weightsCsv() and weightsJson() into a table named `name`. Columns may come in any
+/// order; `name`, `from` and `to` may be missing (all day). Error, with the line or entry: an invalid column,
+/// day, hour or weight, and errors of checked().
+Result<TimeWeights> parseWeightsCsv(std::string_view text, const std::string& name);
+Result<TimeWeights> parseWeightsJson(std::string_view text, const std::string& name);
+
+/// Reads a file, as JSON where it starts like JSON, otherwise as CSV. Error: it cannot be read or is larger
+/// than 1 MB.
+Result<TimeWeights> readWeights(const std::filesystem::path& file, const std::string& name);
 
 }  // namespace noonmark

@@ -14,10 +14,9 @@
 #include "app/gui/session/study/open_city.h"
 #include "app/gui/view/exploration/view_refinement.h"
 #include "app/input/all_engines.h"
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/engines/accrual/surface_accrual.h"
 #include "core/engines/api/partial_field.h"
-#include "core/engines/api/partial_pace.h"
 #include "core/engines/ray/surface_rays.h"
 #include "tests/benchmarks/bench_scene.h"
 

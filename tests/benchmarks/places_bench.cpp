@@ -11,11 +11,11 @@
 
 #include "core/engines/projected/projected_shadows.h"
 #include "core/io/places/read_places.h"
-#include "core/measures/place_run.h"
-#include "core/measures/place_screening.h"
-#include "core/measures/place_sums.h"
+#include "core/measures/places/place_run.h"
+#include "core/measures/places/place_screening.h"
+#include "core/measures/places/place_sums.h"
 #include "core/receivers/place_names.h"
-#include "core/sun/chosen_days.h"
+#include "core/sun/sun_steps.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;

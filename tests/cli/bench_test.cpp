@@ -8,8 +8,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "app/bench/axis_scale.h"
-#include "app/bench/bench_files.h"
+#include "app/bench/bench_pages.h"
+#include "app/bench/chart_painter.h"
 #include "app/cli/base/offscreen_qt.h"
 #include "core/bench/paper/paper_bench.h"
 #include "tests/cli/spoken.h"

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/city/terrain/building_ground.h"
-#include "scenarios/edits/building_ids.h"
+#include "scenarios/edits/apply_edits.h"
 #include "scenarios/edits/placed_building.h"
 #include "tests/cli/project_command.h"
 #include "tests/shared/box_obj.h"

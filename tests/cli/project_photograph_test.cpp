@@ -1,7 +1,7 @@
 #include <QImage>
 #include <filesystem>
 
-#include "core/io/pictures/write_picture.h"
+#include "core/io/pictures/ground_raster_file.h"
 #include "tests/cli/project_command.h"
 
 namespace noonmark::cli::tests {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/sun/period.h"
-#include "scenarios/edits/building_ids.h"
+#include "scenarios/edits/apply_edits.h"
 #include "scenarios/edits/placed_building.h"
 #include "tests/cli/project_command.h"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <map>
 
-#include "app/cli/tiles/array_task.h"
+#include "app/cli/tiles/tiles_command.h"
 #include "tests/cli/spoken.h"
 #include "tests/core/io/temporary_folder.h"
 

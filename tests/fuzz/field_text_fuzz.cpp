@@ -1,8 +1,8 @@
 // Heights, storeys and lists of tags, as found in fields of a map.
 #include <cmath>
 
-#include "core/io/files/fold_text.h"
-#include "core/io/footprints/other_tags.h"
+#include "core/io/files/readable_text.h"
+#include "core/io/footprints/feature_facts.h"
 #include "core/io/heights/height_text.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"

@@ -1,5 +1,5 @@
 // Detection of the file kind from the first bytes and, for JSON, the first distinctive key.
-#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 

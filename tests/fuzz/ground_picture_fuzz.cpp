@@ -1,5 +1,5 @@
 // An aerial photograph as GeoTIFF.
-#include "core/io/pictures/read_ground_raster.h"
+#include "core/io/pictures/ground_raster_file.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"

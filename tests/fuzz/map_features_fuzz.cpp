@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "core/io/footprints/osm_semantics.h"
+#include "core/io/footprints/build_footprints.h"
 #include "core/io/footprints/place_features.h"
 #include "core/io/heights/field_roles.h"
 #include "tests/fuzz/fuzz_file.h"

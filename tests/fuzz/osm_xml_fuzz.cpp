@@ -1,5 +1,5 @@
 // OpenStreetMap as XML.
-#include "core/io/osm/read_osm_footprints.h"
+#include "core/io/osm/read_osm_buildings.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 

@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "core/io/settings/read_settings_text.h"
-#include "core/study/text/height_facts_json.h"
+#include "core/io/settings/read_fields.h"
+#include "core/study/text/height_words.h"
 #include "core/study/text/terrain_text.h"
-#include "core/study/tiles/tile_result.h"
+#include "core/study/tiles/tile_journal.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/project_file.h"
 #include "scenarios/project/tables/geometry_blob.h"
-#include "scenarios/weights/weights_text.h"
+#include "scenarios/weights/time_weights.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/seeds.h"
 #include "tests/fuzz/small_project.h"

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/io/terrain/stand_on_terrain.h"
-#include "core/io/terrain/terrain_from_bases.h"
+#include "core/io/terrain/buildings_on_terrain.h"
 #include "tests/fuzz/require.h"
 
 namespace noonmark::tests {

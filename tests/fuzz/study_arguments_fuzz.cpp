@@ -1,7 +1,7 @@
 // The arguments of a study in the plan of its tiles, one a line.
 #include <sstream>
 
-#include "app/cli/tiles/study_arguments.h"
+#include "app/cli/tiles/tile_question.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"

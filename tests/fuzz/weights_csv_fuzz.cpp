@@ -1,5 +1,5 @@
 // A table of time weights as CSV.
-#include "scenarios/weights/weights_text.h"
+#include "scenarios/weights/time_weights.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"

@@ -9,7 +9,6 @@
 #include "core/engines/accrual/shadow_accrual_map.h"
 #include "core/engines/graph/graph_engine.h"
 #include "render/gl/depth_maps.h"
-#include "render/gl/gl_engines.h"
 #include "render/gl/gl_shadow_maps.h"
 #include "tests/core/engines/scenes.h"
 

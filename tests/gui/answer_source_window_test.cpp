@@ -5,9 +5,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/gui/docks/results/warnings_dock.h"
+#include "app/gui/docks/results/results_dock.h"
 #include "app/gui/frame/main_window.h"
-#include "app/gui/session/answers/answer_origin.h"
+#include "app/gui/session/answers/measured_answers.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 

@@ -9,7 +9,7 @@
 #include <QPushButton>
 
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/tools/editing/building_facts.h"
+#include "app/gui/tools/editing/selection_panel.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "app/gui/view/panel/ground_lines.h"
-#include "render/scene/feature_edges.h"
 #include "render/scene/ground_picture.h"
 #include "tests/gui/small_city.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/gui/base/widgets/progress_strip.h"
-#include "app/gui/view/compare/compare_strip.h"
+#include "app/gui/view/compare/compare_actions.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -16,9 +16,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/gui/base/looks/height_reference.h"
-#include "app/gui/base/widgets/length_field.h"
-#include "app/gui/tools/editing/building_facts.h"
+#include "app/gui/base/looks/units.h"
+#include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/tools/editing/selection_panel.h"
 #include "app/gui/tools/massing/massing_panel.h"
 #include "scenarios/edits/apply_edits.h"

@@ -1,4 +1,4 @@
-#include "app/gui/tools/preview/extrusion.h"
+#include "app/gui/tools/preview/extrude_handle.h"
 
 #include <gtest/gtest.h>
 

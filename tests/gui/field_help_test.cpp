@@ -15,7 +15,6 @@
 #include <QWhatsThisClickedEvent>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/base/widgets/reading_form.h"
 #include "app/gui/docks/export/movie_dialog.h"
 #include "app/gui/frame/help/guide_window.h"
 #include "app/gui/frame/preferences/preferences_dialog.h"

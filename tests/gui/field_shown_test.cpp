@@ -3,11 +3,11 @@
 #include <limits>
 
 #include "app/gui/base/layers/field_picture.h"
+#include "app/gui/base/layers/ground_answer.h"
 #include "app/gui/base/layers/hover_text.h"
-#include "app/gui/base/layers/score_picture.h"
-#include "app/gui/docks/results/warnings_dock.h"
-#include "app/report/maps/palette.h"
-#include "app/report/maps/score_legend.h"
+#include "app/gui/docks/results/results_dock.h"
+#include "app/report/maps/answer_legends.h"
+#include "app/report/maps/style.h"
 #include "tests/gui/small_city.h"
 
 namespace noonmark {

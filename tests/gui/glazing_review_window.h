@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/gui/docks/review/glazing/glazing_form.h"
+#include "app/gui/docks/review/glazing/glazing_panel.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
 #include "app/gui/docks/review/review_dock.h"
 #include "tests/gui/project_window.h"

@@ -9,9 +9,8 @@
 #include <QRegularExpression>
 #include <QTextBrowser>
 
-#include "app/gui/frame/help/about_text.h"
 #include "app/gui/frame/help/guide_window.h"
-#include "app/gui/frame/help/key_sheet.h"
+#include "app/gui/frame/help/help_actions.h"
 #include "core/simd/instruction_set.h"
 #include "tests/gui/project_window.h"
 

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <optional>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "core/engines/api/partial_field.h"
 #include "tests/gui/wait_for.h"
 

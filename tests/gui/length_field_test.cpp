@@ -1,4 +1,4 @@
-#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/base/widgets/number_fields.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "app/gui/base/looks/units.h"
 #include "app/gui/docks/study_form/accuracy_section.h"
 #include "app/gui/docks/study_form/line_form.h"
-#include "app/gui/tools/massing/plate_field.h"
+#include "app/gui/tools/massing/tower_tables.h"
 
 namespace noonmark {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <QStringList>
 
-#include "app/gui/tools/preview/effect_words.h"
+#include "app/gui/tools/preview/edit_preview.h"
 #include "tests/gui/live_scene.h"
 
 namespace noonmark {

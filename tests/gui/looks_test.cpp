@@ -15,9 +15,9 @@
 #include <QWindow>
 #include <cmath>
 
-#include "app/gui/base/looks/icons.h"
+#include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/message_bar.h"
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

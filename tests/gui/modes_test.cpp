@@ -10,11 +10,11 @@
 #include <QToolBar>
 #include <random>
 
-#include "app/gui/docks/study_form/accuracy_form.h"
+#include "app/gui/docks/study_form/accuracy_section.h"
 #include "app/gui/frame/main_window.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/time/time_strip.h"
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {

@@ -14,7 +14,6 @@
 #include <QTemporaryDir>
 #include <tuple>
 
-#include "app/gui/base/widgets/reading_form.h"
 #include "app/gui/frame/main_window.h"
 #include "app/gui/session/study/massing_preview.h"
 #include "app/gui/view/panel/view_panel.h"

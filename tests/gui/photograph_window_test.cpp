@@ -8,7 +8,7 @@
 
 #include "app/gui/tools/photograph/photograph_dialog.h"
 #include "core/city/map_context.h"
-#include "core/io/pictures/write_picture.h"
+#include "core/io/pictures/ground_raster_file.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

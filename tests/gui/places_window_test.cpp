@@ -7,7 +7,6 @@
 #include <QUndoStack>
 #include <algorithm>
 
-#include "app/gui/docks/project/lot_roads_dialog.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/project/project_model.h"
 #include "core/receivers/place_names.h"

@@ -5,8 +5,8 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 
-#include "app/gui/docks/point/picked_point.h"
 #include "app/gui/docks/point/point_dock.h"
+#include "app/gui/docks/point/point_inspector.h"
 #include "app/gui/view/time/time_strip.h"
 #include "tests/gui/project_window.h"
 #include "tests/gui/wait_for.h"

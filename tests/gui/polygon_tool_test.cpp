@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "app/gui/session/study/region_words.h"
-#include "app/gui/view/panel/visible_ground.h"
+#include "app/gui/view/panel/ground_lines.h"
 
 namespace noonmark {
 namespace {

@@ -10,8 +10,8 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/docks/sheets/page_settings.h"
-#include "app/gui/frame/help/start_settings.h"
+#include "app/gui/docks/sheets/sheet_form.h"
+#include "app/gui/frame/help/start_page.h"
 #include "app/gui/frame/preferences/preferences_dialog.h"
 #include "tests/gui/project_window.h"
 

@@ -9,7 +9,7 @@
 
 #include "app/gui/frame/main_window.h"
 #include "app/gui/view/panel/view_panel.h"
-#include "scenarios/project/recovery_file.h"
+#include "scenarios/project/project_file.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 

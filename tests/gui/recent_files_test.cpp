@@ -7,8 +7,8 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "app/gui/frame/actions/recent_menu.h"
-#include "core/io/settings/read_settings_text.h"
+#include "app/gui/frame/actions/opening_actions.h"
+#include "core/io/settings/read_fields.h"
 
 namespace noonmark {
 namespace {

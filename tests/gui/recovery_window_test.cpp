@@ -4,9 +4,9 @@
 #include <QFile>
 #include <QPushButton>
 
-#include "app/gui/session/project/recovery_store.h"
+#include "app/gui/session/project/project_saving.h"
 #include "app/gui/view/panel/view_panel.h"
-#include "scenarios/project/recovery_file.h"
+#include "scenarios/project/project_file.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

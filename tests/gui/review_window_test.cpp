@@ -10,8 +10,7 @@
 #include <QUndoStack>
 
 #include "app/gui/docks/export/export_dialog.h"
-#include "app/gui/docks/review/day_panel.h"
-#include "app/gui/docks/review/range_panel.h"
+#include "app/gui/docks/review/chart_panels.h"
 #include "app/gui/docks/review/review_dock.h"
 #include "app/gui/docks/review/verdict_table.h"
 #include "app/gui/docks/sheets/book_view.h"

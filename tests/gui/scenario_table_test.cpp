@@ -23,9 +23,8 @@
 #include <cmath>
 
 #include "app/gui/base/looks/units.h"
-#include "app/gui/base/widgets/column_menu.h"
+#include "app/gui/base/widgets/table_columns.h"
 #include "app/gui/docks/scenarios/latest_answers.h"
-#include "app/gui/docks/scenarios/scenario_charts.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
 #include "app/gui/docks/weights/weights_dock.h"
 #include "app/gui/frame/actions/scenario_actions.h"

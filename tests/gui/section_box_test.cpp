@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <QMouseEvent>
 
-#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/session/project/view_state.h"
 #include "app/gui/view/panel/section_tool.h"
 #include "render/view/camera_control.h"

@@ -2,7 +2,7 @@
 
 #include <QTemporaryDir>
 
-#include "scenarios/edits/building_ids.h"
+#include "scenarios/edits/apply_edits.h"
 #include "scenarios/project/project_file.h"
 #include "tests/gui/small_city.h"
 

@@ -1,10 +1,9 @@
-#include "app/gui/view/panel/snap_targets.h"
+#include "app/gui/view/panel/snapping.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
-#include "app/gui/view/panel/snapping.h"
 #include "tests/gui/small_city.h"
 
 namespace noonmark {

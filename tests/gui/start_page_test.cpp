@@ -13,7 +13,7 @@
 #include <QToolBar>
 
 #include "app/gui/base/looks/language.h"
-#include "app/gui/base/widgets/card_button.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "tests/gui/project_window.h"
 

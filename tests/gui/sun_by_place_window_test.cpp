@@ -15,7 +15,6 @@
 #include <filesystem>
 #include <set>
 
-#include "app/gui/docks/contributions/contribution_model.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/places/places_dock.h"

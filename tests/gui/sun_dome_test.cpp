@@ -1,4 +1,4 @@
-#include "app/gui/view/time/sun_dome.h"
+#include "app/gui/docks/point/dome_display.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/gui/base/widgets/marked_slider.h"
+#include "app/gui/view/time/sun_at_moment.h"
 #include "app/gui/view/time/sun_shadow.h"
-#include "app/gui/view/time/sun_walk.h"
 #include "app/gui/view/time/time_strip.h"
 #include "tests/gui/small_city.h"
 #include "tests/gui/wait_for.h"

@@ -10,7 +10,7 @@
 #include <QTcpSocket>
 #include <map>
 
-#include "app/gui/tools/photograph/tile_dialog.h"
+#include "app/gui/tools/photograph/photograph_dialog.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {

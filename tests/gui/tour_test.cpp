@@ -10,8 +10,8 @@
 #include <string>
 
 #include "app/gui/frame/help/start_page.h"
+#include "app/gui/frame/tour/tour.h"
 #include "app/gui/frame/tour/tour_actions.h"
-#include "app/gui/frame/tour/tour_bubble.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/tools/editing/building_facts.h"
+#include "app/gui/tools/editing/selection_panel.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/massing/lot_edits.h"
 #include "tests/gui/small_city.h"

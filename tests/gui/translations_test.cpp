@@ -15,7 +15,6 @@
 #include "app/gui/base/looks/language.h"
 #include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/translated.h"
 #include "app/input/all_engines.h"
 #include "core/receivers/roof_receivers.h"
 #include "tests/gui/answers_window.h"

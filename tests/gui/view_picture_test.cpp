@@ -4,7 +4,7 @@
 
 #include <QDoubleSpinBox>
 
-#include "app/gui/tools/editing/placing_panel.h"
+#include "app/gui/tools/editing/mesh_placing.h"
 
 namespace noonmark {
 namespace {

@@ -18,7 +18,7 @@
 #include "app/gui/docks/weights/weights_dock.h"
 #include "app/gui/session/project/project_session.h"
 #include "core/city/city.h"
-#include "scenarios/weights/weight_templates.h"
+#include "scenarios/weights/edit_weights.h"
 #include "tests/gui/small_project.h"
 
 namespace noonmark {

@@ -9,8 +9,8 @@
 #include <QStatusBar>
 #include <QTabBar>
 
-#include "app/gui/docks/results/warnings_dock.h"
-#include "app/gui/session/study/warning_place.h"
+#include "app/gui/docks/results/results_dock.h"
+#include "app/gui/frame/actions/edit_actions.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/project_window.h"
 

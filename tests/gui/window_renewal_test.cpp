@@ -19,7 +19,7 @@
 
 #include "app/gui/base/looks/language.h"
 #include "app/gui/base/looks/units.h"
-#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/frame/main_window.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/small_project.h"

@@ -11,7 +11,7 @@
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/frame/main_window.h"
 #include "app/gui/view/panel/view_panel.h"
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 #include "core/samples/sample_city.h"
 #include "tests/gui/wait_for.h"
 

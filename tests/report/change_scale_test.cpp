@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/report/maps/impact_legend.h"
-#include "app/report/sheets/impact_report.h"
+#include "app/report/maps/answer_legends.h"
+#include "app/report/sheets/answer_reports.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {

@@ -7,7 +7,7 @@
 #include "app/report/charts/bar_chart.h"
 #include "app/report/charts/carpet_chart.h"
 #include "app/report/charts/timeline_chart.h"
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 namespace {

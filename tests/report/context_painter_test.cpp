@@ -1,4 +1,4 @@
-#include "app/report/maps/context_painter.h"
+#include "app/report/maps/city_painter.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/report/book/answer_book.h"
-#include "app/report/sheets/impact_report.h"
+#include "app/report/sheets/answer_reports.h"
 #include "core/study/review_study.h"
 #include "tests/report/book/book_texts.h"
 #include "tests/scenarios/small_town.h"

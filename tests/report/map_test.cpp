@@ -4,10 +4,9 @@
 #include <QImage>
 #include <QPdfWriter>
 
-#include "app/report/maps/field_image.h"
 #include "app/report/maps/legend_painter.h"
-#include "app/report/maps/map_furniture.h"
 #include "app/report/maps/map_painter.h"
+#include "app/report/maps/map_view.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {

@@ -5,7 +5,7 @@
 #include <QImage>
 #include <QPainter>
 
-#include "app/report/movie/frame_colours.h"
+#include "app/report/movie/movie_writer.h"
 #include "app/report/movie/shadow_movie.h"
 #include "core/sun/sun_steps.h"
 #include "tests/core/engines/scenes.h"

@@ -1,4 +1,4 @@
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/report/sheets/saved_report.h"
+#include "app/report/sheets/study_report.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,6 @@
 
 #include "app/report/files/read_report.h"
 #include "app/report/files/saved_files.h"
-#include "app/report/sheets/study_report.h"
 #include "core/io/write_raster.h"
 #include "core/measures/shadow_figures.h"
 #include "scenarios/project/results/save_result.h"

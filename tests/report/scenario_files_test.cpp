@@ -1,4 +1,4 @@
-#include "app/report/scenarios/scenario_files.h"
+#include "app/report/scenarios/scenario_book.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/files/read_report.h"
-#include "app/report/scenarios/scenario_book.h"
 #include "app/report/scenarios/scenario_months.h"
 #include "app/report/scenarios/scenario_text.h"
 #include "app/report/sheets/study_report.h"

@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "app/report/book/answer_book.h"
-#include "app/report/files/cells_csv.h"
 #include "app/report/sheets/study_report.h"
 #include "tests/report/synthetic_study.h"
 

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "app/report/sheets/period_words.h"
 #include "app/report/sheets/study_words.h"
 #include "tests/report/synthetic_study.h"
 

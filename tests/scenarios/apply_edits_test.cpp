@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/city/meshes/mesh_topology.h"
-#include "scenarios/edits/building_ids.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {

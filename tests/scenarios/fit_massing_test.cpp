@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "scenarios/massing/fit_floor_area.h"
-#include "scenarios/massing/nearest_fit.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {

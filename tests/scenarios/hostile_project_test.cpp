@@ -10,7 +10,6 @@
 
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/project_file.h"
-#include "scenarios/project/recovery_file.h"
 #include "scenarios/project/results/saved_answer.h"
 #include "scenarios/project/tables/database.h"
 #include "tests/core/io/planted_journal.h"

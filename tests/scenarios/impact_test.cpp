@@ -7,8 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/engines/common/reached_receivers.h"
-#include "scenarios/impact/impact_runs.h"
+#include "core/engines/common/shadow_reach.h"
+#include "scenarios/impact/impact_figures.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/score_text.h"

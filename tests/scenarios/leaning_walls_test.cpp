@@ -1,4 +1,4 @@
-#include "scenarios/massing/leaning_walls.h"
+#include "scenarios/massing/floor_plate.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/city/city.h"
-#include "core/city/footprints/floor_area.h"
+#include "core/city/footprints/plan_areas.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/terrain/building_ground.h"

@@ -1,4 +1,4 @@
-#include "scenarios/massing/lot_shape.h"
+#include "scenarios/massing/lot_edits.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 
 #include "core/city/city.h"
 #include "core/city/meshes/mesh_topology.h"
+#include "scenarios/massing/copy_massing.h"
 #include "scenarios/massing/floor_plate.h"
-#include "scenarios/massing/same_floor_area.h"
 #include "scenarios/massing/straight_skeleton.h"
 #include "tests/core/city/hostile_polygons.h"
 #include "tests/scenarios/small_town.h"

@@ -9,10 +9,9 @@
 #include <tuple>
 
 #include "core/io/read_city.h"
-#include "core/io/settings/read_settings_text.h"
+#include "core/io/settings/read_fields.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/project/edit_json.h"
-#include "scenarios/project/recovery_file.h"
 #include "scenarios/project/tables/database.h"
 #include "scenarios/project/tables/schema.h"
 #include "tests/core/io/temporary_folder.h"

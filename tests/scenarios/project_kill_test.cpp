@@ -6,7 +6,7 @@
 #include <random>
 #include <thread>
 
-#include "scenarios/project/recovery_file.h"
+#include "scenarios/project/project_file.h"
 #include "scenarios/project/tables/database.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/sample_project.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scenarios/impact/impact_runs.h"
+#include "scenarios/impact/impact_figures.h"
 #include "scenarios/project/project_file.h"
 #include "scenarios/project/results/save_result.h"
 #include "tests/core/io/temporary_folder.h"

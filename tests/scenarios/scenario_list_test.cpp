@@ -1,4 +1,4 @@
-#include "scenarios/scenario_list.h"
+#include "scenarios/scenario.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scenarios/edits/apply_edits.h"
-#include "scenarios/massing/floor_uses.h"
+#include "scenarios/massing/floor_plate.h"
 #include "scenarios/project/edit_json.h"
 #include "tests/scenarios/small_town.h"
 

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "core/engines/api/blank_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "scenarios/impact/impact.h"
 #include "scenarios/weights/score.h"
 #include "tests/scenarios/small_town.h"

@@ -1,4 +1,4 @@
-#include "scenarios/project/tables/value_bands.h"
+#include "scenarios/project/tables/layer_styles.h"
 
 #include <gtest/gtest.h>
 

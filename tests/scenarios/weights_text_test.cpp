@@ -1,9 +1,9 @@
-#include "scenarios/weights/weights_text.h"
+#include "scenarios/weights/time_weights.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/base/csv_rows.h"
+#include "core/base/csv_text.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::tests {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/gui/base/jobs/heap_memory.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/frame/appearance.h"
 #include "tests/soak/window_user.h"
 

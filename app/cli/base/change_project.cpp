@@ -2,7 +2,9 @@
 
 #include <ostream>
 
-#include "scenarios/project/project_file.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/table.h"
+#include "app/input/load_city.h"
 
 namespace noonmark::cli {
 
@@ -22,6 +24,18 @@ int changeProject(const ChangeOptions& options, const Console& console,
         if (const auto saved = disk->save(project); !saved) return fail(console, saved.error(), exitFailed);
     console.out << *words << (options.dryRun ? "Dry run: nothing was saved\n" : "");
     return exitOk;
+}
+
+Result<ProjectFile> openProject(const std::string& file, const Console& console) {
+    auto disk = ProjectFile::open(file);
+    if (!disk) return disk;
+    const Interrupt interrupt;
+    NoProgress progress;
+    Warnings warnings;
+    disk->setCityAtHand(withPhotographAtHand(disk->project(), warnings, progress, interrupt.token()).city);
+    if (interrupt.token().stop_requested()) return cancelled();
+    printWarnings(console.err, warnings);
+    return disk;
 }
 
 }  // namespace noonmark::cli

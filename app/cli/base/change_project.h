@@ -6,7 +6,9 @@
 #include <string>
 
 #include "app/cli/base/command.h"
+#include "app/cli/base/command_line.h"
 #include "scenarios/project/project.h"
+#include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
 
@@ -40,5 +42,9 @@ CLI::App* addChangeCommand(CLI::App& group, const char* name, const char* about,
     });
     return command;
 }
+
+/// Opens a project for a command that draws it: with the pixels of its aerial photograph, if it shows one.
+/// A photograph that cannot be drawn is a warning on `console.err`. Error: as of ProjectFile::open().
+Result<ProjectFile> openProject(const std::string& file, const Console& console);
 
 }  // namespace noonmark::cli

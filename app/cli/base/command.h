@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "app/cli/base/console.h"
+#include "app/cli/base/command_line.h"
 #include "core/base/result.h"
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 
 namespace noonmark::cli {
 

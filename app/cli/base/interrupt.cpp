@@ -5,8 +5,8 @@
 #include <mutex>
 #include <vector>
 
-#include "app/cli/base/console.h"
-#include "core/base/private_folder.h"
+#include "app/cli/base/command_line.h"
+#include "core/base/working_files.h"
 
 namespace noonmark::cli {
 

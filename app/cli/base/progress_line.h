@@ -4,7 +4,7 @@
 #include <mutex>
 #include <optional>
 
-#include "app/cli/base/console.h"
+#include "app/cli/base/command_line.h"
 #include "core/base/progress.h"
 
 namespace noonmark::cli {

@@ -7,7 +7,7 @@
 #include "app/cli/base/command.h"
 #include "app/cli/base/table.h"
 #include "core/io/write_city.h"
-#include "core/study/text/warnings_json.h"
+#include "core/study/text/error_words.h"
 
 namespace noonmark::cli {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/cli/base/console.h"
+#include "app/cli/base/command_line.h"
 #include "core/base/warnings.h"
 #include "core/city/city.h"
 

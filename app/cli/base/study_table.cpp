@@ -12,7 +12,6 @@
 #include "core/study/text/error_words.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/terrain_text.h"
-#include "core/study/text/tree_words.h"
 
 namespace noonmark::cli {
 

@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "core/base/clean_text.h"
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 
 namespace noonmark::cli {
 

@@ -4,13 +4,13 @@
 #include <ostream>
 #include <span>
 
-#include "app/bench/bench_files.h"
+#include "app/bench/bench_pages.h"
 #include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
-#include "app/cli/options/overwrite_option.h"
+#include "app/cli/options/shared_options.h"
 #include "app/input/all_engines.h"
 #include "app/input/load_city.h"
 #include "app/input/output_rules.h"
@@ -19,7 +19,7 @@
 #include "core/bench/horizon/horizon_bench.h"
 #include "core/bench/paper/paper_bench.h"
 #include "core/bench/points/point_bench.h"
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::cli {

@@ -7,14 +7,13 @@
 
 #include "app/cli/base/command.h"
 #include "app/cli/base/table.h"
-#include "app/cli/study/load_city.h"
+#include "app/cli/study/study_request.h"
 #include "app/input/load_project.h"
 #include "core/io/footprints/list_fields.h"
+#include "core/study/text/error_words.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/next_steps.h"
 #include "core/study/text/terrain_text.h"
-#include "core/study/text/tree_words.h"
-#include "core/study/text/warnings_json.h"
 
 namespace noonmark::cli {
 

@@ -6,26 +6,26 @@
 #include <ostream>
 #include <set>
 
+#include "app/cli/base/change_project.h"
 #include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
-#include "app/cli/base/open_project.h"
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
 #include "app/cli/options/measure_options.h"
-#include "app/cli/options/picture_option.h"
+#include "app/cli/options/shared_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
 #include "app/input/all_engines.h"
-#include "app/report/scenarios/scenario_files.h"
+#include "app/report/scenarios/scenario_book.h"
 #include "app/report/scenarios/scenario_text.h"
-#include "core/base/display_units.h"
-#include "core/base/progress_share.h"
-#include "core/describe/command_flags.h"
+#include "core/base/progress.h"
+#include "core/base/units.h"
+#include "core/describe/command_options.h"
 #include "core/measures/shadow_figures.h"
 #include "scenarios/project/project_provenance.h"
-#include "scenarios/scenario_list.h"
-#include "scenarios/weights/score_figures.h"
+#include "scenarios/scenario.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark::cli {
 

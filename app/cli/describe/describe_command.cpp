@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 
@@ -8,7 +7,7 @@
 #include "app/input/build_facts.h"
 #include "app/input/window_arguments.h"
 #include "core/base/version.h"
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "core/engines/api/engine_registry.h"
 #include "core/io/files/write_text.h"
 #include "core/review/library/rule_library.h"
@@ -109,6 +108,32 @@ void addDescribeCommand(CLI::App& app, Run& run) {
     command->callback([options, &app, &run] {
         run = [options, &app](const Console& console) { return runDescribe(*options, app, console); };
     });
+}
+
+namespace {
+
+void addHelp(const CLI::App& command, const std::string& before, std::string words, std::string& source) {
+    const std::string name = before.empty() ? command.get_name() : before + " " + command.get_name();
+    if (!before.empty()) words += (words.empty() ? "" : " ") + command.get_name();
+    source += fmt::format("    {{\"{}\", R\"help({})help\"}},\n", words,
+                          command.get_formatter()->make_help(&command, name, CLI::AppFormatMode::Normal));
+    for (const CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; }))
+        if (!below->get_name().empty()) addHelp(*below, name, words, source);
+}
+
+}  // namespace
+
+DescriptionFile writeHelpSource(const CLI::App& program) {
+    std::string texts;
+    addHelp(program, "", "", texts);
+    return {"help_texts.cpp",
+            "#include \"app/launcher/help_texts.h\"\n\n"
+            "namespace noonmark::launcher {\n\n"
+            "namespace {\nconstexpr HelpText texts[] = {\n" +
+                texts +
+                "};\n}  // namespace\n\n"
+                "std::span<const HelpText> helpTexts() { return texts; }\n\n"
+                "}  // namespace noonmark::launcher\n"};
 }
 
 }  // namespace noonmark::cli

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <vector>
 
-#include "app/cli/options/number_range.h"
+#include "app/cli/options/shared_options.h"
 #include "core/describe/value_text.h"
 
 namespace noonmark::cli {

@@ -2,11 +2,11 @@
 
 #include "app/cli/base/change_project.h"
 #include "app/cli/base/command.h"
-#include "app/cli/options/overwrite_option.h"
-#include "app/cli/options/project_question.h"
+#include "app/cli/options/project_options.h"
+#include "app/cli/options/shared_options.h"
 #include "app/cli/options/study_options.h"
 #include "app/input/output_rules.h"
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 
 namespace noonmark::cli {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "app/cli/base/console.h"
-#include "app/cli/options/period_options.h"
+#include "app/cli/base/command_line.h"
+#include "app/cli/options/study_options.h"
 #include "app/report/sheets/sheet.h"
 #include "core/io/files/check_output.h"
 #include "core/measures/legend_choice.h"

@@ -1,6 +1,5 @@
 #include "app/cli/options/sheet_options.h"
 
-#include "app/cli/options/elevation_sheet_options.h"
 #include "app/cli/options/field_options.h"
 #include "app/report/book/review/review_book.h"
 #include "core/describe/value_text.h"

@@ -37,4 +37,8 @@ Result<BookSettings> bookSettingsOf(const SheetOptions& options, const SheetSett
 /// The texts of the title block that the user gave, all but the date, which the book restates.
 std::vector<CommandOption> makeRepeatOptions(const SheetOptions& options);
 
+/// Adds the options of elements.pdf: those of addSheetOptions(), and --scale of its elevations. `options`
+/// must outlive the command.
+void addElevationSheetOptions(CLI::App& command, SheetOptions& options);
+
 }  // namespace noonmark::cli

@@ -1,21 +1,38 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "app/cli/options/shared_options.h"
+#include "app/report/maps/style.h"
+#include "core/describe/command_options.h"
+#include "core/measures/legend_choice.h"
+#include "core/study/elements/element_study.h"
+#include "core/sun/period.h"
+
+namespace noonmark::cli {
+
+/// The days and hours of a command, as given by the user.
+struct PeriodOptions {
+    FlagNames names{};  ///< of flags that differ on this command
+    Period period{};
+    std::set<std::string, std::less<>> given{};  ///< flags of periodFields() that the user gave
+    [[nodiscard]] bool states(std::string_view flag) const { return given.contains(flag); }
+};
+
+/// Returns the option of the first day, which the caller may require. `options` must outlive the parsing.
+CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options);
+
+/// The period, checked. Error: a zone that is unknown or, where clock hours need it, not given.
+Result<Period> periodFrom(const PeriodOptions& options);
+
 // The folder app/cli/options/ holds the options that several commands share. Each header has a struct with
 // the values as given by the user, a function that adds the options to a command, and where needed a function
 // that parses them: study_options.h and measure_options.h for whole commands, the others for reading, period,
 // engine and outputs.
-
-#include <CLI/CLI.hpp>
-#include <optional>
-#include <string>
-
-#include "app/cli/options/period_options.h"
-#include "app/cli/options/read_options.h"
-#include "app/report/sheets/picture_width.h"
-#include "core/measures/legend_choice.h"
-#include "core/study/elements/element_study.h"
-
-namespace noonmark::cli {
 
 /// The options of `study`, as given by the user.
 struct StudyOptions {

@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "app/cli/options/number_range.h"
-#include "app/cli/options/project_question.h"
+#include "app/cli/options/project_options.h"
+#include "app/cli/options/shared_options.h"
 
 namespace noonmark::cli {
 

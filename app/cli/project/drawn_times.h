@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/cli/base/command.h"
-#include "core/io/shadows/drawn_times.h"
+#include "core/io/shadows/shadow_drawing.h"
 #include "core/io/shadows/write_shadows.h"
 #include "scenarios/project/project.h"
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/describe/command_flags.h"
-#include "scenarios/edits/building_ids.h"
+#include "core/describe/command_options.h"
+#include "scenarios/edits/apply_edits.h"
 
 namespace noonmark::cli {
 

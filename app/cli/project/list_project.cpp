@@ -5,7 +5,7 @@
 
 #include "app/cli/base/command.h"
 #include "app/cli/base/table.h"
-#include "core/study/text/warnings_json.h"
+#include "core/study/text/error_words.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {

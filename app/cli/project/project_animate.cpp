@@ -6,16 +6,14 @@
 #include "app/cli/base/change_project.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
-#include "app/cli/base/open_project.h"
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
-#include "app/cli/options/number_range.h"
-#include "app/cli/options/overwrite_option.h"
+#include "app/cli/options/shared_options.h"
 #include "app/cli/project/drawn_times.h"
 #include "app/cli/project/project_commands.h"
 #include "app/input/output_rules.h"
 #include "app/report/movie/shadow_movie.h"
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {

@@ -2,7 +2,7 @@
 
 // The folder app/cli/project/ holds the subcommands of `project`, one file each, listed below.
 // change_project.h opens and saves the project for commands that change it, edit_scenario.h applies edits to
-// a scenario, list_project.h lists and removes entries, and project_question.h parses region and period.
+// a scenario, list_project.h lists and removes entries, and project_options.h parses region and period.
 
 #include "app/cli/base/command.h"
 

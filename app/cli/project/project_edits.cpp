@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "app/cli/options/number_range.h"
+#include "app/cli/options/shared_options.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
 

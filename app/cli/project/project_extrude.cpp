@@ -1,23 +1,45 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
+#include <string>
 
+#include "app/cli/base/table.h"
 #include "app/cli/options/field_options.h"
+#include "app/cli/options/shared_options.h"
 #include "app/cli/project/edit_scenario.h"
-#include "app/cli/project/massing_line.h"
 #include "app/cli/project/project_commands.h"
-#include "scenarios/edits/building_ids.h"
+#include "core/city/terrain/building_ground.h"
+#include "scenarios/edits/apply_edits.h"
+#include "scenarios/massing/copy_massing.h"
 #include "scenarios/massing/fit_floor_area.h"
 #include "scenarios/massing/lot_edits.h"
+#include "scenarios/massing/massing.h"
 #include "scenarios/massing/massing_fields.h"
 #include "scenarios/massing/tower_design.h"
 
 namespace noonmark::cli {
 
 namespace {
+
+/// "87 storeys, 304.5 m; gross floor area 87,696 m2, ratio 25.5, coverage 29 %"
+std::string lineOf(const MassingFigures& figures) {
+    return fmt::format("{} storeys, {:.1f} m; gross floor area {} m2, ratio {:.1f}, coverage {:.0f} %",
+                       figures.storeys, figures.heightM,
+                       withCommas(std::size_t(std::llround(figures.grossFloorM2))), figures.floorAreaRatio,
+                       figures.coverage * 100);
+}
+
+/// "  offices: 10 storeys, 5,000 m2", a line for each use; empty where none is stated.
+std::string linesOf(const std::vector<UseArea>& uses) {
+    std::string lines;
+    for (const UseArea& area : uses)
+        lines += fmt::format("  {}: {} storeys, {} m2\n", area.use.empty() ? "use not stated" : area.use,
+                             area.storeys, withCommas(std::size_t(std::llround(area.grossFloorM2))));
+    return lines;
+}
 
 struct ExtrudeOptions : EditOptions {
     std::string lot;
@@ -124,6 +146,71 @@ void addProjectExtrude(CLI::App& project, Run& run) {
     addFieldOptions(*command, podiumFields().of(options->podium), {.given = &options->given});
     addFieldOptions(*command, massingListFields().of(options->massing));
     addFieldOptions(*command, floorAreaFields().of(options->target));
+}
+
+namespace {
+
+struct VariantOptions : BuildingsOptions {
+    std::string plate = "2";  // a factor, or "largest"
+    double storeyHeightM = defaultStoreyM;
+};
+
+Result<double> factorFrom(const std::string& text) {
+    if (text == "largest") return largestPlate;
+    double factor = 0;
+    if (CLI::detail::lexical_cast(text, factor) && factor > 0) return factor;
+    return failure("It is not a size of a floor plate", text, "Give a factor such as 2 or 0.5, or `largest`");
+}
+
+// The lot with the building's name, otherwise the lot that contains the building's centroid.
+Result<Footprint> lotOf(const Project& project, const Building& building) {
+    for (const NamedLot& lot : project.lots)
+        if (lot.name == building.sourceId || lot.name == building.name) return lot.outline;
+    for (const NamedLot& lot : project.lots)
+        if (contains(lot.outline, findMiddle(building))) return lot.outline;
+    return failure("The building does not stand on a lot of the project", building.sourceId,
+                   "Add one: noonmark-cli project lot add");
+}
+
+Result<MadeEdit> makeVariant(const VariantOptions& options, double factor, const Project& project,
+                             const FoundBuilding& found) {
+    const Building& old = found.building();
+    const auto lot = lotOf(project, old);
+    if (!lot) return tl::make_unexpected(lot.error());
+    const double oldM = double(heightM(old, found.city));
+    return noonmark::makeVariant(found.city, found.index, *lot, factor, options.storeyHeightM)
+        .map([&](const Variant& variant) {
+            return MadeEdit{variant.edit, fmt::format("{}: {:.1f} m -> {}", old.sourceId, oldM,
+                                                      lineOf(variant.massing.figures))};
+        });
+}
+
+Result<std::string> addVariants(const VariantOptions& options, Project& project) {
+    const auto factor = factorFrom(options.plate);
+    if (!factor) return tl::make_unexpected(factor.error());
+    return editBuildings(options, project, [&](const FoundBuilding& found) {
+        return makeVariant(options, *factor, project, found);
+    });
+}
+
+}  // namespace
+
+void addProjectVariant(CLI::App& project, Run& run) {
+    const auto options = std::make_shared<VariantOptions>();
+    CLI::App* command =
+        addEditCommand(project, "variant", "Reshape buildings on their lots at the same gross floor area",
+                       options, addVariants, run);
+    addBuildings(*command, *options);
+    command
+        ->add_option("--plate", options->plate,
+                     "Floor plate as a multiple of the present one (2: lower and wider, 0.5: taller and "
+                     "slimmer), or `largest`; at most the lot")
+        ->capture_default_str()
+        ->type_name("FACTOR");
+    command->add_option("--storey-height", options->storeyHeightM, "Height of a storey, 2 to 10 m")
+        ->capture_default_str()
+        ->check(within(2, 10))
+        ->type_name("M");
 }
 
 }  // namespace noonmark::cli

@@ -6,14 +6,12 @@
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/table.h"
 #include "app/cli/options/field_options.h"
-#include "app/cli/options/lon_lat_option.h"
-#include "app/cli/options/number_range.h"
-#include "app/cli/options/read_options.h"
+#include "app/cli/options/shared_options.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
-#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/settings/read_fields.h"
-#include "scenarios/edits/building_ids.h"
+#include "scenarios/edits/apply_edits.h"
 #include "scenarios/edits/read_shape.h"
 
 namespace noonmark::cli {

@@ -8,9 +8,9 @@
 #include "app/cli/base/command.h"
 #include "app/cli/base/table.h"
 #include "app/cli/project/project_commands.h"
+#include "core/study/text/error_words.h"
 #include "core/study/text/terrain_text.h"
-#include "core/study/text/warnings_json.h"
-#include "scenarios/project/recovery_file.h"
+#include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
 

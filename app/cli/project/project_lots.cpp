@@ -6,13 +6,13 @@
 #include "app/cli/base/interrupt.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "core/io/footprints/read_parcels.h"
 #include "core/io/formats/format.h"
 #include "core/io/read_region.h"
-#include "scenarios/edits/building_ids.h"
-#include "scenarios/free_name.h"
+#include "scenarios/edits/apply_edits.h"
 #include "scenarios/massing/lot_edits.h"
+#include "scenarios/scenario.h"
 
 namespace noonmark::cli {
 

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "app/cli/options/period_options.h"
+#include "app/cli/options/study_options.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
 #include "core/sun/period_fields.h"

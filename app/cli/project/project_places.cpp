@@ -7,13 +7,13 @@
 
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/table.h"
-#include "app/cli/options/place_options.h"
+#include "app/cli/options/project_options.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
-#include "app/input/load_places.h"
+#include "app/input/load_city.h"
 #include "core/io/read_region.h"
 #include "core/receivers/place_names.h"
-#include "scenarios/edits/building_ids.h"
+#include "scenarios/edits/apply_edits.h"
 #include "scenarios/massing/lot_edits.h"
 
 namespace noonmark::cli {

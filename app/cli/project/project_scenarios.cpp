@@ -4,7 +4,7 @@
 
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
-#include "scenarios/scenario_list.h"
+#include "scenarios/scenario.h"
 
 namespace noonmark::cli {
 

@@ -7,7 +7,7 @@
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
 #include "scenarios/project/project_file.h"
-#include "scenarios/weights/weights_text.h"
+#include "scenarios/weights/time_weights.h"
 
 namespace noonmark::cli {
 

@@ -8,17 +8,17 @@
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
 #include "app/cli/options/field_options.h"
-#include "app/cli/options/number_range.h"
-#include "app/cli/options/project_question.h"
+#include "app/cli/options/project_options.h"
+#include "app/cli/options/shared_options.h"
 #include "app/cli/options/study_options.h"
 #include "app/cli/review/review_source.h"
 #include "app/input/find_element_parts.h"
 #include "app/questions/glazing_question.h"
-#include "app/report/files/glazing_files.h"
+#include "app/report/files/element_files.h"
 #include "core/review/places/verdict_text.h"
 #include "core/study/elements/element_fields.h"
-#include "core/study/remaining_time.h"
-#include "core/study/text/warnings_json.h"
+#include "core/study/study_cost.h"
+#include "core/study/text/error_words.h"
 
 namespace noonmark::cli {
 

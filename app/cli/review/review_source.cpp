@@ -3,14 +3,14 @@
 #include <fstream>
 #include <ostream>
 
+#include "app/cli/base/change_project.h"
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/open_project.h"
 #include "app/cli/base/progress_line.h"
-#include "app/cli/options/project_question.h"
-#include "app/cli/study/load_city.h"
+#include "app/cli/options/project_options.h"
+#include "app/cli/study/study_request.h"
+#include "app/input/load_project.h"
 #include "app/input/output_rules.h"
-#include "app/input/project_of.h"
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {

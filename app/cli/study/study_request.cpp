@@ -1,24 +1,53 @@
 #include "app/cli/study/study_request.h"
 
+#include <algorithm>
 #include <filesystem>
 
-#include "app/cli/options/project_question.h"
-#include "app/cli/study/load_city.h"
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/progress_line.h"
+#include "app/cli/options/project_options.h"
 #include "app/input/all_engines.h"
 #include "app/input/find_element_parts.h"
-#include "app/input/load_photograph.h"
-#include "app/input/load_places.h"
 #include "app/input/load_project.h"
 #include "app/questions/review_question.h"
 #include "app/report/files/output_folder.h"
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/io/elements/read_point_file.h"
 #include "core/io/read_region.h"
+#include "core/io/settings/read_fields.h"
 #include "core/receivers/place_names.h"
 #include "core/study/text/region_text.h"
 #include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
+
+namespace {
+
+Result<LoadedCity> projectCity(const std::string& file) {
+    return ProjectFile::open(file).map(
+        [&](const ProjectFile& disk) { return loadProjectCity(disk.project(), file); });
+}
+
+}  // namespace
+
+bool namesProject(const ReadOptions& options) { return std::ranges::any_of(options.files, isProjectFile); }
+
+Result<void> checkProjectAlone(const ReadOptions& options) {
+    const std::string& file = options.files.front();
+    if (options.files.size() > 1)
+        return failure("A project cannot be combined with other files", file, "Give only the project file");
+    if (formatText(options.settings).empty()) return {};
+    return failure("The city of a project has already been read: reading options have no effect", file,
+                   "Omit them, or create a new project from the files with these options");
+}
+
+Result<LoadedCity> loadCity(const ReadOptions& options, const Console& console) {
+    if (namesProject(options))
+        return checkProjectAlone(options).and_then([&] { return projectCity(options.files.front()); });
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    return noonmark::loadCity(options.files, options.settings, progress, interrupt.token());
+}
 
 namespace {
 

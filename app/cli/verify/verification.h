@@ -6,10 +6,8 @@
 #include <vector>
 
 #include "app/report/files/read_report.h"
-#include "core/study/verification/compare_records.h"
-#include "core/study/verification/compare_tables.h"
-#include "core/study/verification/compare_words.h"
-#include "core/study/verification/find_inputs.h"
+#include "core/study/verification/compare_results.h"
+#include "core/study/verification/result_record.h"
 
 namespace noonmark::cli {
 

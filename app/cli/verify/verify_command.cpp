@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -6,25 +7,154 @@
 #include <ostream>
 #include <set>
 #include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include "app/cli/base/command.h"
+#include "app/cli/base/command_line.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
-#include "app/cli/verify/later_save.h"
-#include "app/cli/verify/repeat_run.h"
 #include "app/cli/verify/verification.h"
 #include "app/questions/question.h"
 #include "app/report/files/read_report.h"
+#include "core/base/result.h"
 #include "core/base/version.h"
+#include "core/base/working_files.h"
 #include "core/io/files/plain_file.h"
+#include "core/study/text/error_words.h"
 #include "core/study/text/region_text.h"
-#include "core/study/text/warnings_json.h"
+#include "core/study/verification/result_record.h"
+#include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
 
 namespace {
 
+std::string textAt(const nlohmann::ordered_json& json, const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// What of the project the record is about. Error: it has no such weight table.
+Result<MeasuredPart> partOf(const Project& project, const nlohmann::ordered_json& record) {
+    MeasuredPart part{textAt(record, "scenario"), textAt(record, "baseline"), {}, {}};
+    const std::string weights = textAt(record, "weights");
+    if (weights.empty()) return part;
+    return findWeights(project, weights).map([&](TimeWeights table) {
+        part.weights = std::move(table);
+        return part;
+    });
+}
+
+bool holdsContent(const std::filesystem::path& file, const nlohmann::ordered_json& record,
+                  const std::string& contentSha256) {
+    const auto disk = ProjectFile::open(file);
+    if (!disk) return false;
+    const auto part = partOf(disk->project(), record);
+    if (!part) return false;
+    const auto content = hashContent(disk->project(), *part);
+    return content && *content == contentSha256;
+}
+
+/// Accepts a project that was saved again since the result, where all that the result rests on is as
+/// recorded: city, edits of scenario and baseline, weights (hashContent()). Its file has another hash.
+/// Projects that cannot be read stay as they were found.
+void acceptLaterSaves(std::vector<FoundFile>& files, const nlohmann::ordered_json& record) {
+    const auto project = record.find("project");
+    if (project == record.end() || !project->is_object()) return;
+    const std::string fileSha256 = textAt(*project, "file_sha256"),
+                      content = textAt(*project, "content_sha256");
+    if (fileSha256.empty() || content.empty()) return;
+    for (FoundFile& file : files) {
+        if (file.agrees || !file.path || file.recorded.sha256 != fileSha256) continue;
+        file.isSavedAgain = file.agrees = holdsContent(*file.path, record, content);
+    }
+}
+
+/// A folder in which a recorded command runs: it holds only the files that the record names, under their
+/// recorded names, and what the command writes. Removed at the end.
+class RepeatFolder {
+public:
+    /// Error: the folder cannot be made, or two recorded files have the same name.
+    static Result<RepeatFolder> make(const std::vector<FoundFile>& files);
+    /// Adds a file under its own name. Files that are there already stay.
+    [[nodiscard]] Result<void> add(const std::filesystem::path& file) const;
+    /// Runs the words of a noonmark-cli command in the folder. Error: it failed, with what it said, or
+    /// cancelled().
+    [[nodiscard]] Result<void> run(const std::vector<std::string>& words, const Console& console) const;
+    [[nodiscard]] std::filesystem::path outputs() const { return folder_.path() / "repeated"; }
+
+private:
+    explicit RepeatFolder(PrivateFolder folder) : folder_(std::move(folder)) {}
+    PrivateFolder folder_;
+};
+
 namespace fs = std::filesystem;
+
+/// Changes the working folder for its lifetime: the recorded command names files without their folders.
+class WorkingFolder {
+public:
+    explicit WorkingFolder(const fs::path& folder) : before_(fs::current_path()) { fs::current_path(folder); }
+    ~WorkingFolder() {
+        std::error_code ignored;
+        fs::current_path(before_, ignored);
+    }
+    WorkingFolder(const WorkingFolder&) = delete;
+    WorkingFolder& operator=(const WorkingFolder&) = delete;
+
+private:
+    fs::path before_;
+};
+
+std::string nameOf(const RecordedFile& file) { return file.path.substr(file.path.find_last_of("/\\") + 1); }
+
+// A link where the system permits it; files of a city may have gigabytes.
+Result<void> place(const fs::path& file, const fs::path& at) {
+    std::error_code error;
+    fs::create_symlink(fs::absolute(file), at, error);
+    if (error) fs::copy_file(file, at, error);
+    if (error) return failure("The file cannot be placed beside the others", file.string(), error.message());
+    return {};
+}
+
+Result<RepeatFolder> RepeatFolder::make(const std::vector<FoundFile>& files) {
+    std::error_code error;
+    const fs::path temporary = fs::temp_directory_path(error);
+    RepeatFolder folder{PrivateFolder(temporary)};
+    const fs::path& path = folder.folder_.path();
+    if (error || path.empty())
+        return failure("The folder for the repeated run cannot be made", temporary.string(),
+                       "Check the folder for temporary files (TMPDIR)");
+    for (const FoundFile& file : files) {
+        if (!file.path) continue;
+        const fs::path at = path / nameOf(file.recorded);
+        if (fs::exists(at))
+            return failure("Two recorded files have the same name", nameOf(file.recorded),
+                           "Run the recorded command by hand with paths that distinguish them");
+        if (auto placed = place(*file.path, at); !placed) return tl::make_unexpected(placed.error());
+    }
+    return folder;
+}
+
+Result<void> RepeatFolder::add(const fs::path& file) const {
+    const fs::path at = folder_.path() / file.filename();
+    return fs::exists(at) ? Result<void>() : place(file, at);
+}
+
+Result<void> RepeatFolder::run(const std::vector<std::string>& words, const Console& console) const {
+    std::vector<const char*> argv;
+    argv.reserve(words.size());
+    for (const std::string& word : words) argv.push_back(word.c_str());
+    std::ostringstream out, err;
+    const WorkingFolder there(folder_.path());
+    const int code = runCommandLine(int(argv.size()), argv.data(),
+                                    {out, console.watched ? console.err : err, console.watched});
+    if (code == exitCancelled) return cancelled();
+    if (code == exitOk) return {};
+    return failure(fmt::format("The recorded command fails: {}", err.str()), "repeat",
+                   "The record may come from another version of Noonmark");
+}
 
 struct VerifyOptions {
     std::string report;

@@ -1,25 +1,67 @@
 #include "app/gui/frame/window_docks.h"
 
+#include <QAccessible>
 #include <QDockWidget>
+#include <QGroupBox>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QPointer>
 #include <QScrollArea>
+#include <QTextDocumentFragment>
+#include <QWidget>
 #include <memory>
 
-#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/elements/elements_dock.h"
 #include "app/gui/docks/places/places_dock.h"
 #include "app/gui/docks/point/point_dock.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/results_dock.h"
-#include "app/gui/docks/results/warnings_dock.h"
 #include "app/gui/docks/review/review_dock.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/docks/weights/weights_dock.h"
 
 namespace noonmark {
+
+namespace {
+
+QString plainLine(const QString& text) {
+    const QString plain =
+        Qt::mightBeRichText(text) ? QTextDocumentFragment::fromHtml(text).toPlainText() : text;
+    return plain.section(QLatin1Char('\n'), 0, 0);
+}
+
+QString titleAround(const QWidget& widget) {
+    for (const QWidget* around = widget.parentWidget(); around != nullptr; around = around->parentWidget()) {
+        if (const auto* box = qobject_cast<const QGroupBox*>(around)) return box->title();
+        if (!around->accessibleName().isEmpty()) return around->accessibleName();
+        if (!around->windowTitle().isEmpty()) return around->windowTitle();
+    }
+    return {};
+}
+
+bool hasName(QWidget& widget) {
+    QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(&widget);
+    return spoken != nullptr && !spoken->text(QAccessible::Name).isEmpty();
+}
+
+QString findName(const QWidget& widget) {
+    if (const QString tip = plainLine(widget.toolTip()); !tip.isEmpty()) return tip;
+    if (const auto* line = qobject_cast<const QLineEdit*>(&widget);
+        line && !line->placeholderText().isEmpty())
+        return line->placeholderText();
+    return titleAround(widget);
+}
+
+}  // namespace
+
+void nameForScreenReaders(QWidget& window) {
+    for (QWidget* widget : window.findChildren<QWidget*>())
+        if (widget->focusPolicy() != Qt::NoFocus && !hasName(*widget))
+            widget->setAccessibleName(findName(*widget));
+}
 
 namespace {
 

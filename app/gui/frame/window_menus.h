@@ -2,11 +2,17 @@
 
 #include <QList>
 
+class QToolBar;
 class QAction;
 class QMenu;
 class QMenuBar;
 
 namespace noonmark {
+
+struct WindowActions;
+
+/// Arranges the entries that are used most as icons.
+void fillToolBar(QToolBar& bar, const WindowActions& actions);
 
 class CopyActions;
 class EditActions;

@@ -6,8 +6,8 @@
 #include "app/gui/docks/review/review_session.h"
 #include "app/gui/frame/actions/view_actions.h"
 #include "app/gui/session/workbench.h"
-#include "app/gui/view/panel/mode_switch.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/panel/view_presets.h"
 
 namespace noonmark {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <set>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/session/answers/export_choice.h"
 #include "app/gui/session/answers/measured_answers.h"
 #include "app/gui/session/project/open_project.h"

@@ -2,14 +2,13 @@
 #include <utility>
 
 #include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/translated.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/input/find_element_parts.h"
 #include "app/questions/saved_question.h"
-#include "core/base/progress_share.h"
+#include "core/base/progress.h"
 #include "core/receivers/place_names.h"
-#include "scenarios/scenario_list.h"
+#include "scenarios/scenario.h"
 
 // The answers of Workbench: how they are asked for, which one is displayed.
 namespace noonmark {

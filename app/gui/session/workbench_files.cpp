@@ -1,18 +1,17 @@
 #include <algorithm>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/session/answers/answer_origin.h"
+#include "app/gui/session/answers/measured_answers.h"
 #include "app/gui/session/workbench.h"
 #include "app/input/output_rules.h"
 #include "app/questions/review_question.h"
 #include "app/questions/saved_question.h"
-#include "app/report/files/contribution_files.h"
+#include "app/report/files/answer_files.h"
 #include "app/report/scenarios/scenario_book.h"
-#include "app/report/scenarios/scenario_files.h"
 #include "app/report/scenarios/scenario_text.h"
 #include "core/study/provenance/command_words.h"
 #include "scenarios/project/results/save_result.h"
-#include "scenarios/scenario_list.h"
+#include "scenarios/scenario.h"
 
 // What Workbench saves in the project and writes as files.
 namespace noonmark {

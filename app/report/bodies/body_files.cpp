@@ -7,7 +7,7 @@
 #include "app/report/bodies/writer/body_writer.h"
 #include "app/report/files/helper_library.h"
 #include "core/io/bodies/write_bodies.h"
-#include "core/io/files/pending_file.h"
+#include "core/io/files/write_text.h"
 #include "core/io/write_city.h"
 
 namespace noonmark {

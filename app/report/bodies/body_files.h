@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/warnings.h"
-#include "core/io/bodies/bodies.h"
+#include "core/io/bodies/write_bodies.h"
 
 namespace noonmark {
 

@@ -3,17 +3,16 @@
 #include <algorithm>
 
 #include "app/report/book/flow.h"
-#include "app/report/sheets/impact_report.h"
+#include "app/report/sheets/answer_reports.h"
 #include "app/report/sheets/report_sections.h"
-#include "app/report/sheets/score_report.h"
 #include "app/report/sheets/study_report.h"
 #include "core/describe/figure_text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/repeat_command.h"
 #include "core/study/text/breakdown_text.h"
-#include "scenarios/impact/impact_figure_tables.h"
+#include "scenarios/impact/impact_figures.h"
 #include "scenarios/settings_json.h"
-#include "scenarios/weights/score_figures.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 

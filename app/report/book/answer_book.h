@@ -2,8 +2,8 @@
 
 #include "app/report/book/book.h"
 #include "app/report/maps/change_scale.h"
-#include "app/report/sheets/answer_source.h"
-#include "app/report/sheets/saved_report.h"
+#include "app/report/sheets/answer_reports.h"
+#include "app/report/sheets/study_report.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score_text.h"
 

@@ -4,7 +4,7 @@
 // pages, and a page is a list of items with their places on the paper: text and tables (page_text.h, flow.h),
 // plan diagrams (diagram.h), sides of buildings (elevation.h, elevation_pages.h), charts (app/report/charts)
 // and pictures. page_painter.h paints a page on any canvas with its frame and title block, print_book.h makes
-// the PDF, and pdf_structure.h adds what Qt's PDF lacks. sun_view.h draws the view from the sun. review/
+// the PDF, and print_book.h adds what Qt's PDF lacks. sun_view.h draws the view from the sun. review/
 // makes the book of a review.
 
 #include <QImage>
@@ -23,7 +23,7 @@
 #include "app/report/charts/carpet_chart.h"
 #include "app/report/charts/timeline_chart.h"
 #include "app/report/sheets/sheet.h"
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 #include "core/measures/legend_choice.h"
 #include "scenarios/project/title_block.h"
 

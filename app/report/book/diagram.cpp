@@ -9,7 +9,6 @@
 #include "app/report/book/paper.h"
 #include "app/report/book/street_name.h"
 #include "app/report/maps/city_painter.h"
-#include "app/report/maps/context_painter.h"
 #include "app/report/maps/map_view.h"
 #include "app/report/sheets/study_words.h"
 

@@ -6,8 +6,8 @@
 
 #include "app/report/book/page_text.h"
 #include "app/report/maps/legend_painter.h"
-#include "app/report/maps/palette.h"
-#include "core/base/display_units.h"
+#include "app/report/maps/style.h"
+#include "core/base/units.h"
 #include "core/city/city.h"
 #include "core/measures/shadow_outlines.h"
 #include "core/receivers/place.h"

@@ -4,7 +4,7 @@
 
 #include "app/report/book/diagram.h"
 #include "app/report/book/paper.h"
-#include "app/report/maps/map_furniture.h"
+#include "app/report/maps/map_view.h"
 
 namespace noonmark {
 

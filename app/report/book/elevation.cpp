@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "app/report/book/elevation_scale.h"
 #include "app/report/book/paper.h"
 
 namespace noonmark {

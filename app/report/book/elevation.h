@@ -7,7 +7,7 @@
 
 #include "app/report/book/page_text.h"
 #include "app/report/maps/legend_painter.h"
-#include "core/city/storeys.h"
+#include "core/city/building_heights.h"
 #include "core/receivers/points/facade_elevations.h"
 
 namespace noonmark {
@@ -63,5 +63,10 @@ double elevationHeightPt(glm::dvec2 sizeM, std::size_t panels, const ElevationLa
 
 void paintElevation(const Canvas& canvas, const QRectF& area, const ElevationDrawing& drawing);
 void paintElevationFoot(const Canvas& canvas, const QRectF& area, const ElevationFoot& foot);
+
+/// The layout that shows an elevation of that size (metres) at that scale in so many panels within an area
+/// (points); none if it does not fit.
+std::optional<ElevationLayout> fitElevationAt(glm::dvec2 sizeM, std::size_t panels, const QSizeF& areaPt,
+                                              double textScale, double scale);
 
 }  // namespace noonmark

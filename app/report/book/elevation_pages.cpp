@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "app/report/book/elevation_scale.h"
+#include "app/report/book/elevation.h"
 #include "app/report/sheets/study_words.h"
-#include "core/study/elements/facing_azimuth.h"
+#include "core/study/elements/element_map.h"
 
 namespace noonmark {
 

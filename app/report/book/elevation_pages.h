@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/report/book/book.h"
-#include "core/city/storeys.h"
+#include "core/city/building_heights.h"
 #include "core/study/elements/place_elements.h"
 
 namespace noonmark {

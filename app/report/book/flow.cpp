@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/report/sheets/period_words.h"
 #include "app/report/sheets/study_words.h"
 #include "core/describe/text.h"
 

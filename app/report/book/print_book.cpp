@@ -5,7 +5,6 @@
 
 #include "app/report/book/flow.h"
 #include "app/report/book/page_painter.h"
-#include "app/report/book/pdf_structure.h"
 #include "app/report/sheets/pdf_page.h"
 #include "app/report/sheets/study_words.h"
 

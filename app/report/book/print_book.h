@@ -1,11 +1,32 @@
 #pragma once
 
 #include <QByteArray>
+#include <QString>
+#include <vector>
 
 #include "app/report/book/book.h"
 #include "core/base/result.h"
 
 namespace noonmark {
+
+/// An entry of a PDF's outline.
+struct PdfBookmark {
+    QString title;
+    int page = 0;   ///< from 0
+    int level = 0;  ///< at most one more than that of the entry before
+    bool operator==(const PdfBookmark&) const = default;
+};
+
+/// What a PDF by Qt lacks for navigation and accessibility.
+struct PdfStructure {
+    std::vector<PdfBookmark> bookmarks;
+    QString language;             ///< BCP 47: "en"
+    std::vector<QString> labels;  ///< of the pages, as viewers show them: "A-1"
+};
+
+/// The PDF with outline, language and page labels, which opens with its outline and shows its title. Error:
+/// the bytes are no PDF, or a bookmark names a page that it does not have.
+Result<QByteArray> addPdfStructure(const QByteArray& pdf, const PdfStructure& structure);
 
 /// The bytes of a book as a PDF: text that can be selected, fonts embedded, title, language, bookmarks and
 /// page labels. Needs a QGuiApplication (the `offscreen` platform suffices). Error: the book has no pages.

@@ -9,11 +9,10 @@
 #include "app/report/book/flow.h"
 #include "app/report/maps/city_painter.h"
 #include "app/report/maps/legend_painter.h"
-#include "app/report/maps/map_furniture.h"
 #include "app/report/maps/map_view.h"
-#include "app/report/sheets/period_words.h"
 #include "app/report/sheets/report_sections.h"
-#include "core/describe/command_flags.h"
+#include "app/report/sheets/study_words.h"
+#include "core/describe/command_options.h"
 #include "core/receivers/place_names.h"
 #include "core/study/provenance/command_words.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "app/report/charts/timeline_chart.h"
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 

@@ -6,7 +6,7 @@
 
 #include "app/report/charts/chart_axes.h"
 #include "core/measures/legend_choice.h"
-#include "core/measures/place_timeline.h"
+#include "core/measures/places/place_timeline.h"
 #include "core/sun/day_clock.h"
 
 namespace noonmark {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/report/maps/style.h"
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 
 namespace noonmark {
 

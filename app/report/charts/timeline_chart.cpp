@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 

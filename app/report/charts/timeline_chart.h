@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/report/charts/chart_axes.h"
-#include "core/measures/place_timeline.h"
+#include "core/measures/places/place_timeline.h"
 #include "core/sun/day_clock.h"
 
 namespace noonmark {

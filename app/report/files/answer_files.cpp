@@ -6,14 +6,13 @@
 #include "app/report/book/print_book.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/write_png.h"
-#include "app/report/sheets/impact_report.h"
-#include "app/report/sheets/score_report.h"
 #include "core/io/styles/raster_style.h"
 #include "core/io/write_raster.h"
 #include "core/study/provenance/command_words.h"
-#include "core/study/provenance/provenance_tags.h"
+#include "core/study/provenance/provenance_texts.h"
+#include "core/study/text/breakdown_text.h"
 #include "core/study/text/region_text.h"
-#include "scenarios/impact/impact_runs.h"
+#include "scenarios/impact/impact_figures.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {
@@ -112,6 +111,29 @@ std::vector<std::string> impactFileNames(const Provenance& provenance, bool with
 
 std::vector<std::string> scoreFileNames(const Provenance& provenance, bool withSheets) {
     return namesOf("score", needsRegionFile(provenance), withSheets);
+}
+
+std::vector<std::string> contributionFileNames() {
+    return {"contributions.csv", "contributions.gpkg", "by_month.csv"};
+}
+
+Result<std::vector<std::filesystem::path>> writeContributionFiles(const Study& study,
+                                                                  const PlaceContributions& of,
+                                                                  const std::filesystem::path& folder,
+                                                                  const OutputRules& rules) {
+    if (auto may = checkOutputs(folder, contributionFileNames(), rules); !may)
+        return tl::make_unexpected(may.error());
+    OutputFolder files(folder, rules);
+    files.add("contributions.csv",
+              textContent(contributionsCsv(of.rows, of.breakdown.sets, study.provenance)));
+    files.add("contributions.gpkg", [&](const std::filesystem::path& file) {
+        return writeCityGeoPackage(file, study.city,
+                                   contributionColumns(of.rows, study.city.buildings.size()),
+                                   contributionStyle())
+            .map([](const Warnings&) {});
+    });
+    files.add("by_month.csv", textContent(monthsCsv(monthsOf(of.breakdown), study.provenance)));
+    return std::move(files).result();
 }
 
 }  // namespace noonmark

@@ -6,9 +6,10 @@
 
 #include "app/report/book/book.h"
 #include "app/report/maps/change_scale.h"
-#include "app/report/sheets/answer_source.h"
+#include "app/report/sheets/answer_reports.h"
 #include "app/report/sheets/sheet.h"
 #include "core/io/files/check_output.h"
+#include "core/study/contributions/place_contributions.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score_text.h"
 
@@ -35,5 +36,14 @@ Result<std::vector<std::filesystem::path>> writeScoreFiles(
 /// The names of those files, known before the computation; `provenance` states the region.
 std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets = false);
 std::vector<std::string> scoreFileNames(const Provenance& provenance, bool withSheets = false);
+
+/// contributions.csv and contributions.gpkg of a place, as those of a study, and by_month.csv.
+std::vector<std::string> contributionFileNames();
+
+/// Writes them, all or none, as what `study` holds of the place. Returns the paths written.
+Result<std::vector<std::filesystem::path>> writeContributionFiles(const Study& study,
+                                                                  const PlaceContributions& of,
+                                                                  const std::filesystem::path& folder,
+                                                                  const OutputRules& rules);
 
 }  // namespace noonmark

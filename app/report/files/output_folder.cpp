@@ -4,9 +4,8 @@
 
 #include <QFile>
 
-#include "core/base/locked_file.h"
-#include "core/base/private_folder.h"
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
+#include "core/base/working_files.h"
 
 namespace noonmark {
 

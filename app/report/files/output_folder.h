@@ -10,7 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/io/files/check_output.h"
-#include "core/io/files/pending_file.h"
+#include "core/io/files/write_text.h"
 
 namespace noonmark {
 

@@ -6,12 +6,33 @@
 #include <vector>
 
 #include "app/report/book/book.h"
-#include "app/report/sheets/saved_report.h"
+#include "app/report/files/output_folder.h"
+#include "app/report/sheets/study_report.h"
 #include "core/describe/figure_text.h"
 #include "core/io/files/check_output.h"
+#include "core/io/files/write_text.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark {
+
+/// How the maps of places look.
+struct PlaceMapLook {
+    PlaceColours colours{};
+    int widthPx = 1920;
+    double cellM = 2;  ///< of the raster; doubled until it has at most 16 million cells
+    FileTags tags{};
+};
+
+/// "sun_by_place.png", "sun_by_place.tif" and its style for QGIS.
+const std::vector<std::string>& placeMapNames();
+
+/// Adds the map of the places as the window shows it: a picture, and a raster whose cells have the figures of
+/// the smallest place that holds their centre. Bands: hours of sun a day over the period, those on each date,
+/// and, where a baseline is compared, the change in minutes. Of the last of the cities. Needs a
+/// QGuiApplication.
+void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, const City& city,
+                  const PlaceMapLook& look);
 
 // The files of saved results. What is written is as it was saved: all files or none. Each function returns
 // the paths that it wrote. Error: a file cannot be written. They need a QGuiApplication (the `offscreen`
@@ -27,7 +48,7 @@ struct SavedLook {
     OutputRules rules{};
 };
 
-/// The maps, a band each, with their style; picture, page (saved_report.h), settings and figures.
+/// The maps, a band each, with their style; picture, page (study_report.h), settings and figures.
 const std::vector<std::string>& savedMapNames();
 WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
                             const std::function<SavedSheet(const SavedMaps&)>& makeSheetOf,

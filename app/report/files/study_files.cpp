@@ -1,28 +1,72 @@
 #include "app/report/files/study_files.h"
 
 #include <QGuiApplication>
+#include <cmath>
 
 #include "app/report/book/answer_book.h"
-#include "app/report/book/contribution_book.h"
 #include "app/report/book/print_book.h"
-#include "app/report/files/cells_csv.h"
+#include "app/report/book/study_books.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/write_png.h"
 #include "app/report/sheets/study_report.h"
+#include "core/base/csv_text.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/io/styles/raster_style.h"
 #include "core/io/write_city.h"
 #include "core/measures/has_runs.h"
 #include "core/study/contributions/contributions.h"
 #include "core/study/provenance/command_words.h"
-#include "core/study/provenance/provenance_tags.h"
+#include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/repeat_command.h"
+#include "core/study/study_json.h"
 #include "core/study/text/breakdown_text.h"
 #include "core/study/text/region_text.h"
-#include "core/study/tiles/map_bands.h"
 #include "core/study/tiles/tile_maps.h"
-#include "core/study/timed_study_json.h"
 
 namespace noonmark {
+
+namespace {
+
+constexpr std::size_t chunkBytes = 1U << 20U;
+
+bool flush(CsvText& csv, QIODevice& device) {
+    const std::string text = csv.take();
+    return device.write(text.data(), qint64(text.size())) == qint64(text.size());
+}
+
+void addCell(CsvText& csv, const ShadowField& field, bool runs, const Frame& frame, int column, int row) {
+    const std::size_t cell = field.grid.index(column, row);
+    if (std::isnan(field.grossMin[cell])) return;
+    const glm::dvec2 centre = field.grid.centre(column, row);
+    const LonLat place = frame.lonLatFromLocal(centre);
+    csv.number(centre.x, 3).number(centre.y, 3).number(place.lonDeg, 8).number(place.latDeg, 8);
+    csv.number(double(field.grossMin[cell]), 3);
+    if (runs) csv.number(double(field.continuousMin[cell]), 3);
+    for (const ShadeColumn& shade : listShadeColumns(field)) {
+        csv.number(double(shade.field->grossMin[cell]), 3);
+        if (runs) csv.number(double(shade.field->continuousMin[cell]), 3);
+    }
+    csv.endRow();
+}
+
+}  // namespace
+
+bool writeCellsCsv(const ShadowField& field, const Frame& frame, QIODevice& device) {
+    const bool runs = hasRuns(field);
+    std::vector<std::string> columns{"x_m", "y_m", "lon_deg", "lat_deg", "gross_min"};
+    if (runs) columns.emplace_back("continuous_min");
+    for (const ShadeColumn& shade : listShadeColumns(field)) {
+        columns.push_back("gross_min" + suffixOf(shade.column));
+        if (runs) columns.push_back("continuous_min" + suffixOf(shade.column));
+    }
+    CsvText csv(columns);
+    for (int row = 0; row < field.grid.rows; ++row) {
+        for (int column = 0; column < field.grid.columns; ++column)
+            addCell(csv, field, runs, frame, column, row);
+        if (csv.size() >= chunkBytes && !flush(csv, device)) return false;
+    }
+    return flush(csv, device);
+}
 
 namespace {
 

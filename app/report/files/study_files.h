@@ -1,22 +1,31 @@
 #pragma once
 
-// The folder app/report/files/ writes results as files. study_files.h and answer_files.h write the complete
-// set of a study, a comparison or a score through output_folder.h, which writes all files or none;
-// cells_csv.h writes the table of receivers. Pictures and PDF pages come from app/report/sheets/.
-
+#include <QIODevice>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "app/report/book/book.h"
+#include "core/engines/api/shadow_field.h"
+#include "core/geo/frame.h"
 #include "core/io/files/check_output.h"
 #include "core/study/contributions/place_contributions.h"
 #include "core/study/study.h"
 
 namespace noonmark {
 
+/// Writes a table of the receivers, RFC 4180 with a heading: x_m, y_m (local metres of the cell's centre),
+/// lon_deg, lat_deg (WGS84), gross_min, and continuous_min if continuous shadow was computed. Rows run from
+/// south to north, and within each from west to east. False if the device did not accept all data. About 10^6
+/// rows a second.
+bool writeCellsCsv(const ShadowField& field, const Frame& frame, QIODevice& device);
+
+// The folder app/report/files/ writes results as files. study_files.h and answer_files.h write the complete
+// set of a study, a comparison or a score through output_folder.h, which writes all files or none;
+// study_files.h writes the table of receivers. Pictures and PDF pages come from app/report/sheets/.
+
 struct StudyFileOptions {
-    bool cellsCsv = false;                      ///< one line per receiver: see cells_csv.h
+    bool cellsCsv = false;                      ///< one line per receiver: see study_files.h
     OutputRules rules{};                        ///< which files may be replaced
     int pictureWidth = noonmark::pictureWidth;  ///< of shadow.png, pixels
     LegendChoice legend{};                      ///< of pictures, pages and styles

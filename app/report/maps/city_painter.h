@@ -1,8 +1,13 @@
 #pragma once
 
+#include <QTransform>
+
 #include "app/report/maps/map_view.h"
 #include "app/report/maps/style.h"
 #include "core/city/city.h"
+#include "core/city/map_context.h"
+
+class QPainter;
 
 namespace noonmark {
 
@@ -19,5 +24,12 @@ void paintBuildings(const Canvas& canvas, const MapView& view, const City& city,
 
 /// Whether paintBuildings() draws a dashed outline: of parts that leave the ground below them open.
 bool showsOverhangs(const MapView& view, const City& city);
+
+/// Paints the map's context quietly: parks, water, paths, rails and streets in pale colours, trees as dots,
+/// and over them its picture, with its opacity; of the picture at most 4,096 pixels a side.
+/// `toPainter` maps local metres (x east, y north) to the painter's units; lines keep their widths on the
+/// ground, but are at least `minLine` units wide. Features outside the painter's clip are left
+/// out.
+void paintContext(QPainter& painter, const MapContext& context, const QTransform& toPainter, double minLine);
 
 }  // namespace noonmark

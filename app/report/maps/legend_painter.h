@@ -3,7 +3,6 @@
 #include <QImage>
 #include <QString>
 
-#include "app/report/maps/palette.h"
 #include "app/report/maps/shadow_measure.h"
 #include "app/report/maps/style.h"
 #include "core/measures/colour_scale.h"

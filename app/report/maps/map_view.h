@@ -4,6 +4,8 @@
 #include <QRectF>
 #include <QTransform>
 
+#include "app/report/maps/style.h"
+#include "core/base/units.h"
 #include "core/city/footprints/footprint.h"
 #include "core/geo/grid.h"
 #include "core/receivers/region.h"
@@ -39,5 +41,27 @@ private:
 
 /// Width / height of a frame for the region: the region's own aspect, limited to 1 : 2 and 2 : 1.
 double aspectOf(const Box2& world);
+
+/// A scale bar of `parts` fields of `partM` metres each.
+struct ScaleBar {
+    double partM = 1;
+    int parts = 2;
+    bool inFeet = false;  ///< labelled in feet or miles, not in metres or kilometres
+    [[nodiscard]] double lengthM() const { return partM * parts; }
+};
+
+/// The longest bar of a round length (1, 2 or 5 times a power of ten) of at most `longestM` metres (> 0): in
+/// feet for imperial units, or in miles from one on; in metres for the others.
+ScaleBar scaleBarWithin(double longestM, UnitSystem units = UnitSystem::metric);
+
+/// Height of a labelled scale bar or a north arrow, points.
+constexpr double furnitureHeightPt = 30;
+
+/// Paints the bar with its labels at a scale of `unitsPerM`; its right end touches
+/// the right edge of `area`.
+void paintScaleBar(const Canvas& canvas, const QRectF& area, const ScaleBar& bar, double unitsPerM);
+
+/// Paints an arrow with its letter in the centre of `area`; true north is up.
+void paintNorthArrow(const Canvas& canvas, const QRectF& area);
 
 }  // namespace noonmark

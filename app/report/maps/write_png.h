@@ -3,7 +3,7 @@
 #include <QIODevice>
 #include <QImage>
 
-#include "core/io/files/file_tags.h"
+#include "core/io/files/write_text.h"
 
 namespace noonmark {
 

@@ -1,9 +1,5 @@
 #pragma once
 
-// The folder app/report/movie makes moving pictures. shadow_movie.h paints the frames of a day, of a year or
-// of the change from one scenario to another; movie_writer.h (this file) writes frames as MP4 or GIF, with
-// the library that encoder/ makes.
-
 #include <QImage>
 #include <filesystem>
 #include <memory>
@@ -11,6 +7,15 @@
 #include "core/base/result.h"
 
 namespace noonmark {
+
+/// The picture with a table of at most 256 colours: those that most of its pixels have and, where it has more
+/// colours, 96 that are spread evenly. All others become the nearest of them; areas of maps stay flat.
+/// O(pixels).
+QImage reduceColours(const QImage& image);
+
+// The folder app/report/movie makes moving pictures. shadow_movie.h paints the frames of a day, of a year or
+// of the change from one scenario to another; movie_writer.h (this file) writes frames as MP4 or GIF, with
+// the library that encoder/ makes.
 
 struct MovieFormat {
     QSize size{1280, 720};       ///< pixels; even, 64 to 4096 each

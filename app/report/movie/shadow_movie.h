@@ -10,7 +10,7 @@
 #include "core/base/progress.h"
 #include "core/city/city.h"
 #include "core/io/files/check_output.h"
-#include "core/io/shadows/drawn_times.h"
+#include "core/io/shadows/shadow_drawing.h"
 #include "core/study/shadow_drawings.h"
 
 namespace noonmark {

@@ -1,17 +1,23 @@
 #include "app/report/scenarios/scenario_book.h"
 
+#include <QGuiApplication>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "app/report/book/flow.h"
-#include "app/report/maps/palette.h"
+#include "app/report/book/print_book.h"
+#include "app/report/files/output_folder.h"
+#include "app/report/maps/style.h"
 #include "app/report/scenarios/scenario_months.h"
 #include "app/report/scenarios/scenario_text.h"
-#include "app/report/sheets/period_words.h"
+#include "app/report/sheets/study_words.h"
+#include "core/io/styles/raster_style.h"
+#include "core/io/write_raster.h"
 #include "core/measures/shadow_figures.h"
-#include "core/receivers/grid_box.h"
+#include "core/receivers/rasterize.h"
+#include "core/study/provenance/provenance_texts.h"
 
 namespace noonmark {
 
@@ -199,6 +205,53 @@ Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& sett
     for (const ScenarioStudy& scenario : scenarios)
         book.pages.push_back(mapPage(scenario, legend, settings.setup));
     return book;
+}
+
+namespace {
+
+Result<void> writeGrossBands(const ScenarioStudies& scenarios, const std::filesystem::path& file) {
+    const Study& first = *scenarios.front().study;
+    std::vector<RasterBand> bands;
+    for (const ScenarioStudy& scenario : scenarios)
+        bands.push_back({"gross shadow: " + scenario.name, "min/day", &scenario.study->field.grossMin});
+    return writeGeoTiff(file, first.city.frame, first.field.grid, bands,
+                        makeProvenanceTags(first.provenance));
+}
+
+}  // namespace
+
+std::vector<std::string> scenarioFileNames() {
+    return {"scenarios.csv", "scenario_uses.csv", "scenario_months.csv", "scenarios.json",
+            "scenarios.pdf", "scenarios.tif",     "scenarios.qml"};
+}
+
+Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStudies& scenarios,
+                                                              const BookSettings& sheets,
+                                                              const std::filesystem::path& folder,
+                                                              const OutputRules& rules,
+                                                              const FailedScenarios& failed) {
+    if (qGuiApp == nullptr) return failure("Reports need a QGuiApplication", folder.string());
+    if (scenarios.empty())
+        return failure("No scenario has been measured", {}, "Press Measure all in the dock Scenarios");
+    const Grid& grid = scenarios.front().study->field.grid;
+    if (!std::ranges::all_of(scenarios, [&](const auto& one) { return one.study->field.grid == grid; }))
+        return failure("The scenarios were measured on different cells", scenarios.front().name,
+                       "Press Measure all in the dock Scenarios");
+    if (auto may = checkOutputs(folder, scenarioFileNames(), rules); !may)
+        return tl::make_unexpected(may.error());
+    const auto pdf = printBook(makeScenarioBook(scenarios, sheets));
+    if (!pdf) return tl::make_unexpected(pdf.error());
+    OutputFolder files(folder, rules);
+    files.add("scenarios.csv", textContent(scenariosCsv(scenarios)));
+    files.add("scenario_uses.csv", textContent(scenarioUsesCsv(scenarios)));
+    if (const auto months = makeMonthCharts(listMonths(scenarios)); !months.empty())
+        files.add("scenario_months.csv", textContent(monthsCsv(months)));
+    files.add("scenarios.json", textContent(scenariosJson(scenarios, failed)));
+    files.add("scenarios.pdf", textContent(pdf->toStdString()));
+    files.add("scenarios.tif",
+              [&](const std::filesystem::path& file) { return writeGrossBands(scenarios, file); });
+    files.add("scenarios.qml", textContent(rasterStyle(coloursOf(commonLegend(scenarios, sheets.legend)))));
+    return std::move(files).result();
 }
 
 }  // namespace noonmark

@@ -11,7 +11,7 @@
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
 #include "core/study/text/breakdown_text.h"
-#include "scenarios/weights/score_figures.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 

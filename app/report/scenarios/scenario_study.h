@@ -1,7 +1,7 @@
 #pragma once
 
 // The folder app/report/scenarios puts the same study of several scenarios side by side: scenario_text.h as
-// tables for programs, scenario_book.h as sheets, and scenario_files.h as the complete set of files.
+// tables for programs, scenario_book.h as sheets and as the complete set of files.
 
 #include <memory>
 #include <optional>

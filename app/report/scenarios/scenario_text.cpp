@@ -7,12 +7,11 @@
 #include "app/report/scenarios/scenario_months.h"
 #include "core/describe/figure_text.h"
 #include "core/measures/shadow_figures.h"
-#include "core/study/provenance/provenance_json.h"
-#include "core/study/provenance/source_columns.h"
-#include "core/study/text/warnings_json.h"
-#include "scenarios/impact/impact_figure_tables.h"
+#include "core/study/provenance/provenance_texts.h"
+#include "core/study/text/error_words.h"
+#include "scenarios/impact/impact_figures.h"
 #include "scenarios/settings_json.h"
-#include "scenarios/weights/score_figures.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 

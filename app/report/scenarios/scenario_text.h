@@ -10,8 +10,8 @@ namespace noonmark {
 /// mean_continuous_min,max_continuous_min,height_m,gross_floor_m2, those of the impact
 /// (impact_baseline,impact_m2,impact_threshold_min,gained_m2,lost_m2), of the score
 /// (weights,weighted_shade_m2h,score_m2), of the review (rule,rule_baseline,pass,borderline,fail,not_judged),
-/// and the source columns (source_columns.h); one row per scenario. RFC 4180; fields are empty where nothing
-/// was computed.
+/// and the source columns (provenance_texts.h); one row per scenario. RFC 4180; fields are empty where
+/// nothing was computed.
 std::string scenariosCsv(const ScenarioStudies& scenarios);
 
 /// Columns: scenario,use,storeys,gross_floor_m2; a row for each use in a scenario's towers, an empty use

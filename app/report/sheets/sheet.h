@@ -1,22 +1,45 @@
 #pragma once
 
-// The folder app/report/sheets/ lays out one-page reports. A Sheet is the content of a page; study_report.h,
-// impact_report.h and score_report.h make one from a result, and sheet_page.cpp and sheet_picture.cpp paint
-// it as PDF or picture. report_sections.h, study_words.h and period_words.h write the text; text_column.h,
-// figure_table.h, headline.h and style.h set it.
-
 #include <QIODevice>
 #include <QImage>
 #include <optional>
 #include <vector>
 
 #include "app/report/maps/map_painter.h"
-#include "app/report/sheets/headline.h"
-#include "app/report/sheets/picture_width.h"
+#include "app/report/maps/style.h"
 #include "app/report/sheets/study_words.h"
 #include "app/report/sheets/text_column.h"
+#include "core/study/study.h"
 
 namespace noonmark {
+
+/// The heading of a picture or page: title; dates and hours; place and sunlit time.
+struct Headline {
+    QString what;
+    QString when;
+    QString where;
+};
+
+/// `subject`: "Shadow study", "Gross shadow"; followed by the name of the region if it has one.
+Headline makeHeadline(const Study& study, const QString& subject);
+/// The same for any result with `settings` over a city in `frame`. `sunlit`: text on the sunlit time per day;
+/// empty where unknown.
+Headline makeHeadline(const StudySettings& settings, const Frame& frame, const QString& subject,
+                      const QString& sunlit);
+
+constexpr double headlineHeightPt = 50;
+
+/// Paints from the top of `area`, headlineHeightPt high. A line that is too long is set smaller, then cut
+/// with an ellipsis.
+void paintHeadline(const Canvas& canvas, const QRectF& area, const Headline& headline);
+
+/// Paints one line across `area`: the data credit at the left, the program at the right.
+void paintSmallPrint(const Canvas& canvas, const QRectF& area, const QString& credit);
+
+// The folder app/report/sheets/ lays out one-page reports. A Sheet is the content of a page; study_report.h,
+// answer_reports.h make one from a result, and sheet.cpp paint
+// it as PDF or picture. report_sections.h, study_words.h write the text; text_column.h,
+// sheet.cpp, sheet.h and style.h set it.
 
 /// A map with its legend.
 struct SheetMap {
@@ -49,7 +72,7 @@ struct Sheet {
 bool writePdf(const Sheet& sheet, QIODevice& device);
 
 /// A picture for screens, slides and print: title, map, legend, scale bar, north arrow, data credit. All text
-/// grows with its width (pixels, in the range of picture_width.h); its height follows from the region's
+/// grows with its width (pixels, in the range of style.h); its height follows from the region's
 /// shape.
 QImage makePicture(const Sheet& sheet, int width = pictureWidth);
 

@@ -1,10 +1,18 @@
 #include "app/report/sheets/study_report.h"
 
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/report/maps/style.h"
+#include "app/report/sheets/answer_reports.h"
 #include "app/report/sheets/report_sections.h"
 #include "core/measures/has_runs.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/command_words.h"
 #include "core/study/text/region_text.h"
+#include "scenarios/impact/impact_figures.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
@@ -50,6 +58,176 @@ QImage mapPicture(const Study& study, ShadowMeasure measure, int width, const Le
     const QString subject = isInstant(study.field) ? QStringLiteral("Shadow") : map.legend.title;
     return makePicture(
         Sheet{.headline = makeHeadline(study, subject), .map = map, .credit = describeData(study)}, width);
+}
+
+namespace {
+
+using SavedJson = nlohmann::json;
+
+QString plainText(const std::string& text) { return QString::fromStdString(text); }
+
+SheetMap makeStudyMap(const ShadowField& field, ShadowMeasure measure, const SavedMaps& from) {
+    const Legend legend = makeLegend(field, measure, from.legend);
+    const auto image = [&field, measure, scale = coloursOf(legend)](int wantedPixels) {
+        const auto colour = [&](std::size_t cell) {
+            return pickColour(scale, double(getValues(field, measure)[cell]));
+        };
+        return makeColourImage(field.grid, colour, wantedPixels);
+    };
+    return {{from.city, from.region, field.grid, image}, legend};
+}
+
+QString describeTime(const SavedOrigin& origin) {
+    if (origin.at.empty()) return QStringLiteral("at an unknown time");
+    QString at = plainText(origin.at);
+    at.replace(QLatin1Char('T'), QLatin1Char(' ')).replace(QLatin1Char('Z'), QStringLiteral(" UTC"));
+    return QStringLiteral("on ") + at;
+}
+
+TextBlocks originSection(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source) {
+    TextBlocks blocks{
+        heading(QStringLiteral("A result saved in the project")),
+        body(QStringLiteral("'%1', saved %2 by %3. Maps and figures are those that were saved.")
+                 .arg(plainText(result.name), describeTime(origin), plainText(origin.program)))};
+    for (const std::string& change : source.changes) blocks.push_back(body(plainText(change)));
+    blocks.push_back(
+        body(source.changes.empty()
+                 ? QStringLiteral("Its inputs have not changed since.")
+                 : QStringLiteral("The buildings drawn are those of the scenario as it is now.")));
+    return blocks;
+}
+
+TextBlocks methodSection(const SavedResult& result, const SavedOrigin& origin, const std::string& error) {
+    TextBlocks blocks{
+        heading(QStringLiteral("Method")),
+        body(QStringLiteral("Engine: %1.").arg(describeEngineUsed(origin.engine))),
+        body(QStringLiteral("Square cells of %1 m; those that were not measured are white on the map.")
+                 .arg(describeAmount(result.grid.cellM, 2)))};
+    if (!error.empty()) blocks.push_back(body(QStringLiteral("Error: %1.").arg(plainText(error))));
+    if (const auto& weights = origin.weights)
+        blocks.push_back(body(QStringLiteral("Weight table: %1.").arg(plainText(weights->name))));
+    return blocks;
+}
+
+std::string textIn(const SavedJson& object, const char* member) {
+    const auto found = object.find(member);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+// Files without a hash are samples, which are generated.
+TextBlocks inputsSection(const SavedResult& result) {
+    constexpr std::size_t most = 8;
+    TextBlocks blocks{heading(QStringLiteral("Inputs"))};
+    const SavedJson inputs = SavedJson::parse(result.inputs, nullptr, false);
+    const std::size_t count = inputs.is_array() ? inputs.size() : 0;
+    for (std::size_t i = 0; i < std::min(most, count); ++i) {
+        if (!inputs[i].is_object()) continue;
+        blocks.push_back(body(plainText(textIn(inputs[i], "path"))));
+        if (const std::string hash = textIn(inputs[i], "sha256"); !hash.empty())
+            blocks.push_back({TextKind::code, plainText(hash)});
+    }
+    if (count > most) blocks.push_back(body(QStringLiteral("and %1 more").arg(count - most)));
+    if (count == 0) blocks.push_back(body(QStringLiteral("No file: the city was not read from a file.")));
+    return blocks;
+}
+
+Box2 boxOf(const Grid& grid) {
+    return {glm::vec2(grid.westM, grid.southM), glm::vec2(grid.eastM(), grid.northM())};
+}
+
+// The cells of a region extend beyond it by less than two cells.
+bool haveSameExtent(const Box2& region, const Box2& cells, double cellM) {
+    const auto off = [](glm::vec2 a, glm::vec2 b) {
+        return double(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)));
+    };
+    return !region.empty() && std::max(off(region.low, cells.low), off(region.high, cells.high)) < 2 * cellM;
+}
+
+Headline headlineOf(const QString& subject, const SavedOrigin& origin, const Region& region,
+                    const Frame& frame) {
+    const QString name = origin.region.empty() || origin.region == "box"
+                             ? QString()
+                             : QStringLiteral(": ") + plainText(origin.region);
+    return {subject + name, plainText(origin.period), describePlace(region, frame)};
+}
+
+}  // namespace
+
+Region makeSavedRegion(const SavedResult& result, const SavedOrigin& origin,
+                       const std::vector<Region>& known) {
+    const Box2 cells = boxOf(result.grid);
+    for (const Region& region : known)
+        if (region.name == origin.region && haveSameExtent(bounds(region), cells, result.grid.cellM))
+            return region;
+    Region region = makeRegionFromLocalBox(cells);
+    region.name = origin.region;
+    return region;
+}
+
+SavedSheet makeSavedSheet(const SavedResult& result, const SavedStudy& study, const SavedMaps& with) {
+    const bool isOfMoment = isInstant(study.field);
+    SavedSheet sheet{
+        .subject = QStringLiteral("Shadow study of %1").arg(plainText(result.scenario)),
+        .map = makeStudyMap(study.field, ShadowMeasure::gross, with),
+        .definitions = {body(defineFigures(listLines(shadowFigures().of(study.statistics),
+                                                     {.isInstant = isOfMoment, .show = with.legend.show})))},
+        .figures = makeStudyFigures(study.statistics, study.field, study.steps, with.legend.show),
+        .error = study.error};
+    if (!isOfMoment && hasRuns(study.statistics))
+        sheet.smallMap.emplace(makeStudyMap(study.field, ShadowMeasure::continuous, with));
+    return sheet;
+}
+
+SavedSheet makeSavedSheet(const SavedResult& result, const SavedImpact& saved, const SavedMaps& with) {
+    const Impact& impact = saved.impact;
+    const QString scenario = plainText(result.scenario), baseline = plainText(result.baseline);
+    const auto map = [&](ShadowMeasure measure) {
+        return makeImpactMap(impact, with.city, with.region, measure, with.scale, with.legend);
+    };
+    const ShownAs show = with.legend.show;
+    const auto lines = listLines(saved.figures, show);
+    SavedSheet sheet{
+        .subject = QStringLiteral("%1 compared with %2").arg(scenario, baseline),
+        .map = map(ShadowMeasure::gross),
+        .definitions = {body(
+            QStringLiteral("Change: minutes in %1 minus minutes in %2; positive means more %3. %4")
+                .arg(scenario, baseline,
+                     show == ShownAs::shadow ? QStringLiteral("shadow") : QStringLiteral("sun"),
+                     defineFigures(lines)))},
+        .figures = figureTexts(lines)};
+    if (!isInstant(impact) && hasRuns(impact)) sheet.smallMap.emplace(map(ShadowMeasure::continuous));
+    return sheet;
+}
+
+SavedSheet makeSavedSheet(const SavedResult& result, const SavedScore& saved, const SavedMaps& with) {
+    return {.subject = QStringLiteral("Shadow score of %1").arg(plainText(result.scenario)),
+            .map = makeScoreMap(saved.score, with.city, with.region, with.legend),
+            .definitions = {body(defineFigures(listLines(scoreFigures().of(saved.score))))},
+            .figures = makeScoreFigures(saved.score)};
+}
+
+std::string attributionOf(const SavedResult& result) {
+    const SavedJson settings = SavedJson::parse(result.settings, nullptr, false);
+    return settings.is_object() ? textIn(settings, "attribution") : std::string();
+}
+
+std::vector<TextBlocks> makeSavedSections(const SavedResult& result, const SavedOrigin& origin,
+                                          const SavedSource& source, const std::string& error) {
+    return {originSection(result, origin, source), methodSection(result, origin, error),
+            inputsSection(result)};
+}
+
+Sheet makeSheet(const SavedResult& result, const SavedOrigin& origin, SavedSheet saved, const Region& region,
+                const SavedSource& source) {
+    auto sections = makeSavedSections(result, origin, source, saved.error);
+    return {.headline = headlineOf(saved.subject, origin, region, source.city.frame),
+            .map = std::move(saved.map),
+            .definitions = std::move(saved.definitions),
+            .smallMap = std::move(saved.smallMap),
+            .figures = std::move(saved.figures),
+            .sections = std::move(sections),
+            .credit = describeData(attributionOf(result)),
+            .record = {QStringLiteral("result.json"), result.settings}};
 }
 
 }  // namespace noonmark

@@ -4,6 +4,7 @@
 
 #include "core/describe/figure_text.h"
 #include "core/study/study.h"
+#include "core/sun/period.h"
 
 namespace noonmark {
 
@@ -33,5 +34,17 @@ std::vector<FigureText> computeFigures(const Study& study, ShownAs show = ShownA
 /// The same of a study whose settings are not known. `steps` of the sun.
 std::vector<FigureText> makeStudyFigures(const ShadowStatistics& statistics, const ShadowField& field,
                                          std::uint64_t steps, ShownAs show = ShownAs::shadow);
+
+QString describeDates(CivilDate date);  ///< "21 March 2026"
+
+/// The days: "21 March 2026"; "21 March 2026 to 19 April 2026 (30 days)".
+QString describeDays(const Period& period);
+
+/// The hours of a day: "09:00 to 15:00, every 1 min"; "at 12:00"; "sunrise + 90 min to sunset - 90 min, every
+/// 1 min".
+QString describeHours(const Period& period);
+
+/// Days, hours and zone in one line.
+QString describePeriod(const Period& period);
 
 }  // namespace noonmark

@@ -1,14 +1,34 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
-#include "app/report/skyline/sky_frame.h"
 #include "core/study/point_study.h"
 
 namespace noonmark {
+
+/// Where a direction of the sky lies on a drawing, y down. Azimuths are from true north, clockwise, degrees;
+/// altitudes 0 to 90.
+struct SkyFrame {
+    enum class Kind { cylindrical, stereographic };
+    Kind kind = Kind::cylindrical;
+    glm::dvec2 corner{};  ///< cylindrical: azimuth 0 at the horizon; stereographic: the zenith
+    double widthPx = 1;   ///< cylindrical: of 360 degrees
+    double heightPx = 1;  ///< cylindrical: of 90 degrees; stereographic: radius of the horizon
+
+    [[nodiscard]] glm::dvec2 at(double azimuthDeg, double altitudeDeg) const {
+        if (kind == Kind::cylindrical)
+            return corner + glm::dvec2(azimuthDeg / 360 * widthPx, -altitudeDeg / 90 * heightPx);
+        const double azimuth = azimuthDeg * std::numbers::pi / 180;
+        const double radius = heightPx * std::tan((90 - altitudeDeg) * std::numbers::pi / 360);
+        return corner + radius * glm::dvec2(std::sin(azimuth), -std::cos(azimuth));
+    }
+};
 
 /// Fill of the buildings that have one of their own.
 using BuildingColours = std::map<std::uint32_t, std::string>;
@@ -45,5 +65,11 @@ private:
     SkyFrame frame_;
     std::string& svg_;
 };
+
+/// Adds to `svg` the sunlit minutes of a mean day by month (rows, January first) and hour of the wall clock
+/// (columns): the more, the darker. Beside each figure, in red or green, the minutes that the scenario takes
+/// or gives, from half a minute on. `corner`: the upper left of the cells; labels lie outside, 40 px to the
+/// left and 14 px above.
+void drawSunCarpet(const PointStudy& study, glm::dvec2 corner, std::string& svg);
 
 }  // namespace noonmark

@@ -9,8 +9,7 @@
 #include <iterator>
 
 #include "app/report/skyline/sky_drawing.h"
-#include "app/report/skyline/sun_carpet.h"
-#include "core/base/xml_text.h"
+#include "core/base/escaped_text.h"
 #include "core/study/text/point_text.h"
 
 namespace noonmark {

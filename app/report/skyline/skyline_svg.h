@@ -1,8 +1,8 @@
 #pragma once
 
 // The folder app/report/skyline draws what a point sees of the sky. skyline_svg.h (this file) makes the
-// drawing, sky_frame.h places directions on it, sky_drawing.h draws the sky in one of its two frames, and
-// sun_carpet.h the sunlit minutes by month and hour.
+// drawing, sky_drawing.h places directions on it and draws the sky in one of its two frames and the sunlit
+// minutes by month and hour.
 
 #include <string>
 

@@ -1,23 +1,126 @@
 #pragma once
 
-// The folder core/bench/contests runs engines against each other. A Contestant is an engine with settings
-// (contestant.h); a contest (this file) checks each against the ray reference (field_error.h) and then times
-// it in rounds (moments.h). site.h says where and when; period_runs.h, resolution_runs.h and engine_times.h
-// run contests over periods, resolutions and random positions. Time is limited by allowance.h, deadline.h and
-// forecast.h; history.h predicts the time of longer periods. ray_masks.h traces directions that belong to no
-// period.
-
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
-#include "core/bench/contests/contestant.h"
-#include "core/bench/contests/field_error.h"
-#include "core/bench/extent.h"
+#include "core/base/progress.h"
 #include "core/bench/work.h"
+#include "core/engines/api/engine_registry.h"
+#include "core/engines/api/shadow_field.h"
+#include "core/receivers/receivers.h"
 
 namespace noonmark::bench {
+
+/// An engine with its settings, ready to run.
+struct Contestant {
+    std::string engine;   ///< key: "iam"
+    std::string name;     ///< "Inverse accrual map"
+    std::string setting;  ///< settings that differ from the defaults: "levels 2"; may be empty
+    std::shared_ptr<const Engine> accumulator;
+    bool needed = false;  ///< the report needs its time: it is never stopped early
+};
+
+/// "Inverse accrual map, levels 2"
+std::string makeTitle(const Contestant& contestant);
+
+/// The contestants.
+struct StartList {
+    std::vector<Contestant> contestants;
+    std::vector<std::string> absent;  ///< engines that cannot run on this machine, and why
+};
+
+/// Every engine with its default settings.
+StartList listDefaultEngines(const EngineList& engines);
+
+/// Every engine with its default settings, and with each of its options, one at a time, at these multiples of
+/// its default (rounded and clamped to the option's range; no setting twice).
+StartList listVariedEngines(const EngineList& engines, const std::vector<double>& factors);
+
+/// One engine with one option at the given values, in order; empty if there is no such engine or option.
+std::vector<Contestant> listVariants(const EngineList& engines, std::string_view engine,
+                                     std::string_view option, const std::vector<double>& values);
+
+/// A stop token that stops when `outer` does, or after `seconds`; without a time limit if `seconds` is
+/// infinite or more than a year.
+class Deadline {
+public:
+    Deadline(double seconds, const std::stop_token& outer)
+        : relay_(outer, [this] { source_.request_stop(); }) {
+        constexpr double yearS = 365.0 * 24 * 3600;
+        if (seconds < yearS)
+            timer_ = std::jthread([this, seconds](const auto& done) { wait(done, seconds); });
+    }
+    Deadline(const Deadline&) = delete;
+    Deadline& operator=(const Deadline&) = delete;
+
+    [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+    /// Stops immediately; may be called from any thread.
+    void giveUp() { source_.request_stop(); }
+
+private:
+    void wait(const std::stop_token& done, double seconds) {
+        std::unique_lock lock(mutex_);
+        woken_.wait_for(lock, done, std::chrono::duration<double>(seconds), [] { return false; });
+        if (!done.stop_requested()) source_.request_stop();
+    }
+
+    std::stop_source source_;
+    std::stop_callback<std::function<void()>> relay_;
+    std::mutex mutex_;
+    std::condition_variable_any woken_;
+    std::jthread timer_;  // last: must end before the members it uses
+};
+
+/// Whether work that has done `fraction` of itself (0 to 1) will clearly miss its limit: by a fifth, judged
+/// once a quarter of the limit has passed. Work that reports no progress is never hopeless.
+constexpr bool isHopeless(double elapsedS, double fraction, double limitS) {
+    return elapsedS > limitS / 4 && fraction > 0 && elapsedS > fraction * 1.2 * limitS;
+}
+
+/// Stops work before its deadline if it is hopeless.
+class Forecast final : public Progress {
+public:
+    /// `deadline` must outlive this object.
+    Forecast(Deadline& deadline, double limitS) : deadline_(deadline), limitS_(limitS) {}
+
+    void report(double fraction, std::string_view) override {
+        if (isHopeless(watch_.seconds(), fraction, limitS_)) deadline_.giveUp();
+    }
+
+private:
+    Deadline& deadline_;
+    double limitS_;
+    Stopwatch watch_;
+};
+
+/// Error of a field against the truth at the same receivers and steps; percent.
+struct FieldError {
+    double areaPct = 0;  ///< absolute difference of the shadow areas, % of the receivers' area
+    /// Absolute difference of gross shadow, mean over the cells, % of the sunlit time
+    double cellMeanPct = 0;
+    double cellP99Pct = 0;  ///< 99 of 100 cells differ by less
+    double cellMaxPct = 0;
+    bool operator==(const FieldError&) const = default;
+};
+
+/// Over `receivers`, which may be a sample of those of the fields. O(n log n).
+FieldError errorOf(const ShadowField& field, const ShadowField& truth, const Receivers& receivers);
+
+// The folder core/bench/contests runs engines against each other. A Contestant is an engine with settings
+// (contest.h); a contest (this file) checks each against the ray reference (contest.h) and then times
+// it in rounds (moments.h). site.h says where and when; contest_runs.h and paper_bench.cpp
+// run contests over periods, resolutions and random positions. Time is limited by work.h, contest.h;
+// contest_runs.cpp predicts the time of longer periods. ray_masks.h traces directions that belong to no
+// period.
 
 /// The input of the engines.
 struct Scene {
@@ -41,7 +144,7 @@ struct Placing {
     bool estimated = false;  ///< the time was extrapolated from a part of the receivers or of the days
     /// The reason for the refusal: it was stopped after Extent::neverAboveS, or left out
     bool tooSlow = false;
-    std::optional<std::uint64_t> peakBytes{};  ///< of the run that was checked (peak_memory.h)
+    std::optional<std::uint64_t> peakBytes{};  ///< of the run that was checked (bench_report.h)
     [[nodiscard]] bool timed() const { return runs > 0; }
 };
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/city/city.h"
-#include "core/engines/common/shadow_mask.h"
+#include "core/engines/common/run_counter.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/receivers/receivers.h"
 

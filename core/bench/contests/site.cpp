@@ -5,7 +5,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/city/city_observer.h"
+#include "core/city/city_position.h"
 #include "core/engines/common/receiver_tiles.h"
 
 namespace noonmark::bench {

@@ -1,17 +1,27 @@
 #pragma once
 
-// The folder core/bench/points measures the sweep of point receivers. runPointBench() (this file) runs its
-// experiment, facade_year.h.
-
 #include <array>
 
 #include "core/bench/bench_report.h"
 #include "core/bench/contests/site.h"
-#include "core/bench/extent.h"
+#include "core/bench/finding.h"
 #include "core/bench/work.h"
 #include "core/engines/api/engine_registry.h"
+#include "core/receivers/point_receivers.h"
 
 namespace noonmark::bench {
+
+/// Up to 100,000 points on the facades of the whole city, every minute from sunrise to sunset of the site's
+/// year, by the sweep with and without unbroken times; rays on a sample of a tenth of
+/// `extent.sampleReceivers`, from which the time of all is extrapolated. Summary: points_year_s,
+/// points_vs_ray, points_with_runs_vs_ray, points_error_mean_pct, points_error_max_pct.
+Result<Finding> benchFacadeYear(const BenchSite& site, const Extent& extent, const Work& work);
+
+/// `count` of the points, or all, at equal distances in the list: neighbours stay neighbours.
+SurfacePoints thinOut(const SurfacePoints& all, std::size_t count);
+
+// The folder core/bench/points measures the sweep of point receivers. runPointBench() (this file) runs its
+// experiment, point_bench.h.
 
 /// Horizons of points on facades over a year, against rays. `engines` is not used. Errors as in
 /// runPaperBench.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/city/footprints/footprint.h"
-#include "core/city/footprints/plan_lines.h"
+#include "core/city/footprints/plan_overlay.h"
 #include "core/city/footprints/repair_footprint.h"
 
 // Forward declarations of GEOS's types, so that only files with geos in their name need its header.

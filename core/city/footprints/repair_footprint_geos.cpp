@@ -9,7 +9,6 @@
 
 #include "core/city/footprints/geos_shapes.h"
 #include "core/city/footprints/repair_footprint.h"
-#include "core/city/footprints/tangled_rings.h"
 
 namespace noonmark {
 

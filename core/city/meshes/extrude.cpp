@@ -1,7 +1,7 @@
-#include <tbb/parallel_for.h>
+#include "core/city/meshes/extrude.h"
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
-#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <utility>
@@ -11,6 +11,15 @@
 #include "core/city/footprints/triangulate.h"
 
 namespace noonmark {
+
+// With holes the caps must be triangulated: a hole may touch the outline or another hole in a corner or along
+// an edge, which changes the count.
+std::size_t countTriangles(const Part& part) {
+    if (part.mesh) return part.mesh->triangles.size();
+    const std::size_t points = part.footprint.outer.size();
+    if (part.footprint.holes.empty() && points >= 3) return 2 * (points - 2) + 2 * points;
+    return meshOf(part).triangles.size();
+}
 
 namespace {
 

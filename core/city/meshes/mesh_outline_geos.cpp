@@ -13,7 +13,6 @@
 
 #include "core/base/stop_scope.h"
 #include "core/city/footprints/geos_shapes.h"
-#include "core/city/footprints/plan_lines.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_topology.h"
 

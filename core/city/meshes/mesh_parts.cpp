@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "core/base/stop_scope.h"
-#include "core/city/meshes/mesh_eaves.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_sheets.h"
 #include "core/city/meshes/mesh_topology.h"

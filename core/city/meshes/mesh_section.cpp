@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "core/city/footprints/plan_lines.h"
+#include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_topology.h"
 

@@ -6,7 +6,7 @@
 #include <unordered_set>
 
 #include "core/city/footprints/footprint.h"
-#include "core/city/terrain/fill_gaps.h"
+#include "core/city/terrain/post_grid.h"
 
 namespace noonmark {
 

@@ -1,12 +1,21 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/city/meshes/mesh.h"
 #include "core/city/terrain/terrain.h"
 
 namespace noonmark {
+
+/// The Delaunay triangulation of points: counter-clockwise triangles of their indices. Of coincident points
+/// the first is used. Empty if all points lie on one line. O(points log points). Backend:
+/// tin_terrain_cgal.cpp.
+std::vector<glm::uvec3> triangulateDelaunay(std::span<const glm::vec2> points);
 
 struct TinTerrain {
     Terrain terrain;

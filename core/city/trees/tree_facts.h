@@ -2,10 +2,34 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/city/trees/tree.h"
 
 namespace noonmark {
+
+/// Trees that are alike where nothing is known of the single one (resources/trees/defaults.json, which states
+/// the sources).
+struct TreeGroup {
+    std::string key;  ///< "dense"
+    CrownShape shape = CrownShape::ellipsoid;
+    bool evergreen = false;
+    float leafOn = 0, leafOff = 0;  ///< share of the sun that passes on the mean chord
+    double crownPerStem = 1;        ///< crown diameter over stem diameter
+    double heightPerCrown = 1;      ///< height over crown diameter
+    double crownBaseShare = 0;      ///< of the height, below the crown
+    double heightM = 1;             ///< where nothing is known
+    std::vector<std::string> genera;
+};
+
+/// The shipped groups; the first is that of trees whose genus is unknown.
+const std::vector<TreeGroup>& listTreeGroups();
+
+/// The group of a species, by its genus: the first word of the text, in any case; null: unknown.
+const TreeGroup* findTreeGroup(std::string_view species);
+/// The group with this key, which must be there.
+const TreeGroup& treeGroup(std::string_view key);
 
 /// What data state of a tree; metres.
 struct TreeFacts {
@@ -22,7 +46,7 @@ struct TreeFacts {
 };
 
 /// The tree with these facts; what they do not state is estimated from what they do, else the default of its
-/// group (tree_defaults.h). The facts must be plausible; readers leave others out with a warning.
+/// group (tree_facts.h). The facts must be plausible; readers leave others out with a warning.
 Tree completeTree(const TreeFacts& facts);
 
 /// Height 0.5 to 120 m, crown 0.3 to 50 m wide, stem 0.01 to 5 m thick.

@@ -4,7 +4,7 @@
 
 #include "core/describe/field_checks.h"
 #include "core/describe/text.h"
-#include "core/engines/common/shadow_mask.h"
+#include "core/engines/common/run_counter.h"
 
 namespace noonmark {
 

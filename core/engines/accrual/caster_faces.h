@@ -2,12 +2,16 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
 #include <stop_token>
 #include <vector>
 
 #include "core/city/city.h"
+#include "core/engines/accrual/accrual_settings.h"
+#include "core/engines/accrual/map_frame.h"
+#include "core/engines/common/interval_engine.h"
 
 namespace noonmark {
 
@@ -29,5 +33,29 @@ struct CasterFaces {
 /// an incomplete result; the caller must check the token.
 CasterFaces makeCasterFaces(const City& city, std::span<const std::uint32_t> buildings,
                             const std::stop_token& stop = {});
+
+/// The extent of an interval's receivers, for culling.
+struct ReceiverExtent {
+    double lowestW = 0;  ///< height of the lowest receiver above the map's plane; faces below it cast no
+                         ///< shadow on receivers
+    /// Whether a receiver may lie in this box of the map's plane, metres; null: anywhere on the map.
+    std::function<bool(glm::dvec2 low, glm::dvec2 high)> any;
+};
+
+/// The faces that may shade a receiver at some step of an interval, in the frame of its maps. All its slices
+/// are drawn from them.
+struct IntervalCasters {
+    std::vector<glm::dvec3> points;  ///< MapFrame::placed
+    std::vector<CasterFace> faces;   ///< corners are indices in `points`
+    std::uint64_t turnedOther = 0;  ///< culled faces: never on the side that is drawn, or below all receivers
+    std::uint64_t outOfReach = 0;   ///< culled faces: their shadow meets no receiver
+};
+
+/// Conservative: never culls a face that could shade a receiver. During an interval the shadow of a point
+/// moves on a straight line, so its positions at both ends bound it. O(faces). `placed`: MapFrame::placed of
+/// faces.points.
+IntervalCasters placeCasters(const CasterFaces& faces, const std::vector<glm::dvec3>& placed,
+                             const MapFrame& frame, const SunInterval& interval, CasterSide side,
+                             const ReceiverExtent& receivers);
 
 }  // namespace noonmark

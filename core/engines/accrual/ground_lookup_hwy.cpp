@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/engines/accrual/ground_lookup.h"
+#include "core/engines/accrual/shadow_accrual_map.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

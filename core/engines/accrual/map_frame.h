@@ -3,13 +3,28 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/engines/common/interval_engine.h"
 #include "core/geo/grid.h"
-#include "core/receivers/surface_points.h"
+#include "core/receivers/point_receivers.h"
 
 namespace noonmark {
+
+/// Ways to lay a square map of `mapSize` texels per side over points of a plane. They return the matrix
+/// MapFrame::texelFromPlane. Every point lies on the map.
+
+/// Stretches the map over the points' bounding box.
+glm::dmat3 fitBox(std::span<const glm::dvec2> points, int mapSize);
+
+/// Stretches the map over a trapezoid around the points whose narrow side faces `eye` (Martin and Tan,
+/// Anti-aliasing and continuity with trapezoidal shadow maps, 2004): the axis runs from the eye to the centre
+/// of the points, and the closest 80 % of them get 80 % of the map's length (their 80 % rule, with the focus
+/// where that many points are). Empty if the warp would not help: points no denser near the eye, or the eye
+/// above their centre.
+std::optional<glm::dmat3> fitTrapezoid(std::span<const glm::dvec2> points, glm::dvec2 eye, int mapSize);
 
 /// The plane and the texels of the depth maps of an interval. Every step of the sun projects the city onto
 /// the same plane, so steps differ only by a shear (the paper's tan law in two dimensions): a point `w`
@@ -61,7 +76,7 @@ MapFrame makeGroundFrame(const Grid& grid, int mapSize, bool texelsOnCells);
 /// For points on any surface, in one interval: a plane through their centre at a right angle to the sun's
 /// mean direction, so that points on both sides of it move little from step to step. The map contains all
 /// points at every step. With `warp` and an eye, the map is a trapezoid around them that widens away from the
-/// eye (trapezoid.h). Needs at least one point. O(points), all cores.
+/// eye (map_frame.h). Needs at least one point. O(points), all cores.
 MapFrame makeSurfaceFrame(const SurfacePoints& points, const SunInterval& interval, int mapSize, bool warp);
 
 }  // namespace noonmark

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/memory_guard.h"
-#include "core/base/stopwatch.h"
-#include "core/engines/accrual/ground_lookup.h"
+#include "core/base/progress.h"
 #include "core/engines/accrual/slice_stack.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/projected/counting/receiver_count.h"

@@ -1,18 +1,45 @@
 #pragma once
 
-// Shadow accrual maps (paper, section 4): for each interval of the sun, a stack of depth maps that differ
-// only by a shear. caster_faces.h lists the faces of a city; interval_casters.h culls and places them for one
-// interval in the frame of map_frame.h, which trapezoid.h may warp towards the eye. slice_drawer.h and
-// depth_slice.h draw one depth map per step, and slice_stack.h all of an interval. ground_lookup.h and
-// surface_lookup.h read the shadow of receivers from them. ShadowAccrualMap does this for ground grids,
-// SurfaceAccrual for points on any surface. accrual_settings.h holds the settings.
-
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "core/engines/accrual/accrual_settings.h"
+#include "core/engines/accrual/depth_slice.h"
+#include "core/engines/accrual/map_frame.h"
 #include "core/engines/common/interval_engine.h"
+#include "core/receivers/receivers.h"
 
 namespace noonmark {
+
+/// The cells of flat ground in the maps. They lie on the map's plane, so the texel of a cell is the same at
+/// every step.
+class GroundLookup {
+public:
+    GroundLookup(const Receivers& receivers, const MapFrame& frame, float biasM);
+
+    /// Number of words with one bit per receiver.
+    [[nodiscard]] std::size_t words() const { return (texel_.size() + 63) / 64; }
+
+    /// Bit i % 64 of shaded[i / 64]: an occluder is closer to the sun than receivers.cells[i] by more than
+    /// the bias. Bits after the last receiver are 0.
+    void look(const DepthSlice& slice, std::span<std::uint64_t> shaded) const;
+
+    /// Index in DepthSlice::depth of each receiver's texel.
+    [[nodiscard]] std::span<const std::uint32_t> texels() const { return texel_; }
+
+private:
+    float biasM_;
+    std::vector<std::uint32_t> texel_;  // indices in DepthSlice::depth
+};
+
+// Shadow accrual maps (paper, section 4): for each interval of the sun, a stack of depth maps that differ
+// only by a shear. caster_faces.h lists the faces of a city; caster_faces.h culls and places them for one
+// interval in the frame of map_frame.h, which map_frame.h may warp towards the eye. slice_stack.h and
+// depth_slice.h draw one depth map per step, and slice_stack.h all of an interval. shadow_accrual_map.h and
+// surface_lookup.h read the shadow of receivers from them. ShadowAccrualMap does this for ground grids,
+// SurfaceAccrual for points on any surface. accrual_settings.h holds the settings.
 
 /// Shadow accrual maps (paper, section 4) on the processor, for flat ground. The city is transformed once per
 /// interval. Each step of the interval is a slice, a depth map that differs from the others only by a shear;

@@ -10,8 +10,7 @@
 #include <limits>
 
 #include "core/engines/accrual/map_frame.h"
-#include "core/engines/accrual/slice_drawer.h"
-#include "core/engines/accrual/trapezoid.h"
+#include "core/engines/accrual/slice_stack.h"
 
 namespace noonmark {
 

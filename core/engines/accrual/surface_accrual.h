@@ -3,7 +3,7 @@
 #include "core/engines/accrual/accrual_settings.h"
 #include "core/engines/api/surface_engine.h"
 #include "core/engines/graph/direction_graph.h"
-#include "core/engines/graph/steps_around.h"
+#include "core/engines/graph/interval_tally.h"
 
 namespace noonmark {
 

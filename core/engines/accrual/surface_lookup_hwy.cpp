@@ -10,7 +10,6 @@
 #include <glm/matrix.hpp>
 
 #include "core/engines/accrual/surface_lookup.h"
-#include "core/engines/accrual/surface_view.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

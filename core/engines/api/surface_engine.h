@@ -8,12 +8,12 @@
 #include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/engines/api/shadow_field.h"
-#include "core/receivers/surface_points.h"
+#include "core/receivers/point_receivers.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
 
-struct StepMemory;  // core/engines/graph/steps_around.h
+struct StepMemory;  // core/engines/graph/interval_tally.h
 
 /// Shadow on surface points for one period: what ShadowField is for a grid.
 struct SurfaceShadow {
@@ -36,7 +36,7 @@ public:
                                                            std::stop_token stop) const = 0;
 
     /// The same result. Engines that process a day in intervals, like the accrual maps, store its steps in
-    /// `memory` and base running results on the steps of a coarser view (steps_around.h).
+    /// `memory` and base running results on the steps of a coarser view (interval_tally.h).
     [[nodiscard]] virtual Result<SurfaceShadow> accumulate(const City& city, const SurfacePoints& points,
                                                            const SunSteps& sun, Progress& progress,
                                                            std::stop_token stop,

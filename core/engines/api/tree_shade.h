@@ -1,13 +1,30 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/describe/choice.h"
+#include "core/describe/text.h"
 #include "core/engines/api/shadow_field.h"
-#include "core/engines/api/tree_columns.h"
 
 namespace noonmark {
+
+/// Which shadow is measured beside that without trees, where a city has trees.
+enum class TreeColumns {
+    all,        ///< both that follow
+    without,    ///< none: as if there were no tree
+    evergreen,  ///< every tree in leaf all year
+    seasonal,   ///< trees that lose their leaves are bare out of season
+};
+
+inline constexpr std::array treeColumnChoices{
+    Choice{TreeColumns::all, "all", NM_TEXT("without trees, as evergreens, with seasons")},
+    Choice{TreeColumns::without, "without", NM_TEXT("without trees")},
+    Choice{TreeColumns::evergreen, "evergreen", NM_TEXT("as evergreens")},
+    Choice{TreeColumns::seasonal, "seasonal", NM_TEXT("with seasons")}};
 
 /// The shadow of a period with trees, on the receivers of the field that holds it. Gross minutes are weighted
 /// by what buildings and crowns take from the sun at each step; longest runs count the steps at which at

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/base/progress_share.h"
+#include "core/base/progress.h"
 
 namespace noonmark {
 

@@ -11,9 +11,9 @@
 
 #include "core/base/result.h"
 #include "core/city/city.h"
-#include "core/engines/api/engine_capabilities.h"
+#include "core/engines/api/engine.h"
 #include "core/engines/api/shadow_field.h"
-#include "core/engines/common/shadow_mask.h"
+#include "core/engines/common/run_counter.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
 

@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/city/footprints/plan_areas.h"
 #include "core/city/footprints/plan_overlay.h"
-#include "core/city/footprints/shared_area.h"
 
 namespace noonmark {
 

@@ -1,21 +1,22 @@
 #pragma once
 
-// Parts that several engines share. shadow_reach.h finds the buildings whose shadow can reach a receiver;
-// changed_buildings.h compares two cities for the caches. receiver_tiles.h, scattered_order.h and
-// finished_tiles.h divide a region into tiles and deliver running results; day_sum.h combines fields of days.
-// sun_packets.h groups sun directions for SIMD. run_counter.h and shadow_mask.h count shadow and its longest
-// runs. open_below.h finds the open air that horizons count as solid. interval_engine.h is the interface of
-// the accrual maps, which shade one interval of the sun at a time.
-
 #include <cstdint>
 #include <vector>
 
 #include "core/city/city.h"
 #include "core/engines/api/shadow_field.h"
+#include "core/engines/common/changed_buildings.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
+
+// Parts that several engines share. shadow_reach.h finds the buildings whose shadow can reach a receiver;
+// changed_buildings.h compares two cities for the caches. receiver_tiles.h divide a region into tiles and
+// deliver running results; projected_shadows.cpp combines fields of days. sun_packets.h groups sun directions
+// for SIMD. run_counter.h count shadow and its longest runs. open_below.h finds the open air that horizons
+// count as solid. interval_engine.h is the interface of the accrual maps, which shade one interval of the sun
+// at a time.
 
 /// How far shadows fall during a period, for each azimuth that the sun visits.
 class ShadowReach {
@@ -58,5 +59,14 @@ std::vector<std::uint32_t> findTreesInReach(const City& city, const Receivers& r
 inline constexpr const char* buildingsOutOfReach = "buildings whose shadow cannot reach a receiver";
 /// Sets in `cost` that `used` of `all` buildings can shade a receiver.
 void countInReach(Cost& cost, std::size_t used, std::size_t all);
+
+/// Keeps the receivers that the shadow of any of the buildings may reach at some step and marks the others as
+/// outside. Works on tiles of 32 x 32 cells and never drops a receiver that shadow reaches. O(cells + tiles x
+/// buildings x degrees of azimuth visited).
+Receivers findReached(const Buildings& buildings, const Receivers& receivers, const ShadowReach& reach);
+
+/// Fills the receivers that findReached() dropped with the values of the field with the building, which are
+/// the same there. `receivers`: all receivers.
+void fillUnreached(ShadowField& without, const ShadowField& with, const Receivers& receivers);
 
 }  // namespace noonmark

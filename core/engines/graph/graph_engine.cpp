@@ -1,17 +1,46 @@
 #include "core/engines/graph/graph_engine.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
-#include "core/base/stopwatch.h"
-#include "core/engines/api/blank_field.h"
+#include "core/base/progress.h"
+#include "core/describe/text.h"
 #include "core/engines/api/partial_field.h"
-#include "core/engines/graph/graph_directions.h"
-#include "core/engines/graph/interval_tally.h"
+#include "core/engines/api/shadow_field.h"
+#include "core/engines/common/run_counter.h"
 
 namespace noonmark {
+
+const Fields<DirectionGraphSettings>& graphFields() {
+    static const Fields<DirectionGraphSettings> fields{
+        field(&DirectionGraphSettings::intervalMinutes,
+              {.key = "interval",
+               .label = NM_TEXT("Interval"),
+               .help = NM_TEXT("How long the sun is taken to move in a straight line"),
+               .unit = "min",
+               .range = ValueRange{0.1, 120}}),
+        field(&DirectionGraphSettings::boundDeg,
+              {.key = "bound",
+               .label = NM_TEXT("Direction bound"),
+               .help = NM_TEXT("Hours whose sun is less than this apart are computed once"),
+               .unit = "deg",
+               .range = ValueRange{0.1, 20}})};
+    return fields;
+}
+
+SunSteps collectDirections(const DirectionGraph& graph) {
+    SunSteps directions;
+    for (const auto& edge : graph.edges)
+        for (int step = 0; step < edge.sun.steps; ++step)
+            directions.steps.push_back({.direction = glm::vec3(edge.sun.at(step))});
+    return directions;
+}
+
+DirectionGraphSettings fitToMasks(DirectionGraphSettings settings, double stepMinutes) {
+    settings.intervalMinutes = std::min(settings.intervalMinutes, maxMaskSteps * stepMinutes);
+    return settings;
+}
 
 namespace {
 

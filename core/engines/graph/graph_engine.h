@@ -1,19 +1,25 @@
 #pragma once
 
-// The direction graph (paper, section 6): computes long periods from short intervals. direction_bins.h
-// divides the sky into bins, direction_graph.h merges a period's intervals between the same bins into edges,
-// and graph_directions.h lists the directions of the edges. GraphEngine shades each edge once with an
-// IntervalEngine and interval_tally.h combines the results. steps_around.h reuses the result of a coarser
-// view for running results.
-
 #include <memory>
 
 #include "core/engines/api/engine.h"
 #include "core/engines/common/interval_engine.h"
 #include "core/engines/graph/direction_graph.h"
-#include "core/engines/graph/steps_around.h"
+#include "core/engines/graph/interval_tally.h"
 
 namespace noonmark {
+
+/// Every direction of every edge, for IntervalEngine::prepare.
+SunSteps collectDirections(const DirectionGraph& graph);
+
+/// Shortens the intervals if steps are shorter than a minute, because a mask holds 64 steps.
+DirectionGraphSettings fitToMasks(DirectionGraphSettings settings, double stepMinutes);
+
+// The direction graph (paper, section 6): computes long periods from short intervals. direction_graph.h
+// divides the sky into bins, direction_graph.h merges a period's intervals between the same bins into edges,
+// and graph_engine.h lists the directions of the edges. GraphEngine shades each edge once with an
+// IntervalEngine and interval_tally.h combines the results. interval_tally.h reuses the result of a coarser
+// view for running results.
 
 /// The settings of an interval engine with those of the graph that it is used through.
 template <class S>

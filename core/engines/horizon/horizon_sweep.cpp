@@ -1,24 +1,94 @@
 #include "core/engines/horizon/horizon_sweep.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "core/base/stopwatch.h"
-#include "core/engines/api/blank_field.h"
+#include "core/base/progress.h"
+#include "core/describe/field_checks.h"
+#include "core/describe/text.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/horizon/attribution/horizon_breakdown.h"
-#include "core/engines/horizon/check_horizon_study.h"
-#include "core/engines/horizon/counting/run_rays.h"
+#include "core/engines/horizon/counting/run_search.h"
 #include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/sweep/period_sweep.h"
 #include "core/engines/horizon/trees/crown_sweep.h"
 
 namespace noonmark {
+
+namespace {
+
+Value countsRuns(const HorizonSweepSettings& settings) {
+    return settings.counts == ShadowCounts::grossAndRuns;
+}
+
+Result<void> countRuns(HorizonSweepSettings& settings, const Value& value) {
+    settings.counts = value == Value(true) ? ShadowCounts::grossAndRuns : ShadowCounts::gross;
+    return {};
+}
+
+}  // namespace
+
+const Fields<HorizonSweepSettings>& sweepFields() {
+    static const Fields<HorizonSweepSettings> fields{
+        field(&HorizonSweepSettings::errorTargetPercent,
+              {.key = "error",
+               .label = NM_TEXT("Error target"),
+               .help = NM_TEXT("Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins "
+                               "are as wide as it lets "
+                               "them be; half of it takes twice as long"),
+               .unit = "%",
+               .range = ValueRange{0.005, 1}}),
+        field(&HorizonSweepSettings::binDeg,
+              {.key = "bin",
+               .label = NM_TEXT("Azimuth bin"),
+               .help = NM_TEXT("Suns whose azimuth is less than this apart share one horizon; 0: as the "
+                               "error target asks"),
+               .unit = "deg",
+               .range = ValueRange{0, HorizonSweepSettings::maxBinDeg},
+               .whenEmpty = NM_TEXT("automatic")}),
+        derivedField<HorizonSweepSettings>(
+            ValueKind::yesNo, countsRuns, countRuns,
+            {.key = "runs",
+             .label = NM_TEXT("Continuous shadow"),
+             .help = NM_TEXT("The longest unbroken shadow is counted too; without it, gross shadow only, in "
+                             "about half the time")}),
+        field(
+            &HorizonSweepSettings::checksRuns,
+            {.key = "check",
+             .label = NM_TEXT("Check runs"),
+             .help = NM_TEXT("Rays look at every step of every longest run, so that a gap between two "
+                             "walls in one line is "
+                             "found too; without it, they look at what neighbouring bins leave in doubt")})};
+    return fields;
+}
+
+namespace {
+constexpr std::uint32_t maxStepsADay = 32'767;  // runs are counted in 16 bits
+}
+
+Result<void> checkBinWidth(double binDeg) {
+    if (binDeg >= HorizonSweepSettings::minBinDeg && binDeg <= HorizonSweepSettings::maxBinDeg) return {};
+    return failure(fmt::format("An azimuth bin of {} deg is out of range", binDeg), "bin width",
+                   fmt::format("Choose {:g} to {:g} deg", HorizonSweepSettings::minBinDeg,
+                               HorizonSweepSettings::maxBinDeg));
+}
+
+Result<void> checkSweepSettings(const HorizonSweepSettings& settings) {
+    if (settings.binDeg != 0) return checkBinWidth(settings.binDeg);
+    return checkRanges(sweepFields().of(settings));
+}
+
+Result<void> checkHorizonDays(const SunSteps& sun) {
+    for (const SunDay& day : sun.days)
+        if (day.count > maxStepsADay)
+            return failure(fmt::format("A day of {} steps is more than the horizon sweep counts", day.count),
+                           "step", NM_TEXT("Choose a step of 3 seconds or more"));
+    return {};
+}
 
 namespace {
 

@@ -1,23 +1,25 @@
 #pragma once
 
+#include "core/base/result.h"
+#include "core/describe/field.h"
+#include "core/engines/api/engine.h"
+#include "core/engines/api/shadow_field.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
 // The horizon sweep. This folder holds the engine and its settings (horizon_sweep.h), their fields, which
-// are its options (sweep_fields.cpp), and the checks of a study (check_horizon_study.h). geometry/ groups
+// are its options (horizon_sweep.cpp), and the checks of a study (horizon_sweep.h). geometry/ groups
 // suns into azimuth bins and collects what may hide them; sweep/ computes horizons block by block; overhangs/
 // adds the parts with open air below; counting/ turns horizons into gross shadow and longest runs; cache/
 // updates a result after an edit; attribution/ charges shadow to buildings.
-
-#include "core/describe/field.h"
-#include "core/engines/api/engine.h"
-#include "core/engines/api/shadow_counts.h"
-
-namespace noonmark {
 
 struct HorizonSweepSettings {
     static constexpr double minBinDeg = 0.1;
     static constexpr double maxBinDeg = 2;
     /// Mean error of a cell's gross shadow, percent of the period, 0.005 to 1. Bins are as wide as this error
-    /// allows in a dense city (bin_cuts.h), and each bin's width depends on the suns of the period. Half the
-    /// error takes twice the time.
+    /// allows in a dense city (azimuth_bins.h), and each bin's width depends on the suns of the period. Half
+    /// the error takes twice the time.
     double errorTargetPercent = 0.05;
     /// Width of all bins, degrees, 0.1 to 2, whatever the error; 0: chosen from the error target.
     double binDeg = 0;
@@ -44,8 +46,8 @@ const Fields<HorizonSweepSettings>& sweepFields();
 /// (at most 0.25 to 0.5 deg where longest runs are counted) and is off by 0.03 % on average and 0.2 % at most
 /// on the grid sample, 0.05 and 0.2 % on Midtown. A single day needs nearly one bin per minute and is almost
 /// exact. Longest runs are right within two steps: rays look at the steps that neighbouring bins leave in
-/// doubt (run_doubts.h). Bryant Park, a year from sunrise to sunset at steps of 1 minute, all 10,261 cells of
-/// 2 m against rays: 0.16 steps on average, at most 2; Times Square the same. Not seen unless runs are
+/// doubt (run_decider.h). Bryant Park, a year from sunrise to sunset at steps of 1 minute, all 10,261 cells
+/// of 2 m against rays: 0.16 steps on average, at most 2; Times Square the same. Not seen unless runs are
 /// checked: a gap between two walls whose tops lie in one line, and light below a general mesh that counts as
 /// solid. The result does not depend on the number of threads, on tiles or on the order of buildings.
 ///
@@ -94,5 +96,14 @@ protected:
 private:
     HorizonSweepSettings settings_;
 };
+
+/// Error if the bin width is out of range.
+Result<void> checkBinWidth(double binDeg);
+
+/// Error if a setting is out of range.
+Result<void> checkSweepSettings(const HorizonSweepSettings& settings);
+
+/// Error if a day has more steps than can be counted.
+Result<void> checkHorizonDays(const SunSteps& sun);
 
 }  // namespace noonmark

@@ -1,11 +1,11 @@
 #pragma once
 
 // Inverse accrual maps (paper, section 5): find the occluders of each cell at both ends of an interval and
-// move their shadows along straight lines between. sources/ finds the occluders, per block of lanes (lanes.h,
-// lane_sources.h). source_runs.h joins neighbouring sources to runs and run_sweep.h gives the steps at which
-// a run shades a cell; shadow_lines.h draws these into masks (lane_masks.h), on the processor or with OpenCL.
-// line_leg.h draws one part of an interval for the receivers (lane_receivers.h); inverse_accrual_scene.h
-// combines the parts and uses rays for a low sun (low_sun.h).
+// move their shadows along straight lines between. sources/ finds the occluders, per block of lanes
+// (lanes.h). source_runs.h joins neighbouring sources to runs and line_cells.h gives the steps at which a run
+// shades a cell; shadow_lines.h draws these into masks (lanes.h), on the processor or with OpenCL.
+// inverse_accrual_scene.cpp draws one part of an interval for the receivers (inverse_accrual_scene.cpp);
+// inverse_accrual_scene.h combines the parts and uses rays for a low sun (inverse_accrual_scene.h).
 
 #include <memory>
 #include <optional>

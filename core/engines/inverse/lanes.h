@@ -1,9 +1,14 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "core/engines/common/run_counter.h"
+#include "core/engines/inverse/source_runs.h"
 #include "core/geo/grid.h"
+#include "core/simd/cache_line.h"
 
 namespace noonmark {
 
@@ -55,5 +60,92 @@ private:
     int laneCount_ = 0;
     std::vector<int> bend_;  // by major position; monotone
 };
+
+/// The masks of some blocks of lanes, as a target for drawing.
+struct LaneMasks {
+    int majors = 0;
+    std::vector<ShadowMask> masks;  ///< blocks x lanes of a block x majors
+    /// Blocks x majors: for each lane the first position from this one on, and the last one up to this one,
+    /// whose mask is wanted; majors and -1 if there is none. Masks of unwanted positions are unspecified
+    /// after drawing.
+    std::vector<CacheLine<std::int32_t>> nextWanted, lastWanted;
+
+    /// Leaves the contents unspecified.
+    void resize(int majorCount, int blocks) {
+        majors = majorCount;
+        masks.resize(std::size_t(blocks) * Lanes::perBlock * std::size_t(majors));
+        nextWanted.resize(std::size_t(blocks) * std::size_t(majors));
+        lastWanted.resize(nextWanted.size());
+    }
+    [[nodiscard]] int blocks() const { return int(nextWanted.size()) / majors; }
+
+    /// Sets the wanted positions of a block; wanted(major, lane).
+    void ask(int block, const auto& wanted) {
+        CacheLine<std::int32_t>*next = &nextWanted[firstLine(block)], *last = &lastWanted[firstLine(block)];
+        CacheLine<std::int32_t> seen;
+        std::ranges::fill(seen.values, -1);
+        for (int major = 0; major < majors; last[major++] = seen)
+            for (int lane = 0; lane < Lanes::perBlock; ++lane)
+                seen.values[lane] = wanted(major, lane) ? major : seen.values[lane];
+        std::ranges::fill(seen.values, majors);
+        for (int major = majors - 1; major >= 0; next[major--] = seen)
+            for (int lane = 0; lane < Lanes::perBlock; ++lane)
+                seen.values[lane] = last[major].values[lane] == major ? major : seen.values[lane];
+    }
+
+    /// Index of major position 0 of a block in nextWanted and lastWanted.
+    [[nodiscard]] std::size_t firstLine(int block) const { return std::size_t(block) * std::size_t(majors); }
+    [[nodiscard]] ShadowMask* lane(int block, int lane) {
+        return &masks[std::size_t(block * Lanes::perBlock + lane) * std::size_t(majors)];
+    }
+    [[nodiscard]] const ShadowMask* lane(int block, int lane) const {
+        return &masks[std::size_t(block * Lanes::perBlock + lane) * std::size_t(majors)];
+    }
+};
+
+/// The shadow sources of the cells of some blocks of lanes at one instant: the heights of up to `levels`
+/// occluding points on the way to the sun, nearest first, each on a different building (paper, section 5: the
+/// slices of the inverse accrual map). A Line holds the lanes of a block at one major position, so a shadow
+/// that moves along a lane is read from consecutive Lines.
+struct LaneSources {
+    int levels = 0;
+    int majors = 0;
+    std::vector<CacheLine<float>>
+        heightM;  ///< blocks x majors x levels; above the ground, metres; 0: no occluder
+    std::vector<CacheLine<std::uint32_t>> building;  ///< the same shape; `nobody` if there is no occluder
+    static constexpr std::uint32_t nobody = ~std::uint32_t{0};
+
+    /// Leaves the contents unspecified.
+    void resize(int levelCount, int majorCount, int blocks = 1) {
+        levels = levelCount;
+        majors = majorCount;
+        heightM.resize(std::size_t(blocks) * std::size_t(majors) * std::size_t(levels));
+        building.resize(heightM.size());
+    }
+
+    [[nodiscard]] std::size_t line(int block, int major, int level = 0) const {
+        return (std::size_t(block) * std::size_t(majors) + std::size_t(major)) * std::size_t(levels) +
+               std::size_t(level);
+    }
+
+    /// `lane`: within its block.
+    [[nodiscard]] CellSources of(int block, int major, int lane) const {
+        CellSources found;
+        for (std::size_t at = line(block, major); found.count < levels; ++found.count, ++at) {
+            const float height = heightM[at].values[lane];
+            if (height <= 0) break;
+            found.heightM[std::size_t(found.count)] = height;
+            found.building[std::size_t(found.count)] = building[at].values[lane];
+        }
+        return found;
+    }
+
+    /// Whether the cell is in shadow.
+    [[nodiscard]] bool shades(int block, int major, int lane) const {
+        return heightM[line(block, major)].values[lane] > 0;
+    }
+};
+
+static_assert(Lanes::perBlock == sizeof(CacheLine<float>) / sizeof(float));
 
 }  // namespace noonmark

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/engines/inverse/line_cells.h"
-#include "core/engines/inverse/run_sweep.h"
 
 namespace noonmark {
 

@@ -7,8 +7,6 @@
 
 #include "core/base/result.h"
 #include "core/engines/common/interval_engine.h"
-#include "core/engines/inverse/lane_masks.h"
-#include "core/engines/inverse/lane_sources.h"
 #include "core/engines/inverse/lanes.h"
 #include "core/engines/inverse/source_runs.h"
 

@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/base/private_folder.h"
 #include "core/base/process.h"
+#include "core/base/working_files.h"
 #include "generated/shadow_lines_cl.h"
 
 namespace noonmark {

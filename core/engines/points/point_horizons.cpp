@@ -9,7 +9,7 @@
 #include <numeric>
 #include <optional>
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/engines/common/open_below.h"
 #include "core/engines/points/horizons/horizon_of_point.h"
 #include "core/engines/points/horizons/point_runs.h"

@@ -10,7 +10,7 @@
 #include "core/city/city.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/ray/ray_scene.h"
-#include "core/receivers/surface_points.h"
+#include "core/receivers/point_receivers.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {

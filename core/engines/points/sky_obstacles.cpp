@@ -1,6 +1,7 @@
 #include "core/engines/points/sky_obstacles.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace noonmark {
@@ -50,6 +51,55 @@ SkyObstacles collectSkyObstacles(const City& city) {
         }
     if (city.terrain) addMeshEdges(meshOf(*city.terrain), SkyObstacles::terrain, obstacles);
     return obstacles;
+}
+
+std::vector<ObstacleBox> findBoxes(std::span<const TopEdge> edges) {
+    std::vector<ObstacleBox> boxes(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) boxes[i].add(edges[i].a), boxes[i].add(edges[i].b);
+    return boxes;
+}
+
+std::vector<ObstacleBox> findBoxes(std::span<const OverhangFace> faces) {
+    std::vector<ObstacleBox> boxes(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (const glm::vec3 corner : faces[i].corners) boxes[i].add(corner);
+    return boxes;
+}
+
+ObstacleTree::ObstacleTree(std::span<const ObstacleBox> boxes) : order_(boxes.size()) {
+    if (boxes.empty()) return;
+    std::iota(order_.begin(), order_.end(), 0U);
+    nodes_.reserve(boxes.size() / 2 + 2);
+    nodes_.emplace_back();
+    split(0, 0, std::uint32_t(boxes.size()), boxes);
+}
+
+void ObstacleTree::split(std::uint32_t node, std::uint32_t first, std::uint32_t count,
+                         std::span<const ObstacleBox> boxes) {
+    ObstacleBox box, middles;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+        box.add(boxes[order_[i]]);
+        middles.add(boxes[order_[i]].middle());
+    }
+    nodes_[node].box = box;
+    if (count <= leafSize) {
+        nodes_[node].first = first;
+        nodes_[node].count = count;
+        return;
+    }
+    const glm::vec3 size = middles.high - middles.low;
+    const int axis = size.x >= size.y ? 0 : 1;
+    const std::uint32_t half = count / 2;
+    std::nth_element(
+        order_.begin() + first, order_.begin() + first + half, order_.begin() + first + count,
+        [&](std::uint32_t a, std::uint32_t b) { return boxes[a].middle()[axis] < boxes[b].middle()[axis]; });
+    const auto children = std::uint32_t(nodes_.size());
+    nodes_.emplace_back();
+    nodes_.emplace_back();
+    nodes_[node].first = children;
+    nodes_[node].count = 0;
+    split(children, first, half, boxes);
+    split(children + 1, first + half, count - half, boxes);
 }
 
 }  // namespace noonmark

@@ -1,18 +1,21 @@
 #pragma once
 
-// The folder core/engines/points measures sunlight and sky at single points on any surface. sky_obstacles.h
-// lists what can hide the sky; skyline.h is the exact skyline of one point, made by skyline_envelope.h;
-// sky_factors.h integrates the visible sky over it, and point_sunlight.h tells when it lets the sun through.
-// For many points, point_horizons.h counts minutes from horizons by bins of azimuth (folder horizons).
-
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "core/city/city.h"
 
 namespace noonmark {
+
+// The folder core/engines/points measures sunlight and sky at single points on any surface. sky_obstacles.h
+// lists what can hide the sky; skyline.h is the exact skyline of one point, made by skyline.cpp;
+// sky_factors.h integrates the visible sky over it, and point_sunlight.h tells when it lets the sun through.
+// For many points, point_horizons.h counts minutes from horizons by bins of azimuth (folder horizons).
 
 /// An edge with solid below it, down to the ground: of a roof, of a mesh that stands on the ground, of the
 /// terrain.
@@ -41,5 +44,83 @@ struct SkyObstacles {
 
 /// O(points of the parts + posts of the terrain); 5 ms for Midtown's 8,000 buildings.
 SkyObstacles collectSkyObstacles(const City& city);
+
+/// An axis-aligned box in local metres.
+struct ObstacleBox {
+    glm::vec3 low{1e30F}, high{-1e30F};
+    void add(glm::vec3 place) {
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    void add(const ObstacleBox& other) {
+        low = glm::min(low, other.low);
+        high = glm::max(high, other.high);
+    }
+    [[nodiscard]] glm::vec3 middle() const { return (low + high) * 0.5F; }
+};
+
+/// Boxes within boxes over a list of obstacles, to visit the nearest first and to leave out at once what
+/// others hide.
+class ObstacleTree {
+public:
+    static constexpr std::uint32_t leafSize = 8;
+
+    /// `boxes`: of each obstacle. O(n log n).
+    explicit ObstacleTree(std::span<const ObstacleBox> boxes);
+
+    /// Visits obstacles from near to far, roughly. `canMatter(box)`: false leaves out all that is in the box;
+    /// `visit(index)`: an obstacle.
+    template <class CanMatter, class Visit>
+    void visitNearestFirst(glm::vec3 eye, const CanMatter& canMatter, const Visit& visit) const {
+        if (nodes_.empty()) return;
+        std::uint32_t stack[64];  // the tree halves the list: its depth is below 32
+        int depth = 0;
+        stack[depth++] = 0;
+        while (depth > 0) {
+            const Node& node = nodes_[stack[--depth]];
+            if (!canMatter(node.box)) continue;
+            if (node.count > 0) {
+                for (std::uint32_t i = 0; i < node.count; ++i) visit(order_[node.first + i]);
+                continue;
+            }
+            const std::uint32_t left = node.first, right = node.first + 1;
+            const bool leftNearer = distance2(nodes_[left].box, eye) <= distance2(nodes_[right].box, eye);
+            stack[depth++] = leftNearer ? right : left;
+            stack[depth++] = leftNearer ? left : right;
+        }
+    }
+
+    /// Square of the level distance of a box, square metres; 0 above and below it.
+    static float distance2(const ObstacleBox& box, glm::vec3 eye) {
+        const float x = glm::max(0.0F, glm::max(box.low.x - eye.x, eye.x - box.high.x));
+        const float y = glm::max(0.0F, glm::max(box.low.y - eye.y, eye.y - box.high.y));
+        return x * x + y * y;
+    }
+
+private:
+    struct Node {
+        ObstacleBox box;
+        std::uint32_t first = 0;  // of a leaf: index in order_; otherwise the first of two nodes
+        std::uint32_t count = 0;  // of a leaf, otherwise 0
+    };
+    void split(std::uint32_t node, std::uint32_t first, std::uint32_t count,
+               std::span<const ObstacleBox> boxes);
+
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> order_;
+};
+
+std::vector<ObstacleBox> findBoxes(std::span<const TopEdge> edges);
+std::vector<ObstacleBox> findBoxes(std::span<const OverhangFace> faces);
+
+/// Obstacles with trees over them, for the skylines of many points: the nearest obstacles hide most others,
+/// which are then left out by the box. O(n log n) to make.
+struct SkyTrees {
+    SkyObstacles obstacles;
+    ObstacleTree edges, faces;
+
+    explicit SkyTrees(SkyObstacles all)
+        : obstacles(std::move(all)), edges(findBoxes(obstacles.edges)), faces(findBoxes(obstacles.faces)) {}
+};
 
 }  // namespace noonmark

@@ -4,9 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/engines/points/hidden_altitudes.h"
 #include "core/engines/points/seen_edge.h"
-#include "core/engines/points/sky_trees.h"
+#include "core/engines/points/sky_obstacles.h"
 
 namespace noonmark {
 

@@ -9,11 +9,11 @@
 #include <limits>
 
 #include "core/base/memory_guard.h"
-#include "core/base/stopwatch.h"
-#include "core/engines/api/blank_field.h"
+#include "core/base/progress.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
-#include "core/engines/projected/casters/shadow_offsets.h"
+#include "core/engines/projected/casters/shadow_casters.h"
 #include "core/engines/projected/counting/cached_band.h"
 #include "core/engines/projected/projected_shadows.h"
 

@@ -23,7 +23,7 @@ struct ShadowCacheSettings {
 /// the same bits) in a city that is edited. A building that is added, removed or moved costs its own
 /// polygons, and minutes are counted again only where a cell's shadow changed.
 ///
-/// For every step it caches how many buildings shade each cell, bit by bit (building_counts.h). Rasters of
+/// For every step it caches how many buildings shade each cell, bit by bit (cached_band.h). Rasters of
 /// the shaded cells alone would not suffice: when a building is removed, they do not show whether it was the
 /// only one that shaded a cell. Costs about twice the time of one field by projected shadows, and 1 bit per
 /// cell and step, times two to four in a dense city: 29 MB to 120 MB for 800 x 800 cells and 360 steps.

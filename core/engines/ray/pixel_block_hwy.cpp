@@ -3,7 +3,6 @@
 #define HWY_TARGET_INCLUDE "core/engines/ray/pixel_block_hwy.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/engines/ray/pixel_block.h"
 #include "core/engines/ray/traced_view.h"
 #include "core/simd/kernel.h"
 

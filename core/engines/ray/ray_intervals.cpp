@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/engines/common/receiver_tiles.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/ray_reference.h"

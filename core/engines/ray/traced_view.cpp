@@ -9,8 +9,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/engines/ray/pixel_block.h"
-
 namespace noonmark {
 
 SeenKind kindOf(TracedPixel pixel) { return SeenKind(pixel.bits >> TracedPixel::kindShift & 3U); }

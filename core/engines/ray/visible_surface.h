@@ -8,7 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/engines/ray/ray_scene.h"
-#include "core/receivers/surface_points.h"
+#include "core/receivers/point_receivers.h"
 
 namespace noonmark {
 

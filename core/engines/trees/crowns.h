@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/city/city.h"
-#include "core/city/trees/crown.h"
+#include "core/city/trees/tree.h"
 #include "core/engines/api/tree_shade.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"

@@ -2,16 +2,75 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <algorithm>
 #include <iterator>
 #include <optional>
 
 #include "core/base/clean_text.h"
-#include "core/io/archives/unpacked_bytes.h"
-#include "core/io/files/file_kind.h"
+#include "core/base/progress.h"
+#include "core/io/files/plain_file.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
+
+namespace {
+
+constexpr const char* unpackAdvice = "Unpack it yourself if you trust it, and name the files in it";
+
+// Names with a backslash are those of Windows; a drive or a stream would have a colon.
+bool leadsOut(const std::string& name) {
+    const std::filesystem::path path(name);
+    const auto isUp = [](const std::filesystem::path& step) { return step == ".."; };
+    return path.is_absolute() || name.find_first_of("\\:") != name.npos || name.find('\0') != name.npos ||
+           std::any_of(path.begin(), path.end(), isUp);
+}
+
+}  // namespace
+
+UnpackedFile::UnpackedFile(std::filesystem::path path, UnpackBudget& budget)
+    : path_(std::move(path)), stream_(path_, std::ios::binary), budget_(&budget) {}
+
+Result<UnpackedFile> UnpackedFile::create(const std::filesystem::path& folder, const std::string& name,
+                                          UnpackBudget& budget) {
+    if (leadsOut(name))
+        return failure(
+            fmt::format("The archive holds a file \"{}\", outside of its own folder", cleanText(name)), {},
+            "Do not trust it");
+    if (++budget.files > budget.limits.files)
+        return limitReached(fmt::format("The archive holds more than {} files", budget.limits.files), {},
+                            unpackAdvice);
+    const std::filesystem::path path = folder / name;
+    std::error_code error;
+    std::filesystem::create_directories(path.parent_path(), error);
+    if (std::filesystem::exists(path, error))
+        return failure(fmt::format("The archive holds two files \"{}\"", cleanText(name)), {},
+                       "Pack it again");
+    UnpackedFile file(path, budget);
+    if (!file.stream_) return failure(fmt::format("\"{}\" cannot be unpacked", cleanText(name)));
+    return file;
+}
+
+Result<void> UnpackedFile::write(std::span<const char> bytes) {
+    budget_->bytes += bytes.size();
+    const UnpackLimits& limits = budget_->limits;
+    const bool tooDense = budget_->bytes > limits.anyRatio &&
+                          double(budget_->bytes) > limits.ratio * double(budget_->packedBytes);
+    if (budget_->bytes > limits.bytes || tooDense)
+        return limitReached(
+            tooDense ? fmt::format("The archive grows to more than {:g} times its size", limits.ratio)
+                     : fmt::format("The archive grows to more than {:.1f} GB", double(limits.bytes) / 1e9),
+            {}, unpackAdvice);
+    stream_.write(bytes.data(), std::streamsize(bytes.size()));
+    if (stream_) return {};
+    return failure("The archive cannot be unpacked: is the disk full?", path_.parent_path().string(),
+                   "Make room, or state a folder with more in TMPDIR");
+}
+
+Result<void> UnpackedFile::close() {
+    stream_.close();
+    if (stream_) return {};
+    return write({});
+}
 
 namespace {
 
@@ -133,6 +192,76 @@ Result<UnpackedArchive> unpackArchive(const fs::path& file, const std::stop_toke
     return tl::make_unexpected(std::move(error));
 } catch (const std::filesystem::filesystem_error& problem) {
     return failure("The archive cannot be unpacked: " + problem.code().message(), file.string());
+}
+
+namespace {
+
+template <class List>
+void moveTo(List& all, List& some) {
+    std::ranges::move(some, std::back_inserter(all));
+}
+
+/// Adds a tile to the tiles before it.
+void join(FilePiece& all, FilePiece tile) {
+    const std::size_t before = all.buildings.size();
+    const bool haveRoofs = !all.roofs.empty() || !tile.roofs.empty();
+    moveTo(all.buildings, tile.buildings);
+    all.groundM.resize(before);
+    moveTo(all.groundM, tile.groundM);
+    all.groundM.resize(all.buildings.size());
+    if (haveRoofs) {
+        all.roofs.resize(before);
+        moveTo(all.roofs, tile.roofs);
+        all.roofs.resize(all.buildings.size());
+    }
+    moveTo(all.warnings, tile.warnings);
+    moveTo(all.heights.fields, tile.heights.fields);
+    moveTo(all.heights.unknown, tile.heights.unknown);
+    moveTo(all.heights.doubts, tile.heights.doubts);
+    all.features += tile.features;
+    all.ownZero = all.ownZero || tile.ownZero;
+    if (!all.frame) all.frame = tile.frame;
+    if (tile.terrain && all.terrain)
+        all.warnings.push_back({WarningKind::leftOut, "a second terrain in the archive", all.format});
+    if (!all.terrain) all.terrain = std::move(tile.terrain);
+    if (all.format.empty()) all.format = std::move(tile.format);
+    if (all.crs.empty()) all.crs = std::move(tile.crs);
+    if (all.attribution.empty()) all.attribution = std::move(tile.attribution);
+}
+
+Result<FilePiece> readPacked(const std::filesystem::path& file, const ReadSettings& settings,
+                             Progress& progress, const std::stop_token& stop, const LonLatBox* window) {
+    const auto format = detectFormat(file);
+    if (!format) return tl::make_unexpected(format.error());
+    auto piece = (*format)->reader.read(file, settings, progress, stop, window);
+    if (piece && (*format)->driver == "OSM")
+        piece->warnings.push_back({WarningKind::leftOut, "the water of a map in an archive",
+                                   file.filename().string() + " (unpack it to have it read)"});
+    return piece;
+}
+
+}  // namespace
+
+Result<FilePiece> readArchive(const std::filesystem::path& file, const ReadSettings& given,
+                              Progress& progress, std::stop_token stop, const LonLatBox* window) {
+    progress.report(0, "unpacking the archive");
+    const auto archive = unpackArchive(file, stop);
+    if (!archive) return tl::make_unexpected(archive.error());
+    ReadSettings settings = given;
+    FilePiece all;
+    for (std::size_t i = 0; i < archive->cities.size(); ++i) {
+        ProgressShare share(progress, i, archive->cities.size());
+        auto piece = readPacked(archive->cities[i], settings, share, stop, window);
+        if (!piece) {
+            Error error = std::move(piece.error());
+            if (!isCancelled(error))
+                error.where = file.string() + ": " + archive->cities[i].filename().string();
+            return tl::make_unexpected(std::move(error));
+        }
+        if (!settings.frame) settings.frame = piece->frame;
+        join(all, *std::move(piece));
+    }
+    return all;
 }
 
 }  // namespace noonmark

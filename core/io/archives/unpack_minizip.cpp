@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "core/base/clean_text.h"
-#include "core/io/archives/unpacked_bytes.h"
+#include "core/io/archives/unpack_archive.h"
 
 namespace noonmark {
 

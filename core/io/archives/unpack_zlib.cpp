@@ -3,7 +3,7 @@
 #include <array>
 #include <memory>
 
-#include "core/io/archives/unpacked_bytes.h"
+#include "core/io/archives/unpack_archive.h"
 
 namespace noonmark {
 

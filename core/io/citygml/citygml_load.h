@@ -1,10 +1,10 @@
 #pragma once
 
-// The folder core/io/citygml reads CityGML 1.0, 2.0 and 3.0. read_citygml.cpp runs the steps: citygml_load.h
+// The folder core/io/citygml reads CityGML 1.0, 2.0 and 3.0. citygml_load.cpp runs the steps: citygml_load.h
 // reads the file as a stream, one top-level object at a time, into the plain values of CityJSON
 // (core/io/cityjson/cityjson_model.h); citygml_reference.h settles reference system and order of the axes;
 // the rest is that of CityJSON. gml_geometry.h collects geometries, gml_object.h chooses among them,
-// gml_names.h knows the names.
+// gml_object.h knows the names.
 
 #include <filesystem>
 #include <glm/vec3.hpp>
@@ -15,7 +15,6 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/io/cityjson/cityjson_model.h"
-#include "core/io/cityjson/file_opening.h"
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {

@@ -7,7 +7,7 @@
 
 namespace noonmark {
 
-/// A reference system as CityGML names it, as parseCrs() (core/geo/crs_definition.h) takes it: the names of
+/// A reference system as CityGML names it, as parseCrs() (core/geo/crs.h) takes it: the names of
 /// the German surveys ("urn:adv:crs:ETRS89_UTM33*DE_DHHN2016_NH") become EPSG's; others are unchanged.
 std::string translateReference(const std::string& stated);
 

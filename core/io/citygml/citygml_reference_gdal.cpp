@@ -8,10 +8,9 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/describe/text.h"
-#include "core/geo/crs_definition.h"
-#include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/crs.h"
 #include "core/io/citygml/citygml_reference.h"
-#include "core/io/settings/place_advice.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

@@ -15,6 +15,13 @@
 
 namespace noonmark {
 
+/// Fills `numbers` with those of a list that is separated by blanks or, as in GML 2, by commas. False if
+/// there is something else, or a number that is not finite.
+bool readGmlNumbers(std::string_view text, std::vector<double>& numbers);
+
+/// A matrix written row by row; the identity if it has not 16 numbers.
+glm::dmat4 readGmlMatrix(std::string_view text);
+
 /// The polygons between `first` and `end` of a GmlGeometryReader, some of them only referred to.
 struct GmlRange {
     std::size_t first = 0, end = 0;

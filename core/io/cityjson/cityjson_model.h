@@ -1,24 +1,50 @@
 #pragma once
 
-// The folder core/io/cityjson reads CityJSON and CityJSONSeq. read_cityjson.cpp runs the steps:
-// cityjson_load.h parses the file into the plain values of this file, with cityjson_geometry.h choosing the
-// level of detail; cityjson_place.h transforms them to local metres; cityjson_buildings.h makes buildings and
-// terrain. CityGML (core/io/citygml) is another notation of the same model, and uses the same values.
-
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/base/warnings.h"
 #include "core/city/meshes/surface_mesher.h"
 #include "core/city/trees/tree_facts.h"
-#include "core/io/heights/feature_value.h"
 #include "core/io/heights/field_roles.h"
 #include "core/io/heights/unknown_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
+
+/// A surface that a city model marks as window or door, in the coordinates of its file: easting or longitude
+/// first.
+struct FileOpening {
+    std::string id;
+    std::vector<glm::dvec3> corners;  ///< of its outer ring
+};
+
+/// Which geometry of an object to choose.
+struct LodChoice {
+    std::optional<double> wished;  ///< the wanted level of detail; empty: the highest that exists
+};
+
+/// Of ReadSettings::lod. Error: not a number.
+Result<LodChoice> parseLodChoice(const std::string& lod);
+
+/// What a geometry is chosen by.
+struct LodRank {
+    double lod = 0;
+    bool solid = false;
+};
+
+/// Whether `a` is the better choice: of the levels of detail the highest that does not exceed the wanted one,
+/// else the lowest; solids before surfaces.
+bool isBetter(const LodRank& a, const LodRank& b, const LodChoice& choice);
+
+// The folder core/io/cityjson reads CityJSON and CityJSONSeq. cityjson_buildings.cpp runs the steps:
+// cityjson_load.h parses the file into the plain values of this file, with cityjson_load.cpp choosing the
+// level of detail; cityjson_place.h transforms them to local metres; cityjson_buildings.h makes buildings and
+// terrain. CityGML (core/io/citygml) is another notation of the same model, and uses the same values.
 
 /// CityJSON as plain values, still in the file's coordinates.
 
@@ -68,6 +94,35 @@ struct CityJsonData {
     std::vector<KnownField> fields;  ///< attributes of buildings, by name
     UnknownFields unknown;           ///< attributes whose names are unknown
     Warnings warnings;
+};
+
+/// An attribute of an object, as its file writes it.
+struct ObjectAttribute {
+    std::string name;
+    std::string text;                     ///< a number in decimal; empty if it is neither text nor number
+    std::optional<double> number;         ///< if the file states it as one
+    std::optional<LengthUnit> unit = {};  ///< stated with the value
+};
+
+/// Finds out which attributes of the objects of a file determine heights.
+class ObjectValues {
+public:
+    /// `settings` must outlive it. `file`: for warnings.
+    ObjectValues(std::string file, const ReadSettings& settings)
+        : file_(std::move(file)), settings_(settings) {}
+
+    /// Fills the object's values and adds to the data's fields and unknown fields. Objects may have different
+    /// attributes: the meaning of a field is decided among the attributes of the same object.
+    void add(const std::vector<ObjectAttribute>& attributes, CityJsonObject& object, CityJsonData& data);
+
+private:
+    void learnFields(const std::vector<ObjectAttribute>& attributes, CityJsonData& data);
+
+    std::string file_;
+    const ReadSettings& settings_;
+    // Of the previous object: most have the attributes of the one before.
+    std::vector<std::string> names_, unknown_;
+    std::vector<KnownField> fields_;
 };
 
 }  // namespace noonmark

@@ -9,11 +9,10 @@
 #include <span>
 
 #include "core/describe/text.h"
-#include "core/geo/crs_to_lon_lat.h"
-#include "core/geo/distance.h"
-#include "core/geo/longitude.h"
+#include "core/geo/crs.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/pieces/read_part.h"
-#include "core/io/settings/place_advice.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

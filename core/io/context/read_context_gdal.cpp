@@ -7,10 +7,8 @@
 #include <glm/common.hpp>
 #include <iterator>
 
-#include "core/city/footprints/clip_ring.h"
-#include "core/geo/distance.h"
-#include "core/io/context/coast.h"
-#include "core/io/context/context_tags.h"
+#include "core/city/footprints/footprint.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/context/read_context.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
@@ -294,7 +292,7 @@ Result<ContextRead> readLayers(GDALDataset& dataset, const std::string& file, co
                    "street, path, rail, park, grass, wood, water, plaza or tree");
 }
 
-// The keys by which context_tags.h classifies areas, lines and points.
+// The keys by which read_context.h classifies areas, lines and points.
 OsmSelection selectContext() {
     const std::vector<std::string> kinds{"leisure", "landuse", "amenity", "natural", "place"};
     OsmSelection selection{.keys = kinds,

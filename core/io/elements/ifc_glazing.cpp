@@ -10,12 +10,12 @@
 #include <limits>
 #include <numbers>
 
-#include "core/geo/distance.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/elements/model_glazing.h"
 #include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/mesh_placement.h"
 #include "core/io/meshes/mesh_reader_process.h"
-#include "core/io/settings/place_advice.h"
+#include "core/io/settings/read_settings.h"
 #include "core/receivers/point_receivers.h"
 #include "core/receivers/points/glazing_pane.h"
 

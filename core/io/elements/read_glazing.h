@@ -1,8 +1,5 @@
 #pragma once
 
-// The folder core/io/elements reads windows (this file) and writes the results of point receivers
-// (write_elements.h).
-
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -17,6 +14,9 @@
 #include "core/receivers/points/glazing_receivers.h"
 
 namespace noonmark {
+
+// The folder core/io/elements reads windows (this file) and writes the results of point receivers
+// (write_elements.h).
 
 struct GlazingFileSettings {
     static constexpr std::size_t maxWindows = 2'000'000;

@@ -1,19 +1,19 @@
+#include "core/io/elements/read_glazing.h"
+
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
 #include "core/base/gdal_calls.h"
-#include "core/geo/distance.h"
-#include "core/geo/earth_drop.h"
+#include "core/geo/frame.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/elements/model_glazing.h"
-#include "core/io/elements/read_glazing.h"
-#include "core/io/files/file_kind.h"
 #include "core/io/files/open_dataset.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/receivers/place_names.h"
 

@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/geo/frame.h"
-#include "core/io/styles/layer_style.h"
+#include "core/io/styles/qgis_style.h"
 #include "core/receivers/place.h"
 
 namespace noonmark {

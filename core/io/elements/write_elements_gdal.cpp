@@ -10,7 +10,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/elements/write_elements.h"
-#include "core/io/styles/layer_style_gdal.h"
+#include "core/io/styles/qgis_style.h"
 
 namespace noonmark {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cctype>
 
-#include "core/base/gdal_files.h"
+#include "core/base/gdal_calls.h"
 #include "core/base/stop_scope.h"
 #include "core/io/files/geopackage_check.h"
 #include "core/io/files/open_dataset.h"

@@ -3,8 +3,29 @@
 #include <filesystem>
 
 #include "core/base/result.h"
+#include "core/io/formats/format.h"
 
 namespace noonmark {
+
+// The folder core/io/files holds what all readers and writers share. Inputs are untrusted: plain_file.h
+// detects a file's format (formats/format.h) from its content, plain_file.h refuses pipes and devices,
+// gdal_calls_gdal.cpp restricts GDAL, open_dataset.h is the only way from a file to GDAL, geopackage_check.h
+// refuses databases that would run SQL. Outputs: check_output.h protects existing files, check_output.h names
+// the kinds, write_text.h replace a file in one step.
+
+/// Detects the format from the content; the name only matters if the content is ambiguous. Reads the
+/// beginning of the file; of JSON as far as the first key that identifies it. A GeoPackage or a folder is
+/// opened with GDAL: it holds footprints if it has vector layers. Never returns a null pointer. Error:
+/// missing, empty, unreadable, or of a format that is not read; the advice says what to do or lists the
+/// formats.
+Result<const Format*> detectFormat(const std::filesystem::path& file, Formats formats = coreFormats());
+
+/// What a file of that format holds.
+Result<FileKind> detectFileKind(const std::filesystem::path& file);
+
+/// The format of a file that GDAL can open but whose beginning does not identify it; the same Error. Backend:
+/// plain_file_gdal.cpp.
+Result<const Format*> detectFormatWithGdal(const std::filesystem::path& file, Formats formats);
 
 /// Checks that an input is a plain file, or a folder that is a data set: opening a pipe can block for ever,
 /// and a device such as /dev/zero has no end. Links are followed. Error: it does not exist, or is something

@@ -5,6 +5,12 @@
 
 namespace noonmark {
 
+/// Normalises UTF-8 text for parsers of numbers and units: ASCII in lower case, full-width forms as ASCII,
+/// typographic quotes and primes as ' and ", every kind of blank as a space, blanks at both ends removed. Any
+/// other character, and every byte that is not UTF-8, becomes one '?'. Never throws except for lack of
+/// memory; O(bytes).
+std::string foldText(std::string_view utf8);
+
 /// The encodings of tables that state none.
 enum class TextEncoding {
     utf8,

@@ -1,9 +1,44 @@
 #pragma once
 
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/warnings.h"
+#include "core/city/building.h"
+#include "core/io/footprints/part_grouping.h"
 #include "core/io/footprints/place_features.h"
 #include "core/io/pieces/read_part.h"
 
 namespace noonmark {
+
+// The folder core/io/osm reads OpenStreetMap and holds its rules. Buildings: osm_map.h reads a file,
+// osm_layers.h makes polygons of its ways and relations, read_osm_buildings.h reads their tags, and
+// build_footprints.h (this file) assembles features into buildings, those of other files too. Places and
+// context are layers of features (osm_layers.h), so that they are read as those of other formats;
+// feature_facts.h parses the tags in a converter's column.
+
+/// Assembles features into buildings by OpenStreetMap's rules for simple 3D buildings, which also hold for
+/// files without parts: see groupIntoBuildings, computeRemainder and settleParts. Canopies (building=roof)
+/// without a stated underside are overhangs. Ends early when stopped.
+struct AssembledBuilding {
+    Building building;                  ///< z above its own ground
+    std::optional<double> elevationM;   ///< elevation of that ground, the lowest that its features state
+    std::optional<RoofElevation> roof;  ///< of a building of one feature (HeightReading::roof)
+};
+std::vector<AssembledBuilding> assembleBuildings(const std::vector<PlacedFeature>& features,
+                                                 double metresPerLevel, Warnings& warnings,
+                                                 const std::stop_token& stop = {});
+
+/// Translates a message of GDAL's vector readers into a warning text that a planner understands. Empty if the
+/// message does not concern the data; an unknown message is returned unchanged.
+std::string makeMapRemark(std::string_view words);
+
+/// Adds these messages as warnings: GDAL does not name the feature that a message is about, so there is one
+/// for each kind, with its count.
+void addMapRemarks(const std::vector<std::string>& words, const std::string& file, Warnings& warnings);
 
 /// Share of a reader's progress that reading takes; repair and semantics take the rest.
 inline constexpr double shareOfReading = 0.8;
@@ -15,5 +50,21 @@ Result<void> buildFootprints(FilePiece& piece, std::vector<UnplacedFeature> feat
 
 /// The most frequent warning, for an error; empty without warnings.
 std::string findCommonest(const Warnings& warnings);
+
+/// Decides, for the parts of one building that start above the ground, whether they stand, are lowered or are
+/// overhangs. From the lowest part up: a part is carried, and then stands, if standing parts reach up to its
+/// underside below all of its footprint (except 5 % of it and 0.5 m2). Otherwise:
+/// - If the gap to the parts that would carry it is at most `carryGapM`, or the gap to the ground at most
+///   `groundGapM`, its underside is lowered to close the gap: mapped heights seldom match, and light would
+///   pass through a slit that does not exist. Each gives a warning (repaired).
+/// - Otherwise it becomes an overhang.
+///
+/// Parts with `isOverhanging` already set are left unchanged and carry nothing.
+struct SettleRules {
+    float groundM = 0;       ///< local z of the ground
+    float carryGapM = 3.2F;  ///< a storey
+    float groundGapM = 2;    ///< lower than a passage
+};
+void settleParts(std::vector<Part>& parts, const SettleRules& rules, Warnings& warnings);
 
 }  // namespace noonmark

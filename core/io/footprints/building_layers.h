@@ -1,13 +1,73 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/warnings.h"
+#include "core/io/files/readable_text.h"
+#include "core/io/heights/field_roles.h"
+#include "core/io/heights/unknown_fields.h"
 
-class GDALDataset;
 class OGRLayer;
+class GDALDataset;
 
 namespace noonmark {
+
+/// One of a layer's first features; by index of its fields. NaN or empty where there is no value.
+struct SampledFeature {
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> numbers;     ///< of number fields, and of texts that are a length or a number
+    std::vector<std::string> texts;  ///< of text fields, at most 40 bytes each
+    double area = 0;                 ///< in plan, squared units of the layer's coordinates
+    double topZ = none;              ///< the highest of the outline
+};
+
+/// The first features of a layer with polygons, to learn what its fields and the layer hold.
+struct LayerSample {
+    std::vector<SampledFeature> features;
+    double coverage =
+        0;  ///< of their convex hull, by the sum of their areas; 1 and more: they fill a surface
+    TextEncoding encoding = TextEncoding::utf8;  ///< of names and texts; another where one is not UTF-8
+};
+
+/// Reads at most 1,000 features from the layer's beginning, about 10 us each, and resets it. Messages of the
+/// map library are left to the actual reading. Backend: building_layers_gdal.cpp.
+LayerSample sampleLayer(OGRLayer& layer);
+
+/// Sets the unit of height fields whose name states none where the values tell it: by storeys or by another
+/// height (height_text.h), or as inches if the name ends in "in". A field of heights that repeats the
+/// storeys becomes one of storeys. Each gives a warning. `where`: the layer.
+void weighHeights(std::vector<KnownField>& fields, const LayerSample& sample, const std::string& where,
+                  Warnings& warnings);
+
+/// What makes the unit of the heights doubtful, with units settled: values that no town has, or a name that
+/// may have been cut off before its unit. `file`: for HeightDoubt.
+std::vector<HeightDoubt> doubtHeights(const std::vector<KnownField>& fields, const LayerSample& sample,
+                                      const std::string& file);
+
+/// A height of the roof that stands for that of the building (knownFields) does not where its values, with
+/// units settled, are lower than buildings: half of them below 3 m. It gives a warning. `where`: the layer.
+void dropRoofsAlone(std::vector<KnownField>& fields, const LayerSample& sample, const std::string& where,
+                    Warnings& warnings);
+
+/// What the sample says about an unknown field.
+FieldEvidence weighField(int index, const std::vector<KnownField>& fields, const LayerSample& sample);
+
+/// Whether the highest points of the outlines are the roofs: they lie above the stated ground, mostly by 2 m
+/// or more.
+bool areOutlinesAtRoofs(const std::vector<KnownField>& fields, const LayerSample& sample);
+
+/// The index of a field that says what kind of object a feature is ("type": "Building", "District System") if
+/// it calls some of the sample buildings and others not; -1 without one.
+int findKindField(const std::vector<std::string>& names, const LayerSample& sample);
+
+/// Whether such a field's text says building.
+bool saysBuilding(const std::string& text);
+/// Whether it says what layers beside those of buildings hold, and no building.
+bool saysOtherLayer(const std::string& text);
 
 /// Whether a layer's type of geometry is polygons, or any.
 bool mayHavePolygons(OGRLayer& layer);

@@ -2,12 +2,20 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/base/warnings.h"
-#include "core/io/heights/feature_value.h"
+#include "core/io/heights/field_roles.h"
 #include "core/io/heights/height_reading.h"
 
 namespace noonmark {
+
+/// Parses the `other_tags` column that converters of OpenStreetMap data write:
+/// "height"=>"12","roof:shape"=>"flat"; inside the quotes a backslash escapes the next character. The list
+/// ends at the first syntax error.
+std::vector<std::pair<std::string, std::string>> parseTags(std::string_view text);
 
 /// The attributes of a feature: everything except its shape.
 struct FeatureFacts {

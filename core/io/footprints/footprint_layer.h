@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/crs.h"
+#include "core/io/footprints/building_layers.h"
 #include "core/io/footprints/feature_facts.h"
-#include "core/io/footprints/kml_altitudes.h"
-#include "core/io/footprints/layer_sample.h"
 #include "core/io/footprints/ogr_polygons.h"
 #include "core/io/footprints/place_features.h"
 #include "core/io/heights/field_roles.h"

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "core/city/plausible_heights.h"
+#include "core/city/building_heights.h"
 #include "core/io/files/readable_text.h"
+#include "core/io/footprints/feature_facts.h"
 #include "core/io/footprints/footprint_layer.h"
-#include "core/io/footprints/other_tags.h"
 #include "core/io/heights/height_text.h"
 #include "core/io/layers/feature_stream.h"
-#include "core/io/settings/place_advice.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "core/geo/lon_lat_box.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/footprints/place_features.h"
 #include "core/io/formats/format.h"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/heights/height_facts.h"
 
 namespace noonmark {

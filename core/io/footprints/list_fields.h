@@ -9,9 +9,16 @@
 
 #include "core/base/result.h"
 #include "core/io/formats/format.h"
-#include "core/io/heights/feature_value.h"
+#include "core/io/heights/field_roles.h"
+
+class GDALDataset;
+class OGRLayer;
 
 namespace noonmark {
+
+/// Second names of a layer's fields, for people, by index; empty where a field has none. A GeoPackage keeps
+/// them in its table gpkg_data_columns, a file geodatabase with the fields. Backend: list_fields_gdal.cpp.
+std::vector<std::string> listFieldAliases(GDALDataset& dataset, OGRLayer& layer);
 
 /// A field of a layer, for people who choose one by what it holds.
 struct ListedField {

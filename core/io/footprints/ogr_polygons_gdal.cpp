@@ -1,8 +1,20 @@
-#include <ogr_geometry.h>
-
-#include <memory>
-
 #include "core/io/footprints/ogr_polygons.h"
+
+#include <cpl_minixml.h>
+#include <fmt/format.h>
+#include <ogr_geometry.h>
+#include <ogrsf_frmts.h>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include "core/base/gdal_calls.h"
+#include "core/city/footprints/repair_footprint.h"
+#include "core/geo/lon_lat.h"
 
 namespace noonmark {
 
@@ -45,6 +57,188 @@ std::vector<CrsPolygon> readPolygons(const OGRGeometry& geometry) {
         collect(geometry, polygons);
     }
     return polygons;
+}
+
+namespace {
+
+constexpr double farthestM = 200000;
+constexpr double longestSideM = 500;  // a straight side of this length deviates by some 5 mm at most
+constexpr double metresPerDegree = 111320;
+
+std::vector<glm::dvec2> ringPoints(const OGRLinearRing& ring) {
+    std::vector<glm::dvec2> points;
+    for (const OGRPoint& point : ring) points.emplace_back(point.getX(), point.getY());
+    return points;
+}
+
+std::size_t countPoints(const OGRPolygon& polygon) {
+    std::size_t points = 0;
+    for (const OGRLinearRing* ring : polygon) points += std::size_t(ring->getNumPoints());
+    return points;
+}
+
+// Unwraps longitudes, so that no side goes round the globe where a ring crosses the antimeridian.
+void unwrap(OGRPolygon& polygon, double nearDeg) {
+    for (OGRLinearRing* ring : polygon)
+        for (int i = 0; i < ring->getNumPoints(); ++i)
+            if (std::abs(ring->getX(i)) <= 360)  // otherwise it is not a longitude, which is reported later
+                ring->setPoint(i, wrapLongitudeNear(ring->getX(i), nearDeg), ring->getY(i));
+}
+
+bool isInDegrees(const OGRSpatialReference& crs) {
+    constexpr double degree = 0.017453292519943295;
+    return crs.IsGeographic() != 0 && std::abs(crs.GetAngularUnits() / degree - 1) < 1e-9;
+}
+
+}  // namespace
+
+Result<void> checkedNear(LonLat place, const Frame& frame, const std::string& where) {
+    const double metres = computeGreatCircleM(place, frame.origin());
+    if (metres <= farthestM) return {};
+    return failure(fmt::format("The position is {:.0f} km from the city", metres / 1000), where,
+                   "Check the order of the numbers (west,south,east,north) and the CRS of the file");
+}
+
+PolygonLayer::PolygonLayer(CrsToLonLat toLonLat, double longestSide, const Frame& frame, std::string where)
+    : toLonLat_(std::move(toLonLat)), longestSide_(longestSide), frame_(frame), where_(std::move(where)) {}
+
+Result<PolygonLayer> PolygonLayer::of(const OGRSpatialReference* crs, const Frame& frame,
+                                      const std::string& where) {
+    const std::string wkt = wktOf(crs);
+    if (wkt.empty())
+        return failure("The file does not state its coordinate reference system", where,
+                       "Save it with its CRS, or as GeoJSON");
+    auto toLonLat = CrsToLonLat::of(wkt);
+    if (!toLonLat) return tl::make_unexpected(Error{toLonLat.error().what, where, toLonLat.error().advice});
+    const double metresPerUnit = crs->IsGeographic() != 0 ? metresPerDegree : crs->GetLinearUnits();
+    PolygonLayer layer(*std::move(toLonLat), longestSideM / metresPerUnit, frame, where);
+    layer.inDegrees_ = isInDegrees(*crs);
+    return layer;
+}
+
+Result<std::vector<Footprint>> PolygonLayer::polygons(const OGRGeometry& geometry) const {
+    std::vector<Footprint> pieces;
+    return add(geometry, pieces).map([&] { return std::move(pieces); });
+}
+
+Result<void> PolygonLayer::add(const OGRGeometry& geometry, std::vector<Footprint>& pieces) const {
+    const std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
+    const OGRwkbGeometryType type = wkbFlatten(straight->getGeometryType());
+    if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) {
+        for (const OGRGeometry* member : *straight->toGeometryCollection())
+            if (auto added = add(*member, pieces); !added) return added;
+        return {};
+    }
+    if (type != wkbPolygon) return {};
+    OGRPolygon& polygon = *straight->toPolygon();
+    if (const std::size_t points = countPoints(polygon); points > maxOutlinePoints)
+        return limitReached(fmt::format("A polygon has {} points, more than {}", points, maxOutlinePoints),
+                            where_, "Simplify it");
+    if (inDegrees_) unwrap(polygon, frame_.origin().lonDeg);
+    // Checked before its sides are divided: a distant point would give millions of pieces.
+    for (const OGRLinearRing* ring : polygon)
+        if (const auto near = localRing(ringPoints(*ring)); !near) return tl::make_unexpected(near.error());
+    polygon.segmentize(longestSide_);
+    std::vector<RawRing> rings;
+    for (const OGRLinearRing* ring : polygon) {
+        auto local = localRing(ringPoints(*ring));
+        if (!local) return tl::make_unexpected(local.error());
+        rings.push_back(*std::move(local));
+    }
+    for (Footprint& piece : repairFootprint(rings).pieces) pieces.push_back(std::move(piece));
+    return {};
+}
+
+Result<PolygonLayer::LocalRing> PolygonLayer::localRing(const std::vector<glm::dvec2>& points) const {
+    const std::vector<LonLat> places = toLonLat_.lonLat(points);
+    LocalRing local;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (std::isnan(places[i].lonDeg) || !toLonLat_.isPlausible(places[i]))
+            return failure(fmt::format("A point at {}, {} is outside the range of {}", points[i].x,
+                                       points[i].y, toLonLat_.name()),
+                           where_, "Check the CRS of the file");
+        if (auto near = checkedNear(places[i], frame_, where_); !near)
+            return tl::make_unexpected(near.error());
+        local.push_back(frame_.localFromLonLat(places[i]));
+    }
+    return local;
+}
+
+bool PolygonLayer::mayReach(const OGRGeometry& geometry, const Box2& box) const {
+    constexpr float marginM = 1;  // sides deviate by less within 1 km
+    OGREnvelope envelope;
+    geometry.getEnvelope(&envelope);
+    const std::array corners{
+        glm::dvec2{envelope.MinX, envelope.MinY}, glm::dvec2{envelope.MaxX, envelope.MinY},
+        glm::dvec2{envelope.MaxX, envelope.MaxY}, glm::dvec2{envelope.MinX, envelope.MaxY}};
+    Box2 reached;
+    for (const LonLat place : toLonLat_.lonLat(corners)) {
+        if (std::isnan(place.lonDeg) || computeGreatCircleM(place, frame_.origin()) > farthestM) return false;
+        reached.add(glm::vec2(frame_.localFromLonLat(place)));
+    }
+    return reached.low.x - marginM < box.high.x && box.low.x < reached.high.x + marginM &&
+           reached.low.y - marginM < box.high.y && box.low.y < reached.high.y + marginM;
+}
+
+namespace {
+
+constexpr std::uintmax_t maxBytes = std::uintmax_t(256) << 20;  // some 2.5 GB of memory
+
+struct TreeRelease {
+    void operator()(CPLXMLNode* tree) const { CPLDestroyXMLNode(tree); }
+};
+
+// "-122.08,37.42,17 -122.09,...": its first corner.
+std::optional<KmlAltitudes::Corner> firstCorner(std::string_view text) {
+    double numbers[3] = {0, 0, 0};
+    for (double& number : numbers) {
+        const auto start = text.find_first_not_of(" \t\r\n,");
+        if (start == text.npos) return std::nullopt;
+        text.remove_prefix(start);
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error != std::errc()) return std::nullopt;
+        text.remove_prefix(std::size_t(end - text.data()));
+    }
+    return KmlAltitudes::Corner{numbers[0], numbers[1], numbers[2]};
+}
+
+KmlStanding standingOf(const CPLXMLNode& polygon) {
+    const std::string_view mode = CPLGetXMLValue(&polygon, "altitudeMode", "clampToGround");
+    const std::string_view extrude = CPLGetXMLValue(&polygon, "extrude", "0");
+    if (mode == "absolute") return KmlStanding::absolute;
+    if (mode != "relativeToGround") return KmlStanding::onGround;
+    return extrude == "1" || extrude == "true" ? KmlStanding::extruded : KmlStanding::floating;
+}
+
+void collectPolygons(const CPLXMLNode* node, std::map<KmlAltitudes::Corner, KmlStanding>& standing) {
+    for (; node != nullptr; node = node->psNext) {
+        if (node->eType != CXT_Element) continue;
+        if (std::strcmp(node->pszValue, "Polygon") != 0) {
+            collectPolygons(node->psChild, standing);
+            continue;
+        }
+        const char* const outer = CPLGetXMLValue(node, "outerBoundaryIs.LinearRing.coordinates", "");
+        if (const auto corner = firstCorner(outer)) standing.try_emplace(*corner, standingOf(*node));
+    }
+}
+
+}  // namespace
+
+KmlAltitudes KmlAltitudes::of(const std::filesystem::path& file) {
+    const GdalCalls quiet;
+    KmlAltitudes altitudes;
+    std::error_code error;
+    if (std::filesystem::file_size(file, error) > maxBytes || error) return altitudes;
+    const std::unique_ptr<CPLXMLNode, TreeRelease> tree(CPLParseXMLFile(file.c_str()));
+    if (!tree) return altitudes;
+    CPLStripXMLNamespace(tree.get(), nullptr, TRUE);
+    collectPolygons(tree.get(), altitudes.standing_);
+    return altitudes;
+}
+
+std::optional<KmlStanding> KmlAltitudes::find(const Corner& firstCorner) const {
+    const auto found = standing_.find(firstCorner);
+    return found == standing_.end() ? std::nullopt : std::optional(found->second);
 }
 
 }  // namespace noonmark

@@ -12,7 +12,7 @@
 #include "core/city/footprints/repair_footprint.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/describe/text.h"
-#include "core/geo/distance.h"
+#include "core/geo/lon_lat.h"
 
 namespace noonmark {
 

@@ -3,28 +3,56 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 #include <tbb/task_group.h>
-
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
 
 #include "core/base/gdal_calls.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/footprints/build_footprints.h"
 #include "core/io/footprints/building_layers.h"
-#include "core/io/footprints/field_aliases.h"
 #include "core/io/footprints/footprint_layer.h"
 #include "core/io/footprints/footprint_scan.h"
-#include "core/io/footprints/layer_extent.h"
-#include "core/io/footprints/map_remarks.h"
+#include "core/io/footprints/list_fields.h"
 #include "core/io/formats/format.h"
+#include "core/io/layers/feature_stream.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
+
+class OGRLayer;
 
 namespace noonmark {
 
 namespace {
+
+/// Limits the layer to the features that touch the window. False where the window cannot be expressed
+/// in the layer's coordinate system.
+bool limitToExtent(OGRLayer& layer, const LonLatBox& window, const ReadSettings& settings);
+
+/// Whether the layer finds the features of a window by a spatial index, without reading the others. Backend:
+/// read_footprints_gdal.cpp.
+bool isIndexed(OGRLayer& layer) { return layer.TestCapability(OLCFastSpatialFilter) != FALSE; }
+
+bool limitToExtent(OGRLayer& layer, const LonLatBox& box, const ReadSettings& settings) {
+    constexpr int pointsOnASide = 21;
+    OGRSpatialReference degrees;
+    degrees.SetWellKnownGeogCS("WGS84");
+    degrees.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const OGRSpatialReference system = findLayerSystem(layer, settings.crs);
+    const std::unique_ptr<OGRCoordinateTransformation> there(
+        OGRCreateCoordinateTransformation(&degrees, &system));
+    if (!there) return false;
+    double west = 0, south = 0, east = 0, north = 0;
+    if (there->TransformBounds(box.westDeg, box.southDeg, box.eastDeg, box.northDeg, &west, &south, &east,
+                               &north, pointsOnASide) == FALSE)
+        return false;
+    layer.SetSpatialFilterRect(west, south, east, north);
+    return true;
+}
 
 using Path = std::filesystem::path;
 

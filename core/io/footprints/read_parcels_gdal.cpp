@@ -11,7 +11,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/files/open_dataset.h"
-#include "core/io/footprints/polygon_layer.h"
+#include "core/io/footprints/ogr_polygons.h"
 
 namespace noonmark {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/io/heights/feature_value.h"
+#include "core/io/heights/field_roles.h"
 
 namespace noonmark {
 

@@ -1,16 +1,19 @@
 #include "core/io/heights/field_roles.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
 #include "core/io/heights/field_names.h"
 #include "core/io/heights/height_reading.h"
 #include "core/io/heights/height_text.h"
-#include "core/io/heights/name_words.h"
 
 namespace noonmark {
+
+const FeatureValue* firstOf(const FeatureValues& values, FieldRole role) {
+    const auto found = std::ranges::find(values, role, &FeatureValue::role);
+    return found == values.end() ? nullptr : &*found;
+}
 
 namespace {
 

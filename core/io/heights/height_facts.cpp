@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/shell_word.h"
+#include "core/base/escaped_text.h"
 #include "core/io/settings/read_fields.h"
 
 namespace noonmark {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/city/plausible_heights.h"
+#include "core/city/building_heights.h"
 #include "core/io/heights/height_text.h"
 
 namespace noonmark {

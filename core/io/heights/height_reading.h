@@ -2,8 +2,8 @@
 
 // The folder core/io/heights turns attributes into heights, for all readers. height_text.h parses a length or
 // a number of storeys; height_reading.h (this file) decides on one height from all fields of a feature;
-// height_origins.h and height_facts.h record which fields were used, for reports. implausible_buildings.h
-// removes meshes with impossible sizes. read_settings_text.h stores ReadSettings as text.
+// height_origins.h and height_facts.h record which fields were used, for reports. read_part.h
+// removes meshes with impossible sizes. read_fields.h stores ReadSettings as text.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 #include "core/base/warnings.h"
 #include "core/city/building.h"
-#include "core/io/heights/feature_value.h"
+#include "core/io/heights/field_roles.h"
 
 namespace noonmark {
 

@@ -9,7 +9,6 @@
 
 #include "core/io/heights/field_roles.h"
 #include "core/io/heights/height_text.h"
-#include "core/io/heights/height_units.h"
 #include "core/io/heights/name_words.h"
 
 namespace noonmark {

@@ -13,7 +13,7 @@
 #include "core/base/gdal_calls.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/crs.h"
 
 class GDALDataset;
 class OGRFeature;

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "core/geo/crs_definition.h"
+#include "core/geo/crs.h"
 #include "core/io/layers/feature_stream.h"
-#include "core/io/settings/place_advice.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

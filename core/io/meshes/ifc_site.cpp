@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/geo/crs_to_lon_lat.h"
-#include "core/io/meshes/ifc_statements.h"
+#include "core/geo/crs.h"
+#include "core/io/meshes/stated_axes.h"
 #include "core/io/settings/read_fields.h"
 
 namespace noonmark {

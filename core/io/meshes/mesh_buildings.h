@@ -28,7 +28,7 @@ bool addBuildings(const std::vector<NamedMesh>& objects, const std::string& file
                   Progress& progress, const std::stop_token& stop);
 
 /// Makes the result of readMesh() from the scene that the reader process returned; the scene is untrusted.
-/// `file`: for messages; it is not opened. Defined in read_mesh.cpp.
+/// `file`: for messages; it is not opened. Defined in mesh_buildings.cpp.
 Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesystem::path& file,
                                      const ReadSettings& settings, Progress& progress,
                                      const std::stop_token& stop);

@@ -16,10 +16,8 @@
 #include "core/city/meshes/mesh_sheets.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/describe/text.h"
-#include "core/io/meshes/assign_walls.h"
-#include "core/io/meshes/join_storeys.h"
 #include "core/io/meshes/separate_roofs.h"
-#include "core/io/meshes/surface_names.h"
+#include "core/io/meshes/unit_joins.h"
 
 namespace noonmark {
 

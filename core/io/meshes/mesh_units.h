@@ -1,22 +1,64 @@
 #pragma once
 
-// The folder core/io/meshes reads mesh files (OBJ, PLY, glTF 2, STL, COLLADA, IFC, DXF). read_mesh.cpp runs
-// the steps: mesh_reader_process.h starts the process that parses the file (core/mesh_reader) and returns a
-// MeshScene (mesh_scene.h); mesh_placement.h says where it lies; mesh_units.h (this file) divides its objects
-// into buildings by separate_roofs.h, assign_walls.h and join_storeys.h, with surface_names.h reading the
-// objects' names; mesh_buildings.h makes parts from them by core/city/meshes.
-
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/city/meshes/mesh_outline.h"
+#include "core/city/meshes/mesh_topology.h"
 #include "core/io/meshes/mesh_buildings.h"
-#include "core/io/meshes/mesh_unit.h"
 
 namespace noonmark {
 
-/// Joins objects that are surfaces of one building, according to their names (surface_names.h), or according
+/// The geometry of one building of a mesh file.
+struct MeshUnit {
+    TriangleMesh mesh;
+    std::size_t object = 0;  ///< index of the object that gives its name
+};
+
+/// Points nearer to each other than this are one, metres.
+inline constexpr float touchM = 0.01F;
+
+/// What a mesh covers in plan.
+inline std::vector<Footprint> computeCover(const TriangleMesh& mesh) {
+    return computeOutline(mesh, findOpenEdges(mesh) == 0).pieces;
+}
+
+/// Sets of indices that are joined pair by pair. The lowest index of a set stands for it.
+class DisjointSets {
+public:
+    explicit DisjointSets(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t(0));
+    }
+    std::size_t of(std::size_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(std::size_t a, std::size_t b) {
+        a = of(a), b = of(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    std::vector<std::size_t> parent_;
+};
+
+/// An edge as the indices of its welded ends, in either direction.
+inline std::uint64_t edgeOf(std::uint32_t a, std::uint32_t b) {
+    return (std::uint64_t(std::min(a, b)) << 32U) | std::max(a, b);
+}
+
+// The folder core/io/meshes reads mesh files (OBJ, PLY, glTF 2, STL, COLLADA, IFC, DXF). mesh_buildings.cpp
+// runs the steps: mesh_reader_process.h starts the process that parses the file (core/mesh_reader) and
+// returns a MeshScene (mesh_scene.h); mesh_placement.h says where it lies; mesh_units.h (this file) divides
+// its objects into buildings by separate_roofs.h, unit_joins.h, with separate_roofs.h reading the objects'
+// names; mesh_buildings.h makes parts from them by core/city/meshes.
+
+/// Joins objects that are surfaces of one building, according to their names (separate_roofs.h), or according
 /// to their parent's name if their own only names a surface ("building 12" over "WallSurface" and
 /// "RoofSurface"). They are joined if together they cover one connected area; other objects stay unchanged.
 std::vector<NamedMesh> joinSurfaces(const std::vector<NamedMesh>& objects);

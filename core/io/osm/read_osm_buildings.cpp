@@ -1,20 +1,87 @@
 #include "core/io/osm/read_osm_buildings.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <cmath>
 #include <iterator>
-#include <string_view>
 
-#include "core/base/progress_share.h"
+#include "core/base/gdal_calls.h"
+#include "core/base/progress.h"
+#include "core/geo/lon_lat.h"
+#include "core/io/files/plain_file.h"
+#include "core/io/footprints/build_footprints.h"
 #include "core/io/formats/format.h"
 #include "core/io/heights/height_origins.h"
+#include "core/io/heights/tree_fields.h"
 #include "core/io/layers/feature_stream.h"
-#include "core/io/osm/osm_areas.h"
-#include "core/io/osm/osm_trees.h"
-#include "core/io/settings/place_advice.h"
+#include "core/io/osm/osm_layers.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
+
+namespace {
+
+constexpr double rowSpacingM = 8;
+constexpr std::size_t maxInRow = 10'000;
+constexpr double unitsPerDegree = 1e7;
+
+LonLat placeOf(OsmPoint point) { return {point.lon / unitsPerDegree, point.lat / unitsPerDegree}; }
+
+std::string_view findTag(const OsmTags& tags, std::string_view key) {
+    const auto found = std::ranges::find(tags, key, &std::pair<std::string, std::string>::first);
+    return found == tags.end() ? std::string_view() : std::string_view(found->second);
+}
+
+TreeFacts factsOf(const OsmTags& tags, const std::string& where, Warnings& warnings) {
+    static const std::vector<KnownTreeField> fields = findTreeFields(osmTreeKeys());
+    std::vector<std::string> values;
+    for (const std::string& key : osmTreeKeys()) values.emplace_back(findTag(tags, key));
+    return collectTreeFacts(fields, values, where, warnings);
+}
+
+// Along the line from its first point on; the rest of a piece carries over to the next.
+std::vector<LonLat> placeRow(const OsmWay& way) {
+    std::vector<LonLat> places{placeOf(way.points.front())};
+    double toNextM = rowSpacingM;
+    for (std::size_t i = 1; i < way.points.size() && places.size() < maxInRow; ++i) {
+        const LonLat from = placeOf(way.points[i - 1]), to = placeOf(way.points[i]);
+        const double lengthM = computeGreatCircleM(from, to);
+        double atM = toNextM;
+        for (; atM <= lengthM && places.size() < maxInRow; atM += rowSpacingM) {
+            const double share = atM / lengthM;
+            places.push_back({from.lonDeg + share * (to.lonDeg - from.lonDeg),
+                              from.latDeg + share * (to.latDeg - from.latDeg)});
+        }
+        toNextM = atM - lengthM;
+    }
+    return places;
+}
+
+}  // namespace
+
+const std::vector<std::string>& osmTreeKeys() {
+    static const std::vector<std::string> keys{"natural",       "height",   "est_height", "diameter_crown",
+                                               "circumference", "genus",    "species",    "taxon",
+                                               "leaf_cycle",    "leaf_type"};
+    return keys;
+}
+
+std::vector<ReadTree> listOsmTrees(const OsmMap& map, Warnings& warnings) {
+    std::vector<ReadTree> trees;
+    for (const OsmNode& node : map.points)
+        if (findTag(node.tags, osmTreeKey) == "tree")
+            trees.push_back(
+                {placeOf(node.point), factsOf(node.tags, fmt::format("node {}", node.id), warnings)});
+    for (const OsmWay& way : map.ways) {
+        if (!way.line || way.points.empty() || findTag(way.tags, osmTreeKey) != "tree_row") continue;
+        const std::string where = fmt::format("way {}", way.id);
+        const TreeFacts facts = factsOf(way.tags, where, warnings);
+        for (const LonLat place : placeRow(way)) trees.push_back({place, facts});
+        warnings.push_back(
+            {WarningKind::assumed, fmt::format("the trees of a row stand {:g} m apart", rowSpacingM), where});
+    }
+    return trees;
+}
 
 namespace {
 
@@ -130,6 +197,95 @@ Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmForm
     tags.addHeights(buildings.heights, name);
     buildings.trees = listOsmTrees(*map, buildings.warnings);
     return buildings;
+}
+
+namespace {
+
+using Path = std::filesystem::path;
+
+/// Reading's share of the progress.
+class ReadingProgress final : public Progress {
+public:
+    explicit ReadingProgress(Progress& whole) : whole_(whole) {}
+    void report(double fraction, std::string_view stage) override {
+        whole_.report(shareOfReading * fraction, stage);
+    }
+
+private:
+    Progress& whole_;
+};
+
+// Files from GDAL's driver have one layer of areas by this name.
+Result<void> checkLayer(const Path& file, const ReadSettings& settings) {
+    if (settings.layer.empty() || settings.layer == "multipolygons") return {};
+    return failure(fmt::format("There is no layer \"{}\"", settings.layer), file.string(),
+                   "OpenStreetMap has one layer of buildings: name none");
+}
+
+Result<OsmBuildings> readChecked(const Path& file, OsmFormat format, const ReadSettings& settings,
+                                 Progress& progress, const std::stop_token& stop) {
+    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    ReadingProgress reading(progress);
+    const GdalCalls calls;
+    auto buildings = checkLayer(file, settings).and_then([&] {
+        return readOsmBuildings(file, format, settings, reading, stop);
+    });
+    if (!buildings) return buildings;
+    if (buildings->areas == 0)
+        return failure("It holds no polygons", file.string(), "Export the building footprints as polygons");
+    if (buildings->features.empty())
+        return failure(fmt::format("None of its {} polygons can be used as a building", buildings->areas),
+                       file.string(), findCommonest(buildings->warnings));
+    addMapRemarks(calls.complaints(), file.filename().string(), buildings->warnings);
+    return buildings;
+}
+
+// A beginning that tells neither form is that of XML with long comments.
+OsmFormat formatOf(const Path& file) { return findOsmFormat(file).value_or(OsmFormat::xml); }
+
+tl::unexpected<Error> notRead(const std::exception& exception, const Path& file) {
+    return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),
+                   "Check that it is complete, or export it again");
+}
+
+}  // namespace
+
+Result<FilePiece> readOsmFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
+                                    std::stop_token stop) try {
+    const OsmFormat format = formatOf(file);
+    auto buildings = readChecked(file, format, settings, progress, stop);
+    if (!buildings) return tl::make_unexpected(buildings.error());
+    FilePiece piece{.warnings = std::move(buildings->warnings),
+                    .format = format == OsmFormat::pbf ? "OpenStreetMap PBF" : "OpenStreetMap XML",
+                    .features = buildings->areas,
+                    .attribution = osmCredit,
+                    .heights = std::move(buildings->heights),
+                    .crs = describeCrs("WGS 84", CrsSource::file)};
+    piece.trees = std::move(buildings->trees);
+    if (auto built = buildFootprints(piece, std::move(buildings->features), settings, progress, stop); !built)
+        return tl::make_unexpected(built.error());
+    if (!piece.buildings.empty()) return piece;
+    return failure("None of its polygons can be used as a building", file.string(),
+                   findCommonest(piece.warnings));
+} catch (const std::exception& exception) {
+    return notRead(exception, file);
+}
+
+Result<FootprintScan> scanOsmFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
+                                        std::stop_token stop) try {
+    const auto buildings = readChecked(file, formatOf(file), settings, progress, stop);
+    if (!buildings) return tl::make_unexpected(buildings.error());
+    FootprintScan scan;
+    scan.indexed = false;
+    FeatureCentres centres;
+    for (const UnplacedFeature& feature : buildings->features) {
+        centres.add(feature);
+        scan.add(feature);
+    }
+    scan.frame = centres.frame(settings.farAwayM);
+    return scan;
+} catch (const std::exception& exception) {
+    return notRead(exception, file);
 }
 
 }  // namespace noonmark

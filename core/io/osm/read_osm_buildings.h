@@ -3,15 +3,26 @@
 #include <filesystem>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/warnings.h"
+#include "core/io/footprints/footprint_scan.h"
 #include "core/io/footprints/place_features.h"
 #include "core/io/heights/height_facts.h"
 #include "core/io/osm/osm_map.h"
-#include "core/io/pieces/read_tree.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
+
+/// The tag that a map's trees have, of points and lines, and the tags that describe them.
+inline constexpr const char* osmTreeKey = "natural";
+const std::vector<std::string>& osmTreeKeys();
+
+/// The trees of a map that was read with them: natural=tree, and natural=tree_row as trees 8 m apart along
+/// its line, with a warning for each row. Woods are left out: they state no trees.
+std::vector<ReadTree> listOsmTrees(const OsmMap& map, Warnings& warnings);
 
 /// Buildings of an OpenStreetMap file, before repair.
 struct OsmBuildings {
@@ -31,5 +42,13 @@ std::optional<OsmFormat> osmFormatOf(std::string_view head);
 Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmFormat format,
                                       const ReadSettings& settings, Progress& progress,
                                       const std::stop_token& stop);
+
+/// Reads the buildings of OpenStreetMap; always the whole file.
+Result<FilePiece> readOsmFootprints(const std::filesystem::path& file, const ReadSettings& settings,
+                                    Progress& progress, std::stop_token stop);
+
+/// scanFootprints() of OpenStreetMap; its areas are in memory meanwhile.
+Result<FootprintScan> scanOsmFootprints(const std::filesystem::path& file, const ReadSettings& settings,
+                                        Progress& progress, std::stop_token stop);
 
 }  // namespace noonmark

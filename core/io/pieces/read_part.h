@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,14 +12,22 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/warnings.h"
+#include "core/city/building.h"
 #include "core/city/city.h"
-#include "core/geo/lon_lat_box.h"
+#include "core/city/trees/tree_facts.h"
+#include "core/geo/frame.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/heights/height_facts.h"
 #include "core/io/heights/height_reading.h"
-#include "core/io/pieces/read_tree.h"
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {
+
+/// A tree as a file has it.
+struct ReadTree {
+    LonLat place;
+    TreeFacts facts;
+};
 
 /// The result of one reader for one file, in the frame that was given or that it chose. readCity() joins
 /// these pieces.
@@ -51,12 +60,12 @@ enum class CrsSource {
     user,     ///< ReadSettings::crs
     guessed,  ///< from the numbers
 };
-std::string describeCrs(const std::string& name, CrsSource source);  ///< defined in piece_crs.cpp
+std::string describeCrs(const std::string& name, CrsSource source);  ///< defined in read_part.cpp
 
 /// What a mesh says that was read without the position of its origin.
 inline constexpr std::string_view originAsAnchor = "the project's origin is used as the mesh's origin";
 
-/// One reader per family of formats (core_formats.cpp); OpenStreetMap has osm/read_osm_footprints.h.
+/// One reader per family of formats (core_formats.cpp); OpenStreetMap has osm/read_osm_buildings.h.
 /// `settings.frame` is set if an earlier file fixed it; otherwise the reader chooses the middle of its data.
 /// `window`: null for the whole file.
 Result<FilePiece> readFootprints(const std::filesystem::path& file, const ReadSettings& settings,
@@ -64,18 +73,37 @@ Result<FilePiece> readFootprints(const std::filesystem::path& file, const ReadSe
                                  const LonLatBox* window = nullptr);  ///< defined in read_footprints_gdal.cpp
 Result<FilePiece> readCityJson(const std::filesystem::path& file, const ReadSettings& settings,
                                Progress& progress,
-                               std::stop_token stop);  ///< defined in read_cityjson.cpp
+                               std::stop_token stop);  ///< defined in cityjson_buildings.cpp
 Result<FilePiece> readCityGml(const std::filesystem::path& file, const ReadSettings& settings,
                               Progress& progress,
-                              std::stop_token stop);  ///< defined in read_citygml.cpp
+                              std::stop_token stop);  ///< defined in citygml_load.cpp
 Result<FilePiece> readArchive(const std::filesystem::path& file, const ReadSettings& settings,
                               Progress& progress, std::stop_token stop,
-                              const LonLatBox* window = nullptr);  ///< defined in read_archive.cpp
+                              const LonLatBox* window = nullptr);  ///< defined in unpack_archive.cpp
 Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
                            Progress& progress,
-                           std::stop_token stop);  ///< defined in read_mesh.cpp
+                           std::stop_token stop);  ///< defined in mesh_buildings.cpp
 Result<FilePiece> readTerrain(const std::filesystem::path& file, const ReadSettings& settings,
                               Progress& progress,
                               std::stop_token stop);  ///< defined in read_terrain_gdal.cpp
+
+/// Removes, with one warning each, the buildings of a piece whose geometry is implausible: higher than 2,000
+/// m, more than 20 km below or above all ground, more than 1,000 km from the frame's origin, not finite.
+/// Readers of attributes check heights themselves and have other values to use; a mesh has nothing but its
+/// shape. Error: this applied to all buildings, as happens if the unit is not the metre. O(vertices).
+Result<void> leaveOutImplausible(const std::string& file, FilePiece& piece);
+
+/// A building that is in the city twice, as positions in the list.
+struct SameBuilding {
+    std::size_t kept = 0, dropped = 0;
+    bool byId = false;  ///< both have the same id; otherwise the same outline
+};
+
+/// Finds buildings that are there twice: two of the same id that are equally high and share more than half of
+/// the smaller outline, or any two whose outlines share at least 95 % of the larger and that overlap over
+/// half of the lower one's height. Kept is the one whose heights are better known (stated before storeys,
+/// those before assumed), then the higher one, then the first. Of three the best one stays. Each is dropped
+/// once at most. O(n log n).
+std::vector<SameBuilding> findSameBuildings(const std::vector<std::shared_ptr<const Building>>& buildings);
 
 }  // namespace noonmark

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "core/city/footprints/plan_overlay.h"
-#include "core/city/footprints/tangled_rings.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/crs.h"
 #include "core/io/footprints/place_features.h"
 #include "core/io/places/place_assembly.h"
 #include "core/io/places/place_tags.h"

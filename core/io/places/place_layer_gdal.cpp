@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/geo/distance.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/footprints/ogr_polygons.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/io/places/place_layer.h"

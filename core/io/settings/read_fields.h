@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,5 +20,12 @@ const Fields<ReadSettings>& meshAxesFields();
 
 /// How a user states the field with this key on the command line, for messages: "--stand absolute".
 std::string readOption(std::string_view key, std::string_view value = {});
+
+/// The settings that differ from the defaults of ReadSettings, as JSON on one line; empty if none do. `frame`
+/// is omitted: it belongs to the open city.
+std::string formatText(const ReadSettings& reading);
+
+/// Parses the output of formatText(); nothing for other text.
+std::optional<ReadSettings> readSettingsFrom(const std::string& text);
 
 }  // namespace noonmark

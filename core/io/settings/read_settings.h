@@ -1,18 +1,19 @@
 #pragma once
 
-// The folder core/io/settings says how files are read: ReadSettings (this file), its table of fields
-// (read_fields.h), its text in projects (read_settings_text.h), and advice that names a setting
-// (place_advice.h).
-
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/geo/frame.h"
 
 namespace noonmark {
+
+// The folder core/io/settings says how files are read: ReadSettings (this file), its table of fields
+// (read_fields.h), its text in projects (read_fields.h), and advice that names a setting
+// (read_settings.h).
 
 enum class LengthUnit { metres, feet, usSurveyFeet, centimetres, millimetres, inches, decimetres };
 enum class UpAxis { z, y, automatic };
@@ -33,8 +34,8 @@ const LengthUnitEntry& entryOf(LengthUnit unit);
 inline double metresPer(LengthUnit unit) { return entryOf(unit).metres; }
 
 /// Whether to make a terrain from the ground elevations that buildings state, if no terrain is read: if the
-/// relief between neighbours matters (core/io/terrain/terrain_from_bases.h), always, or never (the ground is
-/// then flat).
+/// relief between neighbours matters (core/io/terrain/buildings_on_terrain.h), always, or never (the ground
+/// is then flat).
 enum class TerrainFromBases { automatic, always, never };
 
 /// How buildings stand on a terrain: as their bases lie against it (core/io/terrain/standing.h), each set
@@ -75,5 +76,14 @@ struct ReadSettings {
 
     std::optional<Frame> frame;  ///< join an existing project instead of choosing an origin
 };
+
+/// Advice for files that do not state their position on earth, or state an impossible one. All readers use
+/// the same wording, so that the window can recognise it and offer the setting.
+std::string crsAdvice();
+std::string anchorAdvice();
+
+/// Whether stating ReadSettings::crs or ReadSettings::meshAnchor could resolve the error: its advice is, or
+/// begins with, one of the two above.
+[[nodiscard]] bool asksForPlace(const Error& error);
 
 }  // namespace noonmark

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/io/shadows/shadow_drawing.h"
-#include "core/io/styles/layer_style.h"
+#include "core/io/styles/qgis_style.h"
 
 namespace noonmark {
 

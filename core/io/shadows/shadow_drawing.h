@@ -1,21 +1,24 @@
 #pragma once
 
-// The folder core/io/shadows writes outlines of shadows for other programs. ShadowDrawing (this file) is
-// everything that is written; write_shadows.h writes it as DXF, GeoPackage, GeoJSON or SVG. drawing_tables.h
-// has the rows of the layers, layer_names.h the names of layers in DXF, and ogr_drawing.h the coordinates and
-// shapes of GDAL.
-
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/result.h"
+#include "core/base/warnings.h"
 #include "core/city/city.h"
-#include "core/measures/outlines/isochrones.h"
+#include "core/measures/outlines/day_isochrones.h"
 #include "core/measures/shadow_outlines.h"
 #include "core/receivers/place.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
+
+// The folder core/io/shadows writes outlines of shadows for other programs. ShadowDrawing (this file) is
+// everything that is written; write_shadows.h writes it as DXF, GeoPackage, GeoJSON or SVG. drawing_tables.h
+// has the rows of the layers, write_shadows.h the names of layers in DXF, and ogr_drawing.h the coordinates
+// and shapes of GDAL.
 
 /// A moment as drawings name it.
 struct DrawnTime {
@@ -88,5 +91,21 @@ void addBuildings(const City& city, BuildingState state, const Box2& area, std::
 
 /// The places that meet the area.
 std::vector<Place> choosePlacesIn(const std::vector<Place>& places, const Box2& area);
+
+/// Which times to draw: of each day those named, or all of them while the sun is up.
+struct DrawnTimeChoice {
+    std::vector<std::string> days;   ///< "2026-03-21"
+    std::vector<std::string> times;  ///< wall clock: "09:00"
+    int everyMin = 0;                ///< from midnight on; 0: only the times
+    std::string zone;                ///< "Europe/Monaco"
+};
+
+/// The times with the sun up, in order. A time that was asked for by name and has no sun gives a warning.
+/// Error: no time, a date, a time or a zone that cannot be read, or no time with the sun up.
+Result<std::vector<DrawnTime>> listDrawnTimes(const DrawnTimeChoice& choice, const City& city,
+                                              Warnings& warnings);
+
+/// Every day of a year, for DrawnTimeChoice::days.
+std::vector<std::string> listDaysOf(int year);
 
 }  // namespace noonmark

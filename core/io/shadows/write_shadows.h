@@ -1,12 +1,25 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/io/shadows/shadow_drawing.h"
 
 namespace noonmark {
+
+/// Gives names that DXF takes and that differ whatever the case of their letters: letters, digits, hyphens,
+/// points and underscores of ASCII, 1 to 200 of them; anything else becomes an underscore. "Größe: 1" is
+/// "Gr__e__1", and a second one "Gr__e__1_2".
+class LayerNames {
+public:
+    std::string add(std::string_view wanted);
+
+private:
+    std::set<std::string> taken_;  // in lower case
+};
 
 /// The plane of DXF and GeoPackage files; metres.
 enum class DrawingPlane {
@@ -31,7 +44,7 @@ Result<std::string> describePlane(const Frame& frame, DrawingPlane plane);
 Result<void> writeShadowsDxf(const std::filesystem::path& file, const ShadowDrawing& drawing,
                              DrawingPlane plane);
 
-/// The layers of makeDrawingTables(). Backend of both: write_shadow_layers_gdal.cpp.
+/// The layers of makeDrawingTables(). Backend of both: ogr_drawing_gdal.cpp.
 Result<void> writeShadowsGeoPackage(const std::filesystem::path& file, const ShadowDrawing& drawing,
                                     DrawingPlane plane);
 

@@ -13,7 +13,6 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/shadows/drawing_tables.h"
-#include "core/io/shadows/layer_names.h"
 #include "core/io/shadows/ogr_drawing.h"
 #include "core/io/shadows/write_shadows.h"
 

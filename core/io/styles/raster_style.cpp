@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/xml_text.h"
+#include "core/base/escaped_text.h"
 
 namespace noonmark {
 

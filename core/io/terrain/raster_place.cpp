@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/geo/distance.h"
+#include "core/geo/lon_lat.h"
 
 namespace noonmark {
 

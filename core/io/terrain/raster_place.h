@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/city/terrain/post_grid.h"
-#include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/crs.h"
 #include "core/geo/frame.h"
 
 namespace noonmark {

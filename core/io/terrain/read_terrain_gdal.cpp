@@ -10,14 +10,12 @@
 #include <limits>
 
 #include "core/base/gdal_calls.h"
-#include "core/geo/crs_definition.h"
-#include "core/geo/crs_to_lon_lat.h"
-#include "core/geo/earth_drop.h"
+#include "core/geo/crs.h"
+#include "core/geo/frame.h"
 #include "core/io/files/open_dataset.h"
-#include "core/io/files/warp_words.h"
 #include "core/io/heights/height_text.h"
 #include "core/io/pieces/read_part.h"
-#include "core/io/settings/place_advice.h"
+#include "core/io/settings/read_settings.h"
 #include "core/io/terrain/terrain_grid.h"
 
 namespace noonmark {

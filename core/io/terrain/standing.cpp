@@ -9,9 +9,9 @@
 
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_parts.h"
-#include "core/geo/earth_drop.h"
+#include "core/geo/frame.h"
 #include "core/io/settings/read_fields.h"
-#include "core/io/terrain/stand_on_terrain.h"
+#include "core/io/terrain/buildings_on_terrain.h"
 
 namespace noonmark {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/io/pieces/read_part.h"
-#include "core/io/terrain/terrain_from_bases.h"
+#include "core/io/terrain/buildings_on_terrain.h"
 
 namespace noonmark {
 

@@ -10,6 +10,11 @@
 
 namespace noonmark {
 
+/// Interpolates every NaN cell of a row-major grid from the cells around it, weighted by their inverse
+/// distance; gaps wider than 400 cells keep NaN cells in their middle. Ends early when stopped. Backend:
+/// surface_model_gdal.cpp.
+void fillFromAround(std::vector<float>& values, int columns, int rows, const std::stop_token& stop = {});
+
 using SharedBuildings = std::vector<std::shared_ptr<const Building>>;
 
 /// How a terrain steps at the outlines of buildings: the median over an outline of the elevation a cell and a
@@ -28,8 +33,8 @@ OutlineSteps measureOutlineSteps(const Terrain& terrain, const SharedBuildings& 
                                  const std::stop_token& stop = {});
 
 /// The ground of a surface model: posts within the outlines of buildings, or within a cell and 1 m of them,
-/// and those of trees and the like (ground_filter.h) get elevations interpolated from the posts around. When
-/// stopped, the surface.
+/// and those of trees and the like (surface_model.cpp) get elevations interpolated from the posts around.
+/// When stopped, the surface.
 Terrain takeGroundAround(const Terrain& surface, const SharedBuildings& buildings,
                          const std::stop_token& stop = {});
 

@@ -10,9 +10,9 @@
 #include <limits>
 #include <memory>
 
-#include "core/city/terrain/fill_gaps.h"
+#include "core/city/terrain/post_grid.h"
 #include "core/describe/text.h"
-#include "core/geo/earth_drop.h"
+#include "core/geo/frame.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {

@@ -3,14 +3,14 @@
 // The folder core/io/terrain makes the ground of a city. read_terrain_gdal.cpp reads rasters: raster_place.h
 // transforms pixels to local metres, terrain_grid.h (this file) chooses the posts and finishes the Terrain.
 // ground_choice.h chooses among rasters and takes the ground from a model of the surface (surface_model.h).
-// terrain_from_bases.h makes a terrain from the ground elevations that buildings state. standing.h places the
-// buildings of files on the terrain, stand_on_terrain.h one of them.
+// buildings_on_terrain.h makes a terrain from the ground elevations that buildings state. standing.h places
+// the buildings of files on the terrain, buildings_on_terrain.h one of them.
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/crs.h"
 #include "core/geo/grid.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/terrain/raster_place.h"
@@ -41,7 +41,7 @@ Result<TerrainGrid> makeTerrainGrid(const RasterPlace& raster, const CrsToLonLat
 
 /// Makes the terrain of the piece from elevations (metres above the datum, NaN if unknown; one per post).
 /// Without a given frame, local z = 0 is the lowest elevation. Elevations are lowered by the earth's
-/// curvature (core/geo/earth_drop.h). Impossible elevations (beyond -500 to 9000 m) and gaps are filled from
+/// curvature (core/geo/frame.h). Impossible elevations (beyond -500 to 9000 m) and gaps are filled from
 /// the nearest post, and counted in a warning if they lie within the raster's border. Error: no elevations at
 /// all.
 Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevations,

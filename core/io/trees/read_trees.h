@@ -1,10 +1,7 @@
 #pragma once
 
-// The folder core/io/trees reads trees from files of their own (this file) and joins those of all files into
-// a city (join_trees.h). The names of fields are in core/io/heights/tree_fields.h, OpenStreetMap's trees in
-// core/io/osm/osm_trees.h.
-
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -13,9 +10,14 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/warnings.h"
-#include "core/io/pieces/read_tree.h"
+#include "core/city/city.h"
+#include "core/io/pieces/read_part.h"
 
 namespace noonmark {
+
+// The folder core/io/trees reads trees from files of their own (this file) and joins those of all files into
+// a city (read_trees.h). The names of fields are in core/io/heights/tree_fields.h, OpenStreetMap's trees in
+// core/io/osm/read_osm_buildings.h.
 
 /// The trees of one file.
 struct TreesRead {
@@ -25,10 +27,17 @@ struct TreesRead {
 };
 
 /// Reads an inventory of trees: a vector file of points, or a table with columns of longitude and latitude,
-/// or an OpenStreetMap file, or a raster of canopy heights (read_canopy.h). `crs`: of files that state none.
-/// A feature that cannot be used is left out with a warning. Error: the file cannot be read, holds no points,
-/// or more than 5 million trees; cancelled(). Some 10 us a tree. Backend: read_trees_gdal.cpp.
+/// or an OpenStreetMap file, or a raster of canopy heights (read_trees_gdal.cpp). `crs`: of files that state
+/// none. A feature that cannot be used is left out with a warning. Error: the file cannot be read, holds no
+/// points, or more than 5 million trees; cancelled(). Some 10 us a tree. Backend: read_trees_gdal.cpp.
 Result<TreesRead> readTrees(const std::filesystem::path& file, const std::optional<std::string>& crs,
                             Progress& progress, const std::stop_token& stop);
+
+/// The trees of a city's files, on its ground and complete (completeTree); null where there are none. Of
+/// trees that stand within half a metre of each other the first stays, with a warning for each other one;
+/// trees more than `farAwayM` from the middle of the city's buildings are left out with a warning. Leaf days
+/// are those assumed for the city's latitude. O(trees log trees).
+std::shared_ptr<const Trees> joinTrees(const std::vector<ReadTree>& read, const City& city, double farAwayM,
+                                       Warnings& warnings);
 
 }  // namespace noonmark

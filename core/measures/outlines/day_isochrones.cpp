@@ -5,8 +5,7 @@
 
 #include "core/engines/auto_engine.h"
 #include "core/engines/ray/ray_reference.h"
-#include "core/receivers/city_above_plane.h"
-#include "core/receivers/plane_receivers.h"
+#include "core/receivers/roof_receivers.h"
 
 namespace noonmark {
 

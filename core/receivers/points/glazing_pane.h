@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -33,5 +34,20 @@ struct GlazingFacts {
     PaneSize pane;               ///< not known of windows that are points
     std::string room, dwelling;  ///< names; empty: not stated
 };
+
+/// The rectangle of a window that is a point: 1 x 1.2 m.
+inline constexpr PaneSize defaultPane{{-0.5, -0.6}, {0.5, 0.6}};
+
+/// The corners of a pane in local metres, 3 cm in front of its wall, counterclockwise seen from in front.
+/// `normal`: a unit vector, outward. The size must be known.
+inline std::array<glm::vec3, 4> computePaneCorners(glm::dvec3 middle, glm::dvec3 normal, PaneSize pane) {
+    constexpr double inFrontM = 0.03;
+    const PaneAxes axes = findPaneAxes(normal);
+    const auto corner = [&](double right, double up) {
+        return glm::vec3(middle + inFrontM * normal + right * axes.along + up * axes.up);
+    };
+    return {corner(pane.low.x, pane.low.y), corner(pane.high.x, pane.low.y), corner(pane.high.x, pane.high.y),
+            corner(pane.low.x, pane.high.y)};
+}
 
 }  // namespace noonmark

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <set>
 
-#include "core/base/csv_rows.h"
 #include "core/base/csv_text.h"
 
 namespace noonmark {

@@ -2,7 +2,7 @@
 
 // The folder core/receivers/points places receivers that are points: windows (glazing_receivers.h) and planes
 // (plane_points.h); facades are in core/receivers/point_receivers.h. solid_parts.h tells what is inside a
-// building, wall_finder.h which wall a place is at.
+// building, glazing_receivers.h which wall a place is at.
 
 #include <cstdint>
 #include <glm/vec3.hpp>

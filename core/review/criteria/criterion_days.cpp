@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/measures/place_areas.h"
+#include "core/measures/places/place_areas.h"
 #include "core/review/criteria/worst_spots.h"
 
 namespace noonmark {

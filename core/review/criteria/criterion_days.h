@@ -3,8 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "core/measures/place_areas.h"
-#include "core/review/criteria/spot_measure.h"
+#include "core/measures/places/place_areas.h"
 #include "core/review/criteria/spot_runs.h"
 
 namespace noonmark {

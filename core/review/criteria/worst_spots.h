@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/measures/place_points.h"
+#include "core/measures/places/place_points.h"
 #include "core/review/criteria/spot_runs.h"
 
 namespace noonmark {

@@ -1,8 +1,7 @@
 #include "core/review/library/read_rule_parts.h"
 
 #include "core/review/library/read_criteria.h"
-#include "core/review/library/read_glazing_rule.h"
-#include "core/review/rule/rule_times.h"
+#include "core/review/rule/rule_names.h"
 
 namespace noonmark {
 

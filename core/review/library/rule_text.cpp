@@ -7,7 +7,6 @@
 
 #include "core/review/places/verdict_text.h"
 #include "core/review/rule/rule_names.h"
-#include "core/review/rule/rule_times.h"
 
 namespace noonmark {
 

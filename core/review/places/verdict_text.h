@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 #include "core/review/places/place_review.h"
 
 namespace noonmark {

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "core/receivers/parcels/parcel_roads.h"
+#include "core/receivers/parcels/parcel_lines.h"
 #include "core/receivers/place.h"
 #include "core/review/rule/glazing_rule.h"
 #include "core/sun/day_clock.h"

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/measures/place_receivers.h"
+#include "core/measures/places/place_receivers.h"
 #include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark {

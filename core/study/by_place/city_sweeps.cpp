@@ -6,7 +6,7 @@
 
 #include "core/engines/auto_engine.h"
 #include "core/engines/common/changed_buildings.h"
-#include "core/engines/common/reached_receivers.h"
+#include "core/engines/common/shadow_reach.h"
 
 namespace noonmark {
 

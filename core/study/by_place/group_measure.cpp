@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/base/progress_share.h"
+#include "core/base/progress.h"
 #include "core/describe/text.h"
 #include "core/study/by_place/sum_places.h"
 

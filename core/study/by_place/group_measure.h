@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/measures/error_sample.h"
 #include "core/study/by_place/cell_groups.h"
 #include "core/study/by_place/city_sweeps.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/measures/compared_cells.h"
 #include "core/measures/error_sample.h"
 #include "core/measures/shown_error.h"
 #include "core/study/by_place/cell_groups.h"
@@ -41,5 +40,10 @@ std::vector<ShownError> listDateErrors(const SampledPlaces& places, const Compar
 /// Of what changes from one city to another over the period.
 std::vector<ShownError> listChangeErrors(const SampledPlaces& places, const ComparedSets& before,
                                          const ComparedSets& after, const SunlitTime& time, double lossMin);
+
+/// Warns in the first city's answer of its trees, of places without figures, beyond its terrain and on its
+/// water; states in all why places have none. `all`: the cells of all places. Error: cancelled().
+Result<void> warnOfPlaces(std::span<const City* const> cities, std::vector<SunByPlace>& made,
+                          const CellGroup& all, const std::stop_token& stop);
 
 }  // namespace noonmark

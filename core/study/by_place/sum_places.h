@@ -1,9 +1,22 @@
 #pragma once
 
-#include "core/engines/api/shadow_breakdown.h"
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/engines/api/step_sets.h"
+#include "core/receivers/place.h"
 #include "core/study/by_place/cell_groups.h"
 
 namespace noonmark {
+
+/// For each place without a name of its own the place with a name that holds most of it or, if none does, the
+/// one that lies along more than a fifth of its outline, as its index; none: there is none, or it has a
+/// name. Streets and facades hold nothing and are part of nothing. Incomplete after a stop request. O(n log n
+/// + pairs that meet).
+std::vector<std::optional<std::size_t>> findWholes(const std::vector<Place>& places,
+                                                   const std::stop_token& stop = {});
 
 /// The seasons that the months belong to ("2026-01"), December to February first. Named winter to autumn as
 /// they are at the latitude; within the tropics without a name.

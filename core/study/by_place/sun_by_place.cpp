@@ -6,16 +6,14 @@
 #include <cmath>
 
 #include "core/base/memory_guard.h"
-#include "core/base/progress_share.h"
-#include "core/base/rising_progress.h"
+#include "core/base/progress.h"
 #include "core/describe/text.h"
 #include "core/study/by_place/group_measure.h"
-#include "core/study/by_place/place_parts.h"
-#include "core/study/by_place/place_warnings.h"
+#include "core/study/by_place/place_errors.h"
 #include "core/study/by_place/sum_places.h"
-#include "core/study/memory_need.h"
+#include "core/study/study_cost.h"
 #include "core/study/terrain_coverage.h"
-#include "core/sun/zone_question.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 

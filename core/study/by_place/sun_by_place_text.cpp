@@ -10,10 +10,9 @@
 #include "core/describe/text.h"
 #include "core/receivers/place_names.h"
 #include "core/study/by_place/sun_by_place.h"
-#include "core/study/provenance/provenance_json.h"
-#include "core/study/text/error_json.h"
+#include "core/study/provenance/provenance_texts.h"
+#include "core/study/text/error_words.h"
 #include "core/study/text/period_json.h"
-#include "core/study/text/warnings_json.h"
 
 namespace noonmark {
 

@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
 
 #include "core/describe/text.h"
 #include "core/study/by_place/sun_by_place.h"
@@ -63,6 +65,94 @@ LayerStyle makeStyle(const SunByPlace& sun, const PlaceColours& colours) {
             graduatedStyle(StyledShape::polygons, "hours_mean", classes),
             {},
             makePartStyles(sun, colours)};
+}
+
+namespace {
+
+/// Less is rounding.
+constexpr double noChangeMin = 1e-3;
+
+SunChange changeOf(const SunOfPlace& before, const SunOfPlace& after, double lossMin) {
+    if (before.ofCells.empty()) return {};
+    SunChange change{after.meanHours - before.meanHours, 0, 0, 0};
+    const bool anyInside = std::ranges::any_of(before.ofCells, &SunOfCell::isInside);
+    double all = 0, lost = 0;
+    for (std::size_t i = 0; i < before.ofCells.size(); ++i) {
+        const SunOfCell& cell = before.ofCells[i];
+        const double gainMin = 60 * (double(after.ofCells[i].hours) - double(cell.hours));
+        all += double(cell.share);
+        if (-gainMin > lossMin + noChangeMin) lost += double(cell.share);
+        if (anyInside && !cell.isInside) continue;
+        if (gainMin < -noChangeMin) change.maxLossMin = std::max(change.maxLossMin, -gainMin);
+        if (gainMin > noChangeMin) change.maxGainMin = std::max(change.maxGainMin, gainMin);
+    }
+    change.lostShare = lost / all;
+    return change;
+}
+
+// Cells hold float hours: compared with 4.1 as float, 4.1 is enough. `hoursOf`: of the cell with an index.
+template <class HoursOf>
+double enoughShareOf(const SunOfPlace& of, double hours, const HoursOf& hoursOf) {
+    double all = 0, enough = 0;
+    for (std::size_t i = 0; i < of.ofCells.size(); ++i) {
+        const auto share = double(of.ofCells[i].share);
+        all += share;
+        if (hoursOf(i) >= float(hours)) enough += share;
+    }
+    return enough / all;
+}
+
+// NaN: no receiver.
+bool isSameMinute(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+bool hasCells(const SunByPlace& sun) {
+    return std::ranges::any_of(sun.sun, [](const SunOfPlace& of) { return !of.ofCells.empty(); });
+}
+
+void restate(SunByPlace& sun, double hours) {
+    sun.settings.enoughHours = hours;
+    for (SunOfPlace& of : sun.sun) {
+        if (of.ofCells.empty()) continue;
+        of.enoughShare = computeEnoughShare(of, hours);
+        for (std::size_t date = 0; date < of.dateHoursOfCells.size(); ++date)
+            of.belowShare[date] = computeBelowShare(of, date, hours);
+    }
+}
+
+}  // namespace
+
+double computeEnoughShare(const SunOfPlace& of, double hours) {
+    return enoughShareOf(of, hours, [&](std::size_t i) { return of.ofCells[i].hours; });
+}
+
+double computeBelowShare(const SunOfPlace& of, std::size_t date, double hours) {
+    if (of.ofCells.empty()) return SunOfPlace::none;
+    return 1 - enoughShareOf(of, hours, [&](std::size_t i) { return of.dateHoursOfCells[date][i]; });
+}
+
+std::optional<SunOfCities> withEnough(const SunOfCities& sun, double hours) {
+    if (!hasCells(sun.baseline)) return std::nullopt;
+    SunOfCities restated = sun;
+    restate(restated.baseline, hours);
+    for (ComparedSun& compared : restated.compared) restate(compared.sun, hours);
+    return restated;
+}
+
+bool haveSameShadow(const SunOfCities& one, const SunOfCities& other) {
+    const auto same = [](const SunByPlace& a, const SunByPlace& b) {
+        return hasCells(a) && hasCells(b) && a.name == b.name &&
+               std::ranges::equal(a.field.grossMin, b.field.grossMin, isSameMinute) &&
+               a.settings.dates == b.settings.dates && a.months == b.months;
+    };
+    return one.baseline.places == other.baseline.places && same(one.baseline, other.baseline) &&
+           std::ranges::equal(one.compared, other.compared, same, &ComparedSun::sun, &ComparedSun::sun);
+}
+
+std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after) {
+    std::vector<SunChange> changes;
+    for (std::size_t i = 0; i < before.sun.size(); ++i)
+        changes.push_back(changeOf(before.sun[i], after.sun[i], before.settings.lossMin));
+    return changes;
 }
 
 }  // namespace noonmark

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/base/memory_guard.h"
-#include "core/measures/place_receivers.h"
+#include "core/measures/places/place_receivers.h"
 #include "core/receivers/rasterize.h"
-#include "core/study/breakdown_check.h"
 #include "core/study/by_place/sun_by_place.h"
+#include "core/study/study_cost.h"
 
 namespace noonmark {
 

@@ -2,19 +2,18 @@
 #include <fmt/ranges.h>
 
 #include "core/base/version.h"
-#include "core/city/height_counts.h"
+#include "core/city/building_heights.h"
 #include "core/describe/figure_text.h"
 #include "core/study/elements/element_fields.h"
+#include "core/study/elements/element_study.h"
 #include "core/study/elements/element_tables.h"
-#include "core/study/elements/repeat_elements.h"
-#include "core/study/provenance/inputs_json.h"
-#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/repeat_command.h"
+#include "core/study/text/error_words.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/period_json.h"
 #include "core/study/text/region_text.h"
 #include "core/study/text/terrain_text.h"
-#include "core/study/text/warnings_json.h"
 
 namespace noonmark {
 

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/receivers/points/pane_corners.h"
-#include "core/study/elements/facing_azimuth.h"
+#include "core/receivers/points/glazing_pane.h"
 
 namespace noonmark {
 

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "core/base/memory_guard.h"
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/city/trees/tree.h"
 #include "core/describe/command_options.h"
-#include "core/study/elements/element_sample.h"
+#include "core/study/elements/element_forecast.h"
 #include "core/study/study_fields.h"
 
 namespace noonmark {

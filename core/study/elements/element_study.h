@@ -1,9 +1,6 @@
 #pragma once
 
-// The folder core/study/elements measures sunlight at points instead of cells: on facades, at windows, on a
-// horizontal plane. runElementStudy() (this file) returns an ElementStudy; element_tables.h turns it into
-// tables and JSON. place_elements.h places the points.
-
+#include <limits>
 #include <map>
 #include <optional>
 #include <stop_token>
@@ -14,6 +11,10 @@
 #include "core/study/elements/place_elements.h"
 
 namespace noonmark {
+
+// The folder core/study/elements measures sunlight at points instead of cells: on facades, at windows, on a
+// horizontal plane. runElementStudy() (this file) returns an ElementStudy; element_tables.h turns it into
+// tables and JSON. place_elements.h places the points.
 
 /// Differences of one quantity from the ray reference, in percent.
 struct QuantityError {
@@ -72,5 +73,9 @@ std::string describeEngine(const ElementStudy& study);
 Result<ElementStudy> runElementStudy(const City& city, const StudySettings& settings,
                                      const ElementSettings& elements, Progress& progress,
                                      const std::stop_token& stop);
+
+/// The noonmark-cli command line that repeats a study at points, as makeRepeatCommand() of repeat_command.h.
+Result<std::string> makeRepeatCommand(const ElementStudy& study,
+                                      std::size_t width = std::numeric_limits<std::size_t>::max());
 
 }  // namespace noonmark

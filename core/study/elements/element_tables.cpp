@@ -8,8 +8,8 @@
 
 #include "core/base/csv_text.h"
 #include "core/describe/text.h"
-#include "core/geo/earth_drop.h"
-#include "core/measures/histogram.h"
+#include "core/geo/frame.h"
+#include "core/measures/statistics.h"
 
 namespace noonmark {
 

@@ -8,7 +8,7 @@
 #include "core/io/elements/write_elements.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/provenance/command_words.h"
-#include "core/study/provenance/source_columns.h"
+#include "core/study/provenance/provenance_texts.h"
 
 namespace noonmark {
 
@@ -17,7 +17,7 @@ namespace noonmark {
 /// elevation_m, above_ground_m, sunlit_min (minutes of sun a day, mean over the days), sunlit_pct (of the
 /// time with the sun up), gross_min and continuous_min (shadow, as in a study of cells), longest_sun_min, a
 /// column sunlit_min_01 to sunlit_min_12 for each month of the period (minutes in all), and the source
-/// columns (core/study/provenance/source_columns.h).
+/// columns (core/study/provenance/provenance_texts.h).
 ElementTable makeElementTable(const ElementStudy& study);
 
 /// The same of results that are read back: `city` is the one that was measured, `source` the source columns'

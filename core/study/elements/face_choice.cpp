@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/receivers/wall_faces.h"
-#include "core/study/elements/facing_azimuth.h"
+#include "core/study/elements/element_map.h"
 
 namespace noonmark {
 

@@ -10,7 +10,7 @@
 #include "core/describe/choice.h"
 #include "core/describe/text.h"
 #include "core/io/elements/read_glazing.h"
-#include "core/receivers/parcels/line_points.h"
+#include "core/receivers/parcels/parcel_lines.h"
 #include "core/receivers/point_receivers.h"
 #include "core/receivers/points/point_list.h"
 #include "core/study/elements/face_choice.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/engines/points/sky_trees.h"
+#include "core/engines/points/sky_obstacles.h"
 #include "core/study/glazing/glazing_study.h"
 
 namespace noonmark {

@@ -7,12 +7,12 @@
 #include <atomic>
 
 #include "core/base/memory_guard.h"
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/city/trees/tree.h"
-#include "core/geo/earth_drop.h"
-#include "core/review/glazing/glazing_points.h"
+#include "core/geo/frame.h"
+#include "core/review/glazing/glazing_review.h"
 #include "core/study/glazing/glazing_scene.h"
-#include "core/study/not_checked.h"
+#include "core/study/review_study.h"
 
 namespace noonmark {
 

@@ -2,7 +2,7 @@
 
 // The folder core/study/glazing evaluates rules about windows. runGlazingReview() (this file) returns a
 // GlazingStudy, prepared by a GlazingScene (glazing_scene.h); window_text.h turns it into tables and JSON,
-// and glazing_values.h says which of its values elevations show.
+// and glazing_text.h says which of its values elevations show.
 
 #include <functional>
 #include <map>
@@ -26,7 +26,7 @@ struct GlazingReviewSettings {
     std::string zone;  ///< IANA name
     int year = 2026;   ///< of rules that name none
     /// None: rays up to maxTracedSteps, which take no longer then, else horizons; and rays again where a
-    /// sample of the windows shows that horizons are off (glazing_sample.h).
+    /// sample of the windows shows that horizons are off (glazing_scene.cpp).
     std::optional<ShadedStepFinder::By> by{};
 };
 inline constexpr std::size_t maxTracedSteps = 2000;

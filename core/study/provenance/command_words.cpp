@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "core/base/shell_word.h"
-#include "core/study/text/warnings_json.h"
+#include "core/base/escaped_text.h"
+#include "core/study/text/error_words.h"
 
 namespace noonmark {
 

@@ -3,8 +3,8 @@
 // The folder core/study/provenance records what a result was made from, so that others can check and repeat
 // it: Provenance (this file) with the SHA-256 of its input files (sha256.h); the hash of a city and of a
 // study (study_hash.h); the command line that repeats a result (repeat_command.h); and provenance in JSON
-// (provenance_json.h, inputs_json.h), in tags of raster files (provenance_tags.h) and in columns of tables
-// (source_columns.h).
+// (provenance_texts.h), in tags of raster files (provenance_texts.h) and in columns of tables
+// (provenance_texts.h).
 
 #include <filesystem>
 #include <optional>

@@ -6,10 +6,9 @@
 #include <set>
 #include <vector>
 
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "core/io/formats/format.h"
 #include "core/io/settings/read_fields.h"
-#include "core/study/provenance/city_files_command.h"
 #include "core/study/study_fields.h"
 #include "core/study/text/region_text.h"
 

@@ -5,9 +5,16 @@
 #include <vector>
 
 #include "core/study/provenance/command_words.h"
+#include "core/study/provenance/provenance.h"
 #include "core/study/study.h"
 
 namespace noonmark {
+
+/// Whether it is known which files the city was read from, and how.
+bool namesCityFiles(const Provenance& provenance);
+
+/// Adds these files and the options of reading them to a command line. Call it only if namesCityFiles().
+void addCityFiles(CommandWords& line, const Provenance& provenance);
 
 /// A question in terms of the command line.
 struct RepeatQuestion {

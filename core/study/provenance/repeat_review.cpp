@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 
 namespace noonmark {
 

@@ -8,7 +8,7 @@
 #include "core/base/csv_text.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
-#include "core/study/provenance/source_columns.h"
+#include "core/study/provenance/provenance_texts.h"
 
 namespace noonmark {
 

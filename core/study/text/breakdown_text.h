@@ -48,7 +48,7 @@ nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months);
 /// The inverse. Throws where the JSON has another shape.
 std::vector<MonthShadow> parseMonths(const nlohmann::ordered_json& json);
 
-/// Columns: month,sunlit_min,shadow_area_m2,mean_shadow_min and the source columns (source_columns.h); one
+/// Columns: month,sunlit_min,shadow_area_m2,mean_shadow_min and the source columns (provenance_texts.h); one
 /// row per set of the study's breakdown, which must exist.
 std::string monthsCsv(const Study& study);
 std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance);

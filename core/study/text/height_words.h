@@ -4,10 +4,17 @@
 #include <optional>
 #include <string>
 
-#include "core/city/height_counts.h"
+#include "core/city/building_heights.h"
 #include "core/io/heights/height_facts.h"
 
 namespace noonmark {
+
+/// {fields: [{file, field, meaning, unit, features}], could_be: [{file, field, low, high, whole, features}],
+/// bases: [{file, buildings, gap_m, spread_m, rule, aloft, apart, text}]}
+nlohmann::ordered_json heightFactsJson(const HeightFacts& facts);
+
+/// Parses such JSON; nothing if it has another structure or a wrong number.
+std::optional<HeightFacts> parseHeightFacts(const std::string& text);
 
 /// "22,133 of 22,133 heights are assumed (9.6 m)" if more than maxAssumedShare are assumed; else nothing.
 std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "core/io/settings/read_fields.h"
 #include "core/study/provenance/command_words.h"
 #include "core/study/study_fields.h"

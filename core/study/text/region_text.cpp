@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/geo/longitude.h"
+#include "core/geo/lon_lat.h"
 
 namespace noonmark {
 
@@ -45,7 +45,7 @@ bool isBox(const Region& region, const StatedBox& box, const Frame& frame) {
     return made && made->polygons == region.polygons;
 }
 
-// Sides shorter than this are left straight by readRegion, whose limit is 500 m (polygon_layer_gdal.cpp),
+// Sides shorter than this are left straight by readRegion, whose limit is 500 m (ogr_polygons_gdal.cpp),
 // degrees.
 constexpr double longestSideDeg = 400.0 / 111320;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The folder core/study/text turns results into text: JSON for study.json and info (error_json.h,
-// height_facts_json.h, warnings_json.h, terrain_text.h), CSV (breakdown_text.h), words for people
+// The folder core/study/text turns results into text: JSON for study.json and info (error_words.h,
+// height_words.h, error_words.h, terrain_text.h), CSV (breakdown_text.h), words for people
 // (error_words.h, height_words.h), and a region as a command line or GeoJSON (this file).
 
 #include <optional>

@@ -1,6 +1,7 @@
 #include "core/study/text/review_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "core/base/csv_text.h"
@@ -10,16 +11,66 @@
 #include "core/review/places/review_columns.h"
 #include "core/review/places/verdict_text.h"
 #include "core/review/rule/rule_names.h"
-#include "core/study/provenance/provenance_json.h"
-#include "core/study/provenance/source_columns.h"
-#include "core/study/text/criterion_json.h"
-#include "core/study/text/warnings_json.h"
+#include "core/study/provenance/provenance_texts.h"
+#include "core/study/text/error_words.h"
 
 namespace noonmark {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
+
+double round4(double value) { return std::round(value * 1e4) / 1e4; }
+
+Json numberOrNull(double value) { return std::isfinite(value) ? Json(round4(value)) : Json(); }
+
+Json measuredJson(const std::optional<Measured>& measured) {
+    if (!measured) return {};
+    return {{"value", numberOrNull(measured->value)},
+            {"low", numberOrNull(measured->low)},
+            {"high", numberOrNull(measured->high)}};
+}
+
+static Json limitJson(const Limit& limit) {
+    return {{"compare", ruleNameOf(comparisonNames(), limit.comparison)},
+            {limit.isLoss     ? "loss"
+             : limit.ofFormer ? "former_ratio"
+                              : "value",
+             limit.value},
+            {"status", ruleNameOf(figureStatusNames(), limit.evidence.status)},
+            {"source", limit.evidence.source}};
+}
+
+Json criterionJson(const Criterion& criterion, const CriterionResult& result) {
+    Json limits = Json::array();
+    for (const Limit& limit : criterion.limits) limits.push_back(limitJson(limit));
+    return {{"key", criterion.key},
+            {"name", criterion.name},
+            {"unit", unitOf(criterion.measure)},
+            {"verdict", nameOf(result.verdict)},
+            {"advisory", criterion.advisory},
+            {"measured", measuredJson(result.value)},
+            {"former", measuredJson(result.former)},
+            {"limits", limits},
+            {"day", result.day ? Json(formatText(*result.day)) : Json()},
+            {"days", result.days},
+            {"failing_days", result.failingDays},
+            {"borderline_days", result.borderlineDays}};
+}
+
+Json ruleJson(const Rule& rule) {
+    Json figures = Json::array(), chosen = Json::object();
+    for (const auto& [choice, option] : rule.chosen) chosen[choice] = option;
+    for (const StatedFigure& figure : rule.figures)
+        figures.push_back({{"text", figure.text},
+                           {"status", ruleNameOf(figureStatusNames(), figure.evidence.status)},
+                           {"source", figure.evidence.source}});
+    return {{"rule_name", rule.name},
+            {"choices", chosen},
+            {"status", ruleNameOf(figureStatusNames(), leastSure(rule))},
+            {"readings", rule.readings},
+            {"figures", figures}};
+}
+
+namespace {
 
 Json timeOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 

@@ -6,9 +6,9 @@
 
 #include "core/base/csv_text.h"
 #include "core/describe/figure_text.h"
-#include "core/measures/place_figures.h"
+#include "core/measures/places/place_sums.h"
 #include "core/receivers/place_names.h"
-#include "core/study/text/warnings_json.h"
+#include "core/study/text/error_words.h"
 
 namespace noonmark {
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "core/base/memory_guard.h"
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/read_extent.h"
 #include "core/study/tile_tasks/plan/find_districts.h"
-#include "core/study/tiles/run_tiles.h"
 #include "core/study/tiles/shadow_measure.h"
+#include "core/study/tiles/tile_runner.h"
 
 namespace noonmark {
 

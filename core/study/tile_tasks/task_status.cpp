@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "core/io/files/plain_file.h"
 
 namespace noonmark {

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/study/tile_tasks/plan/task_plan.h"
-#include "core/study/tiles/assemble_map.h"
+#include "core/study/tiles/tile_maps.h"
 
 namespace noonmark {
 

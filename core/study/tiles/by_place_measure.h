@@ -1,10 +1,42 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/study/by_place/sun_by_place.h"
-#include "core/study/tiles/places_of_tiles.h"
-#include "core/study/tiles/tile_measure.h"
+#include "core/study/tiles/tile_runner.h"
+#include "core/study/tiles/timeline_measure.h"
 
 namespace noonmark {
+
+/// What a tile knows of one city besides its places.
+struct SunOfTile {
+    std::string engine;
+    std::optional<SampledError> error;
+    std::vector<std::optional<SampledError>> dateErrors;
+    std::vector<ShownError> errors;
+    Warnings warnings;
+};
+
+/// The first line of a tile's file.
+struct TileLine {
+    std::vector<SunOfTile> cities;  ///< the baseline first
+    double seconds = 0;
+};
+
+/// Each of the others.
+struct PlaceLine {
+    std::string name;
+    std::vector<SunOfPlace> sun;     ///< in each city, without its cells
+    std::vector<SunChange> changes;  ///< of each city but the baseline
+};
+
+/// A line of JSON for the tile, and one for each place. Numbers are read back to the last bit.
+std::string formatLines(const SunOfCities& sun);
+
+/// Throws exceptions of nlohmann for a line of another structure.
+TileLine parseTileLine(const std::string& line);
+PlaceLine parsePlaceLine(const std::string& line);
 
 /// Sun by place as what the tiles of a study give.
 struct ByPlaceRequest : PlacesRequest {
@@ -16,7 +48,7 @@ struct ByPlaceRequest : PlacesRequest {
 };
 
 /// The sun of the places of each tile, as by compareSunByPlace() for these places under the sun of the whole
-/// study: the lines of by_place_lines.h. Holds references, which must outlive it.
+/// study: the lines of by_place_measure.h. Holds references, which must outlive it.
 class ByPlaceMeasure : public TileMeasure {
 public:
     /// `cities`: as many as the request names. `places` are in their frame.

@@ -1,9 +1,9 @@
 #include "core/study/tiles/shadow_measure.h"
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/city/trees/tree.h"
-#include "core/engines/api/blank_field.h"
-#include "core/measures/compared_cells.h"
+#include "core/engines/api/shadow_field.h"
+#include "core/measures/error_sample.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/text/breakdown_text.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/engines/common/engine_in_use.h"
 #include "core/engines/ray/ray_scene.h"
-#include "core/study/tiles/tile_measure.h"
+#include "core/study/tiles/tile_runner.h"
 
 namespace noonmark {
 

@@ -1,15 +1,40 @@
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/engines/api/tree_shade.h"
+#include "core/geo/frame.h"
+#include "core/io/files/write_text.h"
 #include "core/io/write_raster.h"
 #include "core/measures/colour_scale.h"
+#include "core/measures/has_runs.h"
+#include "core/receivers/tile_plan.h"
 #include "core/study/study.h"
+#include "core/study/tiles/tile_journal.h"
 
 namespace noonmark {
+
+/// The bands of a study's map: gross and, if `runs`, continuous shadow; then the same with trees. They hold
+/// pointers to the field's arrays, which must outlive them.
+inline std::vector<RasterBand> makeMapBands(const ShadowField& field, bool runs) {
+    std::vector<RasterBand> bands{{"gross shadow", "min/day", &field.grossMin}};
+    if (runs) bands.push_back({"continuous shadow", "min", &field.continuousMin});
+    for (const ShadeColumn& column : listShadeColumns(field)) {
+        const std::string with =
+            column.column == TreeColumns::evergreen ? "trees as evergreens" : "trees with seasons";
+        bands.push_back({"gross shadow, " + with, "min/day", &column.field->grossMin});
+        if (runs && hasRuns(*column.field))
+            bands.push_back({"continuous shadow, " + with, "min", &column.field->continuousMin});
+    }
+    return bands;
+}
 
 /// A raster that a study in tiles gives. The file of each tile holds the bands of all maps, one after the
 /// other.
@@ -42,5 +67,23 @@ std::vector<TileMap> listTileMaps(const StudySettings& settings, const SunSteps&
 /// The maps to be written: without the bands of continuous shadow unless `runs`. Tiles always have them,
 /// since whether runs were counted is decided for all tiles together.
 std::vector<TileMap> listWrittenMaps(std::vector<TileMap> maps, bool runs);
+
+/// The map of a tiled study.
+struct MapFile {
+    std::filesystem::path path;
+    FileTags tags;
+    bool overviews = true;
+};
+
+/// The raster files of finished tiles by tile number; no path for a tile without a receiver.
+using TileFiles = std::map<std::size_t, std::optional<std::filesystem::path>>;
+TileFiles listFiles(const TileJournal& journal);
+
+/// Writes the bands of one map into a GeoTIFF, from the files of finished tiles, NaN in empty and missing
+/// ones, with overviews if the file asks for them. Holds one tile in memory. Error: a tile that
+/// cannot be read, a map that cannot be written; cancelled().
+Result<void> assembleMap(const TilePlan& plan, const TileFiles& tiles, const Frame& frame,
+                         const MapFile& file, const TileMap& map, Progress& progress,
+                         const std::stop_token& stop);
 
 }  // namespace noonmark

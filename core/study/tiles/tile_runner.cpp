@@ -1,9 +1,12 @@
 #include "core/study/tiles/tile_runner.h"
 
-#include "core/base/stopwatch.h"
+#include <fmt/format.h>
+#include <algorithm>
+
 #include "core/io/files/write_text.h"
 #include "core/io/write_raster.h"
 #include "core/study/provenance/provenance.h"
+#include "core/study/study_cost.h"
 
 namespace noonmark {
 
@@ -60,6 +63,32 @@ Result<void> TileRunner::writeMaps(const std::filesystem::path& file, const Tile
     std::vector<const std::vector<float>*> pointers;
     for (const std::vector<float>& band : answer.bands) pointers.push_back(&band);
     return writer->write(grid, pointers).and_then([&] { return writer->finish(false); });
+}
+
+Result<void> runTiles(TileRunner& runner, const TilePlan& plan, const TilesLeft& left, Progress& progress,
+                      const std::stop_token& stop) {
+    const auto cellsOf = [&](const MissingTile& tile) { return double(plan.tile(tile.number).size()); };
+    double cells = left.done.cells + left.later.cells;
+    for (const MissingTile& tile : left.missing) cells += cellsOf(tile);
+    PiecewiseProgress pieces(progress, cells, left.done.cells);
+    const std::size_t count = left.done.tiles + left.missing.size() + left.later.tiles;
+    std::size_t number = left.done.tiles;
+    for (const MissingTile& tile : left.missing) {
+        if (stop.stop_requested()) return cancelled();
+        pieces.begin(fmt::format("tile {} of {}", ++number, count), cellsOf(tile));
+        if (auto done = runner.run(tile.number, pieces, stop, tile.contentHash); !done) return done;
+        pieces.end();
+    }
+    return {};
+}
+
+Result<void> checkTileMemory(const City& city, const TilePlan& plan, StudySettings settings,
+                             const EngineList& engines) {
+    const auto cellM = float(plan.whole.cellM);
+    const float widthM = cellM * float(std::min(plan.side, plan.whole.columns));
+    const float heightM = cellM * float(std::min(plan.side, plan.whole.rows));
+    settings.region = makeRegionFromLocalBox({{0, 0}, {widthM, heightM}});
+    return checkMemory(city, settings, engines);
 }
 
 }  // namespace noonmark

@@ -1,24 +1,42 @@
 #include "core/study/tiles/tiled_study.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/base/memory_guard.h"
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/city/trees/tree.h"
-#include "core/engines/api/blank_field.h"
+#include "core/describe/command_options.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/measures/has_runs.h"
-#include "core/study/breakdown_check.h"
+#include "core/study/provenance/provenance_texts.h"
+#include "core/study/provenance/repeat_command.h"
 #include "core/study/provenance/study_hash.h"
-#include "core/study/tiles/assemble_map.h"
-#include "core/study/tiles/month_sums.h"
-#include "core/study/tiles/run_tiles.h"
+#include "core/study/study_cost.h"
+#include "core/study/text/error_words.h"
 #include "core/study/tiles/shadow_measure.h"
+#include "core/study/tiles/tile_maps.h"
+#include "core/study/tiles/tile_runner.h"
 
 namespace noonmark {
+
+void MonthSums::add(const TileResult& tile) {
+    receivers_ += tile.sums.receivers;
+    minutes_.resize(std::max(minutes_.size(), tile.monthMinutes.size()));
+    for (std::size_t i = 0; i < tile.monthMinutes.size(); ++i) minutes_[i] += tile.monthMinutes[i];
+}
+
+std::vector<MonthShadow> MonthSums::months(const StudySettings& settings, const SunSteps& sun,
+                                           double cellAreaM2) const {
+    if (!settings.byMonth) return {};
+    const StepSets sets = monthsOf(sun);
+    std::vector<double> minutes = minutes_;
+    minutes.resize(sets.names.size());
+    return monthsFromSums(sets, sets.sunlitMinutes(sun), minutes, receivers_, cellAreaM2);
+}
 
 namespace {
 
@@ -204,6 +222,24 @@ Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& set
                                  const EngineList& engines) {
     return guardMemory({.advice = "Choose smaller tiles or fewer steps"},
                        [&] { return checkAndCompute(city, settings, file, progress, stop, engines); });
+}
+
+using Json = nlohmann::ordered_json;
+
+std::string tiledStudyJson(const TiledStudy& tiled) {
+    Json json = Json::parse(studyJson(tiled.study));
+    if (tiled.study.settings.byMonth) json["by_month"] = monthsJson(tiled.months);
+    json["tiles"] = {{"side_cells", tiled.plan.side},
+                     {"count", tiled.plan.count()},
+                     {"empty", tiled.emptyTiles},
+                     {"resumed", tiled.resumedTiles},
+                     {"by_engine", tiled.tilesByEngine}};
+    std::vector<CommandOption> tiles;
+    if (tiled.plan.side != TiledStudySettings::defaultTileCells)
+        tiles.push_back({flags::tile, {std::to_string(tiled.plan.side)}});
+    addRepeat(json,
+              makeRepeatCommand(tiled.study, std::numeric_limits<std::size_t>::max(), "city-study", tiles));
+    return toJsonText(json);
 }
 
 }  // namespace noonmark

@@ -1,23 +1,38 @@
 #pragma once
 
-// The folder core/study/tiles computes regions of any size, tile after tile. runTiledStudy() (this file)
-// divides the region (core/receivers/tile_plan.h). What a tile gives is a TileMeasure (tile_measure.h): the
-// shadow of a city (shadow_measure.h), of places (places_of_tiles.h) timelines (timeline_measure.h) or the
-// sun (by_place_measure.h), or a measure of scenarios. tile_runner.h stores its answer as a TileResult
-// (tile_result.h) and a raster file with the bands of tile_maps.h, or lines of JSON, and run_tiles.h runs the
-// missing ones; month_sums.h adds up their months; tile_journal.h stores finished tiles, so that a killed run
-// can be resumed; assemble_map.h joins the tiles into one GeoTIFF for each map.
-
 #include <filesystem>
 #include <map>
 #include <stop_token>
 #include <string>
 
-#include "core/io/files/file_tags.h"
+#include "core/io/files/write_text.h"
 #include "core/receivers/tile_plan.h"
 #include "core/study/text/breakdown_text.h"
+#include "core/study/tiles/tile_journal.h"
 
 namespace noonmark {
+
+/// The shadow of the months of a study, added up over its tiles.
+class MonthSums {
+public:
+    void add(const TileResult& tile);
+
+    /// Nothing unless the settings ask for months. `sun`: of the study.
+    [[nodiscard]] std::vector<MonthShadow> months(const StudySettings& settings, const SunSteps& sun,
+                                                  double cellAreaM2) const;
+
+private:
+    std::vector<double> minutes_;
+    std::size_t receivers_ = 0;
+};
+
+// The folder core/study/tiles computes regions of any size, tile after tile. runTiledStudy() (this file)
+// divides the region (core/receivers/tile_plan.h). What a tile gives is a TileMeasure (tile_runner.h): the
+// shadow of a city (shadow_measure.h), of places (timeline_measure.h) timelines (timeline_measure.h) or the
+// sun (by_place_measure.h), or a measure of scenarios. tile_runner.h stores its answer as a TileResult
+// (tile_journal.h) and a raster file with the bands of tile_maps.h, or lines of JSON, and tile_runner.h runs
+// the missing ones; tiled_study.h adds up their months; tile_journal.h stores finished tiles, so that a
+// killed run can be resumed; tile_maps.h joins the tiles into one GeoTIFF for each map.
 
 struct TiledStudySettings {
     /// As many cells as the horizon sweep computes in one piece for a year, and whole blocks of the file.

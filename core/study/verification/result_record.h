@@ -1,12 +1,9 @@
 #pragma once
 
-// The folder core/study/verification checks a result that somebody filed: ResultRecord (this file) is the
-// JSON that stands beside a report or is attached to it, find_inputs.h looks for the files it was made from,
-// compare_records.h compares it with a record of today's run, compare_words.h what the pages print. The
-// command line `noonmark-cli verify` runs the recorded command in between.
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +11,11 @@
 #include "core/base/result.h"
 
 namespace noonmark {
+
+// The folder core/study/verification checks a result that somebody filed: ResultRecord (this file) is the
+// JSON that stands beside a report or is attached to it, result_record.h looks for the files it was made
+// from, compare_results.h compares it with a record of today's run, compare_results.h what the pages print.
+// The command line `noonmark-cli verify` runs the recorded command in between.
 
 /// A file that a record names, with the hash it had.
 struct RecordedFile {
@@ -42,5 +44,21 @@ Result<ResultRecord> parseResultRecord(const std::string& text, const Commands& 
 
 /// Largest record that is read, bytes.
 inline constexpr std::uintmax_t maxBytesOfRecord = std::uintmax_t{256} << 20U;
+
+/// A recorded file, as it was looked for.
+struct FoundFile {
+    RecordedFile recorded;
+    std::optional<std::filesystem::path> path;  ///< a file of that name; none: not found
+    bool agrees = false;                        ///< its hash is the recorded one, or it is a sample
+    bool isSavedAgain = false;  ///< another hash, but a project whose content the result rests on is the same
+};
+
+/// Looks for each recorded file by its name in a folder and its subfolders (100,000 entries at most); of
+/// several of that name, for the one with the recorded hash. Reads the found files once.
+std::vector<FoundFile> findInputs(const std::vector<RecordedFile>& files, const std::filesystem::path& folder,
+                                  const std::stop_token& stop);
+
+/// Whether all files that the command reads were found and agree.
+bool areComplete(const std::vector<FoundFile>& files);
 
 }  // namespace noonmark

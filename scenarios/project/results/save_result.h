@@ -1,8 +1,8 @@
 #pragma once
 
 // The folder scenarios/project/results/ converts results for the project. save_result.h makes a SavedResult
-// from a computed answer, saved_answer.h turns it back into figures and maps, saved_figures_json.h and
-// changed_cells_json.h parse its JSON, and write_results.cpp writes it into the tables.
+// from a computed answer, saved_answer.h turns it back into figures and maps, saved_figures_json.h parse its
+// JSON, and save_result.cpp writes it into the tables.
 
 #include <chrono>
 #include <nlohmann/json_fwd.hpp>

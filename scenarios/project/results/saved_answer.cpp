@@ -10,13 +10,12 @@
 #include "core/base/json_number.h"
 #include "core/describe/figure_text.h"
 #include "core/engines/api/engine_registry.h"
-#include "core/study/by_place/place_parts.h"
-#include "core/study/provenance/inputs_json.h"
+#include "core/study/by_place/sum_places.h"
+#include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/study_hash.h"
-#include "scenarios/impact/impact_runs.h"
-#include "scenarios/project/results/changed_cells_json.h"
+#include "scenarios/impact/impact_figures.h"
 #include "scenarios/project/results/saved_figures_json.h"
-#include "scenarios/weights/weights_text.h"
+#include "scenarios/weights/time_weights.h"
 
 namespace noonmark {
 

@@ -1,12 +1,21 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "core/measures/statistics.h"
+#include "scenarios/impact/impact.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score.h"
 
 namespace noonmark {
+
+/// Cells that became building or ground, as runs in grid order: [first cell, length, "building" or "ground"].
+nlohmann::ordered_json changedCellsJson(const std::vector<CellChange>& change);
+
+/// Parses such runs for a grid of `cells` cells. Throws nlohmann's exceptions or std::invalid_argument where
+/// the JSON does not match.
+std::vector<CellChange> parseChangedCells(const nlohmann::ordered_json& json, std::size_t cells);
 
 /// Parse the figures that studyJson(), impactJson() and scoreJson() write. They throw nlohmann's exceptions
 /// or std::invalid_argument where the JSON does not match.

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/io/files/own_files.h"
+#include "core/io/files/geopackage_check.h"
 #include "scenarios/project/tables/database.h"
 
 namespace noonmark {

@@ -1,10 +1,46 @@
 #include "scenarios/project/tables/layer_styles.h"
 
+#include <fmt/format.h>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "core/io/styles/layer_style.h"
+#include "core/io/styles/qgis_style.h"
+#include "core/receivers/band_polygons.h"
+#include "scenarios/project/tables/geometry_blob.h"
+#include "scenarios/project/tables/geopackage.h"
 
 namespace noonmark {
+
+namespace {
+
+double largestOf(std::span<const float> values) {
+    double largest = 0;
+    for (const float value : values)
+        if (!std::isnan(value)) largest = std::max(largest, std::abs(double(value)));
+    return largest;
+}
+
+}  // namespace
+
+ValueBands::ValueBands(std::span<const float> values, const std::string& unit, bool change)
+    : scale_(legendScale(largestOf(values))),
+      change_(change),
+      each_(int(std::lround(scale_.top / scale_.tick))) {
+    const double tick = scale_.tick;
+    for (int i = change ? -each_ : 0; i < each_; ++i) {
+        const double middle = (i + 0.5) * tick / scale_.top;
+        bands_.push_back({i * tick, (i + 1) * tick, change ? impactRgb(middle) : shadowRgb(middle),
+                          fmt::format("{:g} to {:g} {}", i * tick, (i + 1) * tick, unit)});
+    }
+}
+
+int ValueBands::bandOf(float value) const {
+    if (std::isnan(value) || (change_ && value == 0)) return -1;
+    const int fromZero = std::min(each_ - 1, int(std::abs(double(value)) / scale_.tick));
+    if (!change_) return fromZero;
+    return value > 0 ? each_ + fromZero : each_ - 1 - fromZero;
+}
 
 namespace {
 
@@ -52,6 +88,45 @@ void addBandStyle(Database& database, const std::string& table, const std::vecto
 
 void removeStyle(Database& database, const std::string& table) {
     database.prepare("DELETE FROM layer_styles WHERE f_table_name = ?").run(table);
+}
+
+namespace {
+
+std::string bandsTable(const std::string& tiles) { return tiles + "_bands"; }
+
+void writePolygons(Database& database, const std::string& table, const Grid& grid,
+                   const std::vector<float>& values, const ValueBands& bands) {
+    std::vector<int> bandOfCell;
+    for (const float value : values) bandOfCell.push_back(bands.bandOf(value));
+    Statement add = database.prepare(
+        fmt::format("INSERT INTO {} (geom, label, low, high, area_m2) VALUES (?, ?, ?, ?, ?)", table));
+    for (const BandPolygon& polygon : traceBands(grid, std::move(bandOfCell))) {
+        const ColourClass& band = bands.bands().at(std::size_t(polygon.band));
+        const Bytes shape = polygonBlob(polygon.outline);
+        add.run(AsBlob{shape}, band.label, band.low, band.high, area(polygon.outline));
+    }
+}
+
+}  // namespace
+
+void writeBands(Database& database, const SavedResult& result, const SavedLayer& layer,
+                const std::string& tiles) {
+    const std::string table = bandsTable(tiles);
+    const Grid& grid = result.grid;
+    createPolygonLayer(database,
+                       {table, fmt::format("{}: {}, bands", result.name, layer.name),
+                        "Areas between two values, made from the layer of cells; Noonmark does not read them",
+                        "label TEXT, low REAL, high REAL, area_m2 REAL"});
+    const ValueBands bands(layer.values, layer.unit, result.kind != "study");
+    addBandStyle(database, table, bands.bands());
+    writePolygons(database, table, grid, layer.values, bands);
+    touchLayer(database, table, grid.westM, grid.southM, grid.westM + grid.columns * grid.cellM,
+               grid.northM());
+}
+
+void removeBands(Database& database, const std::string& tiles) {
+    dropPolygonLayer(database, bandsTable(tiles));
+    removeStyle(database, bandsTable(tiles));
 }
 
 }  // namespace noonmark

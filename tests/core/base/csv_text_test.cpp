@@ -4,9 +4,6 @@
 
 #include <limits>
 
-#include "core/base/csv_field.h"
-#include "core/base/csv_rows.h"
-
 namespace noonmark {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 
 #include <gtest/gtest.h>
 

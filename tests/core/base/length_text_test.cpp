@@ -1,4 +1,4 @@
-#include "core/base/length_text.h"
+#include "core/base/units.h"
 
 #include <gtest/gtest.h>
 

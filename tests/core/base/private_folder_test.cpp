@@ -1,4 +1,4 @@
-#include "core/base/private_folder.h"
+#include "core/base/working_files.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -9,7 +9,6 @@
 #include <iostream>
 #include <set>
 
-#include "core/io/files/pending_file.h"
 #include "core/io/files/write_text.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "core/bench/contests/allowance.h"
+#include "core/bench/work.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <thread>
 
-#include "core/bench/contests/forecast.h"
 #include "core/engines/ray/ray_reference.h"
 #include "tests/core/bench/tiny_site.h"
 

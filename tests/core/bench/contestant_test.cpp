@@ -1,4 +1,4 @@
-#include "core/bench/contests/contestant.h"
+#include "core/bench/contests/contest.h"
 
 #include <gtest/gtest.h>
 

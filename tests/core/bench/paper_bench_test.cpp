@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/bench/contests/contestant.h"
+#include "core/bench/contests/contest.h"
 #include "tests/core/bench/tiny_site.h"
 
 namespace noonmark::bench {

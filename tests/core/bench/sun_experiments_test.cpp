@@ -4,9 +4,8 @@
 #include <set>
 #include <tuple>
 
-#include "core/bench/paper/graph_bound.h"
-#include "core/bench/paper/graph_error.h"
-#include "core/bench/paper/sun_linearity.h"
+#include "core/bench/paper/approximation_errors.h"
+#include "core/bench/paper/graph_errors.h"
 #include "core/engines/graph/direction_graph.h"
 #include "tests/core/bench/tiny_site.h"
 

@@ -1,4 +1,4 @@
-#include "core/bench/table.h"
+#include "core/bench/finding.h"
 
 #include <gtest/gtest.h>
 

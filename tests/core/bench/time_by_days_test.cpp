@@ -1,4 +1,4 @@
-#include "core/bench/paper/time_by_days.h"
+#include "core/bench/paper/engine_scaling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bench/contests/site.h"
-#include "core/bench/extent.h"
+#include "core/bench/work.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::bench::tests {

@@ -1,4 +1,4 @@
-#include "core/city/footprints/box_index.h"
+#include "core/city/footprints/plan_overlay.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/city/city_observer.h"
+#include "core/city/city_position.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "core/geo/earth_drop.h"
+#include "core/geo/frame.h"
 #include "tests/core/study/geocentric_reference_erfa.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "core/city/trees/crown.h"
+#include "core/city/trees/tree.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "core/city/trees/tree_defaults.h"
 #include "core/city/trees/tree_facts.h"
 
 namespace noonmark {

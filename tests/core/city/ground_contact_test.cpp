@@ -1,4 +1,4 @@
-#include "core/city/terrain/ground_contact.h"
+#include "core/city/terrain/building_ground.h"
 
 #include <gtest/gtest.h>
 

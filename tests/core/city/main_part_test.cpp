@@ -1,4 +1,4 @@
-#include "core/city/main_part.h"
+#include "core/city/city_position.h"
 
 #include <gtest/gtest.h>
 

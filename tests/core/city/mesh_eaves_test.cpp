@@ -1,4 +1,4 @@
-#include "core/city/meshes/mesh_eaves.h"
+#include "core/city/meshes/mesh_parts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/city/settle_parts.h"
+#include "core/io/footprints/build_footprints.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/city/footprints/shared_area.h"
+#include "core/city/footprints/plan_areas.h"
 
 #include <gtest/gtest.h>
 

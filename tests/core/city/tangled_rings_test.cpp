@@ -1,4 +1,4 @@
-#include "core/city/footprints/tangled_rings.h"
+#include "core/city/footprints/repair_footprint.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "core/city/city.h"
 #include "core/city/footprints/triangulate.h"
+#include "core/city/meshes/extrude.h"
 #include "core/city/meshes/surface_mesher.h"
-#include "core/city/meshes/triangle_count.h"
 
 namespace noonmark {
 namespace {

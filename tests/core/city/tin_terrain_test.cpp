@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/city/terrain/fill_gaps.h"
+#include "core/city/terrain/post_grid.h"
 
 namespace noonmark {
 namespace {

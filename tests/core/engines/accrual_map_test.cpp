@@ -5,8 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "core/engines/accrual/mask_transpose.h"
-#include "core/engines/accrual/slice_drawer.h"
+#include "core/engines/accrual/slice_stack.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {

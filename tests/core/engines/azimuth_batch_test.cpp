@@ -10,7 +10,7 @@
 #include <random>
 #include <utility>
 
-#include "core/engines/horizon/counting/block_sums.h"
+#include "core/engines/horizon/counting/short_sums.h"
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/horizon/sweep/tile_sweep.h"
 #include "tests/core/engines/sweep_scenes.h"

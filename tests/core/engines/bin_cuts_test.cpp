@@ -1,11 +1,10 @@
-#include "core/engines/horizon/geometry/bin_cuts.h"
+#include "core/engines/horizon/geometry/azimuth_bins.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/samples/sample_city.h"
 #include "core/sun/sun_steps.h"
 #include "tests/core/engines/scenes.h"

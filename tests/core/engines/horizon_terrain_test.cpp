@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/engines/horizon/attribution/horizon_breakdown.h"
-#include "core/geo/earth_drop.h"
+#include "core/geo/frame.h"
 #include "tests/core/engines/sweep_scenes.h"
 #include "tests/core/engines/terrain_scenes.h"
 

@@ -9,12 +9,11 @@
 #include <cmath>
 
 #include "core/engines/accrual/shadow_accrual_map.h"
-#include "core/engines/graph/graph_directions.h"
 #include "core/engines/graph/graph_engine.h"
 #include "core/engines/inverse/inverse_accrual_map.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_intervals.h"
-#include "core/sun/chosen_days.h"
+#include "core/sun/sun_steps.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark::tests {

@@ -1,4 +1,4 @@
-#include "core/engines/api/partial_pace.h"
+#include "core/engines/api/partial_field.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
-#include "core/engines/projected/projected_breakdown.h"
+#include "core/engines/projected/projected_shadows.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/engines/projected/projected_shadows.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {

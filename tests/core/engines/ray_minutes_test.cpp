@@ -1,4 +1,4 @@
-#include "core/engines/ray/ray_minutes.h"
+#include "core/engines/ray/surface_rays.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/engines/horizon/counting/run_doubts.h"
+#include "core/engines/horizon/counting/run_decider.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/engines/inverse/sources/projected_source_finder.h"
-#include "core/engines/inverse/sources/ray_source_finder.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {

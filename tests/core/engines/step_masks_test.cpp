@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/city/city_observer.h"
+#include "core/city/city_position.h"
 #include "core/engines/auto_engine.h"
 #include "core/engines/horizon/horizon_sweep.h"
-#include "core/engines/projected/masks/dense_blocks.h"
+#include "core/engines/projected/masks/block_filler.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/samples/sample_city.h"

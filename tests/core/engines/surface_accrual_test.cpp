@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/engines/accrual/slice_drawer.h"
-#include "core/engines/accrual/trapezoid.h"
+#include "core/engines/accrual/map_frame.h"
+#include "core/engines/accrual/slice_stack.h"
 #include "core/engines/ray/surface_rays.h"
 #include "core/engines/ray/visible_surface.h"
 #include "tests/core/engines/scenes.h"

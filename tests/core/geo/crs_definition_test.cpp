@@ -1,11 +1,10 @@
-#include "core/geo/crs_definition.h"
+#include "core/geo/crs.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <ogr_spatialref.h>
 
 #include "core/base/gdal_calls.h"
-#include "core/geo/crs_to_lon_lat.h"
 #include "tests/core/io/open_watch.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/crs.h"
 
 #include <gtest/gtest.h>
 

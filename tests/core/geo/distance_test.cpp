@@ -1,4 +1,4 @@
-#include "core/geo/distance.h"
+#include "core/geo/lon_lat.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/pieces/read_part.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/crs.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "core/io/context/coast.h"
+#include "core/io/context/read_context.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/base/gdal_calls.h"
-#include "core/io/files/file_kind.h"
 #include "core/io/files/geopackage_check.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/footprints/read_parcels.h"

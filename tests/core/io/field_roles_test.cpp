@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/io/footprints/other_tags.h"
+#include "core/io/footprints/feature_facts.h"
 
 namespace noonmark {
 namespace {

@@ -5,7 +5,7 @@
 #include <ogrsf_frmts.h>
 
 #include "core/base/gdal_calls.h"
-#include "core/geo/distance.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/read_city.h"
 #include "tests/core/io/city_reading.h"
 #include "tests/core/io/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/formats/format.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"

@@ -10,7 +10,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/footprints/read_parcels.h"
-#include "core/io/pictures/read_ground_raster.h"
+#include "core/io/pictures/ground_raster_file.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/places/read_places.h"
 #include "core/io/read_city.h"

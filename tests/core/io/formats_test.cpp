@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "core/base/gdal_calls.h"
-#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/footprints/footprint_scan.h"
 #include "core/io/pieces/read_part.h"
 #include "tests/core/io/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "core/io/styles/layer_style.h"
+#include "core/io/styles/qgis_style.h"
 
 #include <gdal_priv.h>
 #include <gmock/gmock.h>

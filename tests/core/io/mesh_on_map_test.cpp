@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/crs.h"
 #include "core/io/pieces/read_part.h"
 #include "tests/core/city/mesh_fixtures.h"
 #include "tests/core/io/piece_checks.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/gdal_calls.h"
-#include "core/io/osm/osm_areas.h"
+#include "core/io/osm/osm_layers.h"
 #include "core/io/osm/osm_map.h"
 #include "core/io/osm/pbf_pieces.h"
 #include "tests/core/io/temporary_folder.h"

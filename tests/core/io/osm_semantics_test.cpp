@@ -1,11 +1,11 @@
-#include "core/io/footprints/osm_semantics.h"
+#include "core/io/footprints/build_footprints.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/io/osm/read_osm_footprints.h"
+#include "core/io/osm/read_osm_buildings.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "core/io/formats/format.h"
-#include "core/io/osm/read_osm_footprints.h"
+#include "core/io/osm/read_osm_buildings.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"

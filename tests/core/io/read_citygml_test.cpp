@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/city/terrain/terrain.h"
-#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
 #include "tests/core/io/citygml_fixtures.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/shared/shared_data.h"

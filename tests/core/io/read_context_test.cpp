@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <fstream>
 
-#include "core/io/context/context_tags.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"

@@ -1,4 +1,4 @@
-#include "core/io/pictures/read_ground_raster.h"
+#include "core/io/pictures/ground_raster_file.h"
 
 #include <gdal_priv.h>
 #include <gmock/gmock.h>

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/city/terrain/building_ground.h"
-#include "core/io/osm/read_osm_footprints.h"
+#include "core/io/osm/read_osm_buildings.h"
 #include "tests/shared/shared_data.h"
 
 namespace noonmark {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "core/base/gdal_calls.h"
-#include "core/geo/earth_drop.h"
+#include "core/geo/frame.h"
 #include "core/io/pieces/read_part.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/core/io/temporary_folder.h"

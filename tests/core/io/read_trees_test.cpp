@@ -9,7 +9,6 @@
 #include "core/base/gdal_calls.h"
 #include "core/io/heights/tree_fields.h"
 #include "core/io/read_city.h"
-#include "core/io/trees/join_trees.h"
 #include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/footprint_files.h"
 #include "tests/core/io/terrain_files.h"

@@ -1,4 +1,4 @@
-#include "core/city/same_buildings.h"
+#include "core/io/pieces/read_part.h"
 
 #include <gtest/gtest.h>
 

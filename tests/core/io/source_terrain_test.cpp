@@ -5,8 +5,8 @@
 #include <memory>
 #include <random>
 
-#include "core/city/terrain/fill_gaps.h"
-#include "core/geo/earth_drop.h"
+#include "core/city/terrain/post_grid.h"
+#include "core/geo/frame.h"
 #include "core/io/pieces/read_part.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"

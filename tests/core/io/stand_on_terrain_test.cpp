@@ -1,4 +1,4 @@
-#include "core/io/terrain/stand_on_terrain.h"
+#include "core/io/terrain/buildings_on_terrain.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/io/read_city.h"
-#include "core/io/terrain/stand_on_terrain.h"
+#include "core/io/terrain/buildings_on_terrain.h"
 #include "core/io/write_city.h"
 #include "tests/core/city/mesh_fixtures.h"
 #include "tests/core/io/city_reading.h"

@@ -9,7 +9,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/osm/osm_map.h"
-#include "core/io/pictures/read_ground_raster.h"
+#include "core/io/pictures/ground_raster_file.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/read_city.h"
 #include "tests/core/io/temporary_folder.h"

@@ -1,11 +1,11 @@
-#include "core/io/terrain/terrain_from_bases.h"
+#include "core/io/terrain/buildings_on_terrain.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/geo/earth_drop.h"
+#include "core/geo/frame.h"
 #include "core/io/read_city.h"
 #include "core/sun/sun_steps.h"
 #include "tests/core/engines/scenes.h"

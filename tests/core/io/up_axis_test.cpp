@@ -1,4 +1,4 @@
-#include "core/io/meshes/up_axis.h"
+#include "core/io/meshes/mesh_placement.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -12,7 +12,6 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/shadows/drawing_tables.h"
-#include "core/io/shadows/layer_names.h"
 #include "tests/core/engines/scenes.h"
 #include "tests/core/io/temporary_folder.h"
 

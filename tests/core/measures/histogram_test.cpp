@@ -1,4 +1,4 @@
-#include "core/measures/histogram.h"
+#include "core/measures/statistics.h"
 
 #include <gtest/gtest.h>
 

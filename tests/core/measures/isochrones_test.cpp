@@ -1,4 +1,4 @@
-#include "core/measures/outlines/isochrones.h"
+#include "core/measures/outlines/day_isochrones.h"
 
 #include <gtest/gtest.h>
 

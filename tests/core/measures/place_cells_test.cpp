@@ -1,14 +1,14 @@
 // Cells of places, weighed by what of them lies in the place, against areas that are known.
 
-#include "core/measures/place_cells.h"
+#include "core/measures/places/place_cells.h"
 
 #include <gmock/gmock.h>
 
 #include "core/city/map_context.h"
 #include "core/engines/ray/ray_reference.h"
-#include "core/measures/place_areas.h"
-#include "core/measures/place_run.h"
-#include "core/measures/place_timeline.h"
+#include "core/measures/places/place_areas.h"
+#include "core/measures/places/place_run.h"
+#include "core/measures/places/place_timeline.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {

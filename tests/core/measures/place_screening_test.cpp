@@ -1,10 +1,9 @@
-#include "core/measures/place_screening.h"
+#include "core/measures/places/place_screening.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/engines/projected/projected_shadows.h"
-#include "core/measures/outline_distance.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {

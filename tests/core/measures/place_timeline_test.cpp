@@ -1,4 +1,4 @@
-#include "core/measures/place_timeline.h"
+#include "core/measures/places/place_timeline.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,8 @@
 
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"
-#include "core/measures/mask_runs.h"
-#include "core/measures/place_run.h"
-#include "core/measures/place_sums.h"
+#include "core/measures/places/place_run.h"
+#include "core/measures/places/place_sums.h"
 #include "core/samples/sample_city.h"
 #include "core/study/place_study.h"
 #include "tests/core/engines/scenes.h"

@@ -1,4 +1,4 @@
-#include "core/measures/sampled_error.h"
+#include "core/measures/error_sample.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "core/city/footprints/repair_footprint.h"
 #include "core/engines/projected/projected_shadows.h"
-#include "core/measures/place_receivers.h"
+#include "core/measures/places/place_receivers.h"
 #include "core/receivers/rasterize.h"
 #include "tests/core/engines/scenes.h"
 #include "tests/core/engines/terrain_scenes.h"

@@ -1,4 +1,4 @@
-#include "core/measures/step_counts.h"
+#include "core/measures/places/place_areas.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/receivers/city_above_plane.h"
+#include "core/receivers/roof_receivers.h"
 
 #include <gtest/gtest.h>
 

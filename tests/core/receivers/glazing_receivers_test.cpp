@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "core/receivers/points/plane_points.h"
-#include "core/receivers/points/wall_finder.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "core/receivers/parcels/line_points.h"
+#include "core/receivers/parcels/parcel_lines.h"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,9 @@
-#include "core/receivers/parcels/parcel_roads.h"
+#include "core/receivers/parcels/parcel_lines.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "core/receivers/parcels/line_belts.h"
 
 namespace noonmark {
 namespace {

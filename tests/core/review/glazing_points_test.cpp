@@ -1,4 +1,4 @@
-#include "core/review/glazing/glazing_points.h"
+#include "core/review/glazing/glazing_review.h"
 
 #include <gmock/gmock.h>
 

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "core/review/library/rule_library.h"
-#include "core/review/rule/rule_times.h"
+#include "core/review/rule/rule_names.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {

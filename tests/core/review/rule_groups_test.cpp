@@ -1,8 +1,7 @@
-#include "core/review/library/rule_groups.h"
+#include "core/review/library/rule_library.h"
 
 #include <gmock/gmock.h>
 
-#include "core/review/library/rule_library.h"
 #include "core/sun/zone_country.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "core/review/rule/rule_moments.h"
+#include "core/review/rule/rule_days.h"
 
 #include <gmock/gmock.h>
 

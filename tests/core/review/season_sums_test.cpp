@@ -1,4 +1,4 @@
-#include "core/review/places/season_sums.h"
+#include "core/review/places/review_columns.h"
 
 #include <gtest/gtest.h>
 

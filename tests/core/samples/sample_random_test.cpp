@@ -1,4 +1,4 @@
-#include "core/samples/sample_random.h"
+#include "core/samples/lots.h"
 
 #include <gtest/gtest.h>
 

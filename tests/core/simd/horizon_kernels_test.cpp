@@ -9,9 +9,8 @@
 #include <span>
 
 #include "core/engines/horizon/attribution/attributed_block.h"
-#include "core/engines/horizon/geometry/piece_bounds.h"
+#include "core/engines/horizon/geometry/bin_walls.h"
 #include "core/engines/horizon/sweep/raise_block.h"
-#include "core/engines/horizon/sweep/uneven_block.h"
 #include "tests/core/simd/random_blocks.h"
 
 namespace noonmark {

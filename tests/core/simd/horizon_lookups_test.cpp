@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "core/engines/horizon/cache/block_codes.h"
-#include "core/engines/horizon/counting/sun_table.h"
+#include "core/engines/horizon/counting/run_decider.h"
+#include "core/engines/horizon/counting/sun_change.h"
 #include "core/engines/horizon/counting/walk_steps.h"
-#include "core/engines/horizon/counting/widen_horizons.h"
-#include "core/engines/horizon/overhangs/overhang_visibility.h"
+#include "core/engines/horizon/overhangs/overhang_intervals.h"
 #include "tests/core/simd/random_blocks.h"
 
 namespace noonmark {

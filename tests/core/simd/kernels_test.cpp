@@ -7,10 +7,9 @@
 
 #include "core/engines/accrual/depth_slice.h"
 #include "core/engines/inverse/line_cells.h"
-#include "core/engines/inverse/sources/facet_lanes.h"
-#include "core/engines/projected/counting/building_counts.h"
-#include "core/engines/projected/counting/word_runs.h"
-#include "core/engines/projected/masks/caster_extents.h"
+#include "core/engines/inverse/sources/projected_source_finder.h"
+#include "core/engines/projected/counting/cached_band.h"
+#include "core/engines/projected/masks/caster_reach.h"
 #include "core/simd/instruction_set.h"
 
 // Kernels that engines reach rarely, or with few of their cases, against plain loops.

@@ -4,7 +4,7 @@
 #include <limits>
 #include <tuple>
 
-#include "core/city/city_observer.h"
+#include "core/city/city_position.h"
 #include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/study/by_place/city_sweeps.h"

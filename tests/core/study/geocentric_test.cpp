@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "core/base/progress.h"
-#include "core/geo/earth_drop.h"
+#include "core/geo/frame.h"
 #include "core/study/study.h"
 #include "tests/core/study/geocentric_reference_erfa.h"
 

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/study/study.h"
-#include "core/study/text/height_facts_json.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/next_steps.h"
 

@@ -1,4 +1,4 @@
-#include "core/study/memory_need.h"
+#include "core/study/study_cost.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

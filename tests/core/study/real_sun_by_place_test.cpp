@@ -8,7 +8,7 @@
 #include "core/engines/ray/ray_reference.h"
 #include "core/io/places/read_places.h"
 #include "core/io/read_city.h"
-#include "core/measures/place_receivers.h"
+#include "core/measures/places/place_receivers.h"
 #include "core/study/by_place/sun_by_place.h"
 #include "tests/shared/shared_data.h"
 

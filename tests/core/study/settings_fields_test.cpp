@@ -7,7 +7,6 @@
 #include "core/describe/field_checks.h"
 #include "core/describe/field_json.h"
 #include "core/io/settings/read_fields.h"
-#include "core/io/settings/read_settings_text.h"
 #include "core/study/elements/element_fields.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/review_study.h"

@@ -11,9 +11,8 @@
 #include "core/city/map_context.h"
 #include "core/io/write_raster.h"
 #include "core/measures/has_runs.h"
-#include "core/study/memory_need.h"
 #include "core/study/provenance/study_hash.h"
-#include "core/study/remaining_time.h"
+#include "core/study/study_cost.h"
 #include "tests/core/engines/scenes.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -3,10 +3,7 @@
 
 #include <fstream>
 
-#include "core/study/verification/compare_records.h"
-#include "core/study/verification/compare_tables.h"
-#include "core/study/verification/compare_words.h"
-#include "core/study/verification/find_inputs.h"
+#include "core/study/verification/compare_results.h"
 #include "core/study/verification/result_record.h"
 #include "tests/core/io/temporary_folder.h"
 

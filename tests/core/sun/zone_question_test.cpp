@@ -1,4 +1,4 @@
-#include "core/sun/zone_question.h"
+#include "core/sun/zone_country.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/page_painter.h"
 #include "app/report/book/print_book.h"
-#include "app/report/maps/verdict_colour.h"
+#include "app/report/maps/answer_legends.h"
 #include "core/engines/auto_engine.h"
 #include "tests/report/book/book_texts.h"
 #include "tests/report/book/review_scene.h"

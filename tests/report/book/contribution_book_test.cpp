@@ -1,4 +1,4 @@
-#include "app/report/book/contribution_book.h"
+#include "app/report/book/study_books.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 
 #include "app/report/book/flow.h"
 #include "app/report/book/page_painter.h"
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 #include "core/review/library/rule_library.h"
-#include "core/study/glazing/glazing_values.h"
+#include "core/study/glazing/glazing_text.h"
 #include "tests/report/book/recorded_page.h"
 #include "tests/report/book/review_scene.h"
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "app/report/book/pdf_structure.h"
 #include "app/report/book/print_book.h"
 #include "tests/report/book/review_scene.h"
 

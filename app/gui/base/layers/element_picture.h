@@ -1,11 +1,22 @@
 #pragma once
 
+#include <QString>
+#include <functional>
 #include <memory>
+#include <vector>
 
-#include "app/report/maps/element_legend.h"
+#include "app/report/maps/answer_legends.h"
+#include "app/report/maps/legend_painter.h"
 #include "render/scene/element_tiles.h"
 
 namespace noonmark {
+
+/// Coloured tiles that the view shows instead of a result, with their legend and what is told of each.
+struct TileView {
+    std::vector<ElementTiles::Tile> tiles;
+    Legend legend;  ///< in English, as files have it
+    std::function<QString(std::size_t tile)> describe;
+};
 
 /// What the view shows of points, and the note beside the legend.
 struct ElementView {

@@ -1,18 +1,126 @@
 #include "app/gui/base/layers/ground_answer.h"
 
 #include <QObject>
+#include <cmath>
 
-#include "app/gui/base/layers/error_notes.h"
 #include "app/gui/base/layers/field_picture.h"
 #include "app/gui/base/layers/hover_text.h"
-#include "app/gui/base/layers/impact_picture.h"
-#include "app/gui/base/layers/score_picture.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/report/maps/impact_legend.h"
-#include "app/report/maps/score_legend.h"
+#include "app/report/maps/answer_legends.h"
 #include "core/measures/has_runs.h"
+#include "scenarios/impact/impact.h"
 
 namespace noonmark {
+
+namespace {
+
+/// The change in the cell that contains a point, such as "change: gross +12.0 min a day" or "no change";
+/// empty outside the grid. As sun: "change: sun -12.0 min a day".
+QString formatChange(const Impact& impact, glm::dvec2 point, ShownAs show = ShownAs::shadow);
+
+QString signedMinutes(float minutes) {
+    return QStringLiteral("%1%2")
+        .arg(minutes > 0 ? QStringLiteral("+") : QString())
+        .arg(groupDigits(double(minutes), 1));
+}
+
+/// The change of shadow as a picture for the ground. Transparent: cells that change by no more than a
+/// thousandth of a minute, and cells that are not receivers in both cities; cells that became building or
+/// ground have their own colour. O(cells).
+GroundPicture impactPicture(const Impact& impact, ShadowMeasure measure, const ColourScale& scale) {
+    GroundPicture picture;
+    picture.grid = impact.grid;
+    picture.pixels.reserve(impact.change.size());
+    for (std::size_t cell = 0; cell < impact.change.size(); ++cell) {
+        const auto colour = pickColour(impact, measure, cell, scale);
+        picture.pixels.push_back(colour ? pixelOf(*colour) : GroundPicture::Pixel{});
+    }
+    return picture;
+}
+
+QString formatChange(const Impact& impact, glm::dvec2 point, ShownAs show) {
+    const auto cell = cellAt(impact.grid, point);
+    if (!cell) return {};
+    if (impact.change[*cell] == CellChange::becameBuilding)
+        return QObject::tr("formerly ground, now built over");
+    if (impact.change[*cell] == CellChange::becameGround) return QObject::tr("formerly building, now ground");
+    const float gross = impact.grossMin[*cell], continuous = impact.continuousMin[*cell];
+    if (std::isnan(gross)) return QObject::tr("not measured");
+    if (isInstant(impact))
+        return gross > 0   ? QObject::tr("now in shadow")
+               : gross < 0 ? QObject::tr("now in the sun")
+                           : QObject::tr("no change");
+    const ShownQuantity quantity{show, impact.sunlitMinutesPerDay};
+    const QString words = quantity.isSun() ? QObject::tr("change: sun %1 min a day")
+                                           : QObject::tr("change: gross %1 min a day");
+    const QString text = words.arg(signedMinutes(float(quantity.ofChange(double(gross)))));
+    if (std::isnan(continuous)) return text;
+    if (quantity.isSun())
+        return text + QObject::tr(", continuous shadow %1 min").arg(signedMinutes(continuous));
+    return text + QObject::tr(", continuous %1 min").arg(signedMinutes(continuous));
+}
+
+}  // namespace
+
+GroundPicture scorePicture(const Score& score, const ColourScale& scale) {
+    GroundPicture picture;
+    picture.grid = score.grid;
+    picture.pixels.reserve(score.score.size());
+    for (std::size_t cell = 0; cell < score.score.size(); ++cell) {
+        const auto colour = pickColour(scale, double(score.score[cell]));
+        picture.pixels.push_back(colour ? pixelOf(*colour) : GroundPicture::Pixel{});
+    }
+    return picture;
+}
+
+QString formatScore(const Score& score, glm::dvec2 point) {
+    const auto cell = cellAt(score.grid, point);
+    if (!cell) return {};
+    const float value = score.score[*cell];
+    if (std::isnan(value)) return QObject::tr("not measured");
+    return QObject::tr("score %1%2 m² a m²")
+        .arg(value > 0 ? QStringLiteral("+") : QString())
+        .arg(groupDigits(double(value), 3));
+}
+
+namespace {
+
+QString describeRunError(double meanPct, double p99Pct, double largestPct) {
+    return QObject::tr(
+               "Measured error of the longest shadow against rays, of the longest day: %1 % in the "
+               "mean, %2 % at the 99th percentile, %3 % at most")
+        .arg(groupDigits(meanPct, 2), groupDigits(p99Pct, 2), groupDigits(largestPct, 2));
+}
+
+}  // namespace
+
+QString describeError(const std::optional<SampledError>& error, ShadowMeasure measure) {
+    if (!error) return {};
+    const CellError &gross = error->gross, &runs = error->continuous;
+    if (measure == ShadowMeasure::continuous && hasRuns(*error))
+        return describeRunError(runs.percent(runs.meanMin), runs.percent(runs.p99Min),
+                                runs.percent(runs.maxMin));
+    return QObject::tr("Measured error against rays: %1 % of the area, %2 % of the minutes of a cell")
+        .arg(groupDigits(error->areaPct, 2), groupDigits(gross.percent(gross.meanMin), 2));
+}
+
+QString describeCellError(const SampledError& error, double sunlitMin, ShownAs show) {
+    const ShownQuantity quantity{show, sunlitMin};
+    const std::string_view unit = quantity.shortUnit();
+    return QObject::tr("A cell: %1 %3 in the mean, 99 of 100 within %2 %3")
+        .arg(groupDigits(quantity.ofError(error.gross.meanMin), 3),
+             groupDigits(quantity.ofError(error.gross.p99Min), 2),
+             QString::fromUtf8(unit.data(), qsizetype(unit.size())));
+}
+
+QString describeError(const ElementStudy& study, ShadowMeasure measure) {
+    if (!study.error) return {};
+    const QuantityError& runs = study.error->continuous;
+    if (measure == ShadowMeasure::continuous)
+        return describeRunError(runs.meanPct, runs.p99Pct, runs.largestPct);
+    return QObject::tr("Measured error against rays: %1 % of the time in the sun")
+        .arg(groupDigits(study.error->gross.meanPct, 3));
+}
 
 namespace {
 

@@ -1,17 +1,37 @@
 #pragma once
 
+#include <QString>
 #include <memory>
 #include <optional>
 #include <variant>
 
 #include "app/report/maps/change_scale.h"
 #include "app/report/maps/legend_painter.h"
+#include "app/report/maps/shadow_measure.h"
 #include "core/engines/api/partial_field.h"
+#include "core/measures/colour_scale.h"
+#include "core/measures/shown_quantity.h"
+#include "core/study/elements/element_study.h"
 #include "render/scene/ground_picture.h"
 #include "scenarios/impact/impact_text.h"
+#include "scenarios/weights/score.h"
 #include "scenarios/weights/score_text.h"
 
 namespace noonmark {
+
+/// The score as a picture for the ground, transparent where there is no receiver, and where it is 0.
+/// O(cells).
+GroundPicture scorePicture(const Score& score, const ColourScale& scale);
+
+/// "score +0.520 m² a m²" of the cell that contains a point; empty outside the grid.
+QString formatScore(const Score& score, glm::dvec2 point);
+
+/// The measured error of what a map shows, beside its legend, so that nobody takes an approximate map for an
+/// exact one. Empty if it was not measured.
+QString describeError(const std::optional<SampledError>& error, ShadowMeasure measure);
+/// The error of a cell in the unit shown, in the mean and for 99 of 100 cells.
+QString describeCellError(const SampledError& error, double sunlitMin, ShownAs show);
+QString describeError(const ElementStudy& study, ShadowMeasure measure);
 
 /// Any result displayed on the ground, ready to be coloured and described. A value; it shares the result's
 /// data.

@@ -3,8 +3,7 @@
 #include <QObject>
 #include <cmath>
 
-#include "app/gui/base/looks/height_reference.h"
-#include "app/gui/base/widgets/height_words.h"
+#include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/report/maps/shadow_measure.h"
 #include "app/report/sheets/study_words.h"

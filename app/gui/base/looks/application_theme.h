@@ -1,10 +1,13 @@
 #pragma once
 
+#include <QMenu>
 #include <QPalette>
+#include <QProxyStyle>
 
 #include "app/gui/base/looks/theme_source.h"
 
 class QApplication;
+class QSettings;
 
 namespace noonmark {
 
@@ -32,6 +35,26 @@ private:
     QPalette system_;
     std::unique_ptr<ThemeSource> desktop_;
     bool paletteChanged_ = false;  // readPalette() is about to be called
+};
+
+/// The menu of themes: as the system, light, dark. The choice is saved in the settings.
+class ThemeMenu final : public QMenu {
+    Q_OBJECT
+public:
+    explicit ThemeMenu(QSettings& settings, QWidget* parent = nullptr);  ///< `settings` must outlive it
+};
+
+/// Qt's style Fusion, with what it lacks on dark windows: outlines of check boxes and radio buttons. Buttons
+/// of dialogs have no icons, which Fusion draws for light windows only. Names of tabs are never cut.
+class WindowStyle final : public QProxyStyle {
+    Q_OBJECT
+public:
+    WindowStyle();
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override;
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* answer) const override;
 };
 
 }  // namespace noonmark

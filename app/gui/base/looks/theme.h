@@ -1,16 +1,16 @@
 #pragma once
 
-// How the window looks. theme.h has the light and the dark palette and the colours of notes and errors in
-// either; application_theme.h keeps the application in one of them as the user or the desktop
-// (theme_source.h) chooses; window_style.h draws the widgets; icons.h draws the icons of resources/icons in
-// the colours of the palette.
-
 #include <QColor>
+#include <QIcon>
 #include <QPalette>
 #include <functional>
 
 #include "app/report/maps/style.h"
 
+// How the window looks. theme.h has the light and the dark palette and the colours of notes and errors in
+// either; application_theme.h keeps the application in one of them as the user or the desktop
+// (theme_source.h) chooses, and draws the widgets; theme.h draws the icons of resources/icons in
+// the colours of the palette.
 class QLabel;
 class QSettings;
 class QWidget;
@@ -53,5 +53,9 @@ Inks inksOf(Theme theme);
 QColor errorTextColour(Theme theme);  ///< of errors without a background of their own
 /// Shows a label's text in that colour.
 void showAsError(QLabel& label);
+
+/// The icon of that name in resources/icons, in the colours of the application's palette, at any size and in
+/// either theme; greyed where disabled. An unknown name gives an icon without a picture.
+QIcon makeIcon(const QString& name);
 
 }  // namespace noonmark

@@ -5,7 +5,6 @@
 #include <QStringList>
 #include <algorithm>
 
-#include "app/gui/base/widgets/translated.h"
 #include "core/base/clean_text.h"
 
 namespace noonmark {

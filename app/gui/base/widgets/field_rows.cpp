@@ -6,16 +6,20 @@
 #include <QDateEdit>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScopedValueRollback>
 #include <QSpinBox>
+#include <QTableWidget>
 #include <QTimeEdit>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/translated.h"
 #include "core/describe/value_text.h"
 #include "core/sun/civil_time.h"
 
@@ -259,6 +263,56 @@ void FieldRows::take(const Editable& settings, std::string_view flag) const {
 void FieldRows::take(const Editable& settings) const {
     for (const auto& [field, widget] : widgets_)
         if (const auto value = valueOf(*field, *widget)) (void)settings.set(*field, *value);
+}
+
+namespace {
+
+constexpr int visibleRows = 3;
+
+QTableWidget* makeTable(int columns) {
+    auto* table = new QTableWidget(0, columns);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table->verticalHeader()->hide();
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setFixedHeight(table->horizontalHeader()->sizeHint().height() +
+                          visibleRows * table->verticalHeader()->defaultSectionSize() + 4);
+    return table;
+}
+
+}  // namespace
+
+FieldTable::FieldTable(int columns, QPushButton* add, QPushButton* remove, QWidget* parent)
+    : QWidget(parent), table_(makeTable(columns)), remove_(remove) {
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(add);
+    buttons->addWidget(remove);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(table_);
+    column->addLayout(buttons);
+    remove->setEnabled(false);
+    connect(add, &QPushButton::clicked, this, &FieldTable::addRequested);
+    connect(remove, &QPushButton::clicked, this, &FieldTable::removeChosen);
+}
+
+void FieldTable::addRow(std::initializer_list<QWidget*> fields) {
+    const int row = table_->rowCount();
+    table_->insertRow(row);
+    int column = 0;
+    for (QWidget* field : fields) table_->setCellWidget(row, column++, field);
+    remove_->setEnabled(true);
+}
+
+void FieldTable::removeRows() {
+    table_->setRowCount(0);
+    remove_->setEnabled(false);
+}
+
+void FieldTable::removeChosen() {
+    const int chosen = table_->currentRow() >= 0 ? table_->currentRow() : table_->rowCount() - 1;
+    table_->removeRow(chosen);
+    remove_->setEnabled(table_->rowCount() > 0);
+    Q_EMIT edited();
 }
 
 }  // namespace noonmark

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QObject>
+#include <QWidget>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
@@ -9,6 +11,8 @@
 
 class QFormLayout;
 class QWidget;
+class QPushButton;
+class QTableWidget;
 
 namespace noonmark {
 
@@ -43,6 +47,29 @@ private:
     std::span<const Field> fields_;
     std::map<const Field*, QWidget*> widgets_;
     bool showing_ = false;
+};
+
+/// A table of three visible rows of fields above two buttons: `add` requests a row, `remove` removes the
+/// selected row or the last one.
+class FieldTable : public QWidget {
+    Q_OBJECT
+public:
+    FieldTable(int columns, QPushButton* add, QPushButton* remove, QWidget* parent);
+
+Q_SIGNALS:
+    void edited();
+    void addRequested();
+
+protected:
+    [[nodiscard]] QTableWidget& table() const { return *table_; }
+    void addRow(std::initializer_list<QWidget*> fields);  ///< one per column
+    void removeRows();                                    ///< all, without a signal
+
+private:
+    void removeChosen();
+
+    QTableWidget* table_;
+    QPushButton* remove_;
 };
 
 }  // namespace noonmark

@@ -1,10 +1,13 @@
 #include "app/gui/base/widgets/number_words.h"
 
 #include <QLocale>
+#include <QObject>
 #include <QRegularExpression>
 #include <cmath>
 
 #include "app/gui/base/looks/units.h"
+#include "core/city/city.h"
+#include "core/geo/frame.h"
 
 namespace noonmark {
 
@@ -59,6 +62,67 @@ QString localiseNumbers(const QString& text) {
         at = match.capturedEnd();
     }
     return local + text.mid(at);
+}
+
+double computeElevation(const City& city, glm::dvec3 local) {
+    const double dropM = city.terrain ? earthDropM({local.x, local.y}) : 0;
+    return local.z + city.frame.originElevationM() + dropM;
+}
+
+double heightZeroM(double groundElevationM) {
+    return heightReferenceInUse() == HeightReference::datum ? groundElevationM : 0;
+}
+
+QString describeHeight(double aboveGroundM, double groundElevationM) {
+    const QString text = describeLength(aboveGroundM + heightZeroM(groundElevationM));
+    return heightReferenceInUse() == HeightReference::datum ? QObject::tr("%1 above datum").arg(text)
+                                                            : QObject::tr("%1 above ground").arg(text);
+}
+
+QString shortDay() { return QObject::tr("d MMM"); }
+QString longDay() { return QObject::tr("d MMMM"); }
+QString dayOfYear() { return QObject::tr("d MMM yyyy"); }
+QString longDate() { return QObject::tr("d MMMM yyyy"); }
+
+QDate dateOf(CivilDate date) {
+    return {int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))};
+}
+
+CivilDate civilOf(QDate date) {
+    return {std::chrono::year{date.year()}, std::chrono::month{unsigned(date.month())},
+            std::chrono::day{unsigned(date.day())}};
+}
+
+namespace {
+
+QString inUnits(const QString& metric, const QString& imperial) {
+    switch (unitsInUse()) {
+        case UnitSystem::metric:
+            return metric;
+        case UnitSystem::imperial:
+            return imperial;
+        case UnitSystem::both:
+            break;
+    }
+    return QStringLiteral("%1 (%2)").arg(metric, imperial);
+}
+
+}  // namespace
+
+QString areaUnit() { return inUnits(QStringLiteral("m²"), QObject::tr("sq ft")); }
+
+QString lengthUnit() { return inUnits(QStringLiteral("m"), QObject::tr("ft")); }
+
+QString areaNumber(double squareMetres) {
+    return inUnits(groupDigits(squareMetres), groupDigits(squareMetres / squareMetresPerSquareFoot));
+}
+
+QString lengthNumber(double metres) {
+    return inUnits(groupDigits(metres, 1), groupDigits(metres / metresPerFoot, 1));
+}
+
+QString signedAreaNumber(double squareMetres) {
+    return (squareMetres > 0 ? QStringLiteral("+") : QString()) + areaNumber(squareMetres);
 }
 
 }  // namespace noonmark

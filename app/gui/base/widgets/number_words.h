@@ -1,6 +1,10 @@
 #pragma once
 
+#include <QDate>
 #include <QString>
+#include <glm/vec3.hpp>
+
+#include "core/sun/civil_time.h"
 
 namespace noonmark {
 
@@ -22,5 +26,38 @@ QString describeSmallArea(double squareMetres);           ///< "125,204 m²": ne
 /// A text of core or report with its numbers, "1,204.5", written as the window's language does. Dates, times
 /// and version numbers stay.
 QString localiseNumbers(const QString& text);
+
+struct City;
+
+// Heights of buildings in the units and from the reference in use (app/gui/base/looks/units.h).
+
+/// Elevation of a point, metres above the vertical datum of the project's data. Without terrain and ground
+/// elevations in the data, local z.
+double computeElevation(const City& city, glm::dvec3 local);
+
+/// What is added to a height above ground to show it: `groundElevationM` above the datum, else 0.
+double heightZeroM(double groundElevationM);
+
+/// "35.0 m above ground", or "47.5 m above datum".
+QString describeHeight(double aboveGroundM, double groundElevationM);
+
+// Formats of dates as the language of the window writes them, for QLocale::toString() and fields.
+QString shortDay();   ///< "21 Mar"
+QString longDay();    ///< "21 March"
+QString dayOfYear();  ///< "21 Mar 2026"
+QString longDate();   ///< "21 March 2026"
+
+/// Conversion between QDate and CivilDate.
+QDate dateOf(CivilDate date);
+CivilDate civilOf(QDate date);
+
+// Columns of numbers whose heading states the unit, in the units in use (app/gui/base/looks/units.h). Where
+// both are in use, feet follow in parentheses.
+
+QString areaUnit();                             ///< "m²", "sq ft", "m² (sq ft)"
+QString lengthUnit();                           ///< "m", "ft", "m (ft)"
+QString areaNumber(double squareMetres);        ///< "1,204"
+QString lengthNumber(double metres);            ///< "124.3"
+QString signedAreaNumber(double squareMetres);  ///< "+1,204"
 
 }  // namespace noonmark

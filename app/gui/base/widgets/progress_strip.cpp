@@ -4,8 +4,8 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "app/gui/base/jobs/job_slot.h"
-#include "app/gui/base/widgets/push_button.h"
+#include "app/gui/base/jobs/job.h"
+#include "app/gui/base/widgets/buttons.h"
 
 namespace noonmark {
 

@@ -5,14 +5,13 @@
 
 #include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/progress_strip.h"
-#include "app/gui/docks/contributions/contribution_model.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/input/all_engines.h"
 #include "app/questions/saved_question.h"
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {

@@ -4,7 +4,7 @@
 #include <QPointF>
 #include <map>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/docks/contributions/contribution_sheet.h"
 
 namespace noonmark {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/gui/base/looks/units.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/translated.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "core/describe/figure_text.h"
 #include "core/receivers/rasterize.h"
@@ -126,7 +126,7 @@ std::vector<ContributionColumn> columnsOfComparison() {
              FigureUnit::squareMetreHours, 1}};
 }
 
-std::shared_ptr<const Building> findBuilding(const City& city, const std::string& id) {
+std::shared_ptr<const Building> recordedBuilding(const City& city, const std::string& id) {
     const auto found = std::ranges::find(city.buildings, id, [](const auto& one) { return one->sourceId; });
     return found == city.buildings.end() ? nullptr : *found;
 }
@@ -171,7 +171,7 @@ ContributionSheet makeContributionSheet(const SavedStudy& study, const City& cit
     ContributionSheet sheet{.columns = columnsOfStudy()};
     for (const Contribution& one : *study.contributions) {
         const QString name = isTerrain(one) ? QObject::tr("Terrain") : nameOf(one.name, one.id);
-        sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : findBuilding(city, one.id)));
+        sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : recordedBuilding(city, one.id)));
     }
     sheet.headline = describeSum(sheet, *study.contributions, study.field);
     sheet.method = QString::fromStdString(study.field.engine);
@@ -183,7 +183,7 @@ ContributionSheet makeContributionSheet(const KeptContributions& of, const City&
     ContributionSheet sheet{.columns = columnsOfStudy()};
     for (const Contribution& one : of.rows) {
         const QString name = isTerrain(one) ? QObject::tr("Terrain") : nameOf(one.name, one.id);
-        sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : findBuilding(city, one.id)));
+        sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : recordedBuilding(city, one.id)));
     }
     ShadowField field;
     field.sunlitMinutesPerDay = of.sunlitMinutesPerDay;
@@ -199,7 +199,7 @@ ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& 
         const CellChanges sum = sumUpChanges(one.impact, place);
         const double mean = sum.cells > 0 ? sum.sumMin / double(sum.cells) : 0;
         sheet.rows.push_back({nameOf(one.name, one.id),
-                              findBuilding(after, one.id),
+                              recordedBuilding(after, one.id),
                               0,
                               {0, mean, sum.sumMin * one.impact.grid.cellAreaM2() / minutesOfHour}});
     }

@@ -16,9 +16,9 @@
 #include <QUrl>
 
 #include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/progress_strip.h"
-#include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/sheets/book_view.h"
 #include "app/gui/docks/sheets/sheet_form.h"
 #include "app/gui/session/project/project_session.h"

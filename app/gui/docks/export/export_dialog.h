@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <functional>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/session/answers/export_choice.h"
 
 class QCheckBox;

@@ -10,8 +10,8 @@
 #include <QSpinBox>
 #include <QTimeEdit>
 
-#include "app/gui/base/widgets/push_button.h"
-#include "app/gui/base/widgets/qt_dates.h"
+#include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/number_words.h"
 
 namespace noonmark {
 

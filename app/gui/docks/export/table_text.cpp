@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <algorithm>
 
-#include "core/base/csv_field.h"
+#include "core/base/csv_text.h"
 
 namespace noonmark {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/translated.h"
 #include "app/gui/session/study/region_words.h"
 #include "core/receivers/place_names.h"
 

@@ -19,12 +19,12 @@
 #include <set>
 
 #include "app/gui/base/layers/field_picture.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/push_button.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/study/region_words.h"
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 #include "core/describe/text.h"
 
 namespace noonmark {

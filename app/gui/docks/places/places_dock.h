@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/gui/base/layers/place_picture.h"
+#include "app/gui/base/layers/field_picture.h"
 #include "app/gui/docks/places/place_sun_model.h"
 
 class QCheckBox;

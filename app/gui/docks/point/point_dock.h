@@ -4,6 +4,8 @@
 
 #include "core/io/files/check_output.h"
 
+class QComboBox;
+class QTableWidget;
 class QLabel;
 class QPushButton;
 class QScrollArea;
@@ -11,6 +13,26 @@ class QScrollArea;
 namespace noonmark {
 
 class PointInspector;
+
+/// Which two scenarios the point is compared in, and its figures in all of them. Without scenarios there is
+/// nothing to choose: it is hidden.
+class PointScenarios final : public QWidget {
+    Q_OBJECT
+public:
+    explicit PointScenarios(PointInspector& inspector, QWidget* parent = nullptr);  ///< it outlives this
+
+private:
+    void makeFields();
+    void fillLists();
+    void choose();
+    void showTable();
+
+    PointInspector& inspector_;
+    QComboBox* from_;
+    QComboBox* to_;
+    QTableWidget* table_;
+};
+
 class SkyPicture;
 
 /// The sun and sky of the clicked point: a sentence, figures, the skyline with the sun's paths, and buttons

@@ -1,8 +1,5 @@
 #pragma once
 
-// What the sun and the sky are at a point that the user clicks: PointInspector computes it in a job for the
-// displayed scenario, PointDock shows it, SkyPicture draws the skyline, picked_point says which point it is.
-
 #include <QByteArray>
 #include <QObject>
 #include <QString>
@@ -10,11 +7,19 @@
 #include <memory>
 #include <optional>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "core/study/point_cases.h"
+#include "core/study/point_study.h"
 #include "render/view/scene_picker.h"
 
 namespace noonmark {
+
+/// The question about the surface under the cursor: the ground, a roof (taken as level) or, facing its
+/// azimuth, a wall. The day, the clock and the step are left as they are.
+PointQuestion questionAt(const City& city, const Pick& pick);
+
+// What the sun and the sky are at a point that the user clicks: PointInspector computes it in a job for the
+// displayed scenario, PointDock shows it, SkyPicture draws the skyline, picked_point says which point it is.
 
 class ViewPanel;
 class Workbench;

@@ -1,15 +1,34 @@
 #pragma once
 
+#include <QDialog>
 #include <QPersistentModelIndex>
 #include <QWidget>
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "app/gui/session/project/project_changes.h"
+#include "core/receivers/parcels/parcel_lines.h"
 
+class QDoubleSpinBox;
 class QMenu;
 class QTreeView;
 
 namespace noonmark {
+
+/// The roads, water and railways along the sides of a lot: a field for the width on each side, arranged as on
+/// a map.
+class LotRoadsDialog final : public QDialog {
+    Q_OBJECT
+public:
+    LotRoadsDialog(const QString& lot, const std::vector<RoadFront>& roads, QWidget* parent = nullptr);
+
+    [[nodiscard]] std::vector<RoadFront> roads() const;  ///< clockwise from north
+
+private:
+    std::map<ParcelSide, QDoubleSpinBox*> widths_;  ///< 0: no road
+    std::vector<RoadFront> before_;
+};
 
 class ProjectModel;
 class ProjectSession;

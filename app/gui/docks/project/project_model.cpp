@@ -1,14 +1,199 @@
 #include "app/gui/docks/project/project_model.h"
 
 #include <QFont>
+#include <QObject>
 #include <algorithm>
 
-#include "app/gui/docks/project/project_nodes.h"
+#include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/project/project_session.h"
+#include "app/gui/session/study/region_words.h"
+#include "app/report/sheets/study_words.h"
+#include "core/receivers/place_names.h"
 
 namespace noonmark {
 
 namespace {
+
+using Kind = ProjectNode::Kind;
+
+QString formatText(const std::string& text) { return QString::fromStdString(text); }
+
+ProjectNode& added(ProjectNode& parent, ProjectNode node) {
+    node.parent = &parent;
+    return *parent.children.emplace_back(std::make_unique<ProjectNode>(std::move(node)));
+}
+
+void addFact(ProjectNode& parent, const QString& text, const QString& tip = {}) {
+    added(parent, {.kind = Kind::fact, .text = text, .tip = tip});
+}
+
+ProjectNode& addGroup(ProjectNode& root, ProjectPart part, const QString& text, std::size_t count,
+                      const QString& tip) {
+    const QString title = count > 0 ? QStringLiteral("%1 (%2)").arg(text).arg(count) : text;
+    return added(root, {.kind = Kind::group, .part = part, .text = title, .tip = tip});
+}
+
+ProjectNode& addPart(ProjectNode& group, const std::string& name, const QString& about = {},
+                     const QString& tip = {}) {
+    const QString text =
+        about.isEmpty() ? formatText(name) : QStringLiteral("%1   %2").arg(formatText(name), about);
+    return added(group, {.kind = Kind::part, .part = group.part, .name = name, .text = text, .tip = tip});
+}
+
+void addCity(ProjectNode& root, const Project& project) {
+    const City& city = *project.city;
+    ProjectNode& group =
+        added(root, {.kind = Kind::group,
+                     .text = QObject::tr("City"),
+                     .tip = QObject::tr("The existing city, from which every scenario starts")});
+    const std::size_t buildings = city.buildings.size();
+    addFact(group, QObject::tr("%1 building(s)", "", pluralNumber(buildings)).arg(formatCount(buildings)));
+    addFact(group, city.terrain ? QObject::tr("Terrain of %1 × %2 points")
+                                      .arg(city.terrain->grid.columns)
+                                      .arg(city.terrain->grid.rows)
+                                : QObject::tr("Flat ground"));
+    if (!project.attribution.empty()) addFact(group, describeData(project.attribution));
+    for (const InputFile& input : project.inputs)
+        addFact(group, formatText(input.path.filename().string()),
+                QStringLiteral("%1\n%2").arg(formatText(input.path.string()), formatText(input.sha256)));
+}
+
+void addScenario(ProjectNode& group, const Scenario& scenario, bool shown, bool baseline) {
+    QStringList notes;
+    if (!scenario.base.empty()) notes << QObject::tr("from %1").arg(formatText(scenario.base));
+    if (baseline) notes << QObject::tr("baseline");
+    ProjectNode& node =
+        addPart(group, scenario.name,
+                notes.isEmpty() ? QString() : QStringLiteral("(%1)").arg(notes.join(QStringLiteral(", "))),
+                QObject::tr("Press Enter or double-click to show it"));
+    node.emphasized = shown;
+    for (std::size_t i = 0; i < scenario.edits.size(); ++i)
+        added(node, {.kind = Kind::edit,
+                     .part = ProjectPart::scenario,
+                     .name = scenario.name,
+                     .position = i,
+                     .text = formatText(noonmark::formatText(scenario.edits[i])),
+                     .tip = QObject::tr("Step %1 of %2; press Delete to remove it")
+                                .arg(i + 1)
+                                .arg(formatText(scenario.name))});
+}
+
+void addScenarios(ProjectNode& root, const Project& project, const std::string& shown,
+                  const std::string& baseline) {
+    ProjectNode& group =
+        addGroup(root, ProjectPart::scenario, QObject::tr("Scenarios"), project.scenarios.size(),
+                 QObject::tr("Lists of changes to the city; the displayed one is bold"));
+    addScenario(group, {existingCity, {}, {}}, shown == existingCity, baseline == existingCity);
+    group.children.back()->tip = QObject::tr("The existing city. Press Enter or double-click to show it");
+    for (const Scenario& scenario : project.scenarios)
+        addScenario(group, scenario, shown == scenario.name, baseline == scenario.name);
+}
+
+void addLots(ProjectNode& root, const Project& project) {
+    ProjectNode& group = addGroup(root, ProjectPart::lot, QObject::tr("Lots"), project.lots.size(),
+                                  QObject::tr("Ground to build on"));
+    for (const NamedLot& lot : project.lots)
+        addPart(group, lot.name,
+                lot.roads.empty() ? describeArea(area(lot.outline))
+                                  : QObject::tr("%1, roads: %2")
+                                        .arg(describeArea(area(lot.outline)),
+                                             QString::fromStdString(noonmark::formatText(lot.roads))),
+                QObject::tr("Press Enter or double-click to zoom to it"));
+}
+
+void addRegions(ProjectNode& root, const Project& project) {
+    ProjectNode& group = addGroup(root, ProjectPart::region, QObject::tr("Regions"), project.regions.size(),
+                                  QObject::tr("Where shadow is measured"));
+    for (const Region& region : project.regions) {
+        double areaM2 = 0;
+        for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
+        addPart(group, region.name, describeArea(areaM2),
+                QObject::tr("Press Enter or double-click to use it as the study region"));
+    }
+}
+
+void addPlaces(ProjectNode& root, const Project& project) {
+    ProjectNode& group =
+        addGroup(root, ProjectPart::place, QObject::tr("Places"), project.places.size(),
+                 QObject::tr("Areas whose sunlight matters: parks, playgrounds, school grounds..."));
+    for (const Place& place : project.places)
+        addPart(group, place.name,
+                QObject::tr("%1, %2").arg(describeKind(place.kind), describeArea(noonmark::area(place))),
+                QObject::tr("%1\nPress Enter or double-click to zoom to it")
+                    .arg(formatText(place.source))
+                    .trimmed());
+}
+
+void addPeriods(ProjectNode& root, const Project& project) {
+    ProjectNode& group = addGroup(root, ProjectPart::period, QObject::tr("Periods"), project.periods.size(),
+                                  QObject::tr("Days and hours to study"));
+    for (const NamedPeriod& period : project.periods)
+        addPart(group, period.name, {},
+                QObject::tr("%1\nPress Enter or double-click to use it as the study period")
+                    .arg(formatText(noonmark::formatText(period.period))));
+}
+
+QString describeView(const SavedView& view) {
+    QString projection = view.parallel ? QObject::tr("parallel") : QObject::tr("perspective");
+    if (view.section) projection = QObject::tr("%1, section box").arg(projection);
+    if (!view.moment) return projection;
+    return QObject::tr("%1, %2 %3")
+        .arg(projection, formatText(noonmark::formatText(view.moment->date)),
+             formatText(noonmark::formatText(view.moment->at)));
+}
+
+void addViews(ProjectNode& root, const Project& project) {
+    ProjectNode& group =
+        addGroup(root, ProjectPart::view, QObject::tr("Views"), project.views.size(),
+                 QObject::tr("Camera, projection, section box and moment, saved with Ctrl+Shift+V"));
+    for (const SavedView& view : project.views)
+        addPart(group, view.name, {},
+                QObject::tr("%1\nPress Enter or double-click to go to it").arg(describeView(view)));
+}
+
+void addWeights(ProjectNode& root, const Project& project) {
+    ProjectNode& group = addGroup(
+        root, ProjectPart::weights, QObject::tr("Weight tables"), project.weights.size(),
+        QObject::tr("How much shade is wanted (up to 1) or shadow unwanted (down to -1), by time of year"));
+    for (const TimeWeights& table : project.weights) {
+        ProjectNode& node =
+            addPart(group, table.name, {},
+                    QObject::tr("Press Enter or double-click to edit it and compute scores with it"));
+        for (const WeightedInterval& interval : table.intervals)
+            addFact(node, QStringLiteral("%1   %2").arg(formatText(interval.name)).arg(interval.weight));
+    }
+}
+
+void addResults(ProjectNode& root, const Project& project) {
+    ProjectNode& group =
+        addGroup(root, ProjectPart::result, QObject::tr("Saved results"), project.results.size(),
+                 QObject::tr("Maps and figures saved in the project"));
+    for (const auto& result : project.results) {
+        const QString of = result->baseline.empty()
+                               ? formatText(result->scenario)
+                               : QObject::tr("%1 compared with %2")
+                                     .arg(formatText(result->scenario), formatText(result->baseline));
+        addPart(group, result->name, {},
+                QObject::tr("%1 of %2\nPress Enter or double-click to show it again")
+                    .arg(formatText(result->kind), of));
+    }
+}
+
+/// The tree of a project. The displayed scenario is emphasized; the baseline is marked.
+std::unique_ptr<ProjectNode> makeNodes(const Project& project, const std::string& shown,
+                                       const std::string& baseline) {
+    auto root = std::make_unique<ProjectNode>();
+    addCity(*root, project);
+    addScenarios(*root, project, shown, baseline);
+    addLots(*root, project);
+    addRegions(*root, project);
+    addPlaces(*root, project);
+    addPeriods(*root, project);
+    addViews(*root, project);
+    addWeights(*root, project);
+    addResults(*root, project);
+    return root;
+}
 
 // Whether two nodes represent the same thing, even if the text differs.
 bool same(const ProjectNode& a, const ProjectNode& b) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/session/project/project_changes.h"
 #include "app/gui/session/project/project_session.h"

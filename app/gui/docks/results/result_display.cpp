@@ -4,14 +4,13 @@
 
 #include "app/gui/docks/elements/elements_dock.h"
 #include "app/gui/docks/results/results_dock.h"
-#include "app/gui/docks/results/warnings_dock.h"
 #include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/preview/edit_preview.h"
 #include "app/gui/view/panel/legend_strip.h"
-#include "app/gui/view/panel/mode_switch.h"
 #include "app/gui/view/panel/result_layer.h"
+#include "app/gui/view/panel/view_presets.h"
 #include "app/questions/saved_question.h"
 
 namespace noonmark {

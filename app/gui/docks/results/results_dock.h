@@ -1,8 +1,10 @@
 #pragma once
 
+#include <QTreeWidget>
 #include <QWidget>
 
 #include "app/gui/session/answers/result_rows.h"
+#include "core/base/warnings.h"
 #include "core/describe/answer_page.h"
 
 class QAction;
@@ -83,6 +85,18 @@ private:
     std::vector<ResultRow> rows_;
     bool filled_ = false;
     bool faded_ = false;
+};
+
+/// The warnings of reading: data that was repaired, left out or assumed, grouped by kind, with the ids of the
+/// features.
+class WarningsDock final : public QTreeWidget {
+    Q_OBJECT
+public:
+    explicit WarningsDock(QWidget* parent = nullptr);
+    void show(const Warnings& warnings);
+
+Q_SIGNALS:
+    void placeChosen(QString where);  ///< double click or Enter on a warning's place
 };
 
 }  // namespace noonmark

@@ -3,8 +3,11 @@
 #include <QString>
 #include <QWidget>
 #include <map>
+#include <memory>
 #include <vector>
 
+#include "app/gui/base/layers/field_picture.h"
+#include "app/questions/review_question.h"
 #include "core/receivers/place.h"
 
 class QLabel;
@@ -40,5 +43,9 @@ private:
     QListWidget* list_;
     QLabel* count_;
 };
+
+/// The reviewed places in the colours of their verdicts, for the view, with a legend of them. A parcel has
+/// two reviews: the worse one colours it. Null for a null answer. Some 50 ms for 5,000 places.
+std::shared_ptr<const PlaceView> makePlaceVerdicts(const std::shared_ptr<const ReviewAnswer>& answer);
 
 }  // namespace noonmark

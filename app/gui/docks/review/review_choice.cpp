@@ -1,6 +1,6 @@
 #include "app/gui/docks/review/review_choice.h"
 
-#include "app/gui/session/project/element_settings_json.h"
+#include "app/gui/session/project/view_state.h"
 
 namespace noonmark {
 

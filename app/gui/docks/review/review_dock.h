@@ -3,7 +3,7 @@
 #include <QWidget>
 
 #include "app/gui/docks/review/review_session.h"
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 
 class QLabel;
 class QPushButton;

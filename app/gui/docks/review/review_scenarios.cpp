@@ -2,7 +2,7 @@
 
 #include "app/gui/docks/review/review_session.h"
 #include "app/gui/session/workbench.h"
-#include "scenarios/scenario_list.h"
+#include "scenarios/scenario.h"
 
 // The reviews of all scenarios.
 namespace noonmark {

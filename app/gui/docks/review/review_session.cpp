@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/gui/base/widgets/error_words.h"
-#include "app/gui/docks/review/review_days.h"
+#include "app/gui/docks/review/review_cache.h"
 #include "app/gui/session/workbench.h"
 #include "core/receivers/place_names.h"
 

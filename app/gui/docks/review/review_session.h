@@ -9,7 +9,7 @@
 
 #include <QObject>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/docks/review/review_cache.h"
 #include "app/gui/docks/review/review_choice.h"
 #include "app/gui/session/workbench.h"

@@ -5,7 +5,7 @@
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 
-#include "app/gui/docks/review/verdict_words.h"
+#include "app/gui/docks/review/verdict_table.h"
 #include "core/review/rule/rule_names.h"
 #include "core/sun/zone_country.h"
 

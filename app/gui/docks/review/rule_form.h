@@ -3,7 +3,6 @@
 #include <QWidget>
 
 #include "app/gui/docks/review/review_choice.h"
-#include "core/review/library/rule_groups.h"
 #include "core/review/library/rule_library.h"
 
 class QComboBox;

@@ -7,7 +7,7 @@
 #include "app/input/all_engines.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/study_hash.h"
-#include "scenarios/scenario_list.h"
+#include "scenarios/scenario.h"
 
 // The jobs of LatestAnswers: impacts from studies at hand, scores, and saved results.
 namespace noonmark {

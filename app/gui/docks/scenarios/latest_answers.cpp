@@ -9,7 +9,7 @@
 #include "core/study/provenance/study_hash.h"
 #include "core/study/review_figures.h"
 #include "scenarios/impact/impact_text.h"
-#include "scenarios/scenario_list.h"
+#include "scenarios/scenario.h"
 #include "scenarios/weights/score_text.h"
 
 namespace noonmark {

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/docks/scenarios/saved_figures.h"
 #include "app/report/scenarios/scenario_study.h"
 

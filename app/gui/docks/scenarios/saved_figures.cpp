@@ -10,9 +10,8 @@
 #include "scenarios/project/results/saved_answer.h"
 #include "scenarios/project/results/saved_figures_json.h"
 #include "scenarios/settings_json.h"
-#include "scenarios/weights/score_figures.h"
 #include "scenarios/weights/score_text.h"
-#include "scenarios/weights/weights_text.h"
+#include "scenarios/weights/time_weights.h"
 
 namespace noonmark {
 

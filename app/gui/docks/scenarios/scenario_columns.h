@@ -11,8 +11,15 @@
 #include "app/report/scenarios/scenario_study.h"
 #include "core/describe/figure.h"
 #include "scenarios/edits/edit.h"
+#include "scenarios/massing/tower_design.h"
 
 namespace noonmark {
+
+/// "Homes 12,300 m², Offices 4,000 m²": the gross floor area of each use that has any. Empty without towers.
+QString describeUses(const ScenarioUses& uses);
+
+/// A line for each use, "Homes: 20 storeys, 12,300 m²", and one about towers that are not counted.
+QString describeUseLines(const ScenarioUses& uses);
 
 /// A scenario of the table, without what is measured.
 struct ScenarioRow {

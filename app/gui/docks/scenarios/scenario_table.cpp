@@ -11,12 +11,12 @@
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/docks/review/verdict_words.h"
-#include "app/gui/docks/scenarios/use_words.h"
+#include "app/gui/docks/review/verdict_table.h"
+#include "app/gui/docks/scenarios/scenario_columns.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/project/project_session.h"
 #include "core/base/csv_text.h"
-#include "scenarios/scenario_list.h"
+#include "scenarios/scenario.h"
 
 namespace noonmark {
 

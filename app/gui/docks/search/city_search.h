@@ -1,9 +1,8 @@
 #pragma once
 
-// The folder app/gui/docks/search finds things of the open project by name: city_search.h (this file) is the
-// index and its query, search_field.h the field in the menu bar.
-
+#include <QLineEdit>
 #include <QString>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,7 +10,13 @@
 #include "core/receivers/place.h"
 #include "scenarios/project/project.h"
 
+class QCompleter;
+class QStandardItemModel;
+
 namespace noonmark {
+
+// The folder app/gui/docks/search finds things of the open project by name: CitySearch is the index and its
+// query, SearchField the field in the menu bar.
 
 enum class FoundKind { building, place, street, lot, coordinates };
 
@@ -52,5 +57,34 @@ private:
 /// Latitude and longitude of "40.7536, -73.9832", "-73.9832 40.7536" or "40.7536N 73.9832W"; of the two
 /// readings of plain numbers the one nearer to `near`. Nothing for other texts.
 std::optional<LonLat> parsePosition(const QString& text, LonLat near);
+
+/// The field in which a building, a place, a street, a lot or a position is looked for. While the user types,
+/// a list shows what fits; Enter takes the first.
+class SearchField final : public QLineEdit {
+    Q_OBJECT
+public:
+    explicit SearchField(QWidget* parent = nullptr);
+
+    using MakeIndex = std::function<CitySearch()>;
+    /// What is searched from now on; called when the user types next.
+    void setIndex(MakeIndex make);
+    /// Puts the cursor into the field and selects its text.
+    void begin();
+
+Q_SIGNALS:
+    void found(const noonmark::Found& found);
+    void nothingFound(QString text);
+
+private:
+    void search(const QString& text);
+    void take(std::size_t place);
+    void takeFirst();
+
+    MakeIndex makeIndex_;  ///< empty once it was called
+    CitySearch index_;
+    std::vector<Found> shown_;
+    QStandardItemModel* model_;
+    QCompleter* completer_;
+};
 
 }  // namespace noonmark

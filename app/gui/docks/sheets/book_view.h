@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/report/book/book.h"
 
 class QComboBox;

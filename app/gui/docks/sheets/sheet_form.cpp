@@ -10,17 +10,35 @@
 #include <QPixmap>
 #include <QPushButton>
 #include <QRegularExpressionValidator>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <array>
 
 #include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/field_rows.h"
-#include "app/gui/base/widgets/push_button.h"
-#include "app/gui/base/widgets/translated.h"
 #include "scenarios/project/title_fields.h"
 
 namespace noonmark {
+
+namespace {
+
+const QString paperKey = QStringLiteral("sheets/paper"), landscapeKey = QStringLiteral("sheets/landscape");
+
+}  // namespace
+
+PageSetup readPageSetup(const QSettings& settings) {
+    const auto saved = parsePaper(settings.value(paperKey).toString().toStdString());
+    const bool isMetric = QLocale::system().measurementSystem() == QLocale::MetricSystem;
+    return {saved.value_or(isMetric ? Paper::a4 : Paper::letter), settings.value(landscapeKey).toBool()};
+}
+
+void savePageSetup(const PageSetup& setup, QSettings& settings) {
+    settings.setValue(paperKey, QString::fromStdString(std::string(nameOf(setup.paper))));
+    settings.setValue(landscapeKey, setup.landscape);
+}
 
 namespace {
 

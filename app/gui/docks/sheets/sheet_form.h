@@ -3,13 +3,20 @@
 #include <QWidget>
 
 #include "app/report/book/book.h"
+#include "app/report/book/paper.h"
 
+class QSettings;
 class QComboBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
 
 namespace noonmark {
+
+/// The paper of sheets that was last chosen, in a dialog of sheets or in the preferences; at first that of
+/// the country, upright.
+PageSetup readPageSetup(const QSettings& settings);
+void savePageSetup(const PageSetup& setup, QSettings& settings);
 
 class FieldRows;
 

@@ -8,11 +8,10 @@
 #include <algorithm>
 
 #include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/field_rows.h"
-#include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/study_form/face_form.h"
 #include "app/gui/docks/study_form/line_form.h"
-#include "app/gui/docks/study_form/point_list_form.h"
 #include "core/study/elements/element_fields.h"
 
 namespace noonmark {

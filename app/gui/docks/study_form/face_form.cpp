@@ -10,9 +10,8 @@
 #include <algorithm>
 #include <array>
 
-#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/push_button.h"
 
 namespace noonmark {
 

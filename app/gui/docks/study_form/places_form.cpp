@@ -14,10 +14,10 @@
 #include <array>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/push_button.h"
 #include "app/gui/session/study/region_words.h"
 #include "core/receivers/place_names.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/session/study/run_estimate.h"
 
 class QTimer;

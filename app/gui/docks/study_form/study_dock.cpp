@@ -9,13 +9,12 @@
 #include <algorithm>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/progress_strip.h"
-#include "app/gui/base/widgets/push_button.h"
 #include "app/gui/docks/study_form/accuracy_section.h"
-#include "app/gui/docks/study_form/breakdown_form.h"
-#include "app/gui/docks/study_form/period_preset.h"
 #include "app/gui/docks/study_form/places_form.h"
 #include "app/gui/docks/study_form/run_forecast.h"
+#include "app/gui/docks/study_form/what_form.h"
 #include "app/gui/docks/study_form/when_form.h"
 #include "app/gui/docks/study_form/where_form.h"
 #include "app/gui/session/study/study_document.h"

@@ -9,7 +9,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "app/gui/base/widgets/push_button.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/session/study/region_words.h"
 
 namespace noonmark {

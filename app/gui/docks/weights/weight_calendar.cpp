@@ -10,7 +10,7 @@
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/docks/weights/weights_model.h"
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 

@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -12,16 +13,25 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/push_button.h"
-#include "app/gui/docks/weights/weight_bar.h"
 #include "app/gui/docks/weights/weight_calendar.h"
 #include "app/gui/docks/weights/weights_model.h"
 #include "app/gui/session/project/project_session.h"
+#include "app/report/maps/style.h"
 #include "core/city/city.h"
-#include "scenarios/weights/weight_templates.h"
+#include "scenarios/weights/edit_weights.h"
 
 namespace noonmark {
+
+void WeightBar::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    QStyledItemDelegate::paint(painter, option, index);
+    const double weight = index.data(Qt::UserRole).toDouble();
+    const QRectF cell = QRectF(option.rect).adjusted(3, 0, -3, -2);
+    const double half = cell.width() / 2 * std::abs(weight);
+    const double left = weight < 0 ? cell.center().x() - half : cell.center().x();
+    painter->fillRect(QRectF(left, cell.bottom() - 4, half, 4), impactColour(-weight));
+}
 
 WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
     : QWidget(parent),

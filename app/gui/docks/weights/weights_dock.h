@@ -1,12 +1,12 @@
 #pragma once
 
-// The project's weight tables: WeightsDock edits one through WeightsModel, as a list drawn by WeightBar and
-// as a WeightCalendar, and asks for a score.
-
+#include <QStyledItemDelegate>
 #include <QWidget>
 
 #include "app/gui/session/project/project_changes.h"
 
+// The project's weight tables: WeightsDock edits one through WeightsModel, as a list drawn by WeightBar and
+// as a WeightCalendar, and asks for a score.
 class QComboBox;
 class QLabel;
 class QMenu;
@@ -14,6 +14,16 @@ class QPushButton;
 class QTableView;
 
 namespace noonmark {
+
+/// Draws a weight as a number with a bar: from the middle to the right if shade is wanted, to the left if
+/// shadow is unwanted. Reads the weight, -1 to 1, from Qt::UserRole.
+class WeightBar final : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+};
 
 class ProjectSession;
 class WeightsModel;

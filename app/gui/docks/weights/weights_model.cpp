@@ -5,7 +5,7 @@
 
 #include "app/gui/session/project/project_session.h"
 #include "scenarios/weights/edit_weights.h"
-#include "scenarios/weights/weights_text.h"
+#include "scenarios/weights/time_weights.h"
 
 namespace noonmark {
 

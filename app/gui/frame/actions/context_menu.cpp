@@ -5,7 +5,7 @@
 #include <QGuiApplication>
 #include <algorithm>
 
-#include "app/gui/base/looks/icons.h"
+#include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/docks/point/point_inspector.h"
 #include "app/gui/frame/actions/place_actions.h"

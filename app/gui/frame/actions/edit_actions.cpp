@@ -1,17 +1,23 @@
 #include "app/gui/frame/actions/edit_actions.h"
 
+#include <QAbstractItemView>
 #include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QUndoStack>
+#include <cctype>
 #include <glm/common.hpp>
 
-#include "app/gui/base/looks/icons.h"
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/buttons.h"
+#include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/project/project_dock.h"
-#include "app/gui/docks/results/warnings_dock.h"
-#include "app/gui/session/study/warning_place.h"
+#include "app/gui/docks/results/results_dock.h"
+#include "app/gui/frame/actions/result_actions.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/editing/edit_tools.h"
-#include "app/gui/view/panel/mode_switch.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/panel/view_presets.h"
 
 namespace noonmark {
 
@@ -108,6 +114,91 @@ void EditActions::showBuilding(const QString& where) {
     box = {box.low - border, box.high + border};
     panel_.navigator().showSlanting(box);
     tools_.building().select(building);
+}
+
+CopyActions::CopyActions(ResultActions& results, ResultsDock& figures, ViewPanel& panel)
+    : results_(results),
+      dock_(figures),
+      panel_(panel),
+      copy_(makeAction(this, tr("&Copy"), QKeySequence::Copy,
+                       tr("The table or text last clicked, else the picture of the view"), "copy")),
+      figures_(makeAction(this, tr("Copy fi&gures"), {}, tr("The figures of the dock Results, as a table"))),
+      picture_(makeAction(this, tr("C&opy picture"), QKeySequence(tr("Ctrl+Shift+C")),
+                          tr("The view with title, legend, scale and north"), "picture")) {
+    connect(copy_, &QAction::triggered, this, &CopyActions::copy);
+    connect(figures_, &QAction::triggered, this, &CopyActions::copyFigures);
+    connect(picture_, &QAction::triggered, &results_, &ResultActions::copyPicture);
+    dock_.setContextMenuPolicy(Qt::ActionsContextMenu);
+    dock_.addAction(figures_);
+}
+
+void CopyActions::copy() {
+    if (!copyText(QApplication::focusWidget())) results_.copyPicture();
+}
+
+bool CopyActions::copyText(QWidget* focus) {
+    if (const auto* label = qobject_cast<QLabel*>(focus); label && label->hasSelectedText()) {
+        put(label->selectedText(), tr("Text"));
+        return true;
+    }
+    for (QWidget* widget = focus; widget; widget = widget->parentWidget()) {
+        if (const auto* view = qobject_cast<QAbstractItemView*>(widget)) {
+            const QModelIndexList rows = view->selectionModel()->selectedIndexes();
+            const bool several = !rows.isEmpty() && rows.first().row() != rows.last().row();
+            put(makeTableText(*view->model(), several ? rows : QModelIndexList()), tr("Table"));
+            return true;
+        }
+        if (widget == &dock_ && !dock_.rows().empty()) {
+            copyFigures();
+            return true;
+        }
+    }
+    return false;
+}
+
+void CopyActions::copyFigures() {
+    if (dock_.rows().empty())
+        return panel_.messages().showError({"There are no figures to copy", {}, "Press Run first"});
+    put(makeTableText(dock_.rows()), tr("Figures"));
+}
+
+void CopyActions::copyCommand(const QString& command) { put(command, tr("Command")); }
+
+void CopyActions::put(const QString& text, const QString& what) {
+    QApplication::clipboard()->setText(text);
+    panel_.messages().showNote(tr("%1 copied").arg(what));
+}
+
+namespace {
+
+bool isOfWord(const std::string& text, std::size_t at) {
+    return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
+}
+
+bool holdsWord(const std::string& text, const std::string& word) {
+    if (word.empty()) return false;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+        const bool begins = at == 0 || !isOfWord(text, at - 1);
+        if (begins && !isOfWord(text, at + word.size())) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> buildingNamed(const City& city, const std::string& where) {
+    std::optional<std::uint32_t> found;
+    std::size_t longest = 0;
+    const auto look = [&](std::uint32_t building, const std::string& id) {
+        if (id.size() <= longest || !holdsWord(where, id)) return;
+        found = building;
+        longest = id.size();
+    };
+    for (std::uint32_t i = 0; i < city.buildings.size(); ++i) {
+        look(i, city.buildings[i]->sourceId);
+        for (const Part& part : city.buildings[i]->parts) look(i, part.sourceId);
+    }
+    return found;
 }
 
 }  // namespace noonmark

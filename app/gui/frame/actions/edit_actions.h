@@ -1,8 +1,14 @@
 #pragma once
 
 #include <QObject>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/city/city.h"
 
 class QAction;
+class QWidget;
 
 namespace noonmark {
 
@@ -43,5 +49,39 @@ private:
     QAction* undo_;
     QAction* redo_;
 };
+
+class ResultActions;
+class ResultsDock;
+
+/// Edit > Copy: the table, list or text that has the focus, else the picture of the view.
+class CopyActions final : public QObject {
+    Q_OBJECT
+public:
+    /// All must outlive this object.
+    CopyActions(ResultActions& results, ResultsDock& figures, ViewPanel& panel);
+
+    [[nodiscard]] QList<QAction*> actions() const { return {copy_, figures_, picture_}; }
+
+    /// Copies what `focus` shows; false if it shows nothing that can be copied as text.
+    bool copyText(QWidget* focus);
+    void copyCommand(const QString& command);
+
+private:
+    void copy();
+    void copyFigures();
+    void put(const QString& text, const QString& what);
+
+    ResultActions& results_;
+    ResultsDock& dock_;
+    ViewPanel& panel_;
+    QAction* copy_;
+    QAction* figures_;
+    QAction* picture_;
+};
+
+/// The building that a warning's place names: "way 264768896", "midtown.osm.pbf: relation 12, height". Its
+/// id, or that of one of its parts, must occur as a whole word; if several do, the longest counts. Nothing if
+/// none does. O(buildings).
+std::optional<std::uint32_t> buildingNamed(const City& city, const std::string& where);
 
 }  // namespace noonmark

@@ -1,5 +1,6 @@
 #include "app/gui/frame/actions/opening_actions.h"
 
+#include <QAction>
 #include <QCursor>
 #include <QDir>
 #include <QFileInfo>
@@ -7,21 +8,40 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/files/file_endings.h"
-#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/message_bar.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/frame/actions/place_actions.h"
 #include "app/gui/frame/actions/saving_actions.h"
-#include "app/gui/session/project/recent_files.h"
 #include "app/gui/session/study/open_options.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/photograph/photograph_actions.h"
 #include "app/input/load_city.h"
-#include "core/io/files/file_kind.h"
-#include "core/io/settings/place_advice.h"
+#include "core/io/files/plain_file.h"
+#include "core/io/settings/read_settings.h"
 #include "core/study/text/height_words.h"
 
 namespace noonmark {
+
+RecentMenu::RecentMenu(QMenu& menu, QSettings& settings) : menu_(menu), recent_(settings) { fill(); }
+
+void RecentMenu::add(const QStringList& files, const ReadSettings& reading) {
+    recent_.add(files, reading);
+    fill();
+}
+
+void RecentMenu::fill() {
+    menu_.clear();
+    for (const QString& entry : recent_.entries()) {
+        const QString reading = recent_.readingTextOf(entry);
+        const QString name = RecentFiles::nameOf(entry);
+        QAction* action = menu_.addAction(reading.isEmpty() ? name : tr("%1, with options").arg(name));
+        action->setStatusTip(reading.isEmpty() ? entry : tr("%1, read with %2").arg(entry, reading));
+        connect(action, &QAction::triggered, this,
+                [this, entry] { Q_EMIT chosen(RecentFiles::filesOf(entry), recent_.readingOf(entry)); });
+    }
+    menu_.setEnabled(!menu_.isEmpty());
+}
 
 namespace {
 

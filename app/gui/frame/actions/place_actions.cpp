@@ -6,8 +6,8 @@
 #include <glm/common.hpp>
 
 #include "app/gui/base/files/file_dialogs.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/make_action.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/frame/actions/opening_actions.h"
@@ -16,9 +16,8 @@
 #include "app/gui/tools/photograph/photograph_actions.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/input/load_city.h"
-#include "app/input/load_places.h"
 #include "app/report/sheets/study_words.h"
-#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/formats/format.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/massing/lot_edits.h"

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/session/project/project_changes.h"
 #include "core/io/places/read_places.h"
 

@@ -3,7 +3,7 @@
 #include <QUndoStack>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/session/workbench.h"

@@ -5,17 +5,17 @@
 #include <QGuiApplication>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
-#include "app/gui/view/panel/mode_switch.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/gui/view/panel/view_presets.h"
 #include "app/gui/view/time/time_strip.h"
 #include "app/questions/review_question.h"
-#include "app/report/sheets/period_words.h"
+#include "app/report/sheets/study_words.h"
 #include "core/study/contributions/place_contributions.h"
 
 namespace noonmark {

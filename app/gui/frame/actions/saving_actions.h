@@ -1,22 +1,45 @@
 #pragma once
 
+#include <QObject>
+#include <functional>
+
+#include "app/gui/session/project/project_saving.h"
+#include "scenarios/project/project_file.h"
+
 // The actions of the window. Each class owns the menu entries (QAction) of one subject, does what they ask of
 // the workbench, and listens to the docks that ask for the same: opening, saving, recovery, edits, studies,
 // regions, scenarios, results, view. They know neither the main window nor each other's entries; window_menus
 // (frame) arranges them in menus.
-
-#include <functional>
-
-#include "app/gui/session/project/project_saving.h"
-#include "app/gui/session/project/recovery_store.h"
-
 class QAction;
 class QWidget;
 
 namespace noonmark {
 
 class MessageBar;
+class RecoveryStore;
+class SavingActions;
 class Workbench;
+
+/// Offers the recovery files that earlier runs left for the open project, or for a project without a file.
+class RecoveryOffers final : public QObject {
+    Q_OBJECT
+public:
+    /// All must outlive this object.
+    RecoveryOffers(Workbench& workbench, const RecoveryStore& store, SavingActions& saving,
+                   MessageBar& messages);
+
+    void offer();  ///< what there is for the project that has been opened
+
+private:
+    void offerNewest(const std::filesystem::path& project, const Recovery& found);
+    void offerOlder();
+    void offerLeft();
+
+    Workbench& workbench_;
+    const RecoveryStore& store_;
+    SavingActions& saving_;
+    MessageBar& messages_;
+};
 
 /// Saves the project, and asks about unsaved work before an action that would lose it.
 class SavingActions final : public QObject {

@@ -5,7 +5,7 @@
 #include <QGuiApplication>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/project/project_dock.h"

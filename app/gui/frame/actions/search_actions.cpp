@@ -1,7 +1,7 @@
 #include "app/gui/frame/actions/search_actions.h"
 
-#include "app/gui/base/widgets/make_action.h"
-#include "app/gui/docks/search/search_field.h"
+#include "app/gui/base/widgets/buttons.h"
+#include "app/gui/docks/search/city_search.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/panel/view_panel.h"

@@ -1,15 +1,127 @@
 #include "app/gui/frame/actions/view_actions.h"
 
-#include "app/gui/base/widgets/make_action.h"
+#include <QAction>
+#include <QLabel>
+#include <QSettings>
+
+#include "app/gui/base/looks/units.h"
+#include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/number_words.h"
 #include "app/gui/docks/project/project_dock.h"
-#include "app/gui/frame/actions/height_colours.h"
 #include "app/gui/session/workbench.h"
+#include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/exploration/exploration.h"
-#include "app/gui/view/panel/section_dialog.h"
+#include "app/gui/view/panel/section_tool.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "app/report/maps/height_source_colours.h"
 #include "render/view/software_drawing.h"
 
 namespace noonmark {
+
+namespace {
+
+std::vector<OverlayBodies::Coloured> groupBySource(const City& city) {
+    std::vector<OverlayBodies::Coloured> groups(heightSources.size());
+    for (const HeightSourceColour& one : heightSourceColours())
+        groups[std::size_t(one.source)].colour = {one.colour.redF(), one.colour.greenF(), one.colour.blueF()};
+    for (const auto& building : city.buildings)
+        groups[std::size_t(sourceOfHeight(*building))].some.buildings.push_back(building);
+    for (OverlayBodies::Coloured& group : groups) {
+        group.some.frame = city.frame;
+        group.some.terrain = city.terrain;
+    }
+    return groups;
+}
+
+// "[blue] measured 163   [yellow] from storeys 594"
+QString describeLegend(const SourceCounts& counts) {
+    QString text = QObject::tr("Heights of buildings:");
+    for (const HeightSourceColour& one : heightSourceColours())
+        if (const std::size_t count = counts[std::size_t(one.source)]; count > 0)
+            text += QStringLiteral(" &nbsp; <span style=\"color:%1\">\u25a0</span> %2 %3")
+                        .arg(one.colour.name(), translated(one.label).toHtmlEscaped(), formatCount(count));
+    return text;
+}
+
+std::vector<LegendPatch> translatedPatches(const SourceCounts& counts) {
+    std::vector<LegendPatch> patches = sourcePatches(counts);
+    for (LegendPatch& patch : patches)
+        patch.label = QObject::tr("height %1").arg(translated(patch.label.toStdString()));
+    return patches;
+}
+
+}  // namespace
+
+HeightColours::HeightColours(Workbench& workbench, ViewPanel& panel)
+    : workbench_(workbench),
+      panel_(panel),
+      action_(makeAction(this, tr("Colour &by source of height"), {},
+                         tr("Buildings whose height is measured, computed from storeys or assumed"))),
+      legend_(new QLabel) {
+    action_->setObjectName(QStringLiteral("colourByHeightSource"));
+    action_->setCheckable(true);
+    legend_->setObjectName(QStringLiteral("heightSourceLegend"));
+    legend_->setTextFormat(Qt::RichText);
+    legend_->setContentsMargins(8, 2, 8, 2);
+    legend_->setWordWrap(true);
+    legend_->hide();
+    panel_.addLegendRow(legend_);
+    connect(action_, &QAction::toggled, this, &HeightColours::refresh);
+    connect(&workbench_, &Workbench::cityShown, this, &HeightColours::refresh);
+}
+
+void HeightColours::refresh() {
+    const bool shown = action_->isChecked() && workbench_.city();
+    const SourceCounts counts = shown ? countSources(workbench_.city()->city()) : SourceCounts{};
+    panel_.view().overlay().showColoured(
+        shown ? groupBySource(workbench_.city()->city()) : std::vector<OverlayBodies::Coloured>(),
+        OverlayBodies::ColouredBy::heightSource);
+    legend_->setText(describeLegend(counts));
+    legend_->setVisible(shown);
+    panel_.setBuildingPatches(translatedPatches(counts));
+}
+
+namespace {
+
+const QString storeyLinesKey = QStringLiteral("storeyLines");
+const QString liveChangeKey = QStringLiteral("liveChange");
+
+}  // namespace
+
+TowerDisplay::TowerDisplay(QSettings& settings, EditTools& tools)
+    : settings_(settings),
+      tools_(tools),
+      storeyLines_(makeAction(this, tr("Store&y lines"), {},
+                              tr("Lines at the floors of proposed towers, and of imported buildings whose "
+                                 "storey height is known"))),
+      aboveDatum_(makeAction(this, tr("&Heights above datum"), {},
+                             tr("Heights of buildings above the vertical zero of the project's terrain "
+                                "instead of above the ground under each building, as shown and as typed"))) {
+    for (QAction* one : {storeyLines_, aboveDatum_}) one->setCheckable(true);
+    storeyLines_->setChecked(settings_.value(storeyLinesKey, true).toBool());
+    aboveDatum_->setChecked(readHeightReference(settings_) == HeightReference::datum);
+    connect(storeyLines_, &QAction::toggled, this, &TowerDisplay::setStoreyLines);
+    connect(aboveDatum_, &QAction::toggled, this, &TowerDisplay::setAboveDatum);
+    tools_.changeAction().setChecked(settings_.value(liveChangeKey, true).toBool());
+    connect(&tools_.changeAction(), &QAction::toggled, this,
+            [this](bool on) { settings_.setValue(liveChangeKey, on); });
+    tools_.setStoreyLines(storeyLines_->isChecked());
+    applyHeightReference(readHeightReference(settings_));
+    tools_.heightReferenceChanged();
+}
+
+void TowerDisplay::setStoreyLines(bool on) {
+    settings_.setValue(storeyLinesKey, on);
+    tools_.setStoreyLines(on);
+}
+
+void TowerDisplay::setAboveDatum(bool on) {
+    const HeightReference reference = on ? HeightReference::datum : HeightReference::ground;
+    saveHeightReference(reference, settings_);
+    applyHeightReference(reference);
+    tools_.heightReferenceChanged();
+}
 
 namespace {
 

@@ -5,15 +5,59 @@
 #include "core/receivers/region.h"
 
 class QAction;
+class QLabel;
+class QSettings;
 
 namespace noonmark {
 
-class Exploration;
-class HeightColours;
-class ProjectDock;
-class SectionDialog;
 class ViewPanel;
 class Workbench;
+
+/// Colours the buildings in the view by where their heights come from, with a legend below the view, on
+/// request.
+class HeightColours final : public QObject {
+    Q_OBJECT
+public:
+    /// Both must outlive this object.
+    HeightColours(Workbench& workbench, ViewPanel& panel);
+
+    [[nodiscard]] QAction* action() const { return action_; }  ///< checkable
+    [[nodiscard]] QLabel* legend() const { return legend_; }   ///< hidden while off
+
+private:
+    void refresh();
+
+    Workbench& workbench_;
+    ViewPanel& panel_;
+    QAction* action_;
+    QLabel* legend_;
+};
+
+class EditTools;
+
+/// How proposed towers are shown: lines at their floors, heights above the ground or above the datum, and the
+/// change while they are designed (on at first). The switches are remembered in the settings.
+class TowerDisplay final : public QObject {
+    Q_OBJECT
+public:
+    TowerDisplay(QSettings& settings, EditTools& tools);  ///< both outlive it
+
+    [[nodiscard]] QAction* storeyLines() const { return storeyLines_; }  ///< checkable
+    [[nodiscard]] QAction* aboveDatum() const { return aboveDatum_; }    ///< checkable
+
+private:
+    void setStoreyLines(bool on);
+    void setAboveDatum(bool on);
+
+    QSettings& settings_;
+    EditTools& tools_;
+    QAction* storeyLines_;
+    QAction* aboveDatum_;
+};
+
+class Exploration;
+class ProjectDock;
+class SectionDialog;
 
 /// Moves the camera, and changes how buildings are drawn and the view is explored.
 class ViewActions final : public QObject {

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <functional>
 
-#include "app/gui/frame/help/guide_place.h"
+#include "app/gui/frame/help/guide_window.h"
 
 class QWidget;
 
@@ -13,7 +13,7 @@ namespace noonmark {
 bool isField(const QWidget& widget);
 
 /// The text of "What's this" for a field as HTML: its label, what it means (its tool tip, or a text of its
-/// own in field_texts.cpp), range and unit, and a link to the guide (guideLink()). Empty where nothing is
+/// own in field_help.cpp), range and unit, and a link to the guide (guideLink()). Empty where nothing is
 /// known.
 QString describeField(const QWidget& field);
 

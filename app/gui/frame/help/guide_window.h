@@ -1,17 +1,32 @@
 #pragma once
 
+#include <QDialog>
+#include <QString>
+
+class QWidget;
 // Help without a network. GuideWindow shows the user guide that is built into the program (docs/user),
 // AboutText what the program is made of, StartPage what to open and to ask first; FieldHelp explains fields
-// (What's this), guide_place.h knows which page is about which part of the window, and the folder tour has
+// (What's this), guide_window.h knows which page is about which part of the window, and the folder tour has
 // the guided tours. HelpActions are the menu entries.
-
-#include <QDialog>
-
 class QLineEdit;
 class QListWidget;
 class QTextBrowser;
 
 namespace noonmark {
+
+/// Where the guide describes a part of the window.
+struct GuidePlace {
+    QString page;     ///< a name of listGuidePages()
+    QString section;  ///< a heading of the page; empty: its beginning
+};
+
+/// The place of the nearest dock, dialog or bar that the widget lies in; the page "window" for everything
+/// else and for null.
+GuidePlace findGuidePlace(const QWidget* widget);
+
+/// "guide:PAGE#SECTION", as links of What's this name it, and back.
+QString guideLink(const GuidePlace& place);
+GuidePlace parseGuideLink(const QString& link);
 
 /// A page of the user guide.
 struct GuidePage {

@@ -1,20 +1,45 @@
 #pragma once
 
+#include <QDialog>
 #include <QObject>
 #include <QPointer>
+#include <QString>
+#include <QTableWidget>
 
 #include "app/gui/frame/help/field_help.h"
-#include "app/gui/frame/help/guide_place.h"
+#include "app/gui/frame/help/guide_window.h"
 #include "app/gui/frame/help/start_page.h"
 
+class QMenuBar;
 class QAction;
 class QMainWindow;
 class QSettings;
 
 namespace noonmark {
 
+/// Version, build, libraries, instruction set and graphics, as plain text to be copied into a report of a
+/// fault.
+QString makeAboutText();
+
+/// What keys and mouse do, as a table that can be searched: the shortcuts of all menu entries as they are,
+/// and what the mouse does in the view. Not modal.
+class KeySheet final : public QDialog {
+    Q_OBJECT
+public:
+    explicit KeySheet(const QMenuBar& menus, QWidget* parent = nullptr);
+
+    [[nodiscard]] const QTableWidget& table() const { return *table_; }  ///< where, what, keys
+
+private:
+    void add(const QString& where, const QString& what, const QString& keys);
+    void addMenu(const QString& where, const QList<QAction*>& entries);
+    void addMouse();
+    void filter(const QString& words);
+
+    QTableWidget* table_;
+};
+
 class GuideWindow;
-class KeySheet;
 class OpeningActions;
 class ViewPanel;
 

@@ -11,18 +11,28 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSettings>
 #include <QShortcut>
 #include <QStatusBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/base/looks/icons.h"
-#include "app/gui/base/widgets/card_button.h"
-#include "app/gui/base/widgets/push_button.h"
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/frame/tour/tour_actions.h"
 #include "app/gui/view/panel/view_panel.h"
 
 namespace noonmark {
+
+namespace {
+
+const QString showStartKey = QStringLiteral("showStart");
+
+}  // namespace
+
+bool readShowStart(const QSettings& settings) { return settings.value(showStartKey, true).toBool(); }
+
+void saveShowStart(bool shows, QSettings& settings) { settings.setValue(showStartKey, shows); }
 
 namespace {
 

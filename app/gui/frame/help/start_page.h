@@ -7,12 +7,17 @@
 
 #include "app/gui/session/project/recent_files.h"
 
+class QSettings;
 class QAbstractButton;
 class QLabel;
 class QMainWindow;
 class QVBoxLayout;
 
 namespace noonmark {
+
+/// Whether the start page is shown when the program starts without a file: at first it is.
+bool readShowStart(const QSettings& settings);
+void saveShowStart(bool shows, QSettings& settings);
 
 class CardButton;
 class ViewPanel;

@@ -10,8 +10,9 @@
 #include "app/gui/base/looks/application_theme.h"
 #include "app/gui/base/looks/language.h"
 #include "app/gui/base/looks/units.h"
-#include "app/gui/docks/sheets/page_settings.h"
-#include "app/gui/frame/help/start_settings.h"
+#include "app/gui/base/widgets/buttons.h"
+#include "app/gui/docks/sheets/sheet_form.h"
+#include "app/gui/frame/help/start_page.h"
 
 namespace noonmark {
 
@@ -109,6 +110,22 @@ void PreferencesDialog::save() {
     Q_EMIT paperChosen();
     if (isOther) Q_EMIT textsChanged();
     accept();
+}
+
+PreferencesActions::PreferencesActions(QSettings& settings, QWidget& window)
+    : settings_(settings),
+      window_(window),
+      show_(makeAction(this, tr("Pr&eferences..."), QKeySequence(tr("Ctrl+,")),
+                       tr("Language, colours, units, paper and start page"))) {
+    show_->setMenuRole(QAction::PreferencesRole);
+    connect(show_, &QAction::triggered, this, &PreferencesActions::show);
+}
+
+void PreferencesActions::show() {
+    auto* dialog = new PreferencesDialog(settings_, &window_);
+    connect(dialog, &PreferencesDialog::paperChosen, this, &PreferencesActions::paperChosen);
+    connect(dialog, &PreferencesDialog::textsChanged, this, &PreferencesActions::textsChanged);
+    dialog->open();
 }
 
 }  // namespace noonmark

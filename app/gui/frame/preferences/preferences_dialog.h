@@ -1,11 +1,14 @@
 #pragma once
 
 #include <QDialog>
+#include <QObject>
 
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QSettings;
+class QAction;
+class QWidget;
 
 namespace noonmark {
 
@@ -34,6 +37,27 @@ private:
     QComboBox* paper_;
     QComboBox* orientation_;
     QCheckBox* start_;
+};
+
+/// The entry Preferences of the menu Edit.
+class PreferencesActions final : public QObject {
+    Q_OBJECT
+public:
+    /// All must outlive this object.
+    PreferencesActions(QSettings& settings, QWidget& window);
+
+    [[nodiscard]] QAction* action() const { return show_; }
+
+Q_SIGNALS:
+    void paperChosen();
+    void textsChanged();  ///< the language or the units are others
+
+private:
+    void show();
+
+    QSettings& settings_;
+    QWidget& window_;
+    QAction* show_;
 };
 
 }  // namespace noonmark

@@ -1,14 +1,86 @@
 #pragma once
 
+#include <QAction>
+#include <QFrame>
 #include <QObject>
+#include <QPointer>
+#include <QRect>
 #include <QTimer>
+#include <QWidget>
+#include <functional>
 #include <memory>
 
-#include "app/gui/frame/tour/tour_bubble.h"
-#include "app/gui/frame/tour/tour_control.h"
-#include "app/gui/frame/tour/tour_goal.h"
+#include "app/gui/frame/tour/tour_step.h"
+
+class QLabel;
+class QMainWindow;
+class QPushButton;
 
 namespace noonmark {
+
+/// A frame around the control of a step. The mouse goes through it.
+class TourFrame final : public QWidget {
+    Q_OBJECT
+public:
+    explicit TourFrame(QWidget* parent);
+
+    void put(const QRect& control);  ///< in the parent; empty: hides it
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+};
+
+/// The text of a step beside its control, above the 3D view too: a window of its own without a frame.
+class TourBubble final : public QFrame {
+    Q_OBJECT
+public:
+    explicit TourBubble(QMainWindow& window);
+
+    /// What the button does that takes the user on.
+    enum class Onward { showMe, next, finish };
+    void tell(const QString& title, const QString& text, Onward onward);
+    void put(const QRect& control);  ///< beside it, in the window; empty: in the middle
+
+Q_SIGNALS:
+    void showMe();
+    void ended();
+
+private:
+    QMainWindow& window_;
+    QLabel* title_;
+    QLabel* text_;
+    QPushButton* show_;
+    QPushButton* end_;
+};
+
+/// The control of a step in the window: where it is, and what the user or "Show me" does with it.
+class TourControl final : public QObject {
+    Q_OBJECT
+public:
+    /// `draw` draws the polygon of TourDeed::draw. `window` must outlive it.
+    TourControl(QMainWindow& window, const TourStep& step, std::function<void()> draw);
+
+    [[nodiscard]] bool found() const { return widget_ != nullptr || action_ != nullptr; }
+    [[nodiscard]] QRect area() const;  ///< in the window; empty while the control is not visible
+    void reveal();                     ///< brings its dock to the front and scrolls to it
+    void showMe();                     ///< does what the step asks for, as the user would
+
+Q_SIGNALS:
+    void done();  ///< by the user or by showMe(); queued, so that the window has answered
+
+private:
+    void watch();
+    void watchList();
+    void choose();
+    void set();
+    [[nodiscard]] QRect actionArea() const;
+
+    QMainWindow& window_;
+    TourStep step_;
+    std::function<void()> draw_;
+    QPointer<QWidget> widget_;
+    QPointer<QAction> action_;
+};
 
 class ViewPanel;
 

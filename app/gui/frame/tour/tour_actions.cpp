@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <utility>
 
-#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/frame/actions/opening_actions.h"
 #include "app/gui/session/workbench.h"
 

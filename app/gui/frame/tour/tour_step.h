@@ -1,13 +1,14 @@
 #pragma once
 
-// Guided tours: tours.cpp has their steps as data, Tour walks through one, TourControl finds and uses the
-// control of a step in the window, TourBubble shows the text beside it, tour_goal.h tells when a step is
-// done.
-
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace noonmark {
+
+// Guided tours: tour_step.cpp has their steps as data, Tour walks through one, TourControl finds and uses the
+// control of a step in the window, TourBubble shows the text beside it, tour_step.h tells when a step is
+// done.
 
 /// What the user does in a step, and "Show me" does for them.
 enum class TourDeed {
@@ -48,5 +49,23 @@ struct TourPlan {
 
 /// One for each user: architect, planner, review board. All start from the sample Central Park South.
 std::span<const TourPlan> listTours();
+
+class ReviewSession;
+class Workbench;
+
+/// What the window had when a step began.
+struct TourBefore {
+    const void* study = nullptr;
+    const void* comparison = nullptr;
+    const void* score = nullptr;
+    const void* review = nullptr;
+    std::size_t places = 0;
+    std::size_t edits = 0;  ///< of all scenarios
+};
+
+TourBefore lookBefore(Workbench& workbench, ReviewSession& review);
+
+/// Whether the window has something new of that kind. Never for TourGoal::deed.
+bool isReached(TourGoal goal, const TourBefore& before, const TourBefore& now);
 
 }  // namespace noonmark

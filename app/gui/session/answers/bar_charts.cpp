@@ -20,10 +20,10 @@
 #include <cmath>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/translated.h"
 #include "app/gui/session/answers/result_rows.h"
-#include "app/report/maps/palette.h"
+#include "app/report/maps/style.h"
 
 namespace noonmark {
 

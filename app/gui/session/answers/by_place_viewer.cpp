@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/gui/base/looks/units.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/translated.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/study/region_words.h"

@@ -1,8 +1,11 @@
+#include <QLocale>
 #include <QObject>
 
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/answers/result_rows.h"
+#include "app/report/sheets/study_words.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
@@ -79,6 +82,87 @@ std::vector<ResultRow> makeRows(const ComparisonFigures& figures, ShownAs show) 
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(figures.engine),
                              QObject::tr("Used for both")));
     addErrors(rows, figures.errors);
+    return rows;
+}
+
+namespace {
+
+// Of a month or an interval.
+template <class R>
+QString joined(const Figures<R>& figures, const R& of, ShownAs show) {
+    return joinFigures(listLines(figures.of(of), FigureUse::result, {.show = show}));
+}
+
+void addMonths(std::vector<ResultRow>& rows, const Score& score, ShownAs show) {
+    for (const MonthFigures& month : score.months)
+        rows.push_back({describeMonth(month.month), joined(scoreMonthFigures(), month, show),
+                        QObject::tr("The month's contribution to the score")});
+}
+
+// Intervals without steps of the sun have neither shadow area nor score.
+void addIntervals(std::vector<ResultRow>& rows, const Score& score, ShownAs show) {
+    for (const IntervalFigures& interval : score.intervals)
+        if (interval.shadowAreaM2 > 0)
+            rows.push_back(
+                {QString::fromStdString(interval.name), joined(scoreIntervalFigures(), interval, show),
+                 QObject::tr("Interval of the table: its weight, and its contribution to the score")});
+}
+
+std::optional<AnswerLayer> layerOfScore(const std::shared_ptr<const Answer>& answer) {
+    return makeGroundAnswer(contentOf<ScoreAnswer>(answer));
+}
+
+std::vector<ResultRow> rowsOfScore(const Answer& answer, ShownAs show) {
+    const auto& score = *answer.as<ScoreAnswer>();
+    return makeScoreRows(score.score, score.scenario, score.weights.name, formatText(score.settings.period),
+                         show);
+}
+
+std::optional<AnswerLayer> layerOfSavedScore(const std::shared_ptr<const SavedContent>& saved) {
+    return markMissingRuns({.map = std::shared_ptr<const Score>(saved, &saved->as<SavedScore>()->score)});
+}
+
+std::vector<ResultRow> rowsOfSavedScore(const SavedContent& saved, ShownAs show) {
+    const auto& score = *saved.as<SavedScore>();
+    return makeScoreRows(score.score, saved.result->scenario, score.weights, saved.answer.origin.period,
+                         show);
+}
+
+QString titleOfScore(const Answer& answer) {
+    const auto& score = *answer.as<ScoreAnswer>();
+    return QObject::tr("Score of %1 with %2")
+        .arg(QString::fromStdString(score.scenario), QString::fromStdString(score.weights.name));
+}
+
+}  // namespace
+
+const AnswerViewer& scoreViewer() {
+    static const AnswerViewer viewer{.question = scoreQuestion().key,
+                                     .layer = layerOfScore,
+                                     .rows = rowsOfScore,
+                                     .title = titleOfScore,
+                                     .savedLayer = layerOfSavedScore,
+                                     .savedRows = rowsOfSavedScore};
+    return viewer;
+}
+
+QString describeMonth(std::chrono::year_month month) {
+    const QString name = QLocale().standaloneMonthName(int(unsigned(month.month())), QLocale::ShortFormat);
+    return QStringLiteral("%1 %2").arg(name).arg(int(month.year()));
+}
+
+std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
+                                     const std::string& weights, const std::string& period, ShownAs show) {
+    std::vector<ResultRow> rows = figureRows(listLines(scoreFigures().of(score)));
+    rows.push_back({QObject::tr("Scored"),
+                    QObject::tr("%1\nwith the weights %2")
+                        .arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
+                    {}});
+    addMonths(rows, score, show);
+    addIntervals(rows, score, show);
+    rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(period)));
+    rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(score.engine)));
+    addErrors(rows, score.errors);
     return rows;
 }
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "app/gui/session/answers/answer_origin.h"
+#include "app/gui/session/answers/measured_answers.h"
 #include "app/questions/answer.h"
 
 namespace noonmark {

@@ -1,10 +1,7 @@
 #include "app/gui/session/project/open_project.h"
 
-#include "app/input/load_context.h"
-#include "app/input/load_photograph.h"
-#include "app/input/load_places.h"
+#include "app/input/load_city.h"
 #include "app/input/load_project.h"
-#include "app/input/project_of.h"
 
 namespace noonmark {
 

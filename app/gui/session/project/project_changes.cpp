@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "core/receivers/place_names.h"
-#include "scenarios/free_name.h"
-#include "scenarios/scenario_list.h"
+#include "scenarios/scenario.h"
 
 namespace noonmark {
 

@@ -1,24 +1,42 @@
 #pragma once
 
-// The open project: its value, file and undo steps, and its tree. ProjectSession holds the project and the
-// displayed scenario; project_changes has the pure functions that edit it, ScenarioCities builds the city of
-// each scenario. ProjectSaving writes the project file and its recovery file; RecoveryStore names the
-// recovery file of a project that has no file yet; ViewState is the part of the window's state saved in the
-// project. ProjectModel and ProjectDock show the project as a tree.
-
 #include <QObject>
 #include <QString>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/gui/session/project/project_changes.h"
-#include "app/gui/session/project/scenario_cities.h"
+#include "scenarios/project/project.h"
 #include "scenarios/project/project_file.h"
 
+// The open project: its value, file and undo steps, and its tree. ProjectSession holds the project and the
+// displayed scenario; project_changes has the pure functions that edit it, ScenarioCities builds the city of
+// each scenario. ProjectSaving writes the project file and its recovery file; RecoveryStore names the
+// recovery file of a project that has no file yet; ViewState is the part of the window's state saved in the
+// project. ProjectModel and ProjectDock show the project as a tree.
 class QUndoStack;
 
 namespace noonmark {
+
+/// Caches the cities of scenarios. A list of edits that begins with one applied before continues from its
+/// city, so that a scenario shares buildings with its base and an edit costs only itself.
+class ScenarioCities {
+public:
+    /// Errors as of cityOf(). Repeated calls return the same city.
+    Result<std::shared_ptr<const City>> cityOf(const Project& project, const std::string& scenario);
+
+private:
+    struct Made {
+        std::vector<Edit> edits;
+        std::shared_ptr<const City> city;
+    };
+    [[nodiscard]] Made nearest(const std::vector<Edit>& edits) const;
+
+    std::shared_ptr<const City> existing_;
+    std::vector<Made> made_;  // oldest first
+};
 
 /// The open project: its value and file, the displayed scenario and the baseline it is compared with. Each
 /// change is a step of the window's undo stack; undoing it also goes back to the scenario in which it was

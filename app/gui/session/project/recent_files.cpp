@@ -6,7 +6,7 @@
 #include <QVariantMap>
 #include <algorithm>
 
-#include "core/io/settings/read_settings_text.h"
+#include "core/io/settings/read_fields.h"
 
 namespace noonmark {
 

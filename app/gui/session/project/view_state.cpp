@@ -1,20 +1,32 @@
 #include "app/gui/session/project/view_state.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
-#include "app/gui/session/project/element_settings_json.h"
 #include "core/city/footprints/repair_footprint.h"
 #include "core/describe/field_checks.h"
 #include "core/describe/field_json.h"
+#include "core/study/elements/element_fields.h"
 #include "core/study/study_fields.h"
 #include "scenarios/project/tables/ring_json.h"
 
 namespace noonmark {
 
+using Json = nlohmann::ordered_json;
+
+Json elementSettingsJson(const ElementSettings& elements) {
+    return fieldsJson(elementFields().of(elements), {.which = FieldJson::Which::all});
+}
+
+std::optional<ElementSettings> elementSettingsFrom(const Json& json) {
+    if (!json.is_object() || !json.contains("places")) return std::nullopt;
+    ElementSettings elements;
+    const Editable fields = elementFields().of(elements);
+    if (!readFieldsJson(fields, json) || !checkRanges(fields)) return std::nullopt;
+    return elements;
+}
+
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Texts = std::map<std::string, std::string>;
 
 Json regionJson(const Region& region) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,11 @@
 #include "scenarios/scenario.h"
 
 namespace noonmark {
+
+/// Where the points of a study, or the windows of a review, lie; as the project's view state holds it.
+nlohmann::ordered_json elementSettingsJson(const ElementSettings& elements);
+/// None for JSON of another structure, and where a length is out of its range.
+std::optional<ElementSettings> elementSettingsFrom(const nlohmann::ordered_json& json);
 
 /// The window's state that is saved in Project::view and restored when the project is opened.
 struct ViewState {

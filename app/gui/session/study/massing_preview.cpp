@@ -6,8 +6,7 @@
 
 #include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/translated.h"
-#include "core/city/main_part.h"
+#include "core/city/city_position.h"
 
 namespace noonmark {
 

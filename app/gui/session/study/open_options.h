@@ -1,17 +1,56 @@
 #pragma once
 
 #include <QDialog>
+#include <QObject>
 #include <QStringList>
+#include <QWidget>
+#include <vector>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
+#include "core/io/footprints/list_fields.h"
 #include "core/io/read_city.h"
 
+class QLineEdit;
+class QWidget;
 class QLabel;
 class QTimer;
+class QCheckBox;
+class QDoubleSpinBox;
+class QGroupBox;
+class QPushButton;
 
 namespace noonmark {
 
-class FieldChoices;
+/// The layers of one file.
+struct FieldsOfFile {
+    std::string file;
+    std::vector<ListedLayer> layers;
+};
+
+/// Lists behind the text fields of a form that name a layer or a field: each entry shows sample values. The
+/// names can still be typed.
+class FieldChoices final : public QObject {
+    Q_OBJECT
+public:
+    /// `form` has the text fields layer, heightField, levelsField and buildingNameField, and owns this
+    /// object.
+    explicit FieldChoices(QWidget& form);
+
+    void show(const std::vector<FieldsOfFile>& files);
+
+Q_SIGNALS:
+    void chosen();  ///< an entry of a list
+
+private:
+    struct Choosable {
+        QLineEdit* line;
+        FieldRole role;
+    };
+    void addList(QLineEdit& line, const std::vector<std::pair<QString, QString>>& entries);
+    std::vector<Choosable> fields_;
+    QLineEdit* layer_;
+};
+
 class MassingPreview;
 class ReadingForm;
 
@@ -50,6 +89,37 @@ private:
     QTimer* pause_;  ///< before the files are read again
     JobSlot listing_;
     JobSlot reading_;
+};
+
+class FieldRows;
+
+/// Fields for ReadSettings: what a file may not state. ReadSettings::frame has no field and stays empty.
+class ReadingForm final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ReadingForm(QWidget* parent = nullptr);
+
+    [[nodiscard]] ReadSettings settings() const;
+    void show(const ReadSettings& settings);
+    void setMiddle(std::optional<LonLat> middle);  ///< of the open city; none: disables the button
+
+Q_SIGNALS:
+    void edited();  ///< by the user
+
+private:
+    void makeFields();
+    QGroupBox* makeHeights();
+    QGroupBox* makeData();
+    QGroupBox* makeMeshes();
+    QWidget* makeAnchor();
+    void showAnchor(LonLat place);
+
+    FieldRows* rows_;
+    QCheckBox* anchored_;
+    QDoubleSpinBox* longitude_;
+    QDoubleSpinBox* latitude_;
+    QPushButton* toMiddle_;
+    std::optional<LonLat> middle_;
 };
 
 }  // namespace noonmark

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/number_words.h"
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 
 namespace noonmark {
 

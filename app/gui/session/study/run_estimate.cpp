@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/translated.h"
 #include "app/input/all_engines.h"
 #include "core/engines/auto_engine.h"
 #include "core/receivers/roof_receivers.h"

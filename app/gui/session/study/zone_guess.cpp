@@ -6,7 +6,7 @@
 #include <QTimeZone>
 #include <limits>
 
-#include "core/geo/distance.h"
+#include "core/geo/lon_lat.h"
 #include "core/sun/zone_country.h"
 
 namespace noonmark {

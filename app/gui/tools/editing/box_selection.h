@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/city/city.h"
+#include "render/view/camera_pose.h"
 #include "render/view/section_box.h"
-#include "render/view/view_ray.h"
 
 class QRubberBand;
 class QWindow;

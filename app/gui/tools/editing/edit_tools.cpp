@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/base/looks/icons.h"
-#include "app/gui/tools/editing/placing_panel.h"
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/tools/editing/mesh_placing.h"
 #include "app/gui/tools/editing/selection_panel.h"
 #include "app/gui/tools/massing/figure_words.h"
 #include "app/gui/tools/massing/massing_panel.h"

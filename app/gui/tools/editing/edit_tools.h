@@ -42,7 +42,7 @@ public:
     void setTowers(std::map<std::string, ProposedTower> towers);
     void setQuestion(const LiveQuestion& question);  ///< settings of the live shadow
     void setStoreyLines(bool on);                    ///< lines at the floors of proposed towers; on at first
-    void heightReferenceChanged();                   ///< shows heights again (looks/height_reference.h)
+    void heightReferenceChanged();                   ///< shows heights again (looks/units.h)
     void setFacades(const FacadeSettings& facades);  ///< bays and storeys of the live facades
     /// Shows the sunlight of the edited building's facades too; on until changeAction() is switched on.
     [[nodiscard]] QAction& facadesAction() { return *facades_; }

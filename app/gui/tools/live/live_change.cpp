@@ -6,7 +6,6 @@
 #include <limits>
 #include <tuple>
 
-#include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {

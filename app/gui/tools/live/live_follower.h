@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/tools/live/live_shadow.h"
 
 namespace noonmark {

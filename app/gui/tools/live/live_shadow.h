@@ -1,19 +1,75 @@
 #pragma once
 
+#include <QString>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "app/gui/session/study/shared_horizon_cache.h"
 #include "app/gui/tools/live/live_change.h"
-#include "app/gui/tools/live/live_receivers.h"
-#include "app/gui/tools/live/live_rule.h"
 #include "core/base/progress.h"
+#include "core/city/city.h"
 #include "core/engines/projected/shadow_cache.h"
+#include "core/receivers/receivers.h"
 #include "scenarios/edits/apply_edits.h"
 
 namespace noonmark {
+
+/// The method of the live shadow.
+enum class LiveEngine {
+    /// The projected polygons of each building at every step are cached (shadow_cache.h): exact, on level
+    /// ground only.
+    shadows,
+    /// Horizons are cached (shared_horizon_cache.h): any period, any receivers; the azimuth is off by up to
+    /// half a bin.
+    horizons,
+    /// As `shadows`, at some moments spread over the period: exact at these only.
+    moments,
+};
+
+struct LiveRule {
+    /// Up to this many steps, polygons of each step are cached: twelve hours minute by minute.
+    static constexpr std::size_t maxSteps = 720;
+    /// Number of moments of a longer period. Fewer than maxSteps, since moments far apart cost more each.
+    static constexpr std::size_t someMoments = 120;
+    /// A region with more cells is too slow to follow, and the horizons of a year would not fit into the
+    /// cache: a square around the shape is used instead.
+    static constexpr std::size_t maxCells = std::size_t{1} << 20U;
+};
+
+/// The methods for a city, receivers and number of steps, the best first; if one refuses (too many overhangs,
+/// too little memory) the next is tried. Polygons where they are exact, else horizons; moments only on level
+/// ground and if horizons cannot be cached.
+std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std::size_t steps);
+
+/// How exact a live shadow is, for the note beside the legend. `counted` of `steps` steps are computed;
+/// `runs`: continuous shadow is included.
+QString describeExactness(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs);
+
+/// The receivers of a city in which one shape changes. The receivers of the rest are computed once; for each
+/// shape only the cells around it are updated.
+class LiveReceivers {
+public:
+    using Shape = std::vector<std::shared_ptr<const Building>>;
+
+    /// `city` is the city without the shape. Errors as of placeReceivers().
+    static Result<LiveReceivers> of(const City& city, const Region& region, const ReceiverSettings& settings,
+                                    const std::stop_token& stop);
+
+    [[nodiscard]] const Receivers& base() const { return base_; }
+    /// The receivers of the city with these buildings: the same, cell for cell, as those of placeReceivers().
+    [[nodiscard]] Receivers with(const Shape& shape) const;
+
+private:
+    void patch(Receivers& receivers, const Building& added, const Shape& shape) const;
+
+    City near_;  // the buildings in the region's bounding box
+    Region region_;
+    ReceiverPlaces places_ = ReceiverPlaces::ground;
+    Receivers base_;
+};
 
 /// The settings of the live shadow, as those of a study.
 struct LiveQuestion {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/gui/base/widgets/height_words.h"
 #include "app/gui/base/widgets/number_words.h"
 
 namespace noonmark {

@@ -3,7 +3,7 @@
 #include <QString>
 
 #include "scenarios/massing/copy_massing.h"
-#include "scenarios/massing/nearest_fit.h"
+#include "scenarios/massing/fit_floor_area.h"
 
 namespace noonmark {
 

@@ -8,18 +8,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/base/looks/height_reference.h"
 #include "app/gui/base/looks/theme.h"
-#include "app/gui/base/widgets/height_words.h"
-#include "app/gui/base/widgets/length_field.h"
+#include "app/gui/base/looks/units.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/translated.h"
-#include "app/gui/tools/massing/further_table.h"
-#include "app/gui/tools/massing/plate_field.h"
-#include "app/gui/tools/massing/setback_table.h"
-#include "app/gui/tools/massing/use_table.h"
-#include "app/gui/tools/massing/wall_field.h"
-#include "core/city/plausible_heights.h"
+#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/tools/massing/tower_tables.h"
+#include "core/city/building_heights.h"
 #include "scenarios/massing/massing_fields.h"
 
 namespace noonmark {

@@ -3,7 +3,7 @@
 #include <QPointer>
 #include <QWidget>
 
-#include "scenarios/massing/nearest_fit.h"
+#include "scenarios/massing/fit_floor_area.h"
 
 class QDoubleSpinBox;
 class QGroupBox;

@@ -7,16 +7,34 @@
 
 #include "app/gui/tools/massing/tower_draft.h"
 #include "scenarios/massing/fit_floor_area.h"
-#include "scenarios/massing/nearest_fit.h"
 
-class QCheckBox;
 class QComboBox;
+class QDoubleSpinBox;
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
 class QScrollArea;
 
 namespace noonmark {
+
+/// A floor area or a floor area ratio that the tower shall have, and buttons that fit it.
+class TargetRow final : public QWidget {
+    Q_OBJECT
+public:
+    explicit TargetRow(QWidget* parent = nullptr);
+
+    [[nodiscard]] FloorAreaTarget target(FloorAreaBy by) const;
+
+Q_SIGNALS:
+    void fitRequested(noonmark::FloorAreaTarget target);
+
+private:
+    void choose(int kind);
+
+    QComboBox* kind_;
+    QDoubleSpinBox* number_;
+};
 
 class MassingForm;
 

@@ -4,10 +4,10 @@
 #include <set>
 #include <utility>
 
-#include "app/gui/base/widgets/height_words.h"
+#include "app/gui/base/widgets/number_words.h"
 #include "app/gui/tools/massing/figure_words.h"
 #include "app/gui/tools/massing/massing_panel.h"
-#include "core/city/footprints/plan_lines.h"
+#include "core/city/footprints/plan_overlay.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/floor_plate.h"
 

@@ -13,7 +13,6 @@
 #include "app/gui/tools/preview/edit_context.h"
 #include "scenarios/massing/copy_massing.h"
 #include "scenarios/massing/fit_floor_area.h"
-#include "scenarios/massing/nearest_fit.h"
 #include "scenarios/massing/tower_design.h"
 
 namespace noonmark {

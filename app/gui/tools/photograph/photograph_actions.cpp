@@ -3,16 +3,14 @@
 #include <QFileInfo>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/message_bar.h"
 #include "app/gui/base/widgets/number_words.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/photograph/photograph_dialog.h"
-#include "app/gui/tools/photograph/tile_dialog.h"
 #include "core/city/map_context.h"
 #include "core/io/files/check_output.h"
-#include "core/io/pictures/read_ground_raster.h"
-#include "core/io/pictures/write_picture.h"
+#include "core/io/pictures/ground_raster_file.h"
 
 namespace noonmark {
 

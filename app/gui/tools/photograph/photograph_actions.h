@@ -2,13 +2,13 @@
 
 // The folder app/gui/tools/photograph puts an aerial photograph, or any other picture of the ground, under
 // the city: PhotographActions reads it into the project, PhotographDialog is its form. TileFetch fetches
-// tiles from an address that the user states in TileDialog; tile_range.h is their scheme.
+// tiles from an address that the user states in TileDialog; tile_fetch.h is their scheme.
 
 #include <QObject>
 #include <QStringList>
 
-#include "app/gui/base/jobs/job_slot.h"
-#include "app/input/load_photograph.h"
+#include "app/gui/base/jobs/job.h"
+#include "app/input/load_city.h"
 
 class QAction;
 class QWidget;

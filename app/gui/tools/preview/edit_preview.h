@@ -1,15 +1,21 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/gui/tools/live/live_change.h"
 #include "app/gui/tools/live/live_facades.h"
 #include "app/gui/tools/live/live_follower.h"
 #include "scenarios/edits/apply_edits.h"
 
 namespace noonmark {
+
+/// What an edit changes, a few lines for beside the cursor: area of new shadow over the thresholds, minutes
+/// at the worst spot, the places with most new shadow, and `verdicts` (empty: none) in the last line.
+QString describeEffect(const LiveChange& change, const QString& verdicts);
 
 struct GroundAnswer;
 struct OpenCity;

@@ -4,17 +4,28 @@
 #include <QTimer>
 #include <optional>
 
-#include "app/gui/view/panel/shortcut_claim.h"
 #include "app/gui/view/panel/typed_length.h"
-#include "core/city/storeys.h"
+#include "core/city/building_heights.h"
+#include "render/view/camera_pose.h"
 #include "render/view/view_navigator.h"
 
 namespace noonmark {
 
+/// Height above `foot`, metres, of the point on its vertical nearest to a view ray: the height that a handle
+/// on that vertical is dragged to. Nothing if the ray is within 8 degrees of the vertical or leads away from
+/// it: there one pixel would cover too many metres.
+std::optional<double> heightOnVertical(const ViewRay& ray, glm::dvec3 foot);
+
+/// The nearest whole number of storeys, at least one, as a height in metres; at most 2000 m.
+double wholeStoreys(double heightM, double storeyM);
+
+/// The nearest height that a massing may have: in steps of 0.1 m, from one storey to 2000 m.
+double freeHeight(double heightM, double storeyM);
+
 class ViewPanel;
 
 /// The arrow on top of a tower. Dragging it up or down sets the height, snapped to whole storeys, or free
-/// with Shift. A height typed over the view, from the reference in use (looks/height_reference.h), "40",
+/// with Shift. A height typed over the view, from the reference in use (looks/units.h), "40",
 /// "131' 3\"" or "40 m", followed by Enter, sets it too.
 class ExtrudeHandle final : public QObject, public DragTarget {
     Q_OBJECT

@@ -1,19 +1,76 @@
 #pragma once
 
+#include <QCursor>
+#include <QObject>
+#include <QWidget>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/gui/view/compare/other_scenario.h"
+#include "render/view/view_navigator.h"
+
+class QComboBox;
+class QLabel;
 // Two scenarios in one view. CompareActions has the entries of the menu and decides what is shown;
 // OtherScenario prepares the other scenario's city; CompareStrip names both above the view; DividerHandle
 // drags the line between them.
-
-#include <QObject>
-
-#include "app/gui/view/compare/divider_handle.h"
-#include "app/gui/view/compare/other_scenario.h"
-
 class QAction;
 
 namespace noonmark {
 
-class CompareStrip;
+class ProjectSession;
+
+/// The strip above the view while it compares two scenarios: a list of the others on the left, the displayed
+/// scenario on the right, and what the view shows of both between them.
+class CompareStrip final : public QWidget {
+    Q_OBJECT
+public:
+    explicit CompareStrip(ProjectSession& session, QWidget* parent = nullptr);  ///< it must outlive this
+
+    void setOther(const std::string& scenario);
+    void setNote(const QString& note);
+
+Q_SIGNALS:
+    void otherChosen(const std::string& scenario);
+    void closed();
+
+private:
+    void fill();
+
+    ProjectSession& session_;
+    QComboBox* other_;
+    QLabel* note_;
+    QLabel* displayed_;
+};
+
+/// Every scenario but the displayed one, the existing city among them.
+std::vector<std::string> listOthers(const ProjectSession& session);
+
+/// Drags the divider between the two scenarios of a swipe.
+class DividerHandle final : public QObject, public DragTarget {
+    Q_OBJECT
+public:
+    /// Both must outlive this object.
+    DividerHandle(CityView& view, ViewNavigator& navigator, QObject* parent = nullptr);
+    ~DividerHandle() override;
+
+    void setActive(bool active);
+    bool grab(QPointF pixel) override;
+    void dragTo(QPointF pixel) override;
+    void drop() override {}
+
+private:
+    [[nodiscard]] bool isAt(QPointF pixel) const;
+    void showCursor(QPointF pixel);
+    void restoreCursor();
+
+    CityView& view_;
+    ViewNavigator& navigator_;
+    bool active_ = false;
+    std::optional<QCursor> before_;  ///< the cursor while the one of the divider is shown
+};
+
 struct Study;
 class TimeDisplay;
 class Workbench;

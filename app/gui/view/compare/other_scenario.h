@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "core/base/result.h"
 #include "core/engines/ray/ray_scene.h"
 #include "render/scene/city_arrays.h"

@@ -6,7 +6,7 @@
 
 #include <QObject>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "app/gui/view/exploration/view_refinement.h"
 
 namespace noonmark {

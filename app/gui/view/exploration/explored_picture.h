@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/report/maps/legend_painter.h"
-#include "render/scene/surface_picture.h"
+#include "render/scene/surface_layer.h"
 #include "render/view/explored_view.h"
 
 namespace noonmark {

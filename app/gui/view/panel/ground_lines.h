@@ -4,6 +4,7 @@
 #include "core/receivers/region.h"
 #include "render/scene/city_arrays.h"
 #include "render/scene/outline_geometry.h"
+#include "render/view/camera_pose.h"
 
 namespace noonmark {
 
@@ -21,5 +22,9 @@ glm::dvec2 findMarkPoint(const Footprint& polygon);
 
 /// A line through points on the ground; open while being drawn.
 GroundLine makeGroundLine(const std::vector<glm::vec3>& points, const City& city, bool closed);
+
+/// The part of the ground plane that a camera sees, cut to the bounding box of the city; no polygon if it
+/// sees none of it.
+Region visibleGround(const CameraPose& pose, const ViewLens& lens, const ViewBounds& bounds);
 
 }  // namespace noonmark

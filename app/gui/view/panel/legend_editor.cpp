@@ -12,7 +12,7 @@
 #include <QSpinBox>
 #include <algorithm>
 
-#include "app/gui/base/widgets/translated.h"
+#include "app/gui/base/widgets/error_words.h"
 
 namespace noonmark {
 

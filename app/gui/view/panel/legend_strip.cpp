@@ -12,10 +12,10 @@
 #include <cmath>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/translated.h"
 #include "app/gui/view/panel/legend_editor.h"
-#include "app/report/maps/map_furniture.h"
+#include "app/report/maps/map_view.h"
 
 namespace noonmark {
 

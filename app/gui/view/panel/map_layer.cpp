@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "app/report/maps/context_painter.h"
-#include "core/city/main_part.h"
+#include "app/report/maps/city_painter.h"
+#include "core/city/city_position.h"
 #include "render/view/city_view.h"
 
 namespace noonmark {

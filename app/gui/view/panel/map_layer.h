@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "core/city/city.h"
 #include "core/city/map_context.h"
 #include "render/scene/ground_picture.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 
 namespace noonmark {
 

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "app/gui/view/panel/polygon_tool.h"
-#include "app/gui/view/panel/shortcut_claim.h"
 #include "app/gui/view/panel/snapping.h"
 #include "app/gui/view/panel/typed_length.h"
 

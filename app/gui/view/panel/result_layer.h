@@ -3,8 +3,8 @@
 #include <functional>
 #include <memory>
 
-#include "app/gui/base/layers/place_picture.h"
-#include "app/gui/base/layers/tile_view.h"
+#include "app/gui/base/layers/element_picture.h"
+#include "app/gui/base/layers/field_picture.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/project/view_mode.h"
 #include "app/gui/view/exploration/view_refinement.h"

@@ -1,11 +1,27 @@
 #pragma once
 
+#include <QObject>
 #include <QString>
+#include <functional>
 #include <optional>
 
-#include "core/base/display_units.h"
+#include "core/base/units.h"
 
 namespace noonmark {
+
+/// Takes keys from the window's shortcuts while the view has them: "m" of a length that is typed is no
+/// shortcut then.
+class ShortcutClaim final : public QObject {
+public:
+    /// `claims` is asked for keys of Qt::Key without Ctrl, Alt and Meta. `view` must outlive this object.
+    ShortcutClaim(QObject& view, std::function<bool(int key)> claims);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    std::function<bool(int)> claims_;
+};
 
 /// A length that is typed over the view, "40", "131' 3\"" or "40 m", key by key; if wanted followed by an
 /// azimuth, "40<30" or "40;30".

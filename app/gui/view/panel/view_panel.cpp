@@ -15,7 +15,6 @@
 #include "app/gui/session/study/region_words.h"
 #include "app/gui/view/panel/ground_lines.h"
 #include "app/gui/view/panel/view_picture.h"
-#include "app/gui/view/panel/visible_ground.h"
 #include "app/gui/view/time/time_strip.h"
 #include "app/report/sheets/study_words.h"
 #include "core/city/map_context.h"

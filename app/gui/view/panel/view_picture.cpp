@@ -4,7 +4,7 @@
 #include <QObject>
 #include <algorithm>
 
-#include "app/report/maps/map_furniture.h"
+#include "app/report/maps/map_view.h"
 
 namespace noonmark {
 

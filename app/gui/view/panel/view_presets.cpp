@@ -1,14 +1,27 @@
 #include "app/gui/view/panel/view_presets.h"
 
+#include <QAction>
+#include <QActionGroup>
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/base/widgets/make_action.h"
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/view/panel/time_display.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "render/view/camera_control.h"
 
 namespace noonmark {
+
+CameraPose faceWall(CameraPose pose, glm::dvec3 place, std::optional<double> azimuthDeg) {
+    constexpr double farthestViewM = 80, pitchTowardsWallDeg = 20;
+    pose.target = place;
+    pose.distanceM = std::min(pose.distanceM, farthestViewM);
+    if (!azimuthDeg) return pose;
+    pose.headingDeg = std::fmod(*azimuthDeg + 180, 360);
+    pose.pitchDeg = pitchTowardsWallDeg;
+    return pose;
+}
 
 namespace {
 
@@ -92,6 +105,39 @@ void ViewPresets::showPlan() {
     pose.pitchDeg = 90;
     pose.headingDeg = 0;
     panel_.navigator().go(pose);
+}
+
+ModeSwitch::ModeSwitch(QObject* parent) : QObject(parent), group_(new QActionGroup(this)) {
+    makeAction(ViewMode::exploration, Qt::Key_F5);
+    makeAction(ViewMode::analysis, Qt::Key_F6);
+    makeAction(ViewMode::review, Qt::Key_F7);
+    actions()[int(mode_)]->setChecked(true);
+}
+
+void ModeSwitch::makeAction(ViewMode mode, const QKeySequence& keys) {
+    QAction* action = group_->addAction(nameOf(mode));
+    action->setObjectName(QStringLiteral("mode%1").arg(int(mode)));
+    const char* const icons[] = {"sun", "analyse", "review"};
+    action->setIcon(makeIcon(QString::fromLatin1(icons[int(mode)])));
+    action->setCheckable(true);
+    action->setShortcut(keys);
+    action->setToolTip(
+        QStringLiteral("%1 (%2)").arg(describeMeasure(mode), keys.toString(QKeySequence::NativeText)));
+    action->setStatusTip(describeMeasure(mode).replace(QLatin1Char('\n'), QLatin1Char(' ')));
+    connect(action, &QAction::triggered, this, [this, mode] { setMode(mode); });
+}
+
+QList<QAction*> ModeSwitch::actions() const { return group_->actions(); }
+
+void ModeSwitch::setMode(ViewMode mode) {
+    actions()[int(mode)]->setChecked(true);
+    if (mode == mode_) return;
+    mode_ = mode;
+    Q_EMIT changed(mode);
+}
+
+void ModeSwitch::showStudies() {
+    if (mode_ == ViewMode::exploration) setMode(ViewMode::analysis);
 }
 
 }  // namespace noonmark

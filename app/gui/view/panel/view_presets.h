@@ -1,12 +1,20 @@
 #pragma once
 
 #include <QObject>
+#include <glm/vec3.hpp>
+#include <optional>
 
+#include "app/gui/session/project/view_mode.h"
 #include "render/view/camera_pose.h"
 
 class QAction;
+class QActionGroup;
 
 namespace noonmark {
+
+/// The pose that looks at a place from in front of its wall, from at most 80 m. `azimuthDeg`: that the wall
+/// faces, from true north; none: the direction of the view stays.
+CameraPose faceWall(CameraPose pose, glm::dvec3 place, std::optional<double> azimuthDeg);
 
 class TimeDisplay;
 class ViewPanel;
@@ -39,6 +47,28 @@ private:
     const TimeDisplay& time_;
     QAction* parallel_;
     QList<QAction*> actions_;
+};
+
+/// The three modes as an exclusive action group. Knows no view.
+class ModeSwitch final : public QObject {
+    Q_OBJECT
+public:
+    explicit ModeSwitch(QObject* parent = nullptr);
+
+    [[nodiscard]] ViewMode mode() const { return mode_; }
+    void setMode(ViewMode mode);
+    void showStudies();  ///< leaves exploration, which shows no study
+
+    [[nodiscard]] QList<QAction*> actions() const;
+
+Q_SIGNALS:
+    void changed(noonmark::ViewMode mode);
+
+private:
+    void makeAction(ViewMode mode, const QKeySequence& keys);
+
+    QActionGroup* group_;
+    ViewMode mode_ = ViewMode::exploration;
 };
 
 }  // namespace noonmark

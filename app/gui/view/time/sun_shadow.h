@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/gui/base/jobs/job_slot.h"
+#include "app/gui/base/jobs/job.h"
 #include "core/engines/accrual/sun_depth_map.h"
 
 namespace noonmark {

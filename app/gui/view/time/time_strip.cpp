@@ -13,10 +13,10 @@
 #include <QToolButton>
 #include <array>
 
-#include "app/gui/base/looks/icons.h"
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/marked_slider.h"
-#include "app/gui/base/widgets/push_button.h"
-#include "app/gui/base/widgets/qt_dates.h"
+#include "app/gui/base/widgets/number_words.h"
 
 namespace noonmark {
 

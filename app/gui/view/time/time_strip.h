@@ -9,7 +9,7 @@
 #include <QElapsedTimer>
 #include <QWidget>
 
-#include "app/gui/view/time/sun_walk.h"
+#include "app/gui/view/time/sun_at_moment.h"
 
 class QComboBox;
 class QDateEdit;

@@ -4,10 +4,10 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/book/sun_view.h"
-#include "app/report/maps/verdict_colour.h"
+#include "app/report/maps/answer_legends.h"
 #include "app/report/sheets/study_words.h"
 #include "core/measures/outlines/shadow_fan.h"
-#include "core/review/rule/rule_moments.h"
+#include "core/review/rule/rule_days.h"
 
 namespace noonmark {
 

@@ -15,9 +15,9 @@ struct GlazingBookSource {
     HeightFacts heights{};
 };
 
-/// The book of a review of windows: summary with counts, elevations (glazing_elevations.h), views from the
-/// sun where the rule asks for them (glazing_sun_views.h), buildings, windows (the worst first; of more than
-/// `maxGlazingRows` the rest is in windows.csv only), method and sources. Errors of makeGlazingSunViews().
+/// The book of a review of windows: summary with counts, elevations and, where the rule asks for them, views
+/// from the sun (glazing_pictures.h), buildings, windows (the worst first; of more than `maxGlazingRows` the
+/// rest is in windows.csv only), method and sources. Errors of makeGlazingSunViews().
 Result<Book> makeGlazingBook(const GlazingBookSource& source, const BookSettings& settings,
                              Progress& progress, const std::stop_token& stop);
 inline constexpr std::size_t maxGlazingRows = 2000;

@@ -5,9 +5,9 @@
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/study_words.h"
 #include "core/measures/outlines/day_isochrones.h"
-#include "core/receivers/parcels/line_belts.h"
-#include "core/review/rule/rule_moments.h"
-#include "core/sun/chosen_days.h"
+#include "core/receivers/parcels/parcel_lines.h"
+#include "core/review/rule/rule_days.h"
+#include "core/sun/sun_steps.h"
 
 namespace noonmark {
 

@@ -6,9 +6,9 @@
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
-#include "app/report/maps/verdict_colour.h"
-#include "app/report/sheets/period_words.h"
-#include "core/measures/place_run.h"
+#include "app/report/maps/answer_legends.h"
+#include "app/report/sheets/study_words.h"
+#include "core/measures/places/place_run.h"
 #include "core/receivers/place_names.h"
 #include "core/study/prepare_review.h"
 #include "core/study/shadow_drawings.h"

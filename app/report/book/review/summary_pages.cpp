@@ -4,7 +4,7 @@
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
-#include "app/report/maps/verdict_colour.h"
+#include "app/report/maps/answer_legends.h"
 #include "app/report/sheets/study_words.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/verdict_text.h"

@@ -4,7 +4,6 @@
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/study_words.h"
 #include "core/review/places/review_columns.h"
-#include "core/review/places/season_sums.h"
 #include "core/review/places/verdict_text.h"
 
 namespace noonmark {

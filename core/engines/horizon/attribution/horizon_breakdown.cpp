@@ -11,8 +11,8 @@
 #include <glm/common.hpp>
 
 #include "core/engines/common/shadow_reach.h"
-#include "core/engines/horizon/check_horizon_study.h"
-#include "core/engines/horizon/counting/step_sums.h"
+#include "core/engines/horizon/attribution/step_sums.h"
+#include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/horizon/sweep/tile_sweep.h"
 
 namespace noonmark {

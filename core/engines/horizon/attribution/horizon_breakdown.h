@@ -1,15 +1,14 @@
 #pragma once
 
 // Charges shadow to buildings. computeHorizonBreakdown() repeats the horizon sweep with attribution:
-// attributed_block.h and attributed_tile.h store, beside each horizon, the building that makes it and the
-// horizon without that building; building_gaps.h does the same for the intervals hidden by overhangs. From
-// these follow the attributed shadow and the sole contribution of each building. sort_by_number.h sorts
+// attributed_block.h store, beside each horizon, the building that makes it and the
+// horizon without that building; step_sums.h does the same for the intervals hidden by overhangs. From
+// these follow the attributed shadow and the sole contribution of each building. step_sums.h sorts
 // intervals by receiver.
 
 #include <optional>
 #include <string>
 
-#include "core/engines/api/shadow_breakdown.h"
 #include "core/engines/api/step_sets.h"
 #include "core/engines/horizon/horizon_sweep.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/simd/prefetch.h"
+#include "core/simd/cache_line.h"
 
 namespace noonmark {
 

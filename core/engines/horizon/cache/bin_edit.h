@@ -5,10 +5,10 @@
 #include "core/engines/horizon/cache/block_codes.h"
 #include "core/engines/horizon/cache/cached_bin.h"
 #include "core/engines/horizon/cache/changed_receivers.h"
+#include "core/engines/horizon/cache/occluder_cache.h"
 #include "core/engines/horizon/cache/shaded_blocks.h"
-#include "core/engines/horizon/cache/wall_cache.h"
+#include "core/engines/horizon/counting/short_sums.h"
 #include "core/engines/horizon/counting/sun_change.h"
-#include "core/engines/horizon/counting/tile_steps.h"
 #include "core/engines/horizon/overhangs/overhang_sweep.h"
 #include "core/engines/horizon/sweep/block_sweep.h"
 

@@ -9,11 +9,10 @@
 #include <utility>
 
 #include "core/base/memory_guard.h"
-#include "core/base/progress_share.h"
-#include "core/base/stopwatch.h"
-#include "core/engines/api/blank_field.h"
+#include "core/base/progress.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/horizon/cache/cached_tile.h"
-#include "core/engines/horizon/check_horizon_study.h"
+#include "core/engines/horizon/horizon_sweep.h"
 
 namespace noonmark {
 

@@ -2,7 +2,7 @@
 
 // The cache of the horizon sweep, for dragging buildings and trying other hours. HorizonCache is the
 // interface. It holds CachedTile objects, each with a CachedBin per azimuth and a TileCount of the current
-// period (counted_period.h). WallCache and OverhangCache hold the occluders and compute what an edit removes
+// period (cached_tile.h). WallCache and OverhangCache hold the occluders and compute what an edit removes
 // and adds. bin_edit.h and gap_edit.h update the horizons and overhang intervals of one azimuth, only in the
 // blocks that shaded_blocks.h finds and for the receivers that changed_receivers.h lists. BaselineCodes keeps
 // the horizons without the buildings added last, so that moving these is cheap.
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/engines/api/shadow_counts.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/horizon/horizon_sweep.h"
 
 namespace noonmark {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/engines/horizon/cache/wall_cache.h"
+#include "core/engines/horizon/cache/occluder_cache.h"
 #include "core/engines/horizon/geometry/horizon_code.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
 #include "core/engines/horizon/geometry/shadow_axes.h"

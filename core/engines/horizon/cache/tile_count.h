@@ -7,8 +7,8 @@
 
 #include "core/engines/horizon/cache/cached_bin.h"
 #include "core/engines/horizon/counting/period_count.h"
+#include "core/engines/horizon/counting/short_sums.h"
 #include "core/engines/horizon/counting/sun_change.h"
-#include "core/engines/horizon/counting/tile_steps.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
 
 namespace noonmark {

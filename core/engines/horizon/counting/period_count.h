@@ -1,17 +1,16 @@
 #pragma once
 
 // From horizons to minutes. PeriodCount holds what is precomputed for a period; sun_change.h and
-// azimuth_bins.h look up how many suns a horizon hides. block_sums.h, short_sums.h and
-// step_sums.h sum the steps of cells, sets and buildings; tile_steps.h holds changes of these sums.
-// longest_runs.h finds the longest run of each receiver. run_doubts.h decides which of its steps are in
-// doubt; run_decider.h, run_search.h and run_rays.h settle these with rays.
+// azimuth_bins.h look up how many suns a horizon hides. short_sums.h and
+// step_sums.h sum the steps of cells, sets and buildings; short_sums.h holds changes of these sums.
+// longest_runs.h finds the longest run of each receiver. run_decider.h decides which of its steps are in
+// doubt; run_decider.h, run_search.h settle these with rays.
 
 #include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
 
-#include "core/engines/api/shadow_counts.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/horizon/counting/longest_runs.h"
 #include "core/engines/horizon/counting/run_decider.h"

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/engines/horizon/counting/sun_table.h"
-
 namespace noonmark {
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <hwy/cache_control.h>
 
-#include "core/engines/horizon/counting/sun_table.h"
+#include "core/engines/horizon/counting/sun_change.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -2,10 +2,27 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
-#include "core/engines/horizon/counting/timed_steps.h"
+#include "core/engines/horizon/geometry/azimuth_bins.h"
 
 namespace noonmark {
+
+/// A step of the period, in time order.
+struct TimedStep {
+    StepPlace place;
+    bool startsRun = false;  ///< it is the first of a day, or steps are missing before it
+};
+
+std::vector<TimedStep> makeTimedSteps(const SunSteps& sun, const BinnedSun& binned);
+
+/// The steps [first, end) of a day, or of a part of it without gaps.
+struct DaySteps {
+    std::uint32_t first = 0, end = 0;
+};
+
+/// In time order; together all steps.
+std::vector<DaySteps> findDays(std::span<const TimedStep> steps);
 
 /// Number of receivers that are counted together.
 inline constexpr std::size_t lanesPerPart = 64;

@@ -2,7 +2,7 @@
 #define HWY_TARGET_INCLUDE "core/engines/horizon/counting/widen_horizons_hwy.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/engines/horizon/counting/widen_horizons.h"
+#include "core/engines/horizon/counting/run_decider.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

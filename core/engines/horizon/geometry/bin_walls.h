@@ -1,15 +1,46 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/engines/horizon/geometry/piece_bounds.h"
 #include "core/engines/horizon/geometry/shadow_axes.h"
 #include "core/engines/horizon/geometry/wall_list.h"
 
 namespace noonmark {
+
+/// A block's query for pieces of wall: which ones overlap its cells in q and are high enough to be seen above
+/// its lowest horizon. In cells, relative to the origin of the bounds.
+struct BlockQuery {
+    float lowQ, highQ;  ///< bounds of the block's cells
+    float lowestAlong;  ///< lowest `along` of its cells
+    float cot;          ///< cotangent of its lowest horizon
+    float spread = 0;   ///< sideways margin in cells per cell of distance, for a batch of azimuths
+};
+
+/// Bounds of pieces of wall, tested sixteen at a time.
+class PieceBounds {
+public:
+    static constexpr std::size_t together = 16;
+
+    /// The bounds of some neighbouring pieces, at least `together`.
+    struct Arrays {
+        const float *lowQ, *highQ, *highAlong, *rise;
+    };
+
+    void resize(std::size_t pieces);
+    void set(std::size_t piece, float lowQ, float highQ, float highAlong, float rise);
+
+    /// Returns as bits the pieces [first, first + 16), below `end`, that may raise a horizon. The margin
+    /// exceeds rounding: a piece that is excluded changes no bit of the result, in whatever order pieces
+    /// come. 5 ns.
+    [[nodiscard]] std::uint32_t mayRaise(std::size_t first, std::size_t end, const BlockQuery& sight) const;
+
+private:
+    std::vector<float> lowQ_, highQ_, highAlong_, rise_;  // padded by 16 unused entries
+};
 
 /// A piece of an occluder's outline: the top of a wall that faces away from the sun, or an edge of a roof or
 /// of the terrain, in the axes of one azimuth. At most 32 cells across and 16 along. Pieces are cut at fixed

@@ -2,8 +2,8 @@
 #define HWY_TARGET_INCLUDE "core/engines/horizon/geometry/piece_bounds_hwy.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/engines/horizon/geometry/block_place.h"
-#include "core/engines/horizon/geometry/piece_bounds.h"
+#include "core/engines/horizon/geometry/bin_walls.h"
+#include "core/engines/horizon/geometry/block_grounds.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

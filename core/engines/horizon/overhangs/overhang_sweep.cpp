@@ -3,7 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/engines/ray/ray_reference.h"
+
 namespace noonmark {
+
+OverhangTile::OverhangTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM)
+    : box(blocks.box()) {
+    constexpr int side = ReceiverBlocks::side;
+    if (!receivers.flat()) groundsM.resize(blocks.numbers());
+    const glm::ivec2 all = blocks.blockCounts();
+    blockNumbers.assign(std::size_t(all.x) * std::size_t(all.y), {0, 0});
+    firstOfBlock.assign(blockNumbers.size(), -1);
+    for (const ReceiverBlocks::Block& block : blocks.blocks()) {
+        const std::size_t index = indexOf(block), first = numbers.size();
+        blockNumbers[index] = {block.first, block.first + block.count};
+        firstOfBlock[index] = std::int32_t(first);
+        numbers.resize(first + ReceiverBlocks::cells, -1);
+        const std::uint8_t* places = blocks.places(block, false);
+        for (std::uint32_t n = 0; n < block.count; ++n) {
+            const int column = block.column - box.firstColumn + places[n] % side,
+                      row = block.row - box.firstRow + places[n] / side;
+            if (column >= box.columns || row >= box.rows) continue;
+            const std::uint32_t number = block.first + n, cell = blocks.cell(number);
+            numbers[first + places[n]] = std::int32_t(number);
+            if (!receivers.flat() && cell != ReceiverBlocks::padding)
+                groundsM[number] = float(double(placeRayOrigin(receivers.position(cell)).z) - datumM);
+        }
+    }
+}
 
 namespace {
 
@@ -147,6 +174,35 @@ ViewingBlock OverhangSweep::blockAt(std::size_t block, std::span<const HorizonCo
             groundsM_[std::size_t(cell)] = number < 0 ? 0 : tile.groundsM[std::size_t(number)];
     }
     return at;
+}
+
+void BatchOverhangs::begin(std::span<const OverhangShapes* const> shapes, const OverhangTile& tile,
+                           std::span<const SweptBin> bins, double cellM, const std::stop_token& stop) {
+    for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+        const auto [away, lowest] = bins[bin];
+        lowest_[bin] = lowest;
+        sweeps_[bin].begin({.shapes = shapes, .tile = tile, .away = away, .lowest = lowest, .cellM = cellM},
+                           stop);
+    }
+}
+
+std::size_t BatchOverhangs::placeOf(const ReceiverBlocks& blocks, std::size_t block) {
+    const ReceiverBlocks::Block& of = blocks.blocks()[block];
+    const TileBox& box = blocks.box();
+    return std::size_t((of.row - box.firstRow) / ReceiverBlocks::side) * std::size_t(blocks.blockCounts().x) +
+           std::size_t((of.column - box.firstColumn) / ReceiverBlocks::side);
+}
+
+void BatchOverhangs::setBlock(const SweptBlock& swept, const ReceiverBlocks& blocks,
+                              const BlockGrounds& grounds) {
+    if (swept.codes == nullptr)
+        std::ranges::fill(codes_.values, noHorizon);
+    else
+        std::copy_n(swept.codes, ReceiverBlocks::cells, codes_.values);
+    from_.horizons = codes_;
+    setOthers(blocks.masks(swept.block, swept.swapped), ViewingBlock::blind, from_.horizons);
+    const CacheLine<float>* groundsM = grounds.of(swept.block, swept.swapped).rowsM;
+    from_.groundsM = groundsM == nullptr ? nullptr : groundsM->values;
 }
 
 }  // namespace noonmark

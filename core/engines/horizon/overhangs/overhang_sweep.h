@@ -1,12 +1,5 @@
 #pragma once
 
-// Overhangs: parts of buildings with open air below, which hide an interval of altitudes rather than all
-// below a horizon. overhang_shapes.h converts them to prisms and triangles; overhang_layers.h cuts these into
-// strips in the axes of one azimuth; overhang_visibility.h finds the cells of a block that see a strip and
-// the altitudes it hides from each, and overhang_intervals.h joins these with the horizon. OverhangSweep
-// applies this to the blocks of a tile (overhang_tile.h) at one azimuth, BatchOverhangs to a batch during a
-// sweep. gaps.h holds the hidden intervals that do not begin at the horizon.
-
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -14,12 +7,47 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/engines/horizon/geometry/azimuth_batch.h"
+#include "core/engines/horizon/geometry/azimuth_bins.h"
+#include "core/engines/horizon/geometry/block_grounds.h"
+#include "core/engines/horizon/geometry/receiver_blocks.h"
 #include "core/engines/horizon/geometry/shadow_axes.h"
 #include "core/engines/horizon/overhangs/gaps.h"
 #include "core/engines/horizon/overhangs/overhang_intervals.h"
-#include "core/engines/horizon/overhangs/overhang_tile.h"
 
 namespace noonmark {
+
+/// The numbered cells of a tile.
+struct OverhangTile {
+    TileBox box;
+    std::vector<std::int32_t> numbers;      ///< of the cells of each block that has any, row by row; -1: none
+    std::vector<float> groundsM;            ///< one per number, above the datum; empty: all are at the datum
+    std::vector<NumberRange> blockNumbers;  ///< numbers of each block of cells (ReceiverBlocks), row by row
+    std::vector<std::int32_t>
+        firstOfBlock;  ///< of each of these: place of its first cell in `numbers`; -1: none
+
+    /// Index of a block among all of the tile.
+    [[nodiscard]] std::size_t indexOf(const ReceiverBlocks::Block& block) const {
+        constexpr int side = ReceiverBlocks::side;
+        const int columns = (box.columns + side - 1) / side;
+        return std::size_t((block.row - box.firstRow) / side) * std::size_t(columns) +
+               std::size_t((block.column - box.firstColumn) / side);
+    }
+    /// Number of a block's cell 16 x row + column.
+    [[nodiscard]] std::uint32_t numberOf(const ReceiverBlocks::Block& block, int cell) const {
+        return std::uint32_t(numbers[std::size_t(firstOfBlock[indexOf(block)] + cell)]);
+    }
+
+    OverhangTile() = default;
+    OverhangTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM);
+};
+
+// Overhangs: parts of buildings with open air below, which hide an interval of altitudes rather than all
+// below a horizon. overhang_layers.h converts them to prisms and triangles; overhang_layers.h cuts these into
+// strips in the axes of one azimuth; overhang_intervals.h finds the cells of a block that see a strip and
+// the altitudes it hides from each, and overhang_intervals.h joins these with the horizon. OverhangSweep
+// applies this to the blocks of a tile (overhang_sweep.h) at one azimuth, BatchOverhangs to a batch during a
+// sweep. gaps.h holds the hidden intervals that do not begin at the horizon.
 
 /// The overhangs and the tile for one azimuth.
 struct OverhangView {
@@ -100,6 +128,63 @@ void OverhangSweep::look(std::size_t block, const ViewingBlock& from, HorizonCod
         look_.look(layer, layers_.of(layer), entry.most);
     }
     look_.finish(visit);
+}
+
+/// The horizons of one block as computed by a sweep.
+struct SweptBlock {
+    std::size_t block;         ///< index
+    const HorizonCode* codes;  ///< 16 per row; null: all are noHorizon
+    bool swapped;              ///< rows are columns
+};
+
+/// Adds overhangs, at the azimuths of a batch, to blocks whose horizons have just been computed. Reuses its
+/// memory; one per thread.
+class BatchOverhangs {
+public:
+    /// Selects the bins, which must form one batch, and the tile. All arguments must outlive the calls that
+    /// follow.
+    void begin(std::span<const OverhangShapes* const> shapes, const OverhangTile& tile,
+               std::span<const SweptBin> bins, double cellM, const std::stop_token& stop);
+
+    /// Returns a block's codes, raised where an overhang hides all suns from the horizon up to its top; valid
+    /// until the next call. Calls visit(cell, low, high) for the intervals that overhangs hide separately
+    /// from the horizon: of cell 16 x row + column; the intervals of a cell ascend and are disjoint.
+    template <class Visit>
+    const HorizonCode* raise(std::size_t bin, const SweptBlock& swept, const ReceiverBlocks& blocks,
+                             const BlockGrounds& grounds, const Visit& visit);
+
+private:
+    [[nodiscard]] static std::size_t placeOf(const ReceiverBlocks& blocks, std::size_t block);
+    void setBlock(const SweptBlock& swept, const ReceiverBlocks& blocks, const BlockGrounds& grounds);
+
+    std::array<OverhangSweep, BatchLanes::most> sweeps_;  // one per bin
+    std::array<HorizonCode, BatchLanes::most> lowest_{};
+    ViewingBlock from_;
+    BlockCodes codes_;
+};
+
+template <class Visit>
+const HorizonCode* BatchOverhangs::raise(std::size_t bin, const SweptBlock& swept,
+                                         const ReceiverBlocks& blocks, const BlockGrounds& grounds,
+                                         const Visit& visit) {
+    const std::size_t place = placeOf(blocks, swept.block);
+    const HorizonCode lowest = swept.codes == nullptr
+                                   ? noHorizon
+                                   : findLowest(swept.codes, blocks.masks(swept.block, swept.swapped));
+    if (!sweeps_[bin].maySee(place, lowest)) return swept.codes;
+    setBlock(swept, blocks, grounds);
+    bool raised = false;
+    sweeps_[bin].look(place, from_, lowest, [&](int cell, HorizonCode low, HorizonCode high) {
+        constexpr int side = ReceiverBlocks::side;
+        HorizonCode& horizon = codes_.values[cell];
+        // No suns are lower than the lowest sun, so the space below it does not separate an interval from the
+        // horizon.
+        if (int(low) > std::max(int(horizon) + 1, int(lowest_[bin])))
+            return visit(swept.swapped ? cell % side * side + cell / side : cell, low, high);
+        horizon = std::max(horizon, high);
+        raised = true;
+    });
+    return raised ? codes_.values : swept.codes;
 }
 
 }  // namespace noonmark

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/engines/horizon/overhangs/overhang_visibility.h"
+#include "core/engines/horizon/overhangs/overhang_intervals.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -2,8 +2,8 @@
 #define HWY_TARGET_INCLUDE "core/engines/horizon/sweep/batch_walls_hwy.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/engines/horizon/geometry/block_place.h"
-#include "core/engines/horizon/sweep/batch_walls.h"
+#include "core/engines/horizon/geometry/block_grounds.h"
+#include "core/engines/horizon/sweep/block_sweep.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/engines/api/partial_field.h"
 #include "core/engines/horizon/counting/short_sums.h"
 

@@ -2,9 +2,9 @@
 
 // The sweep itself, from a period down to one block. PeriodSweep handles tiles, batches and threads;
 // TileSweep sweeps one tile at the azimuths of a batch. For prisms on level ground it uses BatchHorizons,
-// which processes up to eight azimuths at once (batch_walls.h); otherwise BlockSweep, which also supports
-// terrain, general meshes and receivers at their own heights (uneven_block.h). raise_block.h has the inner
-// loops. tile_horizons.h stores the codes of a tile.
+// which processes up to eight azimuths at once (block_sweep.h); otherwise BlockSweep, which also supports
+// terrain, general meshes and receivers at their own heights (raise_block.h). raise_block.h has the inner
+// loops. tile_sweep.h stores the codes of a tile.
 
 #include <tbb/combinable.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -17,12 +17,11 @@
 
 #include "core/base/progress.h"
 #include "core/engines/api/partial_field.h"
-#include "core/engines/api/shadow_counts.h"
-#include "core/engines/horizon/counting/block_sums.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/horizon/counting/period_count.h"
-#include "core/engines/horizon/counting/run_rays.h"
-#include "core/engines/horizon/overhangs/batch_overhangs.h"
-#include "core/engines/horizon/sweep/tile_horizons.h"
+#include "core/engines/horizon/counting/run_search.h"
+#include "core/engines/horizon/counting/short_sums.h"
+#include "core/engines/horizon/overhangs/overhang_sweep.h"
 #include "core/engines/horizon/sweep/tile_sweep.h"
 #include "core/engines/horizon/trees/crown_sweep.h"
 

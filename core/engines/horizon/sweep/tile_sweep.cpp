@@ -4,6 +4,12 @@
 
 namespace noonmark {
 
+// The codes take hundreds of megabytes; they are written once, bin by bin, and read across bins. With huge
+// pages, reading across bins moves only a page or two from one bin to the next.
+TileHorizons::TileHorizons(std::size_t bins, std::size_t numbers)
+    : numbers_(numbers),
+      codes_(static_cast<HorizonCode*>(allocateHugePages(bins * numbers * sizeof(HorizonCode)))) {}
+
 void TileSweep::begin(const TileScene& scene, std::span<const SweptBin> bins) {
     horizons_.begin(bins, scene.cellM);
     const AzimuthBatch& batch = horizons_.batch();

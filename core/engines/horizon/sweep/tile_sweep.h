@@ -1,14 +1,39 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <vector>
 
-#include "core/engines/horizon/geometry/block_place.h"
+#include "core/base/process.h"
+#include "core/engines/horizon/geometry/block_grounds.h"
+#include "core/engines/horizon/geometry/horizon_code.h"
 #include "core/engines/horizon/sweep/block_sweep.h"
 
 namespace noonmark {
+
+/// The horizon code for each bin and number of a tile: 2 bytes each, not initialised.
+class TileHorizons {
+public:
+    TileHorizons(std::size_t bins, std::size_t numbers);
+
+    [[nodiscard]] std::size_t numbers() const { return numbers_; }
+    [[nodiscard]] std::span<HorizonCode> of(std::size_t bin) {
+        return {codes_.get() + bin * numbers_, numbers_};
+    }
+    [[nodiscard]] std::span<const HorizonCode> of(std::size_t bin) const {
+        return {codes_.get() + bin * numbers_, numbers_};
+    }
+
+private:
+    std::size_t numbers_;
+    struct Free {
+        void operator()(HorizonCode* codes) const { freeHugePages(codes); }
+    };
+    std::unique_ptr<HorizonCode[], Free> codes_;
+};
 
 /// The inputs for sweeping a tile.
 struct TileScene {

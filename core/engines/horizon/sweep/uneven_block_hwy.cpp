@@ -2,7 +2,7 @@
 #define HWY_TARGET_INCLUDE "core/engines/horizon/sweep/uneven_block_hwy.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/engines/horizon/sweep/uneven_block.h"
+#include "core/engines/horizon/sweep/raise_block.h"
 #include "core/simd/kernel.h"
 
 // After kernel.h.

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/engines/horizon/trees/crown_rows.h"
+#include "core/engines/horizon/trees/crown_sweep.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -3,7 +3,7 @@
 #include <hwy/foreach_target.h>
 
 #include "core/engines/inverse/lanes.h"
-#include "core/engines/inverse/sources/facet_lanes.h"
+#include "core/engines/inverse/sources/projected_source_finder.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

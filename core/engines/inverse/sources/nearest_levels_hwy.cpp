@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/engines/inverse/sources/nearest_levels.h"
+#include "core/engines/inverse/sources/projected_source_finder.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

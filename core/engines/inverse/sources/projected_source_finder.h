@@ -1,9 +1,67 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
+#include "core/engines/inverse/lanes.h"
 #include "core/engines/inverse/sources/source_finder.h"
 #include "core/engines/inverse/sources/surface_facets.h"
 
 namespace noonmark {
+
+/// Extends the ranges low[i] to high[i] by the values of a line at consecutive positions, minor + i x slope.
+void widen(double minor, double slope, int count, double* low, double* high);
+
+/// Where a block's lanes lie at consecutive positions: lane 0 at from + bend[i]; positions are clamped to
+/// [first, end).
+struct LanePlaces {
+    const int* bend;
+    int from, first, end;
+};
+
+/// The lanes, 0 to 16, at whole positions from low[i] up to but not including high[i]; none if firstLane[i]
+/// is not below endLane[i].
+void findLanesBetween(const double* low, const double* high, const LanePlaces& places, int count,
+                      int* firstLane, int* endLane);
+
+/// A block's levels in memory; those of one major position are contiguous.
+struct BlockLevels {
+    CacheLine<float>* heightM;
+    CacheLine<std::uint32_t>* building;
+    int count;
+};
+
+/// The nearest few occluders of each position in a block of lanes, each building once.
+class NearestLevels {
+public:
+    /// Writes to block `into` of `sources`, which starts out empty.
+    NearestLevels(LaneSources& sources, int into);
+
+    /// Lanes [first, end) of a block at one major position; 0 <= first < end <= 16.
+    struct Span {
+        int major = 0;
+        int first = 0;
+        int end = 0;
+        float heightM = 0;  ///< height of the occluding point above the ground, at lane 0
+    };
+    /// Values shared by the spans of one facet.
+    struct Facet {
+        float perLaneM = 0;  ///< change of height from lane to lane
+        float nearestM = 0;  ///< smaller heights are ignored
+        std::uint32_t building = 0;
+    };
+    /// Keeps, for each position, the lowest height of each building and the buildings with the lowest
+    /// heights.
+    void add(std::span<const Span> spans, const Facet& facet);
+
+    /// Converts the block to the form of LaneSources; call once, at the end.
+    void finish();
+
+private:
+    [[nodiscard]] BlockLevels levels() const;
+    LaneSources& sources_;
+    std::size_t firstLine_, lines_;
+};
 
 /// Finds sources building by building: at one instant each facet of a building's surface casts a polygon on
 /// the ground, over which the height of the occluding point is linear; the nearest few are kept for each

@@ -1,19 +1,20 @@
 #pragma once
 
-// Finders of shadow sources: the nearest occluders of each cell of flat ground at one instant. SourceFinder
-// and SourceInstant are the interfaces. ProjectedSourceFinder fills the shadow polygons of surface_facets.h
-// (projected_facets.h) and keeps the nearest levels (nearest_levels.h); RaySourceFinder traces rays.
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 
-#include "core/engines/inverse/lane_sources.h"
 #include "core/engines/inverse/lanes.h"
+#include "core/engines/ray/ray_scene.h"
 
 namespace noonmark {
+
+// Finders of shadow sources: the nearest occluders of each cell of flat ground at one instant. SourceFinder
+// and SourceInstant are the interfaces. ProjectedSourceFinder fills the shadow polygons of surface_facets.h
+// (projected_source_finder.cpp) and keeps the nearest levels (projected_source_finder.h); RaySourceFinder
+// traces rays.
 
 /// Value for RunRule::steepestM: walls up to 75 degrees from the sun's azimuth count as one surface. With a
 /// larger limit, two walls of one building, one behind the other, would count as one too.
@@ -43,6 +44,21 @@ public:
                                                             const Lanes& lanes) const = 0;
     /// Rays traced for one instant; 0 if none.
     [[nodiscard]] virtual std::uint64_t raysAnInstant() const = 0;
+};
+
+/// Finds sources with rays, in packets of 16 neighbours (paper, section 5).
+class RaySourceFinder final : public SourceFinder {
+public:
+    RaySourceFinder(RayScene scene, const Grid& grid, int levels, float nearestHitM);
+    [[nodiscard]] int levels() const override { return levels_; }
+    [[nodiscard]] std::unique_ptr<SourceInstant> at(glm::dvec3 towardsSun, const Lanes& lanes) const override;
+    [[nodiscard]] std::uint64_t raysAnInstant() const override { return cells_; }
+
+private:
+    RayScene scene_;
+    std::uint64_t cells_;
+    int levels_;
+    float nearestHitM_;
 };
 
 }  // namespace noonmark

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/city/meshes/mesh_topology.h"
-#include "core/engines/projected/casters/cell_coordinates.h"
 #include "core/engines/projected/casters/convex_pieces.h"
+#include "core/engines/projected/casters/ring_lines.h"
 
 namespace noonmark {
 

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/engines/points/horizons/bin_directions.h"
-#include "core/engines/points/horizons/box_tree.h"
+#include "core/engines/points/horizons/bin_horizon.h"
+#include "core/engines/points/horizons/obstacle_blocks.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

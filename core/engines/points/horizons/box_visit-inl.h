@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/engines/points/horizons/bin_azimuths-inl.h"
-#include "core/simd/prefetch.h"
+#include "core/simd/cache_line.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace noonmark::HWY_NAMESPACE {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "core/engines/points/horizons/count_suns.h"
+#include "core/engines/points/horizons/horizon_of_point.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/engines/points/horizons/box_visit-inl.h"
-#include "core/engines/points/horizons/face_gaps.h"
+#include "core/engines/points/horizons/horizon_of_point.h"
+#include "core/simd/cache_line.h"
 #include "core/simd/kernel.h"
-#include "core/simd/prefetch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace noonmark::HWY_NAMESPACE {

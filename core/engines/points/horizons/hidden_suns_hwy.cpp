@@ -2,7 +2,7 @@
 #define HWY_TARGET_INCLUDE "core/engines/points/horizons/hidden_suns_hwy.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/engines/points/horizons/hidden_suns.h"
+#include "core/engines/points/horizons/sun_track.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

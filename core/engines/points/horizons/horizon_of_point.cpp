@@ -5,7 +5,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/engines/points/horizons/raise_horizon.h"
 #include "core/engines/points/sky_obstacles.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/engines/ray/surface_rays.h"

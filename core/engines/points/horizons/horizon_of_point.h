@@ -8,14 +8,37 @@
 
 #include "core/city/city.h"
 #include "core/engines/common/open_below.h"
-#include "core/engines/points/horizons/bin_directions.h"
 #include "core/engines/points/horizons/bin_horizon.h"
-#include "core/engines/points/horizons/count_suns.h"
-#include "core/engines/points/horizons/face_gaps.h"
 #include "core/engines/points/horizons/obstacle_blocks.h"
 #include "core/engines/points/horizons/sun_track.h"
 
 namespace noonmark {
+
+/// Sunlit steps by month: the suns above the horizon of their bin that no gap hides. Gaps must lie above the
+/// horizon. Some 5 us for a year of minutes.
+SunBins::Months countSunlit(const SunBins& suns, const BinHorizon& horizon);
+
+/// Altitudes that an overhang hides at the middle of one bin, as tangents.
+struct BinGap {
+    int bin;
+    float lowTan, highTan;  ///< 0 <= low; high may be infinite: up to the zenith
+};
+
+/// Appends what the faces of overhangs hide above a point's horizon (`eye`, local metres), in no order. Faces
+/// that share an edge leave nothing between them: where the edge is cut, both get the same number.
+void findFaceGaps(const FaceTree& faces, const BinDirections& bins, glm::vec3 eye, const BinTangents& horizon,
+                  std::vector<BinGap>& gaps);
+
+/// Raises a point's horizon (`eye`, local metres) by every edge that rises above it, from near to far: what
+/// lies behind higher obstacles is left out by its box. Boxes and edges are chosen by azimuths that are a
+/// 500th of a bin uncertain, with more to spare; whether an edge covers a bin's middle is decided in double
+/// precision, so that edges which share a corner leave no bin between them.
+void raiseHorizon(const EdgeTree& edges, const BinDirections& bins, glm::vec3 eye, BinTangents& horizon);
+
+/// The same, and raises bounds: `touch` by what an edge reaches anywhere in a bin, `cover` by what one edge
+/// hides at every azimuth of a bin. Of farther edges, `cover` misses those that lie behind the horizon.
+void raiseHorizonAndBounds(const EdgeTree& edges, const BinDirections& bins, glm::vec3 eye,
+                           BinTangents& horizon, BinTangents& touch, BinTangents& cover);
 
 /// What the horizons of all points of a city share. O(n log n) in edges and steps to make.
 struct HorizonScene {

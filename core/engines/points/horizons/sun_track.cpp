@@ -3,9 +3,87 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/engines/points/horizons/bit_rows.h"
-
 namespace noonmark {
+
+namespace {
+
+// Rows of bits in words of 64: bit k is bit k % 64 of word k / 64.
+using BitRows = std::vector<std::uint64_t>;
+
+// Bit k stays set if the bit `further` on is set, too; whether any does. `further`: below 64.
+bool keepBoth(BitRows& words, std::uint32_t further) {
+    std::uint64_t any = 0;
+    for (std::size_t word = 0; word < words.size(); ++word) {
+        const std::uint64_t next = word + 1 < words.size() ? words[word + 1] : 0;
+        words[word] &= words[word] >> further | (further > 0 ? next << (64 - further) : 0);
+        any |= words[word];
+    }
+    return any != 0;
+}
+
+/// The bits that are not set in `others`, which has as many words.
+BitRows without(BitRows words, const BitRows& others) {
+    for (std::size_t word = 0; word < words.size(); ++word) words[word] &= ~others[word];
+    return words;
+}
+
+/// The first bit from `bit` on that is set, or is not; the number of all bits if there is none.
+std::uint32_t firstBit(const BitRows& words, std::uint32_t bit, bool set) {
+    for (std::size_t word = bit / 64; word < words.size(); ++word) {
+        std::uint64_t some = set ? words[word] : ~words[word];
+        if (word == bit / 64) some &= ~0ULL << (bit % 64);
+        if (some != 0) return std::uint32_t(word * 64 + std::size_t(std::countr_zero(some)));
+    }
+    return std::uint32_t(words.size() * 64);
+}
+
+/// Keeps the bits with which rows of at least `length` set bits begin, or go on for so many.
+void keepBeginsOfRows(BitRows& words, std::uint32_t length) {
+    for (std::uint32_t kept = 1; kept < length;) {
+        const std::uint32_t further = std::min({kept, length - kept, 63U});
+        if (!keepBoth(words, further)) return;
+        kept += further;
+    }
+}
+
+/// Length of the longest row of set bits.
+std::uint32_t findLongestRow(BitRows words) {
+    std::uint32_t length = std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; }) ? 1 : 0;
+    while (length > 0 && keepBoth(words, 1)) ++length;
+    return length;
+}
+
+}  // namespace
+
+int BinRanges::around(int first, int bins) {
+    first %= SunBins::count;
+    for (int size = 0; size < sizes; ++size)
+        if (first % step + bins <= step << unsigned(size)) return size * starts + first / step;
+    return all;
+}
+
+RangeBounds::RangeBounds(const BinHorizon& horizon) {
+    constexpr int starts = BinRanges::starts;
+    for (int start = 0; start < starts; ++start) {
+        const auto first = std::size_t(start * BinRanges::step), at = std::size_t(start);
+        low[at] = high[at] = horizon.tan[first];
+        for (std::size_t bin = first; bin < first + BinRanges::step; ++bin) {
+            low[at] = std::min(low[at], horizon.tan[bin]);
+            high[at] = std::max(high[at], horizon.topTan(bin));
+        }
+    }
+    for (int size = 1; size < BinRanges::sizes; ++size)  // of two windows of half the size
+        for (int start = 0; start < starts; ++start) {
+            const int halves = (size - 1) * starts;
+            const auto a = std::size_t(halves + start);
+            const auto b = std::size_t(halves + (start + (1 << unsigned(size - 1))) % starts);
+            const auto at = std::size_t(size * starts + start);
+            low[at] = std::min(low[a], low[b]);
+            high[at] = std::max(high[a], high[b]);
+        }
+    low[BinRanges::all] = *std::min_element(low.begin(), low.begin() + starts);
+    high[BinRanges::all] = *std::max_element(high.begin(), high.begin() + starts);
+}
 
 namespace {
 

@@ -1,12 +1,52 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/engines/points/horizons/bin_horizon.h"
-#include "core/engines/points/horizons/hidden_suns.h"
 
 namespace noonmark {
+
+/// Windows of neighbouring bins: 8, 16, ... 256 of them from every eighth bin on, and all. Index: first the
+/// windows of 8 bins by their first bin, then those of 16, and so on; the last is of all bins.
+struct BinRanges {
+    static constexpr int step = 8, starts = SunBins::count / step, sizes = 6;
+    static constexpr int all = starts * sizes, count = all + 1;
+
+    /// The smallest window that holds `bins` of them from `first` on, which may lie beyond north.
+    static int around(int first, int bins);
+};
+
+/// Bounds of a horizon in windows of bins: suns up to `low` are hidden, those above `high` are not.
+struct RangeBounds {
+    std::array<float, BinRanges::count> low, high;
+
+    /// Some 2 us.
+    explicit RangeBounds(const BinHorizon& horizon);
+};
+
+/// Suns in time order, in packets of up to 32 whose bins lie in one window; arrays for kernels.
+struct SunPackets {
+    static constexpr std::size_t size = 32;
+    // One entry a step, and `size` more, which kernels may read.
+    std::vector<std::uint16_t> bin;
+    std::vector<float> tan;
+    // One entry a packet, and up to 15 more.
+    std::vector<std::int32_t> window;  ///< of BinRanges
+    std::vector<float> lowestTan, highestTan;
+};
+
+/// One bit a packet, in words of 64: all of its suns are hidden, or none is. Where both bits are 0, some are,
+/// or the bounds do not tell.
+struct PacketBits {
+    std::vector<std::uint64_t> hidden, lit;
+};
+void classifyPackets(const SunPackets& packets, const RangeBounds& bounds, PacketBits& bits);
+
+/// Bit k: sun `first` + k is at or below the tangent of its bin. 32 suns.
+std::uint32_t sunsUpTo(const SunPackets& packets, std::size_t first, const BinTangents& tangents);
 
 /// Longest unbroken times of one point on any day, in steps.
 struct PointRuns {

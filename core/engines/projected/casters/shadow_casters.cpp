@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <glm/common.hpp>
+#include <numeric>
 
 #include "core/city/footprints/triangulate.h"
 #include "core/city/meshes/mesh_topology.h"
-#include "core/engines/projected/casters/cell_coordinates.h"
 #include "core/engines/projected/casters/convex_pieces.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/ray/ray_scene.h"
@@ -142,6 +142,50 @@ ShadowCasters makeShadowCasters(const City& city, std::span<const std::uint32_t>
     CasterBuilder builder(city, grid);
     for (const std::uint32_t building : buildings) builder.addBuilding(building);
     return builder.take();
+}
+
+StepOffsets computeOffsets(const SunSteps& sun, double cellM, std::size_t first, std::size_t end) {
+    StepOffsets throws{{}, glm::dvec2(1e30), glm::dvec2(-1e30)};
+    for (std::size_t step = first; step < std::max(end, first + stepsTogether); ++step) {
+        const glm::dvec3 towardsSun(sun.steps[std::min(step, sun.steps.size() - 1)].direction);
+        const glm::dvec2 thrown = shadowOffsetInCells(towardsSun, cellM);
+        throws.low = glm::min(throws.low, thrown);
+        throws.high = glm::max(throws.high, thrown);
+        if (step - first >= stepsTogether) continue;
+        throws.at.x[step - first] = thrown.x;
+        throws.at.y[step - first] = thrown.y;
+    }
+    return throws;
+}
+
+std::vector<StepOffsets> computeOffsetsByEight(const SunSteps& sun, double cellM) {
+    std::vector<StepOffsets> throws;
+    for (std::size_t first = 0; first < sun.steps.size(); first += stepsTogether)
+        throws.push_back(computeOffsets(sun, cellM, first, first + stepsTogether));
+    return throws;
+}
+
+namespace {
+
+ShadowCasters placeCasters(std::vector<std::shared_ptr<const Building>> buildings, const Grid& grid) {
+    City city;
+    city.buildings = std::move(buildings);
+    std::vector<std::uint32_t> all(city.buildings.size());
+    std::iota(all.begin(), all.end(), 0U);
+    return makeShadowCasters(city, all, grid);
+}
+
+}  // namespace
+
+BuildingCasters::BuildingCasters(std::vector<std::shared_ptr<const Building>> buildings, const Grid& grid)
+    : ends_(buildings.size()) {
+    casters_ = placeCasters(std::move(buildings), grid);
+    const auto buildingOf = [&](std::uint32_t caster) { return casters_.casters[caster].building; };
+    order_.resize(casters_.casters.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::ranges::stable_sort(order_, {}, buildingOf);
+    for (std::uint32_t i = 0; i < ends_.size(); ++i)
+        ends_[i] = std::size_t(std::ranges::upper_bound(order_, i, {}, buildingOf) - order_.begin());
 }
 
 }  // namespace noonmark

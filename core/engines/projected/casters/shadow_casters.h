@@ -1,23 +1,26 @@
 #pragma once
 
-// Casters: occluders as convex pieces whose shadows are polygons. ShadowCasters holds those of a city and
-// BuildingCasters groups them by building; convex_pieces.h splits footprints, ring_lines.h describes edges as
-// lines, and cell_coordinates.h and shadow_offsets.h convert points and sun directions to cells.
-// caster_shaping-inl.h computes a caster's shadow at eight steps. ShadowProjection runs filling and counting
-// over a period.
-
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/city/city.h"
 #include "core/engines/projected/casters/ring_lines.h"
+#include "core/engines/projected/filling/step_lanes.h"
 #include "core/geo/grid.h"
+#include "core/sun/sun_steps.h"
 
 namespace noonmark {
+
+// Casters: occluders as convex pieces whose shadows are polygons. ShadowCasters holds those of a city and
+// BuildingCasters groups them by building; convex_pieces.h splits footprints, ring_lines.h describes edges as
+// lines, and ring_lines.h and shadow_casters.h convert points and sun directions to cells.
+// caster_shaping-inl.h computes a caster's shadow at eight steps. ShadowProjection runs filling and counting
+// over a period.
 
 /// A convex caster on flat ground. Coordinates in cells of a grid (the centre of cell (0, 0) is at (0, 0)),
 /// heights in metres above the receivers, which are at the positions of placeRayOrigin().
@@ -63,5 +66,31 @@ struct ShadowCasters {
 /// into its faces, two-sided if it is not closed. `buildings`: indices in the city, each on flat ground at z
 /// = 0.
 ShadowCasters makeShadowCasters(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
+
+/// Offsets for the steps from `first` to `end`: the first eight individually, with the period's last step
+/// repeated if there are fewer, and the bounds of all. The period must not be empty.
+StepOffsets computeOffsets(const SunSteps& sun, double cellM, std::size_t first, std::size_t end);
+
+/// Offsets of the period in groups of eight steps.
+std::vector<StepOffsets> computeOffsetsByEight(const SunSteps& sun, double cellM);
+
+/// The casters of some buildings on flat ground, grouped by building.
+class BuildingCasters {
+public:
+    BuildingCasters(std::vector<std::shared_ptr<const Building>> buildings, const Grid& grid);
+
+    [[nodiscard]] const ShadowCasters& casters() const { return casters_; }
+    [[nodiscard]] std::size_t buildings() const { return ends_.size(); }
+    /// Indices of one building's casters.
+    [[nodiscard]] std::span<const std::uint32_t> of(std::size_t building) const {
+        const std::size_t first = building == 0 ? 0 : ends_[building - 1];
+        return std::span(order_).subspan(first, ends_[building] - first);
+    }
+
+private:
+    ShadowCasters casters_;
+    std::vector<std::uint32_t> order_;  // indices of casters, by building
+    std::vector<std::size_t> ends_;     // end of each building in order_
+};
 
 }  // namespace noonmark

@@ -2,7 +2,7 @@
 #define HWY_TARGET_INCLUDE "core/engines/projected/counting/building_counts_hwy.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/engines/projected/counting/building_counts.h"
+#include "core/engines/projected/counting/cached_band.h"
 #include "core/simd/kernel.h"
 
 // After kernel.h.

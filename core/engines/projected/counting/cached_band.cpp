@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/engines/projected/counting/cell_runs.h"
-#include "core/engines/projected/counting/word_runs.h"
 
 namespace noonmark {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // From bit rasters to minutes. ShadowEvents counts the runs of a band from its rasters in time order
-// (cell_runs.h, run_starts.h); word_runs.h counts the 64 cells of one word. For the cache, building_counts.h
+// (cell_runs.h); cached_band.h counts the 64 cells of one word. For the cache, cached_band.h
 // stores how many buildings shade each cell, and cached_band.h applies edits to a band of rows and recounts
 // the cells that changed. receiver_count.h tells which rectangles contain receivers.
 

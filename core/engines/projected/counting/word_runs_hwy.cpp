@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/engines/projected/counting/cached_band.h"
 #include "core/engines/projected/counting/cell_runs.h"
-#include "core/engines/projected/counting/word_runs.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

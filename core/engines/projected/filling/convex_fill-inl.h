@@ -203,7 +203,7 @@ HWY_INLINE void setSpans(const StepSpans& spans, const RowCells& cells, int colu
 
 /// Fills a shape at eight steps into their bit rasters over some rows of a grid: the eight words of the same
 /// cells are contiguous, in the order of the layout. The centre of cell (column, row) is at (column, row) and
-/// is filled by the same half-open rule as everywhere (core/city/footprints/crossing.h), up to rounding in
+/// is filled by the same half-open rule as everywhere (core/city/footprints/footprint.h), up to rounding in
 /// double.
 ///
 /// The shape lies within 10^8 of the raster; parts outside the raster are clipped. Rows whose reachable cells

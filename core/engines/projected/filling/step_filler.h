@@ -1,19 +1,21 @@
 #pragma once
 
-// Filling of shadow polygons into bit rasters. step_lanes.h defines the data of eight consecutive steps, one
-// lane each, and step_registers-inl.h the same in registers. bit_raster.h is the raster's layout.
-// convex_fill-inl.h fills a convex shape at eight steps, convex_spans.h a single convex polygon. CasterFill
-// fills casters, BuildingFill one building at a time for the cache, and StepFiller all casters of a window.
-
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/engines/projected/casters/shadow_casters.h"
 #include "core/engines/projected/counting/receiver_count.h"
 #include "core/engines/projected/filling/caster_fill.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
+
+// Filling of shadow polygons into bit rasters. step_lanes.h defines the data of eight consecutive steps, one
+// lane each, and step_registers-inl.h the same in registers. bit_raster.h is the raster's layout.
+// convex_fill-inl.h fills a convex shape at eight steps, convex_spans.h a single convex polygon. CasterFill
+// fills casters, BuildingFill one building at a time for the cache, and StepFiller all casters of a window.
 
 /// The work done by filling, and the work skipped.
 struct FillCount {
@@ -56,5 +58,46 @@ private:
 /// Divides a grid into windows whose rasters stay in the first-level cache, with several per core: bands of
 /// all its columns or, where receivers lie far apart, only the columns of a band that hold some.
 std::vector<FillWindow> windowsOf(const Receivers& receivers);
+
+/// A rectangle of raster words: word columns [west, east), rows [south, north).
+struct WordBox {
+    int west = 0, east = 0, south = 0, north = 0;
+    [[nodiscard]] bool empty() const { return west >= east || south >= north; }
+    [[nodiscard]] WordBox with(const WordBox& other) const;
+};
+
+/// Fills the shadows of buildings one at a time over some rows of a grid, each into an empty raster, without
+/// regard to receivers. One per thread.
+class BuildingFill {
+public:
+    /// `period`: the offsets of all steps to come.
+    BuildingFill(const BuildingCasters& buildings, const BitLayout& layout, const RowBand& band,
+                 const StepOffsets& period);
+
+    /// Fills the shadow at eight steps and returns the words that may contain it. The raster must be clear.
+    /// For an index beyond the last building: nothing.
+    WordBox fill(std::size_t building, const StepOffsets& throws);
+    void clear(const WordBox& box);
+
+    /// Whether the building's shadow reaches these rows during the period.
+    [[nodiscard]] bool reaches(std::size_t building) const {
+        return building < reaches_.size() && reaches_[building];
+    }
+
+    /// The words of a column of 64 cells, row by row.
+    [[nodiscard]] const StepWords* column(int words) const {
+        return &raster_[std::size_t(words) * std::size_t(layout_.rows)];
+    }
+
+private:
+    [[nodiscard]] WordBox computeBox(std::size_t building, const StepOffsets& throws) const;
+
+    const BuildingCasters& buildings_;
+    BitLayout layout_;
+    RowBand band_;
+    CasterFill caster_;
+    std::vector<bool> reaches_;
+    std::vector<StepWords> raster_;
+};
 
 }  // namespace noonmark

@@ -2,7 +2,7 @@
 #define HWY_TARGET_INCLUDE "core/engines/projected/masks/caster_extents_hwy.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/engines/projected/masks/caster_extents.h"
+#include "core/engines/projected/masks/caster_reach.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

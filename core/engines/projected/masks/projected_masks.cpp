@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
-#include "core/engines/common/shared_buildings.h"
 #include "core/engines/projected/masks/block_filler.h"
-#include "core/sun/chosen_days.h"
+#include "core/sun/sun_steps.h"
 
 namespace noonmark {
 

@@ -13,8 +13,8 @@
 
 #include "core/city/trees/tree.h"
 #include "core/io/files/plain_file.h"
-#include "core/study/tiles/by_place_lines.h"
-#include "core/sun/zone_question.h"
+#include "core/study/tiles/by_place_measure.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 

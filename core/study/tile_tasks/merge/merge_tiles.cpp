@@ -1,33 +1,129 @@
 #include "core/study/tile_tasks/merge/merge_tiles.h"
 
 #include <fmt/format.h>
-
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <system_error>
+#include <vector>
 
-#include "core/base/progress_share.h"
+#include "core/base/progress.h"
 #include "core/city/trees/tree.h"
-#include "core/describe/command_flags.h"
+#include "core/describe/command_options.h"
 #include "core/describe/figure_text.h"
-#include "core/engines/api/blank_field.h"
-#include "core/io/files/pending_file.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
 #include "core/io/styles/raster_style.h"
+#include "core/io/write_raster.h"
 #include "core/measures/has_runs.h"
 #include "core/measures/shadow_figures.h"
-#include "core/study/provenance/provenance_tags.h"
-#include "core/study/text/warnings_json.h"
-#include "core/study/tile_tasks/merge/cloud_map.h"
-#include "core/study/tile_tasks/merge/stac_item.h"
-#include "core/study/tile_tasks/merge/tile_mosaic.h"
-#include "core/study/tile_tasks/merge/tile_places.h"
-#include "core/study/tiles/month_sums.h"
+#include "core/measures/statistics.h"
+#include "core/receivers/place.h"
+#include "core/receivers/rasterize.h"
+#include "core/study/provenance/provenance_texts.h"
+#include "core/study/text/error_words.h"
+#include "core/study/tile_tasks/merge/map_files.h"
+#include "core/study/tiles/tiled_study.h"
 
 namespace noonmark {
 
 namespace {
+
+/// Shadow on a place, from tiles; over districts its sums are added.
+struct TiledPlace {
+    PlaceKind kind = PlaceKind::other;
+    ShadowSums sums;
+    double sunlitMinutes = 0;  ///< sum over the receivers of the sunlit minutes of a mean day
+    double cellAreaM2 = 1;
+};
+using PlaceShadows = std::map<std::string, TiledPlace>;  ///< by name
+
+/// The tiles of a map with gross and continuous shadow, or their change.
+struct PlaceTiles {
+    const TilePlan& plan;
+    const TileFiles& files;
+    std::size_t firstBand = 0;  ///< of gross shadow; the next is continuous shadow
+    double sunlitMinutesPerDay = 0;
+};
+
+using Bands = std::vector<std::vector<float>>;
+
+ShadowSums sumOver(const Footprint& polygon, const Grid& tile, const Bands& bands, std::size_t firstBand) {
+    ShadowSums sums;
+    forEachRun(polygon, tile, [&](int row, int first, int end) {
+        for (int column = first; column < end; ++column) {
+            const std::size_t cell = tile.index(column, row);
+            const double gross = bands.at(firstBand)[cell], run = bands.at(firstBand + 1)[cell];
+            if (std::isnan(gross)) continue;
+            sums.add({1, gross, run, gross, run});
+        }
+    });
+    return sums;
+}
+
+std::vector<Box2> boxesOfPlaces(const std::vector<Place>& places) {
+    std::vector<Box2> boxes;
+    for (const Place& place : places) {
+        Box2& box = boxes.emplace_back();
+        for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
+    }
+    return boxes;
+}
+
+/// Adds the receivers of the tiles whose centres lie in a place. Reads every tile once that a place touches.
+/// Places of which no cell is a receiver are listed with none. Error: a tile that cannot be read;
+/// cancelled().
+Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, const PlaceTiles& tiles,
+                       Progress& progress, const std::stop_token& stop) {
+    const std::vector<Box2> boxes = boxesOfPlaces(places);
+    for (const Place& place : places) shadows[place.name].kind = place.kind;
+    for (const auto& [number, file] : tiles.files) {
+        if (stop.stop_requested()) return cancelled();
+        progress.report(double(number) / double(tiles.plan.count()), "summing up places");
+        if (!file) continue;
+        const Grid tile = tiles.plan.tile(number);
+        Bands bands;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!overlaps(boxes[i], tile)) continue;
+            if (bands.empty()) {
+                auto read = readGeoTiff(*file, tile);
+                if (!read) return tl::make_unexpected(read.error());
+                bands = *std::move(read);
+            }
+            TiledPlace& shadow = shadows[places[i].name];
+            shadow.cellAreaM2 = tile.cellAreaM2();
+            for (const Footprint& polygon : places[i].polygons) {
+                const ShadowSums sums = sumOver(polygon, tile, bands, tiles.firstBand);
+                shadow.sums.add(sums);
+                shadow.sunlitMinutes += double(sums.receivers) * tiles.sunlitMinutesPerDay;
+            }
+        }
+    }
+    return {};
+}
+
+/// A table (CSV): name, kind, receivers, receiver_area_m2, shadow_area_m2, mean_gross_min, max_gross_min,
+/// mean_continuous_min, max_continuous_min. Empty fields where nothing was measured.
+std::string formatPlaces(const PlaceShadows& shadows) {
+    std::vector<std::string> columns = listColumns(shadowFigures().rows());
+    columns.insert(columns.begin(), {"name", "kind"});
+    CsvText csv(columns);
+    for (const auto& [name, shadow] : shadows) {
+        const double sunlit =
+            shadow.sums.receivers > 0 ? shadow.sunlitMinutes / double(shadow.sums.receivers) : 0;
+        ShadowStatistics figures = computeStatistics(shadow.sums, sunlit, shadow.cellAreaM2);
+        for (const Figure& figure : shadowFigures().rows())
+            if (figures.receivers == 0 && figure.use == FigureUse::result)  // no shadow is known of it
+                figure.set(&figures, std::numeric_limits<double>::quiet_NaN());
+        figures.waterM2 = std::numeric_limits<double>::quiet_NaN();  // the cells of a place are all counted
+        csv.text(name).text(std::string(nameOf(shadow.kind)));
+        addFigures(csv, shadowFigures().of(figures));
+        csv.endRow();
+    }
+    return csv.take();
+}
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;

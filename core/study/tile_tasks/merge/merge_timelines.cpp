@@ -8,8 +8,8 @@
 #include <unordered_map>
 
 #include "core/base/csv_text.h"
-#include "core/io/files/pending_file.h"
 #include "core/io/files/plain_file.h"
+#include "core/io/files/write_text.h"
 
 namespace noonmark {
 

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <optional>
 
-#include "core/base/progress_share.h"
-#include "core/io/files/file_kind.h"
+#include "core/base/progress.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/read_region.h"
 
 namespace noonmark {

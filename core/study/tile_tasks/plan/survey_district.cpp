@@ -11,7 +11,7 @@
 
 #include "core/io/read_extent.h"
 #include "core/io/read_region.h"
-#include "core/measures/place_run.h"
+#include "core/measures/places/place_run.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {

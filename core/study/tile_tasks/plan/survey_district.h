@@ -3,7 +3,7 @@
 #include <stop_token>
 
 #include "core/study/tile_tasks/plan/find_districts.h"
-#include "core/study/tile_tasks/plan/occluder_survey.h"
+#include "core/study/tile_tasks/plan/tile_load.h"
 
 namespace noonmark {
 

@@ -1,14 +1,5 @@
 #pragma once
 
-// The folder core/study/tile_tasks divides a study of any size among the tasks of a scheduler. In plan/, a
-// TaskPlan (this file) lists districts, tiles and tasks; make_task_plan.h makes it from an occluder_survey.h
-// of the city's files or of a tile_subject.h;
-// tile_halo.h says what a tile has to read, tile_load.h how long it takes, and pack_tasks.h which task runs
-// it. run_task.h computes one task with the runner and the journal of core/study/tiles, and task_status.h
-// sums up what is done. In merge/, merge_tiles.h joins the tiles: with cloud_map.h, tile_mosaic.h,
-// tile_places.h and stac_item.h; merge_timelines.h those of timelines, merge_by_place.h those
-// of sun by place.
-
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -16,12 +7,21 @@
 
 #include "core/city/footprints/footprint.h"
 #include "core/geo/frame.h"
-#include "core/geo/lon_lat_box.h"
+#include "core/geo/lon_lat.h"
 #include "core/receivers/region.h"
 #include "core/receivers/tile_plan.h"
 #include "core/study/provenance/provenance.h"
 
 namespace noonmark {
+
+// The folder core/study/tile_tasks divides a study of any size among the tasks of a scheduler. In plan/, a
+// TaskPlan (this file) lists districts, tiles and tasks; make_task_plan.h makes it from an tile_load.h
+// of the city's files or of a tile_subject.h;
+// tile_load.h says what a tile has to read, tile_load.h how long it takes, and make_task_plan.h which task
+// runs it. run_task.h computes one task with the runner and the journal of core/study/tiles, and
+// task_status.h sums up what is done. In merge/, merge_tiles.h joins the tiles: with map_files.h,
+// merge_tiles.cpp and map_files.h; merge_timelines.h those of timelines, merge_by_place.h those
+// of sun by place.
 
 /// A part of a study with one frame, one grid and one sun, small enough for all three to hold everywhere in
 /// it. A city is one district.

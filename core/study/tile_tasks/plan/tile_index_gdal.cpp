@@ -2,7 +2,7 @@
 #include <ogrsf_frmts.h>
 
 #include "core/base/gdal_calls.h"
-#include "core/io/files/pending_file.h"
+#include "core/io/files/write_text.h"
 #include "core/study/tile_tasks/plan/task_plan.h"
 
 namespace noonmark {

@@ -1,10 +1,79 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/city/city.h"
 #include "core/engines/auto_engine.h"
+#include "core/engines/common/shadow_reach.h"
+#include "core/geo/grid.h"
+#include "core/receivers/tile_plan.h"
 #include "core/study/study.h"
-#include "core/study/tile_tasks/plan/tile_halo.h"
 
 namespace noonmark {
+
+/// The buildings of a district in coarse cells: enough to tell how far a tile's occluders are, and small for
+/// a whole country. A cell counts every building that touches it in `highestM` and `longestM`, and those
+/// whose box has its south-west corner in it in the rest.
+class OccluderSurvey {
+public:
+    static constexpr double defaultCellM = 200;
+
+    struct Cell {
+        static constexpr float nothing = -std::numeric_limits<float>::infinity();
+        float highestM = nothing;  ///< local z of the highest point
+        float longestM = 0;        ///< longest side of a building's box
+        float lowestGroundM = 0;   ///< local z; of the terrain's posts in and next to the cell
+        std::uint32_t buildings = 0;
+        std::uint32_t points = 0;                ///< of their footprints and meshes
+        std::uint32_t overhangTriangles = 0;     ///< about
+        std::array<std::uint64_t, 2> hashSum{};  ///< of the buildings, in any order
+    };
+
+    /// Covers `box`; what lies outside is counted in the nearest cell.
+    explicit OccluderSurvey(const Box2& box, double cellM = defaultCellM);
+
+    /// Counts the buildings of `city`; `counted`: those with their south-west corner in this half-open box
+    /// are counted once and for all, the others only as occluders.
+    void add(const City& city, const Box2& counted);
+    void addTerrain(const Terrain& terrain);
+
+    [[nodiscard]] const Grid& grid() const { return grid_; }
+    [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
+    [[nodiscard]] Box2 boxOf(std::size_t cell) const;
+    /// The box around all counted buildings, to the last bit bounds(City).
+    [[nodiscard]] const Box2& buildingsBox() const { return buildingsBox_; }
+
+    /// The cells that touch a box, as ranges of columns and rows.
+    struct Range {
+        int firstColumn, endColumn, firstRow, endRow;
+    };
+    [[nodiscard]] Range cellsIn(const Box2& box) const;
+
+private:
+    Grid grid_;
+    std::vector<Cell> cells_;
+    Box2 buildingsBox_;
+};
+
+/// What surrounds a tile as far as it matters to it.
+struct TileHalo {
+    Box2 occluders;  ///< the tile, and every coarse cell whose highest point can shade it at some step
+    /// `occluders` and all of each building that touches it, so that a reader of this box finds its buildings
+    /// complete, with all their parts
+    Box2 reads;
+    /// Sums over the coarse cells of `reads`
+    std::size_t buildings = 0;
+    std::size_t points = 0;
+    std::size_t overhangTriangles = 0;
+    std::size_t buildingsInTile = 0;
+};
+
+/// The halo of a tile of receivers. Each cell is taken for a box as high as its highest building, so that the
+/// result is never too small (ShadowReach::touches). O(cells x azimuth degrees visited).
+TileHalo findHalo(const OccluderSurvey& survey, const ShadowReach& reach, const Grid& tile);
 
 /// Estimated cost of a tile.
 struct TileCost {

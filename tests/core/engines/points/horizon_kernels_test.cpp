@@ -5,9 +5,8 @@
 #include <random>
 
 #include "core/engines/common/run_counter.h"
-#include "core/engines/points/horizons/count_suns.h"
 #include "core/engines/points/horizons/horizon_of_point.h"
-#include "core/engines/points/horizons/range_bounds.h"
+#include "core/engines/points/horizons/sun_track.h"
 #include "tests/core/engines/points/random_horizon.h"
 #include "tests/core/engines/scenes.h"
 #include "tests/core/simd/random_blocks.h"

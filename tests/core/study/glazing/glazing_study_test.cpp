@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/measures/place_run.h"
+#include "core/measures/places/place_run.h"
 #include "core/review/library/rule_library.h"
 #include "core/samples/sample_city.h"
 #include "core/study/glazing/glazing_text.h"

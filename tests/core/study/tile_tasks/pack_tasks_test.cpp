@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/study/tile_tasks/plan/pack_tasks.h"
+#include "core/study/tile_tasks/plan/make_task_plan.h"
 #include "core/study/tile_tasks/task_status.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/plan/tile_halo.h"
+#include "core/study/tile_tasks/plan/tile_load.h"
 
 #include <gtest/gtest.h>
 

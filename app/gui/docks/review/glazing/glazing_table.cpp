@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/gui/base/widgets/number_words.h"
-#include "app/gui/docks/review/verdict_words.h"
+#include "app/gui/docks/review/verdict_table.h"
 #include "core/study/glazing/glazing_text.h"
 
 namespace noonmark {

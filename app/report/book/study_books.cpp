@@ -1,0 +1,299 @@
+#include "app/report/book/study_books.h"
+
+#include <algorithm>
+#include <map>
+
+#include "app/report/book/elevation_pages.h"
+#include "app/report/book/flow.h"
+#include "app/report/maps/answer_legends.h"
+#include "app/report/sheets/report_sections.h"
+#include "app/report/sheets/study_words.h"
+#include "core/city/footprints/plan_overlay.h"
+#include "core/receivers/points/glazing_pane.h"
+#include "core/study/contributions/contributions.h"
+#include "core/study/elements/element_study.h"
+#include "core/study/elements/element_tables.h"
+#include "core/study/text/breakdown_text.h"
+
+namespace noonmark {
+
+namespace {
+
+/// The points of one building that elevations show, as indices of the map.
+struct PointsOfBuilding {
+    std::uint32_t building = 0;
+    std::vector<std::size_t> points;
+    double meanMin = 0;
+};
+
+ElevationPane paneOf(const MeasuredElement& element) {
+    return {glm::dvec3(element.position), glm::dvec3(element.normal),
+            element.pane.isKnown() ? element.pane : defaultPane};
+}
+
+std::vector<PointsOfBuilding> groupPoints(const ElementStudy& study, const ElementMap& map) {
+    std::map<std::uint32_t, PointsOfBuilding> byBuilding;
+    for (std::size_t i = 0; i < map.elements.size(); ++i) {
+        if (map.elements[i].kind == ElementKind::plane || !hasElevation(paneOf(map.elements[i]))) continue;
+        const std::uint32_t building = study.receivers.elements[i].building;
+        PointsOfBuilding& group =
+            byBuilding.try_emplace(building, PointsOfBuilding{building, {}, 0}).first->second;
+        group.points.push_back(i);
+        group.meanMin += map.elements[i].sunlitMin;
+    }
+    std::vector<PointsOfBuilding> groups;
+    for (auto& [building, group] : byBuilding) {
+        group.meanMin /= double(group.points.size());
+        groups.push_back(std::move(group));
+    }
+    std::ranges::stable_sort(groups, {}, &PointsOfBuilding::meanMin);
+    return groups;
+}
+
+ElevationBuilding drawBuilding(const ElementStudy& study, const ElementMap& map,
+                               const PointsOfBuilding& group, const ColourScale& scale) {
+    const MeasuredElement& first = map.elements[group.points.front()];
+    const std::string& name = first.buildingName.empty() ? first.building : first.buildingName;
+    ElevationBuilding drawn{
+        name.empty() ? QStringLiteral("Points at no building") : plainText(name), nullptr, {}, {{}}, {}};
+    if (group.building < study.city.buildings.size()) {
+        drawn.building = study.city.buildings[group.building].get();
+        drawn.storeyM = findStoreyM(*drawn.building, study.elements.facades, study.elements.parts.storeys);
+    }
+    for (const std::size_t i : group.points) {
+        drawn.panes.push_back(paneOf(map.elements[i]));
+        const Rgb colour = scale.colourOf(scale.shownOf(map.elements[i].grossMin));
+        drawn.cells[0].push_back({toColour(colour), ElevationMark::none});
+    }
+    return drawn;
+}
+
+std::vector<BookPage> makeElevations(const ElementStudy& study, const ElementMap& map,
+                                     const BookSettings& settings) {
+    const Legend legend = makeSunLegend(map, settings.legend);
+    const ColourScale scale = coloursOf(legend);
+    ElevationSheets sheets{
+        QStringLiteral("Elevations: ") + legend.title.toLower(),
+        QStringLiteral("%1. %2.").arg(describePeriod(study.settings.period), describeFloors(study.elements)),
+        QStringLiteral("Elevations"),
+        {legend.title + QStringLiteral(", mean over the days")},
+        {{legend}},
+        study.city.frame};
+    sheets.foot.hasMarks = false;
+    sheets.foot.note = QStringLiteral("Seen square to the wall, from outside.");
+    sheets.scale = settings.scale;
+    // Each side takes a third of a page at least: more buildings cannot be drawn.
+    const std::size_t maxDrawn = 3 * sheets.maxPages;
+    std::vector<ElevationBuilding> buildings;
+    for (const PointsOfBuilding& group : groupPoints(study, map))
+        buildings.push_back(buildings.size() > maxDrawn ? ElevationBuilding{}
+                                                        : drawBuilding(study, map, group, scale));
+    return makeElevationPages(settings.setup, std::move(sheets), buildings);
+}
+
+TextBlocks summariseElements(const ElementStudy& study) {
+    const ElementFigures figures = computeFigures(study);
+    TextBlocks blocks{heading(QStringLiteral("Summary"))};
+    const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
+    add(QStringLiteral("Points on %1. %2.")
+            .arg(plainText(nameOf(study.elements.places)), describePeriod(study.settings.period)));
+    const auto lines = listLines(elementFigures().of(figures), {.sunlitMin = figures.possibleMin});
+    for (const FigureText& figure : figureTexts(lines))
+        add(QStringLiteral("%1: %2.").arg(figure.name, figure.value));
+    blocks.push_back(heading(QStringLiteral("Method")));
+    add(study.engineKey == referenceEngine
+            ? QStringLiteral("Rays at every step of the sun.")
+            : QStringLiteral("Horizons of the points, in bins of a quarter of a degree."));
+    if (!study.whyRays.empty()) add(QStringLiteral("Chosen since %1.").arg(plainText(study.whyRays)));
+    if (study.error) add(QStringLiteral("Error against rays: %1.").arg(plainText(describe(*study.error))));
+    add(defineFigures(lines));
+    return blocks;
+}
+
+TextBlocks describeSources(const ElementStudy& study, const LegendChoice& legend) {
+    Study sources;
+    sources.city = study.city;
+    sources.warnings = study.warnings;
+    sources.provenance = study.provenance;
+    sources.heights = study.heights;
+    return sourceBlocks(sources, repeatBlocks(makeRepeatCommand(study, bookLetters), false,
+                                              listLegendOptions(legend, false), bookLetters));
+}
+
+}  // namespace
+
+Book makeElementBook(const ElementStudy& study, const ElementMap& map, const BookSettings& settings) {
+    const QString title = QStringLiteral("Hours of sun on %1").arg(plainText(nameOf(study.elements.places)));
+    Book book = beginBook(settings, title, study.provenance.attribution);
+    book.record = {QStringLiteral("study.json"), elementStudyJson(study, {})};
+    const auto append = [&](std::vector<BookPage> pages) {
+        std::ranges::move(pages, std::back_inserter(book.pages));
+    };
+    append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, summariseElements(study)));
+    append(makeElevations(study, map, settings));
+    append(makeTextPages(settings.setup, {QStringLiteral("Sources"), {}, QStringLiteral("Sources")},
+                         describeSources(study, settings.legend)));
+    return book;
+}
+
+namespace {
+
+constexpr std::size_t maxMarks = 30, maxBars = 12;
+constexpr double minShare = 0.001;  // of all shadow, of a building that has a row
+constexpr double rowPt = 7.8;
+constexpr double minutesPerHour = 60;
+
+/// A row of the table: a building, the other buildings or the terrain, m2 h.
+struct Contribution {
+    QString name;
+    double attributedM2h = 0, soleM2h = 0;
+};
+
+struct Contributions {
+    std::vector<Contribution> buildings;  ///< of the least share and more, the largest first
+    std::vector<MapMark> marks;
+    Contribution others;
+    std::size_t otherCount = 0;
+    std::optional<Contribution> terrain;
+    double allM2h = 0;
+};
+
+Contribution makeContribution(QString name, const BuildingShadow& shadow) {
+    return {std::move(name), sumOf(shadow.attributedMinM2) / minutesPerHour,
+            sumOf(shadow.soleMinM2) / minutesPerHour};
+}
+
+QString nameBuilding(const Building& building, std::uint32_t index) {
+    if (!building.name.empty()) return plainText(building.name);
+    if (!building.sourceId.empty()) return plainText(building.sourceId);
+    return QStringLiteral("building %1").arg(index);
+}
+
+/// On the building's largest part.
+MapMark makeMark(const Building& building, std::size_t number) {
+    const Part& largest =
+        *std::ranges::max_element(building.parts, {}, [](const Part& part) { return area(part.footprint); });
+    return {findPointInside(largest.footprint), QString::number(number)};
+}
+
+double sumOfAll(const ShadowBreakdown& breakdown) {
+    double all = breakdown.terrain ? sumOf(breakdown.terrain->attributedMinM2) : 0;
+    for (const BuildingShadow& shadow : breakdown.buildings) all += sumOf(shadow.attributedMinM2);
+    return all / minutesPerHour;
+}
+
+Contributions collectContributions(const Study& study) {
+    const ShadowBreakdown& breakdown = *study.breakdown;
+    Contributions all;
+    all.allM2h = sumOfAll(breakdown);
+    for (const BuildingShadow& shadow : sortContributions(breakdown)) {
+        const Building& building = *study.city.buildings[shadow.building];
+        Contribution one = makeContribution(nameBuilding(building, shadow.building), shadow);
+        if (one.attributedM2h < minShare * all.allM2h) {
+            all.others.attributedM2h += one.attributedM2h;
+            ++all.otherCount;
+            continue;
+        }
+        all.buildings.push_back(std::move(one));
+        if (all.marks.size() < maxMarks) all.marks.push_back(makeMark(building, all.buildings.size()));
+    }
+    if (breakdown.terrain) all.terrain = makeContribution(QStringLiteral("Terrain"), *breakdown.terrain);
+    return all;
+}
+
+QString describeWhenAndWhere(const Study& study) {
+    return describePeriod(study.settings.period) + QStringLiteral(". ") +
+           plainText(study.settings.region.name) + QStringLiteral(", ") +
+           describePlace(study.settings.region, study.city.frame);
+}
+
+BookPage makeNumberedMapPage(const Study& study, const Contributions& all, const BookSettings& settings) {
+    const QString title = QStringLiteral("Contributions of buildings");
+    const Legend legend = makeLegend(study.field, ShadowMeasure::gross, settings.legend);
+    SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)), legend};
+    const QString name = legend.title;
+    map.scene.marks = all.marks;
+    BookPage page{title, describeWhenAndWhere(study), QStringLiteral("Map"), 0, {}};
+    page.items.push_back(
+        {contentArea(settings.setup),
+         PageMap{std::make_shared<const SheetMap>(std::move(map)),
+                 {QStringLiteral("%1 and the buildings that make most of the shadow").arg(name),
+                  QStringLiteral("Numbers as in the table; buildings outside of the map are not shown")}}});
+    return page;
+}
+
+BookPage makeBarPage(const Contributions& all, const BookSettings& settings) {
+    const QString title = QStringLiteral("Largest contributions");
+    BarChart chart{
+        {{QStringLiteral("Attributed"), shade::proposal}, {QStringLiteral("Sole"), shade::incremental}},
+        {},
+        true,
+        settings.units};
+    for (std::size_t i = 0; i < std::min(maxBars, all.buildings.size()); ++i)
+        chart.groups.push_back(
+            {QString::number(i + 1), {all.buildings[i].attributedM2h, all.buildings[i].soleM2h}});
+    QRectF area = contentArea(settings.setup);
+    area.setHeight(area.height() / 2);
+    BookPage page{title, {}, title, 0, {}};
+    page.items.push_back({area, PageChart{std::move(chart),
+                                          {QStringLiteral("Area x hours in shadow, by building"),
+                                           QStringLiteral("Numbers as in the table")}}});
+    return page;
+}
+
+std::vector<QString> makeShareRow(const QString& number, const Contribution& one, bool hasSole, double allM2h,
+                                  UnitSystem units) {
+    const auto hours = [units](double m2h) { return QString::fromStdString(formatAreaHours(m2h, units)); };
+    const double percent = allM2h > 0 ? 100 * one.attributedM2h / allM2h : 0;
+    return {number, one.name, describeAmount(percent, 2) + QStringLiteral(" %"), hours(one.attributedM2h),
+            hasSole ? hours(one.soleM2h) : QString()};
+}
+
+PageTable makeTable(const Contributions& all, const BookSettings& settings) {
+    PageTable table{{QStringLiteral("No."), QStringLiteral("Building"), QStringLiteral("Share of all shadow"),
+                     QStringLiteral("Attributed"), QStringLiteral("Sole")},
+                    {},
+                    {},
+                    {},
+                    rowPt * textScale(settings.setup)};
+    const auto add = [&](const QString& number, const Contribution& one, bool hasSole) {
+        table.rows.push_back(makeShareRow(number, one, hasSole, all.allM2h, settings.units));
+    };
+    for (std::size_t i = 0; i < all.buildings.size(); ++i)
+        add(QString::number(i + 1), all.buildings[i], true);
+    if (all.otherCount > 0) {
+        Contribution others = all.others;
+        others.name = QStringLiteral("Other buildings: %1").arg(describeCount(all.otherCount));
+        add({}, others, false);
+    }
+    if (all.terrain) add({}, *all.terrain, true);
+    add({}, {QStringLiteral("All shadow"), all.allM2h}, false);
+    return table;
+}
+
+std::vector<BookPage> makeShareTablePages(const Study& study, const Contributions& all,
+                                          const BookSettings& settings) {
+    const QString title = QStringLiteral("Contributions"),
+                  note = QStringLiteral(
+                             "Attributed: %1. Sole: %2. Area x hours over the whole period. Engine: %3. "
+                             "Rows below 0.1 % are added up; contributions.csv lists each.")
+                             .arg(plainText(std::string(attributedDefinition())),
+                                  plainText(std::string(soleDefinition())),
+                                  describeEngineUsed(study.breakdown->engine));
+    return makeTablePages(settings.setup, {title, {}, title, 0, {}},
+                          {{QStringLiteral("By building"), note, makeTable(all, settings)}});
+}
+
+}  // namespace
+
+Book makeContributionBook(const Study& study, const BookSettings& settings) {
+    Book book =
+        beginBook(settings, QStringLiteral("Contributions of buildings"), study.provenance.attribution);
+    const Contributions all = collectContributions(study);
+    book.pages.push_back(makeNumberedMapPage(study, all, settings));
+    book.pages.push_back(makeBarPage(all, settings));
+    std::ranges::move(makeShareTablePages(study, all, settings), std::back_inserter(book.pages));
+    return book;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,266 @@
+#include "app/report/sheets/answer_reports.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/sheets/report_sections.h"
+#include "core/base/clean_text.h"
+#include "core/receivers/rasterize.h"
+#include "core/receivers/roof_receivers.h"
+#include "core/study/provenance/command_words.h"
+#include "scenarios/impact/impact_figures.h"
+#include "scenarios/settings_json.h"
+
+namespace noonmark {
+
+namespace {
+
+QString describeArea(double areaM2) { return describeAmount(areaM2, 0) + QStringLiteral(" m²"); }
+
+TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale, const LegendChoice& legend) {
+    const auto unitOf = [&](ShadowMeasure measure) {
+        return describeUnit(makeLegend(answer.study.total, measure, scale, legend));
+    };
+    const bool isSun = legend.show != ShownAs::shadow;
+    return {body(QStringLiteral("Colours: %1 in %2; continuous shadow in %3.")
+                     .arg(isSun ? QStringLiteral("sun") : QStringLiteral("gross shadow"),
+                          unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
+            body(QStringLiteral("Change: minutes in %1 minus minutes in %2, with the same engine, steps and "
+                                "cells; positive means more %3. %4")
+                     .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
+                          isSun ? QStringLiteral("sun") : QStringLiteral("shadow"),
+                          defineFigures(listLines(computeFigures(answer), legend.show))))};
+}
+
+// The city after the change as a study, for the sections of a study's report. Their statements hold for both
+// fields.
+Study afterAsStudy(const ImpactAnswer& answer, const AnswerSource& source) {
+    Study study;
+    study.city = source.city;
+    study.settings = answer.settings.study;
+    study.sun = answer.study.sun;
+    study.field = answer.study.after;
+    study.field.engine = answer.study.total.engine;
+    study.warnings = answer.study.total.warnings;
+    study.error = answer.study.error;
+    study.provenance = answer.provenance;
+    return study;
+}
+
+// One line per new building, if the comparison measured them.
+void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& figures) {
+    if (figures.byBuilding.empty()) return;
+    TextBlocks blocks{heading(QStringLiteral("Sole contribution of each new building"))};
+    for (const auto& building : figures.byBuilding)
+        blocks.push_back(body(QStringLiteral("%1: %2 with more than %3 min a day of additional gross shadow")
+                                  .arg(QString::fromStdString(building.name),
+                                       describeArea(building.figures.gross.gainedM2),
+                                       describeAmount(building.figures.thresholdMin, 2))));
+    sections.push_back(std::move(blocks));
+}
+
+std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSource& source,
+                                   const std::vector<CommandOption>& drawn) {
+    const Study after = afterAsStudy(answer, source);
+    std::vector<TextBlocks> sections = methodSections(
+        after,
+        QStringLiteral("This is the error of the change, compared with the change by the ray reference."));
+    addBuildings(sections, computeFigures(answer));
+    for (TextBlocks& section : sourceSections(after)) sections.push_back(std::move(section));
+    sections.push_back(
+        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance), drawn));
+    return sections;
+}
+
+/// Cells whose shadow changes by more than the threshold, and what is built.
+Box2 changedGround(const Impact& impact, const City& proposal, double thresholdMin) {
+    Box2 box = bounds(proposal);
+    const Grid& grid = impact.grid;
+    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+        if (std::abs(double(impact.grossMin[cell])) > thresholdMin)  // NaN: no receiver
+            box.add(cellBox(grid, cell));
+    }
+    return box;
+}
+
+/// A change that belongs on the map. Where no cell reaches the question's threshold, the largest ones do.
+double mappedChangeMin(const ImpactAnswer& answer) {
+    double largest = 0;
+    for (const float change : answer.study.total.grossMin)
+        if (!std::isnan(change)) largest = std::max(largest, std::abs(double(change)));
+    const double threshold = answer.thresholdsMin.empty() ? 0 : answer.thresholdsMin.front();
+    return std::min(threshold, largest / 10);
+}
+
+void zoomOnChange(const ImpactAnswer& answer, SheetMap& map) {
+    map.scene.shown =
+        zoomOn(changedGround(answer.study.total, answer.proposal, mappedChangeMin(answer)), map.scene);
+    if (!answer.proposal.buildings.empty()) map.scene.proposal = &answer.proposal;
+}
+
+/// Rows for the new buildings: "New building", "Mill Tower, 62 m high".
+void addNewBuildings(std::vector<FigureText>& figures, const City& proposal) {
+    constexpr std::size_t most = 3;
+    for (std::size_t i = 0; i < std::min(most, proposal.buildings.size()); ++i) {
+        const Building& building = *proposal.buildings[i];
+        const Box2 box = bounds(building);
+        const double height =
+            double(topM(building)) - double(groundAt(proposal, glm::dvec2(box.low + box.high) / 2.0));
+        const std::string& name = building.name.empty() ? building.sourceId : building.name;
+        figures.push_back({QStringLiteral("New building"),
+                           QStringLiteral("%1, %2 m high")
+                               .arg(QString::fromStdString(cleanText(name)), describeAmount(height, 1))});
+    }
+    if (proposal.buildings.size() > most)
+        figures.push_back(
+            {QStringLiteral("Further new buildings"), describeCount(proposal.buildings.size() - most)});
+}
+
+}  // namespace
+
+std::vector<CommandOption> drawnOptions(const ChangeScale& scale, const LegendChoice& legend) {
+    std::vector<CommandOption> options = listLegendOptions(legend, true);
+    if (scale != ChangeScale()) options.push_back({changeScaleFlag, {formatText(scale)}});
+    return options;
+}
+
+SheetMap makeImpactMap(const Impact& impact, const City& city, const Region& region, ShadowMeasure measure,
+                       const ChangeScale& scale, const LegendChoice& choice) {
+    const Legend legend = makeLegend(impact, measure, scale, choice);
+    return {{city, region, impact.grid,
+             [&impact, measure, colours = coloursOf(legend)](int wantedPixels) {
+                 const auto colour = [&](std::size_t cell) {
+                     return pickColour(impact, measure, cell, colours);
+                 };
+                 return makeColourImage(impact.grid, colour, wantedPixels);
+             }},
+            legend};
+}
+
+Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
+                const LegendChoice& legend) {
+    const Impact& impact = answer.study.total;
+    const Region& region = answer.settings.study.region;
+    const QString subject = QStringLiteral("%1 compared with %2")
+                                .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from));
+    const QString sunlit = QStringLiteral("sun above the horizon for %1 min a day")
+                               .arg(describeAmount(impact.sunlitMinutesPerDay));
+    Sheet sheet{.headline = makeHeadline(answer.settings.study, source.city.frame, subject,
+                                         isInstant(impact) ? QString() : sunlit),
+                .map = makeImpactMap(impact, source.city, region, ShadowMeasure::gross, scale, legend),
+                .definitions = definitionsOf(answer, scale, legend),
+                .figures = figureTexts(listLines(computeFigures(answer), legend.show)),
+                .sections = sectionsOf(answer, source, drawnOptions(scale, legend)),
+                .credit = describeData(answer.provenance.attribution),
+                .record = {QStringLiteral("impact.json"),
+                           extendRepeat(impactJson(answer), drawnOptions(scale, legend))}};
+    zoomOnChange(answer, sheet.map);
+    addNewBuildings(sheet.figures, answer.proposal);
+    sheet.finding =
+        QString::fromStdString(formatText(makePage(impact, computeFigures(answer), legend.show).headline)) +
+        u'.';
+    if (!isInstant(impact) && hasRuns(impact)) {
+        sheet.smallMap.emplace(
+            makeImpactMap(impact, source.city, region, ShadowMeasure::continuous, scale, legend));
+        zoomOnChange(answer, *sheet.smallMap);
+    }
+    return sheet;
+}
+
+namespace {
+
+QString monthName(std::chrono::year_month month) {
+    return QStringLiteral("%1-%2").arg(int(month.year())).arg(unsigned(month.month()), 2, 10, QChar(u'0'));
+}
+
+// The month's part of what the lines above it state of the region, in their order.
+QString describePart(const MonthFigures& month) {
+    QStringList parts;
+    for (const Figure& total : scoreFigures().rows())
+        if (total.use == FigureUse::result && total.inFiles) {
+            const Figure& part = findFigure(scoreMonthFigures().rows(), total.key);
+            parts << QString::fromStdString(valueOf({&part, part.get(&month)}));
+        }
+    return parts.join(QStringLiteral(", "));
+}
+
+TextBlocks definitionsOf(const Score& score) {
+    return {body(defineFigures(listLines(scoreFigures().of(score))) +
+                 QStringLiteral(" Positive means that wanted shade outweighs unwanted shadow. The figures of "
+                                "the months add up to the total."))};
+}
+
+TextBlocks methodOf(const ScoreAnswer& answer) {
+    return {heading(QStringLiteral("Method")),
+            body(QStringLiteral("Engine: %1.").arg(describeEngineUsed(answer.score.engine))),
+            body(QStringLiteral("Receivers: centres of square cells of %1 m on %2, inside the region.")
+                     .arg(describeAmount(answer.score.grid.cellM, 2),
+                          QString::fromUtf8(describe(answer.settings.receivers.places))))};
+}
+
+// Intervals without a sun step have neither area nor score and are skipped.
+TextBlocks weightsOf(const ScoreAnswer& answer) {
+    TextBlocks blocks{
+        heading(QStringLiteral("Weights: %1").arg(QString::fromStdString(answer.weights.name)))};
+    for (const IntervalFigures& interval : answer.score.intervals)
+        if (interval.shadowAreaM2 > 0)
+            blocks.push_back(body(QStringLiteral("%1: %2").arg(
+                QString::fromStdString(interval.name),
+                QString::fromStdString(joinLines(listLines(scoreIntervalFigures().of(interval)))))));
+    return blocks;
+}
+
+// The sections of a study's report that do not depend on its field.
+std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource& source,
+                                  const std::vector<CommandOption>& drawn) {
+    Study study;
+    study.city = source.city;
+    study.settings = answer.settings;
+    study.warnings = answer.score.warnings;
+    study.provenance = answer.provenance;
+    std::vector<TextBlocks> sections = sourceSections(study);
+    sections.pop_back();  // cost and skipped work belong to a field
+    sections.push_back(
+        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance), drawn));
+    return sections;
+}
+
+}  // namespace
+
+SheetMap makeScoreMap(const Score& score, const City& city, const Region& region,
+                      const LegendChoice& choice) {
+    const Legend legend = makeLegend(score, choice);
+    return {{city, region, score.grid,
+             [&score, colours = coloursOf(legend)](int wantedPixels) {
+                 const auto colour = [&](std::size_t cell) {
+                     return pickColour(colours, double(score.score[cell]));
+                 };
+                 return makeColourImage(score.grid, colour, wantedPixels);
+             }},
+            legend};
+}
+
+std::vector<FigureText> makeScoreFigures(const Score& score) {
+    std::vector<FigureText> figures = figureTexts(listLines(scoreFigures().of(score)));
+    for (const MonthFigures& month : score.months)
+        figures.push_back({monthName(month.month), describePart(month)});
+    return figures;
+}
+
+Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source, const LegendChoice& legend) {
+    const QString subject = QStringLiteral("Shadow score of %1").arg(QString::fromStdString(answer.scenario));
+    std::vector<TextBlocks> sections{methodOf(answer), errorBlocks(answer.score.errors), weightsOf(answer)};
+    for (TextBlocks& section : sourcesOf(answer, source, listLegendOptions(legend, true)))
+        sections.push_back(std::move(section));
+    return {.headline = makeHeadline(answer.settings, source.city.frame, subject, {}),
+            .map = makeScoreMap(answer.score, source.city, answer.settings.region, legend),
+            .definitions = definitionsOf(answer.score),
+            .figures = makeScoreFigures(answer.score),
+            .sections = std::move(sections),
+            .credit = describeData(answer.provenance.attribution),
+            .record = {QStringLiteral("score.json"),
+                       extendRepeat(scoreJson(answer), listLegendOptions(legend, true))}};
+}
+
+}  // namespace noonmark

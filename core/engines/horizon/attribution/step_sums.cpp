@@ -1,0 +1,124 @@
+#include "core/engines/horizon/attribution/step_sums.h"
+
+#include <limits>
+#include <tuple>
+
+namespace noonmark {
+
+std::span<const BuildingGap> BuildingGapFinder::intervals(std::span<const OverhangShapes> shapes,
+                                                          OverhangView view,
+                                                          std::span<const HorizonCode> horizons,
+                                                          const std::stop_token& stop) {
+    gaps_.clear();
+    for (const OverhangShapes& own : shapes) {
+        const OverhangShapes* const one[]{&own};
+        view.shapes = one;
+        for (const Gap& gap : sweep_.intervals(view, horizons, stop))
+            gaps_.push_back({gap.number, own.building, gap.low, gap.high});
+    }
+    sort_.run(
+        gaps_, horizons.size(), [](const BuildingGap& gap) { return gap.number; },
+        [](const BuildingGap& a, const BuildingGap& b) {
+            return std::tie(a.low, a.building) < std::tie(b.low, b.building);
+        });
+    return gaps_;
+}
+
+std::vector<SetTables> setTables(const BinnedSun& binned, const StepSets& sets) {
+    std::vector<std::vector<std::vector<HorizonCode>>> suns(binned.bins.size());
+    for (auto& bin : suns) bin.resize(sets.names.size());
+    for (std::size_t i = 0; i < binned.places.size(); ++i)
+        suns[binned.places[i].bin][sets.ofStep[i]].push_back(binned.places[i].sun);
+    std::vector<SetTables> tables(suns.size());
+    for (std::size_t bin = 0; bin < suns.size(); ++bin)
+        for (std::size_t set = 0; set < suns[bin].size(); ++set) {
+            std::ranges::sort(suns[bin][set]);
+            if (!suns[bin][set].empty())
+                tables[bin].push_back({set, HiddenSuns(suns[bin][set]), findSunChanges(suns[bin][set], {})});
+        }
+    return tables;
+}
+
+void StepSums::begin(std::size_t sets, std::size_t numbers, std::size_t buildings) {
+    cells_.resize(sets);
+    for (auto& sums : cells_) sums.assign(numbers, 0);  // keeps the memory of the tile before
+    short_.resize(sets);
+    for (ShortCells& some : short_) {
+        some.sums.assign(buildings == 0 ? numbers : 0, 0);
+        some.most = 0;
+    }
+    attributed_.resize(sets * buildings);
+    sole_.resize(sets * buildings);
+}
+
+void StepSums::add(const SetTables& tables, std::span<const HorizonCode> codes) {
+    constexpr int maxShort = std::numeric_limits<std::int16_t>::max();
+    for (const SetTable& table : tables)
+        for (const CountChange& suns : table.suns) {
+            ShortCells& some = short_[table.set];
+            if (some.most + suns.most() > maxShort) flush(table.set);
+            some.most += suns.most();
+            suns.addTo(codes.data(), codes.size(), some.sums.data());
+        }
+}
+
+void StepSums::flush(std::size_t set) {
+    ShortCells& some = short_[set];
+    if (some.most == 0) return;
+    for (std::size_t i = 0; i < some.sums.size(); ++i) cells_[set][i] += std::uint32_t(int(some.sums[i]));
+    std::ranges::fill(some.sums, std::int16_t{0});
+    some.most = 0;
+}
+
+void StepSums::flush() {
+    for (std::size_t set = 0; set < short_.size(); ++set) flush(set);
+}
+
+void StepSums::add(const SetTables& tables, std::span<const HorizonCode> codes, std::span<const Gap> gaps) {
+    forEachReceiver(gaps, [&](std::span<const Gap> own) {
+        const std::uint32_t number = own.front().number;
+        for (const SetTable& table : tables)
+            cells_[table.set][number] += countHidden(codes[number], own, table.hidden);
+    });
+}
+
+void StepSums::add(const SetTables& tables, const AttributedTile& ranks) {
+    for (std::size_t number = 0; number < ranks.codes.size(); ++number) {
+        if (ranks.codes[number] == noHorizon) continue;
+        const std::size_t of = std::size_t(ranks.buildings[number]) * sets();
+        for (const SetTable& table : tables) {
+            const std::uint32_t hidden = table.hidden(ranks.codes[number]);
+            cells_[table.set][number] += hidden;
+            attributed_[of + table.set] += hidden;
+            sole_[of + table.set] += hidden - table.hidden(ranks.others[number]);
+        }
+    }
+}
+
+void StepSums::add(const SetTables& tables, const AttributedTile& ranks, std::span<const BuildingGap> gaps) {
+    forEachReceiver(gaps, [&](std::span<const BuildingGap> own) {
+        const std::uint32_t number = own.front().number;
+        add(tables, number, {ranks.buildings[number], ranks.codes[number], ranks.others[number], own});
+    });
+}
+
+void StepSums::add(const SetTables& tables, std::uint32_t number, const AttributedView& view) {
+    for (const SetTable& table : tables) {
+        const std::size_t set = table.set;
+        const auto between = [&](HorizonCode from, HorizonCode to) {
+            return table.hidden(to) - table.hidden(from);
+        };
+        forEachAttributed(view, [&](std::uint32_t building, HorizonCode from, HorizonCode to) {
+            cells_[set][number] += between(from, to);
+            attributed_[building * sets() + set] += between(from, to);
+        });
+        forEachBuilding(view, [&](std::uint32_t building) {
+            std::uint64_t& sole = sole_[building * sets() + set];
+            forEachSole(
+                view, building, [&](HorizonCode from, HorizonCode to) { sole += between(from, to); },
+                [&](HorizonCode from, HorizonCode to) { sole -= between(from, to); });
+        });
+    }
+}
+
+}  // namespace noonmark

@@ -1,0 +1,171 @@
+#include "core/io/pieces/read_part.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/city/building_heights.h"
+#include "core/city/footprints/plan_overlay.h"
+#include "core/city/meshes/mesh_outline.h"
+#include "core/io/settings/read_fields.h"
+
+namespace noonmark {
+
+std::string describeCrs(const std::string& name, CrsSource source) {
+    if (source == CrsSource::file) return name + ", as the file states";
+    if (source == CrsSource::user) return name + ", as " + readOption("crs") + " states";
+    return name + ", guessed from the numbers";
+}
+
+namespace {
+
+constexpr float farthestM = 1e6F, deepestM = -2e4F, highestM = 2e4F;
+
+// Null if it is plausible.
+const char* whyImplausible(const Building& building) {
+    float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
+    for (const Part& part : building.parts) {
+        if (!std::isfinite(part.bottomM) || !std::isfinite(part.topM)) return "its height is not a number";
+        low = std::min(low, part.bottomM), high = std::max(high, part.topM);
+    }
+    if (building.parts.empty()) return nullptr;
+    if (double(high) - double(low) > tallestBuildingM) return "it is higher than 2,000 m";
+    if (low < deepestM || high > highestM) return "it lies more than 20 km below or above the ground";
+    const Box2 box = bounds(building);
+    const bool near = box.low.x >= -farthestM && box.low.y >= -farthestM && box.high.x <= farthestM &&
+                      box.high.y <= farthestM;
+    return near ? nullptr : "it lies more than 1,000 km from the middle of the city";
+}
+
+void warn(const std::string& file, const Building& building, const char* why, Warnings& warnings) {
+    warnings.push_back({WarningKind::leftOut, why, fmt::format("{}: {}", file, building.sourceId)});
+}
+
+}  // namespace
+
+Result<void> leaveOutImplausible(const std::string& file, FilePiece& piece) {
+    const bool grounds = !piece.groundM.empty();
+    std::size_t kept = 0;
+    const char* lastWhy = nullptr;
+    for (std::size_t i = 0; i < piece.buildings.size(); ++i) {
+        if (const char* why = whyImplausible(*piece.buildings[i])) {
+            warn(file, *piece.buildings[i], why, piece.warnings);
+            lastWhy = why;
+            continue;
+        }
+        if (grounds) piece.groundM[kept] = piece.groundM[i];
+        if (!piece.roofs.empty() && kept != i) piece.roofs[kept] = std::move(piece.roofs[i]);
+        piece.buildings[kept++] = std::move(piece.buildings[i]);
+    }
+    if (kept == 0 && lastWhy != nullptr)
+        return failure(fmt::format("No building can be used, each because {}", lastWhy), file,
+                       "Check the unit of its coordinates and which axis is up");
+    piece.buildings.resize(kept);
+    if (grounds) piece.groundM.resize(kept);
+    if (!piece.roofs.empty()) piece.roofs.resize(kept);
+    return {};
+}
+
+namespace {
+
+using Shared = std::shared_ptr<const Building>;
+
+double areaOf(const Box2& box) {
+    if (box.empty()) return 0;
+    return double(box.high.x - box.low.x) * double(box.high.y - box.low.y);
+}
+
+double sharedArea(const Box2& a, const Box2& b) {
+    return areaOf({{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+                   {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}});
+}
+
+std::vector<Footprint> outlineOf(const Building& building) {
+    std::vector<Footprint> pieces;
+    for (const Part& part : building.parts) pieces.push_back(part.footprint);
+    return pieces.size() > 1 ? computeUnion(pieces) : pieces;
+}
+
+double areaOf(const std::vector<Footprint>& pieces) {
+    double sum = 0;
+    for (const Footprint& piece : pieces) sum += area(piece);
+    return sum;
+}
+
+float bottomM(const Building& building) {
+    float lowest = 1e30F;
+    for (const Part& part : building.parts) lowest = std::min(lowest, part.bottomM);
+    return lowest;
+}
+
+// Whether they stand side by side in height, rather than one on the other.
+bool shareHeights(const Building& a, const Building& b) {
+    const float shared = std::min(topM(a), topM(b)) - std::max(bottomM(a), bottomM(b));
+    const float lower = std::min(topM(a) - bottomM(a), topM(b) - bottomM(b));
+    return shared > lower / 2;
+}
+
+bool shareOutlines(const Building& a, const Building& b, bool sameId) {
+    constexpr double sameShare = 0.95;
+    const auto one = outlineOf(a), other = outlineOf(b);
+    const double smaller = std::min(areaOf(one), areaOf(other)),
+                 larger = std::max(areaOf(one), areaOf(other));
+    if (!sameId && smaller < sameShare * larger) return false;
+    const double shared = computeSharedArea(one, other);
+    if (shared >= sameShare * larger) return true;
+    // Two copies of one building, one of which was cut at the edge of its map, are equally high; a tower on
+    // its podium is not.
+    constexpr float sameHeightM = 0.5F;
+    return sameId && shared > smaller / 2 && std::abs(topM(a) - topM(b)) <= sameHeightM;
+}
+
+bool areSame(const Building& a, const Box2& boxA, const Building& b, const Box2& boxB) {
+    constexpr double nearlySame = 0.85;  // of boxes, as a first test
+    const bool sameId = !a.sourceId.empty() && a.sourceId == b.sourceId;
+    const double shared = sharedArea(boxA, boxB);
+    if (!sameId && shared < nearlySame * std::max(areaOf(boxA), areaOf(boxB))) return false;
+    return shared > 0 && shareHeights(a, b) && shareOutlines(a, b, sameId);
+}
+
+int rankOf(HeightSource source) {
+    return source == HeightSource::assumed ? 2 : source == HeightSource::levels ? 1 : 0;
+}
+
+// Lower is better known.
+int rankOf(const Building& building) {
+    int worst = 0;
+    for (const Part& part : building.parts) worst = std::max(worst, rankOf(part.heightSource));
+    return worst;
+}
+
+bool isBetter(const Building& a, const Building& b) {
+    const int one = rankOf(a), other = rankOf(b);
+    if (one != other) return one < other;
+    constexpr float sameHeightM = 0.01F;
+    return topM(a) > topM(b) + sameHeightM;
+}
+
+}  // namespace
+
+std::vector<SameBuilding> findSameBuildings(const std::vector<Shared>& buildings) {
+    std::vector<Box2> boxes;
+    for (const Shared& building : buildings) boxes.push_back(bounds(*building));
+    std::vector<Box2> middles;  // fewer pairs meet: buildings that are the same cover each other's middle
+    for (const Box2& box : boxes)
+        middles.push_back(box.empty() ? box : Box2{(box.low + box.high) / 2.0F, (box.low + box.high) / 2.0F});
+    std::vector<bool> isDropped(buildings.size());
+    std::vector<SameBuilding> same;
+    for (const auto& [i, j] : findMeetingBoxes(middles, boxes)) {
+        if (i == j || isDropped[i] || isDropped[j]) continue;
+        if (!areSame(*buildings[i], boxes[i], *buildings[j], boxes[j])) continue;
+        const std::size_t first = std::min(i, j), second = std::max(i, j);
+        const bool secondKept = isBetter(*buildings[second], *buildings[first]);
+        const std::size_t kept = secondKept ? second : first, dropped = secondKept ? first : second;
+        same.push_back({kept, dropped, buildings[i]->sourceId == buildings[j]->sourceId});
+        isDropped[dropped] = true;
+    }
+    return same;
+}
+
+}  // namespace noonmark

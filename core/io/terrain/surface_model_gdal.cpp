@@ -1,0 +1,47 @@
+#include "core/io/terrain/surface_model.h"
+
+#include <gdal_alg.h>
+#include <gdal_priv.h>
+#include <cmath>
+
+#include "core/base/gdal_calls.h"
+
+namespace noonmark {
+
+namespace {
+
+// A band over a vector, which must outlive it.
+template <class T>
+GDALDatasetUniquePtr makeBand(std::vector<T>& values, int columns, int rows, GDALDataType type) {
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
+    if (driver == nullptr) return nullptr;
+    GDALDatasetUniquePtr dataset(driver->Create("", columns, rows, 0, type, nullptr));
+    char pointer[64] = {};
+    pointer[CPLPrintPointer(pointer, values.data(), sizeof(pointer))] = 0;
+    char** options = CSLSetNameValue(nullptr, "DATAPOINTER", pointer);
+    const bool added = dataset && dataset->AddBand(type, options) == CE_None;
+    CSLDestroy(options);
+    return added ? std::move(dataset) : nullptr;
+}
+
+int CPL_STDCALL goOn(double /*share*/, const char* /*message*/, void* stop) {
+    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
+}
+
+}  // namespace
+
+void fillFromAround(std::vector<float>& values, int columns, int rows, const std::stop_token& stop) {
+    const GdalCalls gdal;
+    constexpr double farthestCells = 200;
+    std::vector<unsigned char> known(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) known[i] = std::isnan(values[i]) ? 0 : 255;
+    const auto band = makeBand(values, columns, rows, GDT_Float32);
+    const auto mask = makeBand(known, columns, rows, GDT_Byte);
+    if (!band || !mask) return;  // the caller fills what is left
+    char** options = CSLSetNameValue(nullptr, "TEMP_FILE_DRIVER", "MEM");
+    (void)GDALFillNodata(band->GetRasterBand(1), mask->GetRasterBand(1), farthestCells, 0, 0, options, goOn,
+                         const_cast<std::stop_token*>(&stop));
+    CSLDestroy(options);
+}
+
+}  // namespace noonmark
