@@ -1,4 +1,4 @@
-# Every third-party library the house uses, found in one place. All are Debian packages (packaging/packages.txt).
+# Every third-party library that Noonmark uses, found in one place. All are Debian packages (packaging/packages.txt).
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(TBB REQUIRED)

@@ -1,4 +1,4 @@
-# Warnings, sanitizers and the compiler cache: everything that is the same for every target of the house.
+# Warnings, sanitizers and the compiler cache: everything that is the same for every target.
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env

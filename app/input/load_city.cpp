@@ -67,7 +67,7 @@ Result<Photograph> loadPhotograph(const GroundPictureFile& wanted, const City& c
     return photograph;
 }
 
-Project withPhotographAtHand(Project project, Warnings& warnings, Progress& progress,
+Project withLoadedPhotograph(Project project, Warnings& warnings, Progress& progress,
                              const std::stop_token& stop) {
     if (!project.groundPicture || !project.groundPicture->shown) return project;
     const GroundPictureFile file = *project.groundPicture;

@@ -36,7 +36,7 @@ Result<Photograph> loadPhotograph(const GroundPictureFile& wanted, const City& c
 
 /// `project` with the photograph that its file names on the ground. A file that is missing, has changed or
 /// cannot be read gives a warning, and the project stays as it is: without pixels.
-Project withPhotographAtHand(Project project, Warnings& warnings, Progress& progress,
+Project withLoadedPhotograph(Project project, Warnings& warnings, Progress& progress,
                              const std::stop_token& stop);
 
 /// The places of those files of a city that state them: OpenStreetMap's. None from samples and other formats.

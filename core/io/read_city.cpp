@@ -62,7 +62,7 @@ Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths, co
 
 // Order of reading: files with buildings fix the frame before terrain does, whose middle may be far away; a
 // mesh without a position comes last.
-int turnOf(const InputFile& file, const ReadSettings& settings) {
+int readingOrderOf(const InputFile& file, const ReadSettings& settings) {
     if (file.is(FileKind::terrain)) return 1;
     return file.is(FileKind::mesh) && !settings.meshAnchor ? 2 : 0;
 }
@@ -89,7 +89,8 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
                          const std::stop_token& stop, const ReadExtent* window) {
     std::vector<InputFile*> turns;
     for (InputFile& file : files) turns.push_back(&file);
-    std::ranges::stable_sort(turns, {}, [&](const InputFile* file) { return turnOf(*file, settings); });
+    std::ranges::stable_sort(turns, {},
+                             [&](const InputFile* file) { return readingOrderOf(*file, settings); });
     for (std::size_t i = 0; i < turns.size(); ++i) {
         if (stop.stop_requested()) return cancelled();
         ProgressShare share(progress, i, turns.size());
@@ -163,7 +164,7 @@ void countBeyondTerrain(CityRead& all) {
 }
 
 // Warns that stated ground elevations were not used, since there is no terrain.
-void sayFlattened(CityRead& all, const InputFile& file, std::size_t count) {
+void warnOfFlattened(CityRead& all, const InputFile& file, std::size_t count) {
     if (count > 0)
         all.warnings.push_back(
             {WarningKind::leftOut,
@@ -204,7 +205,7 @@ void joinBuildings(CityRead& all, const InputFile& file, Stand wanted) {
     const FilePiece& piece = file.piece;
     const Standing standing(piece, file.carriers, all.city.frame, all.city.terrain.get(),
                             standFor(all, wanted));
-    sayFlattened(all, file, standing.flattened());
+    warnOfFlattened(all, file, standing.flattened());
     sayFit(all, file, standing, wanted);
     auto& buildings = all.city.buildings;
     const std::size_t first = buildings.size();

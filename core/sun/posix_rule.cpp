@@ -110,26 +110,27 @@ std::optional<PosixRule> PosixRule::parsed(std::string_view text) {
     scanner.name();
     rule.standard_ = -scanner.time(maxHoursOfOffset);  // POSIX counts west as positive
     if (scanner.good() && !scanner.atEnd()) {
-        Summer summer;
+        DaylightSaving daylightSaving;
         scanner.name();
         summer.offset = scanner.atTime() ? -scanner.time(maxHoursOfOffset) : rule.standard_ + hours{1};
         summer.start = takeChange(scanner);
         summer.end = takeChange(scanner);
         if (!isCalendar(summer.start) || !isCalendar(summer.end)) return std::nullopt;
-        rule.summer_ = summer;
+        rule.daylightSaving_ = summer;
     }
     if (!scanner.good() || !scanner.atEnd()) return std::nullopt;
     return rule;
 }
 
 seconds PosixRule::offsetAt(sys_seconds at) const {
-    if (!summer_) return standard_;
+    if (!daylightSaving_) return standard_;
     const year inYear = year_month_day{floor<days>(at + standard_)}.year();
-    const sys_seconds start = dayOf(summer_->start, inYear) + summer_->start.time - standard_;
-    const sys_seconds end = dayOf(summer_->end, inYear) + summer_->end.time - summer_->offset;
+    const sys_seconds start = dayOf(daylightSaving_->start, inYear) + daylightSaving_->start.time - standard_;
+    const sys_seconds end =
+        dayOf(daylightSaving_->end, inYear) + daylightSaving_->end.time - daylightSaving_->offset;
     // In the southern hemisphere summer time spans new year
     const bool isSummer = start < end ? at >= start && at < end : at >= start || at < end;
-    return isSummer ? summer_->offset : standard_;
+    return isSummer ? daylightSaving_->offset : standard_;
 }
 
 }  // namespace noonmark

@@ -29,14 +29,14 @@ public:
     };
 
 private:
-    struct Summer {
+    struct DaylightSaving {
         std::chrono::seconds offset{0};
         Change start;
         Change end;
     };
 
     std::chrono::seconds standard_{0};
-    std::optional<Summer> summer_;
+    std::optional<DaylightSaving> daylightSaving_;
 };
 
 }  // namespace noonmark

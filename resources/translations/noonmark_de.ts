@@ -9502,7 +9502,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
 </context>
 <context>
-    <name>noonmark::TimeLooking</name>
+    <name>noonmark::MomentPreview</name>
     <message>
         <source>Computing %1</source>
         <translation>%1 wird berechnet</translation>

@@ -9502,7 +9502,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     </message>
 </context>
 <context>
-    <name>noonmark::TimeLooking</name>
+    <name>noonmark::MomentPreview</name>
     <message>
         <source>Computing %1</source>
         <translation>Calculando %1</translation>

@@ -9453,7 +9453,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     </message>
 </context>
 <context>
-    <name>noonmark::TimeLooking</name>
+    <name>noonmark::MomentPreview</name>
     <message>
         <source>Computing %1</source>
         <translation>%1 を計算中</translation>

@@ -22,8 +22,8 @@ public:
     void add(double change) {
         figures_.gainedM2 += change > thresholdMin_;
         figures_.lostM2 += change < -thresholdMin_;
-        figures_.touchedM2 += change > noChangeMin;
-        figures_.easedM2 += change < -noChangeMin;
+        figures_.anyMoreShadowM2 += change > noChangeMin;
+        figures_.anyLessShadowM2 += change < -noChangeMin;
         figures_.meanMin += change;
         figures_.mostGainedMin = std::max(figures_.mostGainedMin, change);
         figures_.mostLostMin = std::max(figures_.mostLostMin, -change);
@@ -32,7 +32,8 @@ public:
     [[nodiscard]] ChangeFigures figures(double cellM2, double receivers) const {
         if (std::isnan(figures_.meanMin)) return notComputed();
         ChangeFigures figures = figures_;
-        for (double* areaM2 : {&figures.gainedM2, &figures.lostM2, &figures.touchedM2, &figures.easedM2})
+        for (double* areaM2 :
+             {&figures.gainedM2, &figures.lostM2, &figures.anyMoreShadowM2, &figures.anyLessShadowM2})
             *areaM2 *= cellM2;
         figures.meanMin = receivers > 0 ? figures.meanMin / receivers : 0;
         return figures;
@@ -113,16 +114,16 @@ const Figures<ChangeFigures>& changeFigures() {
                 .unit = FigureUnit::squareMetres,
                 .byThreshold = true,
                 .tells = Tells::shadow}),
-        figure(&ChangeFigures::touchedM2, {.key = "touched_m2",
-                                           .label = NM_TEXT("Any more shadow"),
-                                           .definition = NM_TEXT("area where the minutes rose at all"),
-                                           .unit = FigureUnit::squareMetres,
-                                           .tells = Tells::shadow}),
-        figure(&ChangeFigures::easedM2, {.key = "eased_m2",
-                                         .label = NM_TEXT("Any less shadow"),
-                                         .definition = NM_TEXT("area where the minutes fell at all"),
-                                         .unit = FigureUnit::squareMetres,
-                                         .tells = Tells::shadow}),
+        figure(&ChangeFigures::anyMoreShadowM2, {.key = "touched_m2",
+                                                 .label = NM_TEXT("Any more shadow"),
+                                                 .definition = NM_TEXT("area where the minutes rose at all"),
+                                                 .unit = FigureUnit::squareMetres,
+                                                 .tells = Tells::shadow}),
+        figure(&ChangeFigures::anyLessShadowM2, {.key = "eased_m2",
+                                                 .label = NM_TEXT("Any less shadow"),
+                                                 .definition = NM_TEXT("area where the minutes fell at all"),
+                                                 .unit = FigureUnit::squareMetres,
+                                                 .tells = Tells::shadow}),
         figure(&ChangeFigures::meanMin, {.key = "mean_min",
                                          .label = NM_TEXT("Mean change"),
                                          .definition = NM_TEXT("mean of the change over the receivers"),
@@ -155,14 +156,14 @@ const Figures<ChangeFigures>& changeFigures() {
                .definition = NM_TEXT("area that gained more minutes of sun than the threshold"),
                .unit = FigureUnit::squareMetres,
                .byThreshold = true}),
-        asSun(&ChangeFigures::touchedM2, {.key = "sun_any_lost_m2",
-                                          .label = NM_TEXT("Any less sun"),
-                                          .definition = NM_TEXT("area that lost any sun"),
-                                          .unit = FigureUnit::squareMetres}),
-        asSun(&ChangeFigures::easedM2, {.key = "sun_any_gained_m2",
-                                        .label = NM_TEXT("Any more sun"),
-                                        .definition = NM_TEXT("area that gained any sun"),
-                                        .unit = FigureUnit::squareMetres}),
+        asSun(&ChangeFigures::anyMoreShadowM2, {.key = "sun_any_lost_m2",
+                                                .label = NM_TEXT("Any less sun"),
+                                                .definition = NM_TEXT("area that lost any sun"),
+                                                .unit = FigureUnit::squareMetres}),
+        asSun(&ChangeFigures::anyLessShadowM2, {.key = "sun_any_gained_m2",
+                                                .label = NM_TEXT("Any more sun"),
+                                                .definition = NM_TEXT("area that gained any sun"),
+                                                .unit = FigureUnit::squareMetres}),
         derivedFigure(&meanSunChangeMin,
                       {.key = "sun_mean_min",
                        .label = NM_TEXT("Mean change of sun"),

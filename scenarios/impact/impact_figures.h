@@ -10,11 +10,11 @@ namespace noonmark {
 /// Totals of the change of one measure (gross or continuous shadow). Gained means more shadow, lost means
 /// less.
 struct ChangeFigures {
-    double gainedM2 = 0;   ///< area where shadow rose by more than the threshold
-    double lostM2 = 0;     ///< area where shadow fell by more than the threshold
-    double touchedM2 = 0;  ///< area where shadow rose at all
-    double easedM2 = 0;    ///< area where shadow fell at all
-    double meanMin = 0;    ///< over all receivers
+    double gainedM2 = 0;         ///< area where shadow rose by more than the threshold
+    double lostM2 = 0;           ///< area where shadow fell by more than the threshold
+    double anyMoreShadowM2 = 0;  ///< area where shadow rose at all
+    double anyLessShadowM2 = 0;  ///< area where shadow fell at all
+    double meanMin = 0;          ///< over all receivers
     double mostGainedMin = 0;
     double mostLostMin = 0;  ///< >= 0
 };

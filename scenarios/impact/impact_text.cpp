@@ -152,10 +152,10 @@ Sentence describeChange(const std::string& scenario, const ChangeFigures& change
     constexpr double leastMeanMin = 0.5;  // less reads "0 min": the region is large, the change small
     if (std::abs(change.meanMin) < leastMeanMin && change.meanMin >= 0)
         return {NM_TEXT("%1 takes sun from %2, at most %3 a day at one spot"),
-                {scenario, area(change.touchedM2), minutes(change.mostGainedMin)}};
+                {scenario, area(change.anyMoreShadowM2), minutes(change.mostGainedMin)}};
     if (std::abs(change.meanMin) < leastMeanMin)
         return {NM_TEXT("%1 gives sun to %2, at most %3 a day at one spot"),
-                {scenario, area(change.easedM2), minutes(change.mostLostMin)}};
+                {scenario, area(change.anyLessShadowM2), minutes(change.mostLostMin)}};
     if (change.meanMin >= 0)
         return {NM_TEXT("%1 takes %2 of sun a day on average, at most %3 at one spot"),
                 {scenario, minutes(change.meanMin), minutes(change.mostGainedMin)}};
@@ -168,7 +168,7 @@ Sentence describeAreas(const ImpactFigures& figures, ShownAs show) {
     return {show == ShownAs::shadow
                 ? NM_TEXT("More shadow on %1, less on %2; by more than %3 a day on %4 and %5.")
                 : NM_TEXT("Less sun on %1, more on %2; by more than %3 a day on %4 and %5."),
-            {area(figures.gross.touchedM2), area(figures.gross.easedM2),
+            {area(figures.gross.anyMoreShadowM2), area(figures.gross.anyLessShadowM2),
              Amount{figures.thresholdMin, FigureUnit::minutes}, area(figures.gross.gainedM2),
              area(figures.gross.lostM2)}};
 }

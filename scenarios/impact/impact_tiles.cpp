@@ -20,8 +20,8 @@ struct FieldPair {
 std::map<std::string, double> listFigures(const Impact& impact) {
     const ImpactFigures all = computeFigures(impact, 0), large = computeFigures(impact);
     const std::string minutes = fmt::format("{:g}_min", large.thresholdMin);
-    return {{"touched_m2", all.gross.touchedM2},
-            {"eased_m2", all.gross.easedM2},
+    return {{"touched_m2", all.gross.anyMoreShadowM2},
+            {"eased_m2", all.gross.anyLessShadowM2},
             {"gained_over_" + minutes + "_m2", large.gross.gainedM2},
             {"lost_over_" + minutes + "_m2", large.gross.lostM2},
             {"shadow_area_change_m2", all.shadowAreaChangeM2},

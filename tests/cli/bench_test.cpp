@@ -12,7 +12,7 @@
 #include "app/bench/chart_painter.h"
 #include "app/cli/base/offscreen_qt.h"
 #include "core/bench/paper/paper_bench.h"
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/bench/tiny_site.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -57,7 +57,7 @@ TEST(BenchCommand, RefusesWhatItCannotUse) {
     const std::string earlier = folder.path("earlier").string();
     std::filesystem::create_directory(earlier);
     std::ofstream(folder.path("earlier/level_error.csv")) << "level,error_pct\n";
-    const Spoken refused = noonmarkCli({"bench", "paper", "--out", earlier});
+    const CommandOutput refused = noonmarkCli({"bench", "paper", "--out", earlier});
     EXPECT_EQ(refused.code, exitUsage);
     EXPECT_THAT(refused.err, testing::HasSubstr("level_error.csv: There is a file of this name already"));
 }

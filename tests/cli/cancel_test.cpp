@@ -14,7 +14,7 @@
 #include <random>
 #include <thread>
 
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::cli::tests {
@@ -30,11 +30,11 @@ namespace {
         std::this_thread::sleep_for(std::chrono::milliseconds(500));
         ::kill(::getpid(), SIGINT);
     });
-    const Spoken spoken = noonmarkCli({"study", "sample:grid", "--start", "2026-01-01", "--days", "365",
-                                       "--zone", "America/New_York", "--region",
-                                       "-73.995,40.745,-73.975,40.765", "--cell", "0.5", "--out", out});
-    std::cerr << spoken.err;
-    std::_Exit(spoken.code);
+    const CommandOutput output = noonmarkCli(
+        {"study", "sample:grid", "--start", "2026-01-01", "--days", "365", "--zone", "America/New_York",
+         "--region", "-73.995,40.745,-73.975,40.765", "--cell", "0.5", "--out", out});
+    std::cerr << output.err;
+    std::_Exit(output.code);
 }
 
 TEST(CancelDeathTest, CtrlCEndsAStudyWithCode130) {
@@ -86,7 +86,7 @@ TEST(KillDeathTest, AKilledCityStudyGoesOnAndSaysTheSame) {
     EXPECT_EXIT(killedCityStudy(out, tiles), testing::KilledBySignal(SIGKILL), "");
     ::unsetenv(handedOver);
     EXPECT_FALSE(std::filesystem::exists(out / "shadow.tif"));
-    const Spoken resumed = noonmarkCli(cityStudy(out));
+    const CommandOutput resumed = noonmarkCli(cityStudy(out));
     ASSERT_EQ(resumed.code, exitOk) << resumed.err;
     EXPECT_GE(resumed.json()["tiles"]["resumed"].get<std::ptrdiff_t>(), tiles);
     EXPECT_FALSE(std::filesystem::exists(out / "shadow.tif.tiles"));

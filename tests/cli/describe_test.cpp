@@ -10,7 +10,7 @@
 
 #include "app/cli/describe/describe.h"
 #include "app/input/build_facts.h"
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::cli::tests {

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "app/cli/base/interrupt.h"
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/temporary_folder.h"
 
 // How the program ends by what its surroundings do: signals while it writes, limits, a desktop that is not
@@ -97,9 +97,9 @@ TEST(EndingDeathTest, ASignalWhileFacadesAreWrittenLeavesNoHiddenOnes) { expectN
 [[noreturn]] void writtenWithin(rlim_t bytes, const std::vector<std::string>& words) {
     const rlimit limit{bytes, bytes};
     ::setrlimit(RLIMIT_FSIZE, &limit);
-    const Spoken spoken = noonmarkCli(words);
-    std::cerr << spoken.err;
-    std::_Exit(spoken.code);
+    const CommandOutput output = noonmarkCli(words);
+    std::cerr << output.err;
+    std::_Exit(output.code);
 }
 
 TEST(EndingDeathTest, ALimitOfFileSizesIsAnError) {
@@ -120,9 +120,9 @@ TEST(EndingDeathTest, ALimitOfFileSizesIsAnError) {
     ::setenv("QT_SCALE_FACTOR", "2", 1);
     ::unsetenv("DISPLAY");
     ::unsetenv("WAYLAND_DISPLAY");
-    const Spoken spoken = noonmarkCli(words);
-    std::cerr << spoken.err;
-    std::_Exit(spoken.code);
+    const CommandOutput output = noonmarkCli(words);
+    std::cerr << output.err;
+    std::_Exit(output.code);
 }
 
 TEST(EndingDeathTest, NoDesktopIsNeededWhateverTheEnvironmentNames) {

@@ -33,11 +33,11 @@ protected:
     std::string saved(const fs::path& victim, const Words& words) {
         const std::string before = bytesOf(victim);
         const auto names = folder_.names();
-        const Spoken spoken = noonmarkCli(words);
-        EXPECT_EQ(spoken.code, exitUsage) << spoken.out << spoken.err;
-        EXPECT_TRUE(bytesOf(victim) == before) << victim << ": " << spoken.err;
+        const CommandOutput output = noonmarkCli(words);
+        EXPECT_EQ(output.code, exitUsage) << output.out << output.err;
+        EXPECT_TRUE(bytesOf(victim) == before) << victim << ": " << output.err;
         EXPECT_EQ(folder_.names(), names);
-        return spoken.err;
+        return output.err;
     }
 
     /// The same, also with --overwrite, which must make no difference.

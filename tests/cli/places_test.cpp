@@ -58,11 +58,11 @@ TEST_F(PlacesCommand, OfAProjectAreReadDrawnListedAndRemoved) {
 TEST_F(PlacesCommand, TheTimelineOfADayHasTheKeysThatScriptsRelyOn) {
     // One57's shadow passes over the lawn, which is 67 deg from it, in the late afternoon. In December the
     // sun sets at 238 deg, too far south for that.
-    const auto spoken =
+    const auto output =
         noonmarkCli({"timeline", file_, "--place", "pond lawn", "--day", "2026-03-21", "--from",
                      "Without One57", "--to", "Existing", "--step", "10", "--json"});
-    ASSERT_EQ(spoken.code, 0) << spoken.err;
-    const auto json = spoken.json();
+    ASSERT_EQ(output.code, 0) << output.err;
+    const auto json = output.json();
     EXPECT_EQ(json["place"], "Pond Lawn");
     EXPECT_EQ(json["from"], "Without One57");
     ASSERT_GT(json["steps"].size(), 40U);

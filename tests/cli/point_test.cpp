@@ -39,9 +39,9 @@ TEST(Point, CountsWarningsAndListsAFewPlacesOrAllOnRequest) {
     const std::string file = folder.path("bare.geojson").string();
     std::ofstream(file) << R"({"type":"FeatureCollection","features":[)" << features << "]}";
     const auto assumed = [&](std::vector<std::string> more) {
-        const Spoken spoken = noonmarkCli(pointOf(file, "-73.98,40.699", std::move(more)));
-        EXPECT_EQ(spoken.code, exitOk) << spoken.err;
-        const auto json = spoken.json();
+        const CommandOutput output = noonmarkCli(pointOf(file, "-73.98,40.699", std::move(more)));
+        EXPECT_EQ(output.code, exitOk) << output.err;
+        const auto json = output.json();
         for (const auto& warning : json["warnings"])
             if (warning["what"].get<std::string>().find("no height") != std::string::npos) return warning;
         return nlohmann::json();
@@ -56,18 +56,18 @@ TEST(Point, CountsWarningsAndListsAFewPlacesOrAllOnRequest) {
 TEST(Point, TheDrawingIsNotWrittenOverTheTable) {
     const noonmark::tests::TemporaryFolder folder;
     const std::string file = folder.path("sky").string(), again = folder.path("./sky").string();
-    const Spoken spoken = noonmarkCli(
+    const CommandOutput output = noonmarkCli(
         pointOf("sample:central-park-south", "-73.9785,40.7675,1.5", {"--svg", file, "--csv", again}));
-    EXPECT_NE(spoken.code, exitOk);
-    EXPECT_THAT(spoken.err, HasSubstr("Name two files"));
+    EXPECT_NE(output.code, exitOk);
+    EXPECT_THAT(output.err, HasSubstr("Name two files"));
     EXPECT_FALSE(std::filesystem::exists(file));
 }
 
 TEST(Point, HasTheKeysThatScriptsRelyOn) {
-    const Spoken spoken =
+    const CommandOutput output =
         noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,1.5", {"--facing", "180"}));
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    const auto json = spoken.json();
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const auto json = output.json();
     EXPECT_EQ(json["skyline"].front()[0], 0);
     EXPECT_EQ(json["skyline"].back()[0], 360);
     for (const auto& pair : json["skyline"]) {
@@ -112,9 +112,10 @@ TEST(Point, TimesOfTheDayAreExactAtAnyStep) {
 }
 
 TEST(Point, InTheOpenAllTheSkyIsSeen) {
-    const Spoken spoken = noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,2000", {}));
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    const auto json = spoken.json();
+    const CommandOutput output =
+        noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,2000", {}));
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const auto json = output.json();
     EXPECT_NEAR(json["svf"], 1, 1e-5);
     EXPECT_FALSE(json.contains("vsc_pct"));
     EXPECT_EQ(json["sunlit"].size(), 1U);
@@ -143,9 +144,9 @@ TEST(Point, DrawsItsSky) {
 TEST(Point, WritesItsMinutesByMonthAndHour) {
     const noonmark::tests::TemporaryFolder folder;
     const std::string file = folder.path("sun.csv").string();
-    const Spoken spoken =
+    const CommandOutput output =
         noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,1.5", {"--csv", file}));
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    ASSERT_EQ(output.code, exitOk) << output.err;
     std::ifstream stream(file);
     std::string line;
     std::getline(stream, line);
@@ -154,7 +155,7 @@ TEST(Point, WritesItsMinutesByMonthAndHour) {
     int lines = 0;
     for (; std::getline(stream, line); ++lines) sum += std::stod(line.substr(line.rfind(',') + 1));
     EXPECT_EQ(lines, 12 * 24);
-    EXPECT_NEAR(sum, sumOf(spoken.json()["minutes_by_month"]), 12);  // whole minutes there
+    EXPECT_NEAR(sum, sumOf(output.json()["minutes_by_month"]), 12);  // whole minutes there
 }
 
 TEST(Point, RefusesWhatIsNoPoint) {
@@ -162,7 +163,7 @@ TEST(Point, RefusesWhatIsNoPoint) {
     EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785,140", {})).code, exitUsage);
     EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,x", {})).code, exitUsage);
     EXPECT_EQ(noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675,-3", {})).code, exitUsage);
-    const Spoken scenario =
+    const CommandOutput scenario =
         noonmarkCli(pointOf("sample:central-park-south", "-73.9785,40.7675", {"--scenario", "Tower"}));
     EXPECT_EQ(scenario.code, exitUsage);
     EXPECT_THAT(scenario.err, HasSubstr("Only a project has scenarios"));
@@ -180,14 +181,15 @@ protected:
 
 TEST_F(PointOfProject, StatesWhatTheProposalTakes) {
     const std::string at = "-73.9785,40.7675";
-    const Spoken spoken = noonmarkCli(pointOf(file_, at, {"--baseline", "Before", "--scenario", "Existing"}));
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    const auto json = spoken.json();
+    const CommandOutput output =
+        noonmarkCli(pointOf(file_, at, {"--baseline", "Before", "--scenario", "Existing"}));
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const auto json = output.json();
     EXPECT_LT(sumOf(json["scenario"]["minutes_by_month"]), sumOf(json["minutes_by_month"]));
     EXPECT_LT(json["scenario"]["svf"], json["svf"]);
     EXPECT_THAT(json["sentence"].get<std::string>(),
                 testing::MatchesRegex("The proposal takes .* mostly .*"));
-    const Spoken same = noonmarkCli(pointOf(file_, at, {"--scenario", "Existing"}));
+    const CommandOutput same = noonmarkCli(pointOf(file_, at, {"--scenario", "Existing"}));
     EXPECT_EQ(same.json()["sentence"], "The proposal takes no sun from this point on any day of the year.");
 }
 
@@ -208,7 +210,7 @@ TEST_F(PointOfProject, ComparesAnyTwoScenariosAndListsAll) {
     const auto other =
         noonmarkCli(pointOf(file_, at, {"--against", "Existing", "--scenario", "Before"})).json();
     EXPECT_EQ(one["scenario"]["minutes_by_month"], other["minutes_by_month"]);
-    const Spoken all = noonmarkCli(pointOf(file_, at, {"--all-scenarios"}));
+    const CommandOutput all = noonmarkCli(pointOf(file_, at, {"--all-scenarios"}));
     ASSERT_EQ(all.code, exitOk) << all.err;
     const auto scenarios = all.json()["scenarios"];
     ASSERT_EQ(scenarios.size(), 2U);

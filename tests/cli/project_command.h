@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "scenarios/project/project_file.h"
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::cli::tests {
@@ -15,14 +15,14 @@ namespace noonmark::cli::tests {
 class ProjectCommand : public testing::Test {
 protected:
     void SetUp() override {
-        const Spoken made = noonmarkCli({"project", "new", file_, "sample:central-park-south"});
+        const CommandOutput made = noonmarkCli({"project", "new", file_, "sample:central-park-south"});
         ASSERT_EQ(made.code, 0) << made.err;
         EXPECT_THAT(made.out, testing::HasSubstr("1 regions, 7 lots"));
         removePlaces();
     }
 
     /// `command` may have several words: "lot add".
-    Spoken project(const std::string& command, const std::vector<std::string>& more) {
+    CommandOutput project(const std::string& command, const std::vector<std::string>& more) {
         std::vector<std::string> arguments{"project"};
         std::istringstream words(command);
         for (std::string word; words >> word;) arguments.push_back(word);
@@ -33,21 +33,21 @@ protected:
 
     /// Runs a command that must succeed. Returns its output.
     std::string done(const std::string& command, const std::vector<std::string>& more) {
-        const Spoken spoken = project(command, more);
-        EXPECT_EQ(spoken.code, 0) << command << ": " << spoken.err;
-        return spoken.out;
+        const CommandOutput output = project(command, more);
+        EXPECT_EQ(output.code, 0) << command << ": " << output.err;
+        return output.out;
     }
 
     /// Runs a command that must be refused and must leave the file unchanged. Returns the error.
     std::string refused(const std::string& command, const std::vector<std::string>& more) {
         const auto before = ProjectFile::open(file_).value().saves();
-        const Spoken spoken = project(command, more);
-        EXPECT_EQ(spoken.code, 2) << command << ": " << spoken.out;
+        const CommandOutput output = project(command, more);
+        EXPECT_EQ(output.code, 2) << command << ": " << output.out;
         EXPECT_EQ(ProjectFile::open(file_).value().saves(), before) << command;
-        return spoken.err;
+        return output.err;
     }
 
-    Spoken measured(const std::string& command, const std::vector<std::string>& more) {
+    CommandOutput measured(const std::string& command, const std::vector<std::string>& more) {
         std::vector<std::string> arguments{command,       file_,    "--region",
                                            "Park",        "--cell", "10",
                                            "--overwrite", "--out",  folder_.path("out").string()};
@@ -56,7 +56,7 @@ protected:
     }
 
     /// Measures one hour in December.
-    Spoken atNoon(const std::string& command, std::vector<std::string> more) {
+    CommandOutput atNoon(const std::string& command, std::vector<std::string> more) {
         for (const char* word : {"--start", "2026-12-21", "--at", "12:00", "--hours", "1", "--step", "10",
                                  "--zone", "America/New_York"})
             more.emplace_back(word);

@@ -70,16 +70,16 @@ TEST_F(ProjectPhotograph, IsDrawnOnTheMapsOfStudiesUnlessItsFileChanged) {
     };
     const std::vector<std::string> noon{"--start", "2026-12-21", "--from", "12:00",  "--hours",
                                         "1",       "--step",     "10",     "--zone", "America/New_York"};
-    const Spoken drawn = measured("study", noon);
+    const CommandOutput drawn = measured("study", noon);
     ASSERT_EQ(drawn.code, 0) << drawn.err;
     EXPECT_THAT(drawn.out + drawn.err, Not(HasSubstr("not drawn")));
     EXPECT_GT(countRed(), 1000);
     photograph("aerial.tif", here(), 90);
-    const Spoken changed = measured("study", noon);
+    const CommandOutput changed = measured("study", noon);
     ASSERT_EQ(changed.code, 0) << changed.err;
     EXPECT_THAT(changed.out, HasSubstr("its file has changed"));
     EXPECT_EQ(countRed(), 0);
-    const Spoken impact = atNoon("impact", {"--from", "Existing", "--to", "Existing"});
+    const CommandOutput impact = atNoon("impact", {"--from", "Existing", "--to", "Existing"});
     EXPECT_THAT(impact.err, HasSubstr("its file has changed"));
 }
 

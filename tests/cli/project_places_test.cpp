@@ -99,7 +99,7 @@ TEST_F(ProjectPlaces, RegionsAndPeriodsAreNamedAndMeasured) {
     done("region add", {"Corner", "-73.98,40.766,-73.978,40.767"});
     EXPECT_THAT(refused("region add", {"Corner", "-73.98,40.766,-73.978,40.767"}), HasSubstr("Corner"));
     EXPECT_THAT(refused("region add", {"Far", "13.3,52.5,13.4,52.6"}), HasSubstr("km from the city"));
-    const Spoken list = project("region list", {"--json"});
+    const CommandOutput list = project("region list", {"--json"});
     ASSERT_EQ(list.json().size(), 2U);
     EXPECT_EQ(list.json()[1]["name"], "Corner");
     EXPECT_GT(list.json()[1]["area_m2"].get<double>(), 10000);
@@ -107,10 +107,10 @@ TEST_F(ProjectPlaces, RegionsAndPeriodsAreNamedAndMeasured) {
                                     "--hours", "1", "--step", "10", "--zone", "America/New_York"}),
                 HasSubstr("noon: 2026-12-21, 3 days, 12:00 for 1 h"));
     EXPECT_THAT(done("period list", {}), HasSubstr("America/New_York"));
-    const Spoken named =
+    const CommandOutput named =
         measured("impact", {"--to", "Existing", "--region", "Corner", "--period", "noon", "--json"});
     EXPECT_EQ(named.code, 2);  // two regions
-    const Spoken score = measured("score", {"--period", "noon", "--json", "--keep", "December"});
+    const CommandOutput score = measured("score", {"--period", "noon", "--json", "--keep", "December"});
     ASSERT_EQ(score.code, 0) << score.err;
     EXPECT_EQ(score.json()["period"]["days"], 3);
     EXPECT_THAT(done("result list", {}), HasSubstr("score of Existing"));
@@ -142,7 +142,7 @@ TEST_F(ProjectPlaces, WeightTablesGoOutAndIn) {
          {"school",
           folder_.file("school.csv", "weight;first;last;from;to\n-1;09-01;06-30;08:00;15:00\n").string()});
     EXPECT_THAT(done("weights list", {}), HasSubstr("school"));
-    const Spoken score = atNoon("score", {"--weights", "school", "--json"});
+    const CommandOutput score = atNoon("score", {"--weights", "school", "--json"});
     ASSERT_EQ(score.code, 0) << score.err;
     EXPECT_LT(score.json()["score_m2"].get<double>(), 0);
     EXPECT_THAT(refused("weights add",

@@ -14,7 +14,7 @@ protected:
         done("demolish", {"One57", "--scenario", "Before"});
     }
 
-    Spoken shadows(std::vector<std::string> more) {
+    CommandOutput shadows(std::vector<std::string> more) {
         std::vector<std::string> arguments{"project", "shadows",    file_,    "--from",          "Before",
                                            "--day",   "2026-03-21", "--zone", "America/New_York"};
         arguments.insert(arguments.end(), {"--out", folder_.path("out").string()});
@@ -32,10 +32,10 @@ protected:
 };
 
 TEST_F(ProjectShadows, WritesTheFormatsThatWereAskedFor) {
-    const Spoken spoken =
+    const CommandOutput output =
         shadows({"--to", "Existing", "--times", "12:00,10:30", "--format", "dxf,gpkg,geojson,svg", "--json"});
-    ASSERT_EQ(spoken.code, 0) << spoken.err;
-    const auto moments = spoken.json()["moments"];
+    ASSERT_EQ(output.code, 0) << output.err;
+    const auto moments = output.json()["moments"];
     ASSERT_EQ(moments.size(), 2U);
     EXPECT_EQ(moments[0]["name"], "2026-03-21_1030");
     EXPECT_EQ(moments[1]["time"], "2026-03-21 12:00 America/New_York");
@@ -49,16 +49,17 @@ TEST_F(ProjectShadows, WritesTheFormatsThatWereAskedFor) {
 
 TEST_F(ProjectShadows, ReplacesFilesOnlyWhenAsked) {
     ASSERT_EQ(shadows({"--to", "Existing", "--times", "12:00"}).code, 0);
-    const Spoken again = shadows({"--to", "Existing", "--times", "12:00"});
+    const CommandOutput again = shadows({"--to", "Existing", "--times", "12:00"});
     EXPECT_NE(again.code, 0);
     EXPECT_THAT(again.err, HasSubstr("--overwrite"));
     EXPECT_EQ(shadows({"--to", "Existing", "--times", "12:00", "--overwrite"}).code, 0);
 }
 
 TEST_F(ProjectShadows, ARegionAndAnInterval) {
-    const Spoken spoken = shadows({"--region", "Park", "--every", "180", "--format", "gpkg", "--json"});
-    ASSERT_EQ(spoken.code, 0) << spoken.err;
-    const auto moments = spoken.json()["moments"];
+    const CommandOutput output =
+        shadows({"--region", "Park", "--every", "180", "--format", "gpkg", "--json"});
+    ASSERT_EQ(output.code, 0) << output.err;
+    const auto moments = output.json()["moments"];
     ASSERT_EQ(moments.size(), 4U);  // 09:00, 12:00, 15:00 and 18:00; the sun sets at 19:10
     EXPECT_EQ(moments[3]["name"], "2026-03-21_1800");
     EXPECT_EQ(moments[3]["incremental_m2"], 0);

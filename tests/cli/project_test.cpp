@@ -14,8 +14,8 @@ std::string formatText(const std::filesystem::path& file) {
 TEST_F(ProjectCommand, AWholeStudy) {
     ASSERT_EQ(project("add-scenario", {"Before"}).code, 0);
     ASSERT_EQ(project("demolish", {"One57", "432 Park Avenue", "--scenario", "Before"}).code, 0);
-    const Spoken impact = atNoon("impact", {"--from", "Before", "--to", "Existing", "--by-building", "--json",
-                                            "--threshold", "5", "20", "--keep", "towers"});
+    const CommandOutput impact = atNoon("impact", {"--from", "Before", "--to", "Existing", "--by-building",
+                                                   "--json", "--threshold", "5", "20", "--keep", "towers"});
     ASSERT_EQ(impact.code, 0) << impact.err;
     const auto json = impact.json();
     ASSERT_EQ(json["impact"].size(), 2U);
@@ -36,21 +36,21 @@ TEST_F(ProjectCommand, AWholeStudy) {
 TEST_F(ProjectCommand, TowersAreBuiltAndReshaped) {
     ASSERT_EQ(project("add-scenario", {"A"}).code, 0);
     ASSERT_EQ(project("demolish", {"520 Park Avenue", "--scenario", "A"}).code, 0);
-    const Spoken built = project(
+    const CommandOutput built = project(
         "extrude", {"--scenario", "A", "--lot", "520 Park Avenue", "--id", "New tower", "--storeys", "40",
                     "--storey-height", "4", "--plate-share", "50", "--podium", "5", "--setback", "80:2"});
     ASSERT_EQ(built.code, 0) << built.err;
     EXPECT_THAT(built.out, HasSubstr("New tower: 40 storeys, 160.0 m"));
     ASSERT_EQ(project("add-scenario", {"B", "--base", "A"}).code, 0);
-    const Spoken wider = project("variant", {"One57", "520 Park Avenue", "--scenario", "B"});
+    const CommandOutput wider = project("variant", {"One57", "520 Park Avenue", "--scenario", "B"});
     EXPECT_EQ(wider.code, 2);  // 520 Park Avenue was demolished
     EXPECT_THAT(wider.err, HasSubstr("There is no such building"));
-    const Spoken variant = project("variant", {"One57", "--scenario", "B"});
+    const CommandOutput variant = project("variant", {"One57", "--scenario", "B"});
     ASSERT_EQ(variant.code, 0) << variant.err;
     EXPECT_THAT(variant.out, HasSubstr("One57: 306.1 m -> 44 storeys, 154.0 m"));
     const auto city = cityOf(opened(), "B").value();
     EXPECT_EQ(city.changes.added.size(), 2U);
-    const Spoken info = project("info", {"--json"});
+    const CommandOutput info = project("info", {"--json"});
     EXPECT_EQ(info.json()["scenarios"][1]["base"], "A");
     const auto out = folder_.path("b.gpkg").string();
     EXPECT_EQ(project("export", {"--scenario", "B", "--out", out}).code, 0);
@@ -58,7 +58,7 @@ TEST_F(ProjectCommand, TowersAreBuiltAndReshaped) {
 }
 
 TEST_F(ProjectCommand, InfoReadsAProjectAsAProject) {
-    const Spoken info = noonmarkCli({"info", file_, "--json"});
+    const CommandOutput info = noonmarkCli({"info", file_, "--json"});
     ASSERT_EQ(info.code, 0) << info.err;
     EXPECT_EQ(info.json()["format"], "Noonmark project");
     EXPECT_EQ(info.json()["buildings"], opened().city->buildings.size());
@@ -71,9 +71,10 @@ TEST_F(ProjectCommand, InfoReadsAProjectAsAProject) {
 
 TEST_F(ProjectCommand, TablesNameTheProject) {
     ASSERT_EQ(project("add-scenario", {"A"}).code, 0);
-    const Spoken study = measured("study", {"--scenario", "A", "--start", "2026-12-21", "--from", "12:00",
-                                            "--hours", "1", "--step", "10", "--zone", "America/New_York",
-                                            "--by", "month", "--contributions", "--engine", "horizon"});
+    const CommandOutput study =
+        measured("study", {"--scenario", "A", "--start", "2026-12-21", "--from", "12:00", "--hours", "1",
+                           "--step", "10", "--zone", "America/New_York", "--by", "month", "--contributions",
+                           "--engine", "horizon"});
     ASSERT_EQ(study.code, 0) << study.err;
     for (const char* name : {"out/by_month.csv", "out/contributions.csv"})
         EXPECT_THAT(formatText(folder_.path(name)), HasSubstr(",park.noonmark.gpkg,A,,")) << name;
@@ -82,7 +83,7 @@ TEST_F(ProjectCommand, TablesNameTheProject) {
 TEST_F(ProjectCommand, IsKnownByWhatItHolds) {
     const std::filesystem::path copy = folder_.path("another name.gpkg");
     std::filesystem::copy_file(file_, copy);
-    const Spoken info = noonmarkCli({"info", copy.string(), "--json"});
+    const CommandOutput info = noonmarkCli({"info", copy.string(), "--json"});
     ASSERT_EQ(info.code, 0) << info.err;
     EXPECT_EQ(info.json()["format"], "Noonmark project");
 }
@@ -90,8 +91,9 @@ TEST_F(ProjectCommand, IsKnownByWhatItHolds) {
 TEST_F(ProjectCommand, MapAndPictureNameTheProject) {
     ASSERT_EQ(project("add-scenario", {"A"}).code, 0);
     ASSERT_EQ(project("demolish", {"520 Park Avenue", "--scenario", "A"}).code, 0);
-    const Spoken study = measured("study", {"--scenario", "A", "--start", "2026-12-21", "--from", "12:00",
-                                            "--hours", "1", "--step", "10", "--zone", "America/New_York"});
+    const CommandOutput study =
+        measured("study", {"--scenario", "A", "--start", "2026-12-21", "--from", "12:00", "--hours", "1",
+                           "--step", "10", "--zone", "America/New_York"});
     ASSERT_EQ(study.code, 0) << study.err;
     for (const char* name : {"out/shadow.tif", "out/shadow.png"}) {
         const std::string bytes = formatText(folder_.path(name));
@@ -102,7 +104,7 @@ TEST_F(ProjectCommand, MapAndPictureNameTheProject) {
 }
 
 TEST_F(ProjectCommand, ScoresAYear) {
-    const Spoken score = atNoon("score", {"--days", "365", "--weights", "default", "--json"});
+    const CommandOutput score = atNoon("score", {"--days", "365", "--weights", "default", "--json"});
     ASSERT_EQ(score.code, 0) << score.err;
     EXPECT_EQ(score.json()["months"].size(), 13U);  // 21 December to 20 December: December appears twice
     EXPECT_LT(score.json()["score_m2"].get<double>(), 0);

@@ -15,7 +15,7 @@ const std::vector<std::string> noon{"--cell", "10", "--start", "2026-12-21",    
 /// The project in tiles.
 class ProjectTiles : public ProjectCommand {
 protected:
-    [[nodiscard]] Spoken plan(const std::vector<std::string>& more) const {
+    [[nodiscard]] CommandOutput plan(const std::vector<std::string>& more) const {
         std::vector<std::string> words{"tiles", "plan",  file_,    "--region", "Park", "--from",
                                        "12:00", "--out", planned_, "--tile",   "64",   "--json"};
         words.insert(words.end(), noon.begin(), noon.end());
@@ -24,10 +24,10 @@ protected:
     }
     void runAndMerge(std::size_t tasks) const {
         for (std::size_t task = 0; task < tasks; ++task) {
-            const Spoken ran = noonmarkCli({"tiles", "run", planned_, "--task", std::to_string(task)});
+            const CommandOutput ran = noonmarkCli({"tiles", "run", planned_, "--task", std::to_string(task)});
             ASSERT_EQ(ran.code, 0) << ran.err;
         }
-        const Spoken merged = noonmarkCli({"tiles", "merge", planned_});
+        const CommandOutput merged = noonmarkCli({"tiles", "merge", planned_});
         ASSERT_EQ(merged.code, 0) << merged.err;
     }
     /// `command` measures what the plan does.
@@ -36,8 +36,8 @@ protected:
         more.insert(more.end(), noon.begin(), noon.end());
         more.insert(more.end(), {"--region", "Park", "--out", folder_.path("out").string()});
         more.insert(more.begin(), {command, file_});
-        const Spoken spoken = noonmarkCli(more);
-        ASSERT_EQ(spoken.code, 0) << spoken.err;
+        const CommandOutput output = noonmarkCli(more);
+        ASSERT_EQ(output.code, 0) << output.err;
         const Grid grid = readTaskPlan(planned_).value().districts[0].tiles.whole;
         const auto whole = readGeoTiff(folder_.path("out/" + command + ".tif"), grid).value();
         const auto tiled = readGeoTiff(folder_.path("plan/merged/" + command + ".tif"), grid).value();
@@ -55,7 +55,7 @@ protected:
 TEST_F(ProjectTiles, AnImpactEqualsThatOfOneCommand) {
     ASSERT_EQ(project("add-scenario", {"Before"}).code, 0);
     ASSERT_EQ(project("demolish", {"One57", "432 Park Avenue", "--scenario", "Before"}).code, 0);
-    const Spoken made = plan({"--scenario", "Existing", "--baseline", "Before"});
+    const CommandOutput made = plan({"--scenario", "Existing", "--baseline", "Before"});
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_GT(made.json()["tiles"], 1);
     runAndMerge(made.json()["tasks"]);
@@ -64,7 +64,7 @@ TEST_F(ProjectTiles, AnImpactEqualsThatOfOneCommand) {
 }
 
 TEST_F(ProjectTiles, AScoreEqualsThatOfOneCommand) {
-    const Spoken made = plan({"--weights", "default"});
+    const CommandOutput made = plan({"--weights", "default"});
     ASSERT_EQ(made.code, 0) << made.err;
     runAndMerge(made.json()["tasks"]);
     expectEqualMaps("score", {});
@@ -79,11 +79,12 @@ TEST_F(ProjectTiles, TimelinesEqualThoseOfOneCommand) {
             [[[-73.979, 40.766], [-73.974, 40.766], [-73.974, 40.772], [-73.979, 40.772], [-73.979, 40.766]]]}}]})")
                                    .string();
     ASSERT_EQ(noonmarkCli({"project", "place", "read", file_, places}).code, 0);
-    const Spoken made = plan({"--scenario", "Existing", "--baseline", "Before", "--timelines", places});
+    const CommandOutput made =
+        plan({"--scenario", "Existing", "--baseline", "Before", "--timelines", places});
     ASSERT_EQ(made.code, 0) << made.err;
     for (std::size_t task = 0; task < made.json()["tasks"]; ++task)
         ASSERT_EQ(noonmarkCli({"tiles", "run", planned_, "--task", std::to_string(task)}).code, 0);
-    const Spoken merged = noonmarkCli({"tiles", "merge", planned_});
+    const CommandOutput merged = noonmarkCli({"tiles", "merge", planned_});
     ASSERT_EQ(merged.code, 0) << merged.err;
     EXPECT_THAT(merged.out, HasSubstr("1 place"));
 
@@ -118,19 +119,19 @@ TEST_F(ProjectTiles, SunByPlaceIsThatOfOneCommandToTheLastDigit) {
     std::vector<std::string> words{"tiles", "plan",  file_,    "--region", "city", "--by-place",
                                    file_,   "--out", planned_, "--tile",   "64",   "--json"};
     words.insert(words.end(), same.begin(), same.end());
-    const Spoken made = noonmarkCli(words);
+    const CommandOutput made = noonmarkCli(words);
     ASSERT_EQ(made.code, 0) << made.err;
     for (std::size_t task = 0; task < made.json()["tasks"]; ++task)
         ASSERT_EQ(noonmarkCli({"tiles", "run", planned_, "--task", std::to_string(task)}).code, 0);
-    const Spoken merged =
+    const CommandOutput merged =
         noonmarkCli({"tiles", "merge", planned_, "--sheets", "--ramp", "viridis", "--threshold", "0.7"});
     ASSERT_EQ(merged.code, 0) << merged.err;
     EXPECT_THAT(merged.out, HasSubstr("2 places"));
 
     std::vector<std::string> alone{"by-place", file_, "--out", folder_.path("out").string()};
     alone.insert(alone.end(), same.begin(), same.end());
-    const Spoken spoken = noonmarkCli(alone);
-    ASSERT_EQ(spoken.code, 0) << spoken.err;
+    const CommandOutput output = noonmarkCli(alone);
+    ASSERT_EQ(output.code, 0) << output.err;
     const auto textOf = [&](const char* file) {
         std::ifstream stream(folder_.path(file));
         return std::string{std::istreambuf_iterator<char>(stream), {}};
@@ -155,8 +156,8 @@ TEST_F(ProjectTiles, WhatTheProjectLacksIsRefused) {
     EXPECT_EQ(plan({"--timelines", "a.gpkg", "--by-place", "a.gpkg"}).code, 2);
     EXPECT_EQ(plan({"--enough", "3"}).code, 2) << "of places only";
     EXPECT_THAT(plan({"--by-place", file_}).err, HasSubstr("no such place"));
-    const Spoken files = noonmarkCli({"tiles", "plan", "town.gpkg", "--region", "city", "--start",
-                                      "2026-12-21", "--weights", "default", "--out", planned_});
+    const CommandOutput files = noonmarkCli({"tiles", "plan", "town.gpkg", "--region", "city", "--start",
+                                             "2026-12-21", "--weights", "default", "--out", planned_});
     EXPECT_THAT(files.err, HasSubstr("Only a project"));
 }
 

@@ -10,7 +10,7 @@ using ::testing::HasSubstr;
 
 /// A command line that has the toy question alone.
 struct QuestionCommand : ProjectCommand {
-    Spoken ask(std::vector<std::string> arguments) {
+    CommandOutput ask(std::vector<std::string> arguments) {
         static const std::array questions{&test::toyQuestion()};
         CLI::App app;
         cli::Run run;
@@ -30,9 +30,9 @@ struct QuestionCommand : ProjectCommand {
 TEST_F(QuestionCommand, AsksWritesPrintsAndSaves) {
     auto arguments = toy();
     arguments.insert(arguments.end(), {"--save", "Felled"});
-    const Spoken spoken = ask(arguments);
-    EXPECT_EQ(spoken.code, 0) << spoken.err;
-    EXPECT_THAT(spoken.out, HasSubstr("trees felled"));
+    const CommandOutput output = ask(arguments);
+    EXPECT_EQ(output.code, 0) << output.err;
+    EXPECT_THAT(output.out, HasSubstr("trees felled"));
     EXPECT_TRUE(std::filesystem::exists(folder_.path("out") / "toy.json"));
     ASSERT_EQ(opened().results.size(), 1U);
     EXPECT_EQ(opened().results[0]->kind, "toy");
@@ -40,7 +40,7 @@ TEST_F(QuestionCommand, AsksWritesPrintsAndSaves) {
 
 TEST_F(QuestionCommand, RefusesToReplaceFilesBeforeItComputes) {
     ASSERT_EQ(ask(toy()).code, 0);
-    const Spoken again = ask(toy());
+    const CommandOutput again = ask(toy());
     EXPECT_EQ(again.code, 2);
     EXPECT_THAT(again.err, HasSubstr("toy.json"));
 }

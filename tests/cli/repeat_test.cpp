@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "scenarios/project/project_file.h"
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/box_obj.h"
 
@@ -85,7 +85,8 @@ protected:
     /// Runs a command, then the command that it printed, and expects the same figures. Returns the JSON.
     nlohmann::json repeated(Words words, const std::string& json, const std::vector<fs::path>& inputs) {
         const fs::path out = folder_.path("out");
-        const Spoken first = noonmarkCli(joined(std::move(words), {"--overwrite", "--out", out.string()}));
+        const CommandOutput first =
+            noonmarkCli(joined(std::move(words), {"--overwrite", "--out", out.string()}));
         EXPECT_EQ(first.code, 0) << first.err;
         if (first.code != 0) return {};
         const nlohmann::json answer = jsonIn(out / json);
@@ -98,7 +99,7 @@ protected:
         Words again = asShellReads(command);
         EXPECT_EQ(again.empty() ? "" : again.front(), "noonmark-cli") << command;
         if (!again.empty()) again.erase(again.begin());
-        const Spoken second = noonmarkCli(again);
+        const CommandOutput second = noonmarkCli(again);
         EXPECT_EQ(second.code, 0) << command << "\n" << second.err;
         if (second.code == 0) {
             EXPECT_EQ(figuresIn(empty.path("repeated") / json), figuresIn(out / json)) << command;
@@ -114,8 +115,8 @@ protected:
     fs::path project() {
         const fs::path file = folder_.path("O'Brien plan.noonmark.gpkg");
         const auto done = [&](const Words& words) {
-            const Spoken spoken = noonmarkCli(words);
-            EXPECT_EQ(spoken.code, 0) << spoken.err;
+            const CommandOutput output = noonmarkCli(words);
+            EXPECT_EQ(output.code, 0) << output.err;
         };
         done({"project", "new", file.string(), city().string(), "--height-field", "roof top", "--height-unit",
               "ft", "--region", "North's place=" + region().string()});
@@ -306,7 +307,7 @@ TEST_F(Repeat, TablesNameTheirSource) {
     const Words words{
         "--region", box,      "--start", "2026-03-21", "--at", "12:00", "--hours",
         "1",        "--step", "20",      "--zone",     "UTC",  "--out", folder_.path("out").string()};
-    const Spoken impact = noonmarkCli(joined({"impact", file.string(), "--to=--Last"}, words));
+    const CommandOutput impact = noonmarkCli(joined({"impact", file.string(), "--to=--Last"}, words));
     ASSERT_EQ(impact.code, 0) << impact.err;
     std::ifstream stream(folder_.path("out/impact.csv"));
     const std::string csv{std::istreambuf_iterator<char>(stream), {}};
@@ -319,10 +320,10 @@ TEST_F(Repeat, TablesNameTheirSource) {
 TEST_F(Repeat, WhatDoesNotGoTogetherIsRefused) {
     const fs::path file = project();
     const auto refused = [&](Words words) {
-        const Spoken spoken = noonmarkCli(
+        const CommandOutput output = noonmarkCli(
             joined(inMarch(std::move(words)), {"--region", box, "--out", folder_.path("o").string()}));
-        EXPECT_EQ(spoken.code, 2);
-        return spoken.err;
+        EXPECT_EQ(output.code, 2);
+        return output.err;
     };
     EXPECT_THAT(refused({"study", city().string(), "--scenario", "A"}), HasSubstr("Only a project"));
     EXPECT_THAT(refused({"study", file.string(), "--scenario", "A"}), HasSubstr("no such scenario"));

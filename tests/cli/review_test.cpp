@@ -22,7 +22,7 @@ protected:
         ASSERT_TRUE(disk.save(project));
     }
 
-    Spoken review(const std::string& rule, std::vector<std::string> more) {
+    CommandOutput review(const std::string& rule, std::vector<std::string> more) {
         std::vector<std::string> arguments{"review",
                                            "run",
                                            file_,
@@ -58,7 +58,7 @@ TEST(ReviewRules, AreListedAndShownWithStatusAndSource) {
     EXPECT_THAT(noonmarkCli({"review", "show", "japan", "--choose", "plane=1.5 m"}).out,
                 HasSubstr("plane 1.5 m above mean ground"));
     EXPECT_EQ(noonmarkCli({"review", "show", "own", "--json"}).json()["key"], "own");
-    const Spoken none = noonmarkCli({"review", "show", "ceqrs"});
+    const CommandOutput none = noonmarkCli({"review", "show", "ceqrs"});
     EXPECT_EQ(none.code, 2);
     EXPECT_THAT(none.err, HasSubstr("'ceqr'"));
     EXPECT_EQ(noonmarkCli({"review", "show", "japan", "--choose", "plane"}).code, 2);
@@ -68,9 +68,9 @@ TEST(ReviewRules, AreListedAndShownWithStatusAndSource) {
 TEST_F(ReviewCommand, WritesTheKeysThatScriptsRelyOn) {
     std::vector<std::string> asked = all_;
     asked.emplace_back("--json");
-    const Spoken spoken = review("ceqr", asked);
-    ASSERT_EQ(spoken.code, 0) << spoken.err;
-    const auto json = spoken.json();
+    const CommandOutput output = review("ceqr", asked);
+    ASSERT_EQ(output.code, 0) << output.err;
+    const auto json = output.json();
     EXPECT_EQ(json["rule"], "ceqr");
     EXPECT_EQ(json["from"], "Without One57");
     EXPECT_EQ(json["to"], "Existing");
@@ -102,9 +102,9 @@ TEST_F(ReviewCommand, MayKeepToThePlacesInReach) {
     const Ring square{{0, -700}, {50, -700}, {50, -650}, {0, -650}};
     project.places.push_back({"Far Square", PlaceKind::park, {{square, {}}}, "test"});
     ASSERT_TRUE(disk.save(project));
-    const auto namesOf = [](const Spoken& spoken) {
+    const auto namesOf = [](const CommandOutput& output) {
         std::vector<std::string> names;
-        const auto json = spoken.json();
+        const auto json = output.json();
         for (const auto& place : json["places"]) names.push_back(place["name"]);
         return names;
     };
@@ -112,7 +112,7 @@ TEST_F(ReviewCommand, MayKeepToThePlacesInReach) {
     asked.emplace_back("--json");
     EXPECT_THAT(namesOf(review("ceqr", asked)), testing::ElementsAre("Central Park", "Far Square"));
     asked.emplace_back("--in-reach");
-    const Spoken near = review("ceqr", asked);
+    const CommandOutput near = review("ceqr", asked);
     ASSERT_EQ(near.code, 0) << near.err;
     EXPECT_THAT(namesOf(near), testing::ElementsAre("Central Park"));
     EXPECT_THAT(near.json()["repeat"].get<std::string>(), HasSubstr("--in-reach"));
@@ -123,8 +123,8 @@ TEST_F(ReviewCommand, MayKeepToThePlacesInReach) {
 TEST_F(ReviewCommand, WritesABookOfSheets) {
     std::vector<std::string> asked = all_;
     asked.insert(asked.end(), {"--paper", "a3", "--landscape", "--scale", "2000", "--author", "A. Planner"});
-    const Spoken spoken = review("ceqr", asked);
-    ASSERT_EQ(spoken.code, 0) << spoken.err;
+    const CommandOutput output = review("ceqr", asked);
+    ASSERT_EQ(output.code, 0) << output.err;
     const std::string pdf = textOf(folder_.path("review/sheets.pdf"));
     EXPECT_THAT(pdf, testing::StartsWith("%PDF-"));
     EXPECT_GT(pdf.size(), 50'000U);
@@ -137,11 +137,11 @@ TEST_F(ReviewCommand, WritesABookOfSheets) {
 }
 
 TEST_F(ReviewCommand, ReviewsTheExistingCityWithoutAScenario) {
-    const Spoken spoken =
+    const CommandOutput output =
         noonmarkCli({"review", "run", file_, "--rule", "bre-209-amenity", "--places", "all", "--zone",
                      "America/New_York", "--cell", "10", "--out", folder_.path("review").string(), "--json"});
-    ASSERT_EQ(spoken.code, 0) << spoken.err;
-    const auto json = spoken.json();
+    ASSERT_EQ(output.code, 0) << output.err;
+    const auto json = output.json();
     EXPECT_EQ(json["from"], "Existing");
     EXPECT_EQ(json["to"], "Existing");
     EXPECT_EQ(json["places"][0]["verdict"], "pass");
@@ -155,7 +155,7 @@ TEST_F(ReviewCommand, MayLayACopyOfTheProjectBesideItsFiles) {
     ASSERT_EQ(review("four-days", asked).code, 0);
     const auto copy = folder_.path("review") / std::filesystem::path(file_).filename();
     EXPECT_TRUE(std::filesystem::exists(copy));
-    const Spoken verified = noonmarkCli({"verify", folder_.path("review/sheets.pdf").string()});
+    const CommandOutput verified = noonmarkCli({"verify", folder_.path("review/sheets.pdf").string()});
     EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
     EXPECT_EQ(review("four-days", asked).code, 0) << "the same copy is left as it is";
     std::ofstream(copy) << "another";
@@ -163,9 +163,9 @@ TEST_F(ReviewCommand, MayLayACopyOfTheProjectBesideItsFiles) {
 }
 
 TEST_F(ReviewCommand, PrintsTheRulesOwnTableAndWhatIsNotChecked) {
-    const Spoken spoken = review("ceqr", all_);
-    ASSERT_EQ(spoken.code, 0) << spoken.err;
-    EXPECT_THAT(spoken.out, AllOf(HasSubstr("Incremental shadow enters"), HasSubstr("Central Park: pass."),
+    const CommandOutput output = review("ceqr", all_);
+    ASSERT_EQ(output.code, 0) << output.err;
+    EXPECT_THAT(output.out, AllOf(HasSubstr("Incremental shadow enters"), HasSubstr("Central Park: pass."),
                                   HasSubstr("Not checked"), HasSubstr("standard time")));
     std::vector<std::string> again = all_;
     again.pop_back();
@@ -173,10 +173,10 @@ TEST_F(ReviewCommand, PrintsTheRulesOwnTableAndWhatIsNotChecked) {
 }
 
 TEST_F(ReviewCommand, MeasuresTheBeltsAroundALot) {
-    const Spoken spoken =
+    const CommandOutput output =
         review("japan", {"--places", "One57", "--zone", "America/New_York", "--cell", "5", "--json"});
-    ASSERT_EQ(spoken.code, 0) << spoken.err;
-    const auto places = spoken.json()["places"];
+    ASSERT_EQ(output.code, 0) << output.err;
+    const auto places = output.json()["places"];
     ASSERT_EQ(places.size(), 2U);
     EXPECT_EQ(places[0]["name"], "One57, 5 to 10 m");
     EXPECT_EQ(places[0]["verdict"], "fail");
@@ -186,7 +186,7 @@ TEST_F(ReviewCommand, MeasuresTheBeltsAroundALot) {
 TEST_F(ReviewCommand, RefusesWhatItDoesNotKnow) {
     EXPECT_EQ(review("none", all_).code, 2);
     EXPECT_EQ(review("ceqr", {"--places", "Nowhere", "--zone", "America/New_York"}).code, 2);
-    const Spoken noZone = review("ceqr", {"--places", "all"});
+    const CommandOutput noZone = review("ceqr", {"--places", "all"});
     EXPECT_EQ(noZone.code, 2);
     EXPECT_THAT(noZone.err, HasSubstr("--zone"));
     EXPECT_EQ(review("ceqr", {"--places", "all", "--zone", "Atlantis"}).code, 2);
@@ -200,9 +200,9 @@ TEST_F(ReviewCommand, EvaluatesWindowsOfFacades) {
                                            "--storey",     "30",
                                            "--zone",       "America/New_York",
                                            "--json",       "--overwrite"};
-    const Spoken spoken = review("korea", facades);
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    const auto json = spoken.json();
+    const CommandOutput output = review("korea", facades);
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const auto json = output.json();
     EXPECT_EQ(json["rule"], "korea");
     ASSERT_GT(json["windows"].size(), 20U);
     const auto& first = json["windows"][0];
@@ -223,7 +223,7 @@ TEST_F(ReviewCommand, EvaluatesWindowsOfFacades) {
     EXPECT_THAT(textOf(folder_.path("review") / "sheets.pdf"), testing::StartsWith("%PDF"));
     std::vector<std::string> byHorizons = facades;
     byHorizons.insert(byHorizons.end(), {"--engine", "horizon"});
-    const Spoken swept = review("korea", byHorizons);
+    const CommandOutput swept = review("korea", byHorizons);
     for (std::size_t i = 0; i < json["windows"].size(); ++i)
         EXPECT_EQ(swept.json()["windows"][i]["verdict"], json["windows"][i]["verdict"]) << i;
 }
@@ -231,7 +231,7 @@ TEST_F(ReviewCommand, EvaluatesWindowsOfFacades) {
 /// City files with a house and a tower south of it, in Amsterdam's degrees.
 class ReviewOfFiles : public testing::Test {
 protected:
-    Spoken review(std::vector<std::string> more) {
+    CommandOutput review(std::vector<std::string> more) {
         std::vector<std::string> arguments{
             "review",       "run", city_,    "--rule",           "korea", "--out", out_,
             "--facades-of", "a",   "--zone", "Europe/Amsterdam", "--json"};
@@ -250,7 +250,7 @@ protected:
 };
 
 TEST_F(ReviewOfFiles, AreTheVerdictsOfAProjectOfTheSameFiles) {
-    const Spoken files = review({});
+    const CommandOutput files = review({});
     ASSERT_EQ(files.code, 0) << files.err;
     const auto json = files.json();
     ASSERT_GT(json["windows"].size(), 20U);
@@ -261,15 +261,15 @@ TEST_F(ReviewOfFiles, AreTheVerdictsOfAProjectOfTheSameFiles) {
     EXPECT_THAT(repeat, testing::Not(HasSubstr("--to")));
     const std::string project = folder_.path("city.noonmark.gpkg").string();
     ASSERT_EQ(noonmarkCli({"project", "new", project, city_}).code, 0);
-    const Spoken of = noonmarkCli({"review", "run", project, "--rule", "korea", "--to", "Existing", "--out",
-                                   folder_.path("other").string(), "--facades-of", "a", "--zone",
-                                   "Europe/Amsterdam", "--json"});
+    const CommandOutput of = noonmarkCli({"review", "run", project, "--rule", "korea", "--to", "Existing",
+                                          "--out", folder_.path("other").string(), "--facades-of", "a",
+                                          "--zone", "Europe/Amsterdam", "--json"});
     ASSERT_EQ(of.code, 0) << of.err;
     EXPECT_EQ(of.json()["windows"], json["windows"]);
 }
 
 TEST_F(ReviewOfFiles, StateTheTimeWithoutWritingAnything) {
-    const Spoken estimate = review({"--estimate"});
+    const CommandOutput estimate = review({"--estimate"});
     ASSERT_EQ(estimate.code, 0) << estimate.err;
     const auto json = estimate.json();
     EXPECT_GT(json["estimated_seconds"].get<double>(), 0);
@@ -278,15 +278,15 @@ TEST_F(ReviewOfFiles, StateTheTimeWithoutWritingAnything) {
 }
 
 TEST_F(ReviewOfFiles, RepeatTheTextsOfTheTitleBlock) {
-    const Spoken titled = review({"--title-project", "Mill House"});
+    const CommandOutput titled = review({"--title-project", "Mill House"});
     ASSERT_EQ(titled.code, 0) << titled.err;
     EXPECT_THAT(std::string(titled.json()["repeat"]), HasSubstr("--title-project 'Mill House'"));
 }
 
 TEST_F(ReviewOfFiles, HaveNoScenariosPlacesOrProjectsBeside) {
     EXPECT_THAT(review({"--to", "Proposal"}).err, HasSubstr("Only a project has scenarios"));
-    const Spoken places = noonmarkCli({"review", "run", city_, "--rule", "ceqr", "--places", "all", "--zone",
-                                       "Europe/Amsterdam", "--out", out_});
+    const CommandOutput places = noonmarkCli({"review", "run", city_, "--rule", "ceqr", "--places", "all",
+                                              "--zone", "Europe/Amsterdam", "--out", out_});
     EXPECT_EQ(places.code, 2);
     EXPECT_THAT(places.err, HasSubstr("reviewed in a project"));
 }
@@ -298,16 +298,16 @@ TEST_F(ReviewCommand, EvaluatesTheWindowsOfAFileAndVerifiesTheReview) {
 {"type":"Feature","properties":{"id":"high","azimuth":180},"geometry":{"type":"Point","coordinates":[-73.9791,40.7640,290]}},
 {"type":"Feature","properties":{"id":"low","azimuth":180},"geometry":{"type":"Point","coordinates":[-73.9791,40.7640,-3]}}]})")
                                     .string();
-    const Spoken spoken = review("tno-light", {"--windows", windows, "--zone", "America/New_York", "--wall",
-                                               "0.2", "--overwrite", "--json"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    const auto json = spoken.json();
+    const CommandOutput output = review("tno-light", {"--windows", windows, "--zone", "America/New_York",
+                                                      "--wall", "0.2", "--overwrite", "--json"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const auto json = output.json();
     ASSERT_EQ(json["windows"].size(), 1U) << "the one below the ground is left out";
     EXPECT_EQ(json["windows"][0]["id"], "high");
     EXPECT_EQ(json["windows"][0]["verdict"], "pass");
     EXPECT_EQ(json["windows_file"][0]["path"], windows);
     EXPECT_THAT(std::string(json["repeat"]), HasSubstr("--windows windows.geojson"));
-    const Spoken verified = noonmarkCli(
+    const CommandOutput verified = noonmarkCli(
         {"verify", folder_.path("review/review.json").string(), "--inputs", folder_.path("").string()});
     EXPECT_EQ(verified.code, exitOk) << verified.out << verified.err;
 }
@@ -316,9 +316,9 @@ TEST_F(ReviewCommand, RefusesWindowsWherePlacesBelongAndTheReverse) {
     const std::vector<std::string> zone{"--zone", "America/New_York"};
     const auto error = [&](const std::string& rule, std::vector<std::string> more) {
         more.insert(more.end(), zone.begin(), zone.end());
-        const Spoken spoken = review(rule, more);
-        EXPECT_EQ(spoken.code, exitUsage);
-        return spoken.err;
+        const CommandOutput output = review(rule, more);
+        EXPECT_EQ(output.code, exitUsage);
+        return output.err;
     };
     EXPECT_THAT(error("korea", {"--places", "all"}), HasSubstr("about windows"));
     EXPECT_THAT(error("korea", {}), HasSubstr("--facades-of"));

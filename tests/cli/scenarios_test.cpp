@@ -26,7 +26,7 @@ protected:
 };
 
 TEST_F(ScenariosCommand, MeasuresAllScenariosOfAProject) {
-    const Spoken all = atNoon("scenarios", {"--json"});
+    const CommandOutput all = atNoon("scenarios", {"--json"});
     ASSERT_EQ(all.code, 0) << all.err;
     const auto json = all.json();
     const auto names = namesIn(json);
@@ -39,21 +39,22 @@ TEST_F(ScenariosCommand, MeasuresAllScenariosOfAProject) {
 }
 
 TEST_F(ScenariosCommand, AgreesWithTheStudyOfEachScenario) {
-    const Spoken two = atNoon("scenarios", {"--scenario", "Lower", "--scenario", "Existing", "--json"});
+    const CommandOutput two =
+        atNoon("scenarios", {"--scenario", "Lower", "--scenario", "Existing", "--json"});
     ASSERT_EQ(two.code, 0) << two.err;
     const auto json = two.json();
     EXPECT_THAT(namesIn(json), ElementsAre("Lower", "Existing"));
-    const Spoken study = noonmarkCli({"study",      file_,
-                                      "--scenario", "Lower",
-                                      "--region",   "Park",
-                                      "--cell",     "10",
-                                      "--start",    "2026-12-21",
-                                      "--from",     "12:00",
-                                      "--hours",    "1",
-                                      "--step",     "10",
-                                      "--zone",     "America/New_York",
-                                      "--out",      folder_.path("alone").string(),
-                                      "--json"});
+    const CommandOutput study = noonmarkCli({"study",      file_,
+                                             "--scenario", "Lower",
+                                             "--region",   "Park",
+                                             "--cell",     "10",
+                                             "--start",    "2026-12-21",
+                                             "--from",     "12:00",
+                                             "--hours",    "1",
+                                             "--step",     "10",
+                                             "--zone",     "America/New_York",
+                                             "--out",      folder_.path("alone").string(),
+                                             "--json"});
     ASSERT_EQ(study.code, 0) << study.err;
     EXPECT_EQ(json.at("scenarios")[0]["figures"]["shadow_area_m2"], study.json()["shadow_area_m2"]);
     EXPECT_LT(json.at("scenarios")[0]["figures"]["shadow_area_m2"],
@@ -61,8 +62,9 @@ TEST_F(ScenariosCommand, AgreesWithTheStudyOfEachScenario) {
 }
 
 TEST_F(ScenariosCommand, MonthsAndScoresAreThoseOfStudyAndScoreSideBySide) {
-    const Spoken all = atNoon("scenarios", {"--scenario", "Existing", "--scenario", "Lower", "--by", "month",
-                                            "--weights", "default", "--engine", "horizon", "--json"});
+    const CommandOutput all =
+        atNoon("scenarios", {"--scenario", "Existing", "--scenario", "Lower", "--by", "month", "--weights",
+                             "default", "--engine", "horizon", "--json"});
     ASSERT_EQ(all.code, 0) << all.err;
     const auto json = all.json();
     const auto &existing = json["scenarios"][0]["months"][0], &lower = json["scenarios"][1]["months"][0];
@@ -71,8 +73,8 @@ TEST_F(ScenariosCommand, MonthsAndScoresAreThoseOfStudyAndScoreSideBySide) {
     EXPECT_DOUBLE_EQ(lower["sun_change_hours"],
                      lower["sun_hours"].get<double>() - existing["sun_hours"].get<double>());
     EXPECT_TRUE(existing["sun_change_hours"].is_null());
-    const Spoken score = atNoon("score", {"--scenario", "Lower", "--weights", "default", "--engine",
-                                          "horizon", "--overwrite", "--json"});
+    const CommandOutput score = atNoon("score", {"--scenario", "Lower", "--weights", "default", "--engine",
+                                                 "horizon", "--overwrite", "--json"});
     ASSERT_EQ(score.code, 0) << score.err;
     EXPECT_EQ(lower["score_m2"], score.json()["months"][0]["score_m2"]);
     EXPECT_EQ(json["scenarios"][1]["score"]["score_m2"], score.json()["score_m2"]);
@@ -92,7 +94,7 @@ TEST_F(ScenariosCommand, AScenarioThatFailsIsNamedAndTheOthersGoOn) {
     hall.sourceId = "hall";
     scenario.edits.push_back(AddBuilding{std::make_shared<const Building>(std::move(hall))});
     ASSERT_TRUE(ProjectFile::open(file_).value().save(covered));
-    const Spoken three = atNoon(
+    const CommandOutput three = atNoon(
         "scenarios", {"--scenario", "Existing", "--scenario", "Built over", "--scenario", "Lower", "--json"});
     EXPECT_EQ(three.code, 1);
     EXPECT_THAT(three.err, testing::AllOf(HasSubstr("Built over"), HasSubstr("open ground")));
@@ -101,23 +103,23 @@ TEST_F(ScenariosCommand, AScenarioThatFailsIsNamedAndTheOthersGoOn) {
     EXPECT_EQ(three.json()["failed"][0]["name"], "Built over");
     EXPECT_TRUE(std::filesystem::exists(folder_.path("out/scenarios.csv")));
     std::filesystem::remove_all(folder_.path("out"));
-    const Spoken none = atNoon("scenarios", {"--scenario", "Built over"});
+    const CommandOutput none = atNoon("scenarios", {"--scenario", "Built over"});
     EXPECT_EQ(none.code, 1);
     EXPECT_FALSE(std::filesystem::exists(folder_.path("out/scenarios.csv")));
 }
 
 TEST_F(ScenariosCommand, RefusesAnUnknownScenarioBeforeTheWork) {
-    const Spoken unknown = atNoon("scenarios", {"--scenario", "Existing", "--scenario", "Nowhere"});
+    const CommandOutput unknown = atNoon("scenarios", {"--scenario", "Existing", "--scenario", "Nowhere"});
     EXPECT_EQ(unknown.code, 2);
     EXPECT_THAT(unknown.err, HasSubstr("Nowhere"));
-    const Spoken twice = atNoon("scenarios", {"--scenario", "Lower", "--scenario", "Lower"});
+    const CommandOutput twice = atNoon("scenarios", {"--scenario", "Lower", "--scenario", "Lower"});
     EXPECT_EQ(twice.code, 2);
     EXPECT_THAT(twice.err, HasSubstr("named twice"));
     EXPECT_FALSE(std::filesystem::exists(folder_.path("out")));
 }
 
 TEST_F(ScenariosCommand, TheWidthOfAPictureIsChosen) {
-    const Spoken impact = atNoon("impact", {"--to", "Lower", "--picture-width", "700"});
+    const CommandOutput impact = atNoon("impact", {"--to", "Lower", "--picture-width", "700"});
     ASSERT_EQ(impact.code, 0) << impact.err;
     EXPECT_EQ(QImageReader(QString::fromStdString(folder_.path("out/impact.png").string())).size().width(),
               700);

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/footprint_files.h"
 #include "tests/core/io/terrain_files.h"
 
@@ -16,7 +16,7 @@ using testing::HasSubstr;
 // Three towers whose stated ground lies 20 m above a level terrain.
 class StandingCommand : public testing::Test {
 protected:
-    Spoken say(std::vector<std::string> arguments, const std::vector<std::string>& more = {}) {
+    CommandOutput say(std::vector<std::string> arguments, const std::vector<std::string>& more = {}) {
         arguments.insert(arguments.end(), {town.string(), terrain.string()});
         arguments.insert(arguments.end(), more.begin(), more.end());
         return noonmarkCli(arguments);
@@ -32,9 +32,9 @@ protected:
                                      "--out",       folder.path("out").string(),
                                      "--overwrite", "--json"};
         all.insert(all.end(), more.begin(), more.end());
-        const Spoken spoken = say({"study"}, all);
-        EXPECT_EQ(spoken.code, exitOk) << spoken.err;
-        last = spoken.json();
+        const CommandOutput output = say({"study"}, all);
+        EXPECT_EQ(output.code, exitOk) << output.err;
+        last = output.json();
         return last["shadow_area_m2"];
     }
 

@@ -12,8 +12,8 @@ const std::string strange = "Tower\x1b[2J\nfalse line\u009Bm\u202E";
 bool isCommand(unsigned char c) { return (c < 0x20 && c != '\n' && c != '\t') || c == 0x7F; }
 
 void expectClean(const std::vector<std::string>& words) {
-    const Spoken spoken = noonmarkCli(words);
-    const std::string all = spoken.out + "\n" + spoken.err;
+    const CommandOutput output = noonmarkCli(words);
+    const std::string all = output.out + "\n" + output.err;
     EXPECT_EQ(std::ranges::count_if(all, isCommand), 0) << testing::PrintToString(words) << all;
     for (const char* mark : {"\nfalse", "\u009B", "\u202E"})
         EXPECT_EQ(all.find(mark), std::string::npos) << testing::PrintToString(words) << all;

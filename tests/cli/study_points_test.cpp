@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::cli::tests {
@@ -34,7 +34,7 @@ std::string writtenText(const std::filesystem::path& file) {
 
 class StudyPoints : public testing::Test {
 protected:
-    Spoken study(const std::vector<std::string>& more) {
+    CommandOutput study(const std::vector<std::string>& more) {
         std::vector<std::string> arguments{"study",       folder_.file("city.geojson", house).string(),
                                            "--start",     "2026-03-21",
                                            "--window",    "sunrise..sunset",
@@ -53,9 +53,10 @@ protected:
 };
 
 TEST_F(StudyPoints, FacadesAreTablesAndAGeoPackage) {
-    const Spoken spoken = study({"--receivers", "facades", "--facades-of", "A", "--storey", "4", "--json"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    const auto json = spoken.json();
+    const CommandOutput output =
+        study({"--receivers", "facades", "--facades-of", "A", "--storey", "4", "--json"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const auto json = output.json();
     EXPECT_EQ(json["elements"]["receivers_on"], "facades");
     EXPECT_GT(json["receivers"], 5 * 4);
     const std::string csv = writtenText(out_ / "elements.csv");
@@ -68,21 +69,21 @@ TEST_F(StudyPoints, FacadesAreTablesAndAGeoPackage) {
     // The points that it wrote are windows that it reads, with the same answer.
     const std::string elements = (out_ / "elements.gpkg").string();
     out_ = folder_.path("again");
-    const Spoken again = study({"--receivers", "windows", "--windows", elements, "--json"});
+    const CommandOutput again = study({"--receivers", "windows", "--windows", elements, "--json"});
     ASSERT_EQ(again.code, exitOk) << again.err;
     EXPECT_EQ(again.json()["receivers"], json["receivers"]);
     EXPECT_NEAR(again.json()["mean_sunlit_min"].get<double>(), json["mean_sunlit_min"].get<double>(), 0.5);
 }
 
 TEST_F(StudyPoints, WindowsThatCannotBeMeasuredAreListed) {
-    const Spoken spoken = study({"--receivers", "windows", "--windows", windows_, "--json"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    EXPECT_EQ(spoken.json()["receivers"], 1);
-    EXPECT_THAT(spoken.json()["elements"]["windows"][0]["sha256"].get<std::string>(), testing::SizeIs(64));
-    const std::string warnings = spoken.json()["warnings"].dump();
+    const CommandOutput output = study({"--receivers", "windows", "--windows", windows_, "--json"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    EXPECT_EQ(output.json()["receivers"], 1);
+    EXPECT_THAT(output.json()["elements"]["windows"][0]["sha256"].get<std::string>(), testing::SizeIs(64));
+    const std::string warnings = output.json()["warnings"].dump();
     EXPECT_THAT(warnings, HasSubstr("has no height"));
     EXPECT_THAT(warnings, HasSubstr("inside a building"));
-    const Spoken table = study({"--receivers", "windows", "--windows", windows_});
+    const CommandOutput table = study({"--receivers", "windows", "--windows", windows_});
     EXPECT_THAT(table.out, testing::ContainsRegex("\npoints +1\n"));
     EXPECT_THAT(table.out, testing::ContainsRegex("receivers on +windows\n"));
     EXPECT_THAT(table.out, HasSubstr("inside a building"));
@@ -92,8 +93,9 @@ TEST_F(StudyPoints, TheFileOfWindowsIsNotReplaced) {
     out_ = folder_.path("out");
     std::filesystem::create_directories(out_);
     std::filesystem::copy_file(windows_, out_ / "elements.csv");
-    const Spoken spoken = study({"--receivers", "windows", "--windows", (out_ / "elements.csv").string()});
-    EXPECT_EQ(spoken.code, exitUsage);
+    const CommandOutput output =
+        study({"--receivers", "windows", "--windows", (out_ / "elements.csv").string()});
+    EXPECT_EQ(output.code, exitUsage);
     EXPECT_EQ(writtenText(out_ / "elements.csv"), writtenText(windows_));
 }
 
@@ -121,17 +123,17 @@ TEST_F(StudyPoints, NamedBuildingsNeedNoRegion) {
         return noonmarkCli(arguments);
     };
     const std::vector<std::string> named{"--facades-of", "A", "--from", "14:00"};
-    const Spoken spoken = withoutRegion(named);
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    const std::string repeat = spoken.json()["repeat"].get<std::string>();
+    const CommandOutput output = withoutRegion(named);
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const std::string repeat = output.json()["repeat"].get<std::string>();
     EXPECT_THAT(repeat, HasSubstr("--region "));
     EXPECT_EQ(withoutRegion({"--facades-of", "all"}).code, exitUsage) << "all of which region?";
     EXPECT_EQ(withoutRegion({}).code, exitUsage);
 }
 
 TEST_F(StudyPoints, FacesOfADirectionAreChosen) {
-    const Spoken all = study({"--receivers", "facades", "--json"});
-    const Spoken south = study({"--receivers", "facades", "--facing", "135-225", "--json"});
+    const CommandOutput all = study({"--receivers", "facades", "--json"});
+    const CommandOutput south = study({"--receivers", "facades", "--facing", "135-225", "--json"});
     ASSERT_EQ(south.code, exitOk) << south.err;
     // The building is 25 m wide and 22 m deep: 8 and 7 bays.
     EXPECT_EQ(south.json()["receivers"].get<int>() * 30, all.json()["receivers"].get<int>() * 8);
@@ -140,7 +142,7 @@ TEST_F(StudyPoints, FacesOfADirectionAreChosen) {
     const std::string csv = writtenText(out_ / "elements.csv");
     const std::size_t id = csv.find('\n') + 1;
     const std::string face = csv.substr(id, csv.find(" floor", id) - id);
-    const Spoken one = study({"--receivers", "facades", "--face", face, "--json"});
+    const CommandOutput one = study({"--receivers", "facades", "--face", face, "--json"});
     ASSERT_EQ(one.code, exitOk) << one.err;
     EXPECT_EQ(one.json()["receivers"], south.json()["receivers"]);
     EXPECT_EQ(study({"--receivers", "facades", "--facing", "south"}).code, exitUsage);
@@ -158,10 +160,10 @@ TEST_F(StudyPoints, LinesAroundAParcelAtTheirDistances) {
                   R"("geometry":{"type":"Polygon","coordinates":[[[-73.9841,40.7529],)"
                   R"([-73.9836,40.7529],[-73.9836,40.7533],[-73.9841,40.7533],[-73.9841,40.7529]]]}}]})")
             .string();
-    const Spoken spoken = study({"--receivers", "lines", "--parcel", parcel, "--offsets", "5,10",
-                                 "--plane-height", "4", "--spacing", "2", "--json"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    const auto json = spoken.json();
+    const CommandOutput output = study({"--receivers", "lines", "--parcel", parcel, "--offsets", "5,10",
+                                        "--plane-height", "4", "--spacing", "2", "--json"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const auto json = output.json();
     // 42.2 x 44.4 m, and a circle of 5 and of 10 m, in parts of 2 m.
     EXPECT_NEAR(json["receivers"].get<double>(), (2 * 173.2 + 31.4 + 62.8) / 2, 4);
     EXPECT_EQ(json["elements"]["offsets_m"].dump(), "[5.0,10.0]");
@@ -179,15 +181,15 @@ TEST_F(StudyPoints, SinglePointsOfAFileOrTheCommandLine) {
             .file("points.csv",
                   "id,lon,lat,height,facing\nyard,-73.9842,40.7531,,\nwall,-73.98385,40.75299,4,180\n")
             .string();
-    const Spoken read = study({"--receivers", "points", "--points", file, "--json"});
+    const CommandOutput read = study({"--receivers", "points", "--points", file, "--json"});
     ASSERT_EQ(read.code, exitOk) << read.err;
     EXPECT_EQ(read.json()["receivers"], 2);
     EXPECT_EQ(read.json()["elements"]["points"][1]["facing_deg"], 180);
     const std::string csv = writtenText(out_ / "elements.csv");
     EXPECT_THAT(csv, HasSubstr("\nyard,point,"));
     EXPECT_THAT(csv, HasSubstr("\nwall,point,,,,180."));
-    const Spoken given = study({"--receivers", "points", "--point", "-73.9842,40.7531", "--point",
-                                "-73.98385,40.75299,4,180", "--json"});
+    const CommandOutput given = study({"--receivers", "points", "--point", "-73.9842,40.7531", "--point",
+                                       "-73.98385,40.75299,4,180", "--json"});
     ASSERT_EQ(given.code, exitOk) << given.err;
     EXPECT_NEAR(given.json()["mean_sunlit_min"].get<double>(), read.json()["mean_sunlit_min"].get<double>(),
                 1e-3);
@@ -197,10 +199,11 @@ TEST_F(StudyPoints, SinglePointsOfAFileOrTheCommandLine) {
 }
 
 TEST_F(StudyPoints, APlaneAboveTheGround) {
-    const Spoken spoken = study({"--receivers", "plane", "--plane-height", "4", "--cell", "5", "--json"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    EXPECT_EQ(spoken.json()["elements"]["plane_above_ground_m"], 4);
-    EXPECT_THAT(spoken.json()["repeat"].get<std::string>(), HasSubstr("--receivers plane --plane-height 4"));
+    const CommandOutput output =
+        study({"--receivers", "plane", "--plane-height", "4", "--cell", "5", "--json"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    EXPECT_EQ(output.json()["elements"]["plane_above_ground_m"], 4);
+    EXPECT_THAT(output.json()["repeat"].get<std::string>(), HasSubstr("--receivers plane --plane-height 4"));
     EXPECT_THAT(writtenText(out_ / "elements.csv"), HasSubstr(",plane,,,,,-73.98"));
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::cli::tests {
@@ -30,7 +30,7 @@ std::string contentOf(const std::filesystem::path& file) {
 
 class StudyCommand : public testing::Test {
 protected:
-    Spoken study(const std::vector<std::string>& more) {
+    CommandOutput study(const std::vector<std::string>& more) {
         std::vector<std::string> arguments{"study",      city.string(),
                                            "--start",    "2026-03-21",
                                            "--from",     "09:00",
@@ -51,26 +51,27 @@ protected:
 };
 
 TEST_F(StudyCommand, LeavesEverythingInTheFolder) {
-    const Spoken spoken = study({"--cells-csv"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    EXPECT_EQ(spoken.err, "");
+    const CommandOutput output = study({"--cells-csv"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    EXPECT_EQ(output.err, "");
     for (const char* name : {"shadow.tif", "shadow.png", "report.pdf", "study.json", "cells.csv"}) {
         EXPECT_GT(std::filesystem::file_size(out / name), 100U) << name;
-        EXPECT_THAT(spoken.out, HasSubstr((out / name).string()));
+        EXPECT_THAT(output.out, HasSubstr((out / name).string()));
     }
-    EXPECT_THAT(spoken.out, HasSubstr("m2"));
+    EXPECT_THAT(output.out, HasSubstr("m2"));
 }
 
 TEST_F(StudyCommand, MonthsAndContributionsComeFromTheHorizonSweep) {
-    const Spoken spoken = study({"--days", "40", "--engine", "horizon", "--by", "month", "--contributions"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const CommandOutput output =
+        study({"--days", "40", "--engine", "horizon", "--by", "month", "--contributions"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
     for (const char* name : {"by_month.tif", "contributions.gpkg", "contributions.pdf"})
         EXPECT_GT(std::filesystem::file_size(out / name), 1000U) << name;
     EXPECT_THAT(contentOf(out / "by_month.csv"), HasSubstr("\n2026-04,"));
     EXPECT_THAT(contentOf(out / "contributions.csv"), HasSubstr(",A,"));
     EXPECT_THAT(contentOf(out / "contributions.csv"), HasSubstr("sole 2026-03"));
     EXPECT_THAT(contentOf(out / "study.json"), HasSubstr("--by month"));
-    const Spoken refused = study({"--engine", "ray", "--contributions"});
+    const CommandOutput refused = study({"--engine", "ray", "--contributions"});
     EXPECT_NE(refused.code, exitOk);
     EXPECT_THAT(refused.err, HasSubstr("Choose one of: horizon, auto"));
 }
@@ -83,8 +84,9 @@ double endOfStyle(const std::string& qml) {
 
 // Eleven days of March and 29 of April, 6 h each. A day's range and classes say nothing about a month.
 TEST_F(StudyCommand, TheStyleOfMonthsEndsAtTheSunOfTheLongestMonth) {
-    const Spoken spoken = study({"--days", "40", "--by", "month", "--range", "0:200", "--classes", "50,100"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const CommandOutput output =
+        study({"--days", "40", "--by", "month", "--range", "0:200", "--classes", "50,100"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
     constexpr double longest = 29 * 6 * 60;
     EXPECT_THAT(contentOf(out / "by_month.csv"), HasSubstr("\n2026-04,10440.0,"));
     const double end = endOfStyle(contentOf(out / "by_month.qml"));
@@ -94,9 +96,9 @@ TEST_F(StudyCommand, TheStyleOfMonthsEndsAtTheSunOfTheLongestMonth) {
 }
 
 TEST_F(StudyCommand, StandardOutputIsTheJsonFileAndNothingElse) {
-    const Spoken spoken = study({"--json"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    EXPECT_EQ(spoken.json(), nlohmann::json::parse(contentOf(out / "study.json")));
+    const CommandOutput output = study({"--json"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    EXPECT_EQ(output.json(), nlohmann::json::parse(contentOf(out / "study.json")));
     EXPECT_FALSE(std::filesystem::exists(out / "cells.csv"));
 }
 
@@ -119,9 +121,9 @@ TEST_F(StudyCommand, FiguresAndKeys) {
 }
 
 TEST_F(StudyCommand, TheErrorIsMeasuredUnlessItIsSwitchedOff) {
-    const Spoken spoken = study({"--engine", "iam"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    EXPECT_THAT(spoken.out, HasSubstr("cell error, gross"));
+    const CommandOutput output = study({"--engine", "iam"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    EXPECT_THAT(output.out, HasSubstr("cell error, gross"));
     const auto json = study({"--engine", "iam", "--json", "--error-sample", "40"}).json();
     EXPECT_EQ(json["error"]["sample_receivers"], 40);
     EXPECT_THAT(json["repeat"].get<std::string>(), HasSubstr("--error-sample 40"));
@@ -134,10 +136,10 @@ TEST_F(StudyCommand, TheErrorIsMeasuredUnlessItIsSwitchedOff) {
 TEST_F(StudyCommand, GrossShadowAloneIsSaidAsSuchInEveryFile) {
     for (const char* engine : {"horizon", "auto"}) {
         // auto chooses projected shadows, which compute continuous shadow in any case.
-        const Spoken both = study({"--days", "30", "--engine", engine, "--json"});
-        const Spoken spoken =
+        const CommandOutput both = study({"--days", "30", "--engine", engine, "--json"});
+        const CommandOutput output =
             study({"--days", "30", "--engine", engine, "--option", "runs=0", "--cells-csv"});
-        ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+        ASSERT_EQ(output.code, exitOk) << output.err;
         const auto json = nlohmann::json::parse(contentOf(out / "study.json"));
         EXPECT_EQ(json["engine_options"]["runs"], 0);
         EXPECT_THAT(json["repeat"].get<std::string>(), HasSubstr("--option runs=0"));
@@ -147,8 +149,8 @@ TEST_F(StudyCommand, GrossShadowAloneIsSaidAsSuchInEveryFile) {
         EXPECT_EQ(json["max_continuous_min"].is_null(), swept);
         EXPECT_EQ(json["error"]["continuous"].is_null(), swept);
         EXPECT_TRUE(json["error"]["gross"]["mean_pct"].is_number());
-        EXPECT_EQ(spoken.out.find("not counted") != std::string::npos, swept) << spoken.out;
-        EXPECT_EQ(spoken.out.find("nan"), std::string::npos) << spoken.out;
+        EXPECT_EQ(output.out.find("not counted") != std::string::npos, swept) << output.out;
+        EXPECT_EQ(output.out.find("nan"), std::string::npos) << output.out;
         const std::string cells = contentOf(out / "cells.csv");
         EXPECT_EQ(cells.find(",continuous_min") == std::string::npos, swept);
         EXPECT_EQ(cells.find("nan"), std::string::npos);
@@ -167,53 +169,53 @@ TEST_F(StudyCommand, RefractionCanBeLeftOut) {
 }
 
 TEST_F(StudyCommand, SolarWindowNeedsNoZone) {
-    const Spoken spoken =
+    const CommandOutput output =
         noonmarkCli({"study", city.string(), "--start", "2026-03-21", "--window", "sunrise+1.5h..sunset-1.5h",
                      "--step", "30", "--region", "-73.9845,40.7527,-73.9826,40.7537", "--cell", "5", "--out",
                      out.string(), "--json"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    EXPECT_EQ(spoken.json()["period"]["window"]["after_sunrise_min"], 90);
-    EXPECT_NEAR(spoken.json()["period"]["window"]["sunrise_altitude_deg"].get<double>(), -0.833, 0.001);
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    EXPECT_EQ(output.json()["period"]["window"]["after_sunrise_min"], 90);
+    EXPECT_NEAR(output.json()["period"]["window"]["sunrise_altitude_deg"].get<double>(), -0.833, 0.001);
     // The whole window: 12 h 10 min of daylight minus 3 h, that is 18 steps of about 30 min.
-    const double minutes = spoken.json()["period"]["hours_min_per_day"];
+    const double minutes = output.json()["period"]["hours_min_per_day"];
     EXPECT_NEAR(minutes, 550, 3);
-    EXPECT_EQ(spoken.json()["steps"], 18);
-    EXPECT_NEAR(spoken.json()["sunlit_min_per_day"].get<double>(), minutes, 1e-6);
-    EXPECT_NEAR(spoken.json()["period"]["counted_step_min"].get<double>(), minutes / 18, 1e-9);
+    EXPECT_EQ(output.json()["steps"], 18);
+    EXPECT_NEAR(output.json()["sunlit_min_per_day"].get<double>(), minutes, 1e-6);
+    EXPECT_NEAR(output.json()["period"]["counted_step_min"].get<double>(), minutes / 18, 1e-9);
 }
 
 TEST_F(StudyCommand, WhatTheSettingsHoldCanBeSaidAndIsRepeated) {
-    const Spoken spoken =
+    const CommandOutput output =
         noonmarkCli({"study", city.string(), "--start", "2026-03-21", "--window", "sunrise..sunset",
                      "--centre", "--far-away", "20000", "--step", "30", "--region",
                      "-73.9845,40.7527,-73.9826,40.7537", "--cell", "5", "--out", out.string(), "--json"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    EXPECT_EQ(spoken.json()["period"]["window"]["sunrise_altitude_deg"], 0);
-    EXPECT_THAT(spoken.json()["repeat"].get<std::string>(), HasSubstr("--centre"));
-    EXPECT_THAT(spoken.json()["repeat"].get<std::string>(), HasSubstr("--far-away 20000"));
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    EXPECT_EQ(output.json()["period"]["window"]["sunrise_altitude_deg"], 0);
+    EXPECT_THAT(output.json()["repeat"].get<std::string>(), HasSubstr("--centre"));
+    EXPECT_THAT(output.json()["repeat"].get<std::string>(), HasSubstr("--far-away 20000"));
 }
 
 TEST_F(StudyCommand, AFolderThatCannotBeMadeIsAFailure) {
     out = folder.file("in the way", "a file") / "out";
-    const Spoken spoken = study({});
-    EXPECT_EQ(spoken.code, exitFailed);
-    EXPECT_THAT(spoken.err, HasSubstr("in the way"));
+    const CommandOutput output = study({});
+    EXPECT_EQ(output.code, exitFailed);
+    EXPECT_THAT(output.err, HasSubstr("in the way"));
 }
 
 TEST_F(StudyCommand, TheFolderIsTriedBeforeTheWork) {
     out = folder.file("in the way", "a file");
     // The study would fail as well, because it is night: the error must be about the folder.
-    const Spoken spoken = noonmarkCli({"study", city.string(), "--start", "2026-03-21", "--from", "22:00",
-                                       "--zone", "America/New_York", "--region",
-                                       "-73.9845,40.7527,-73.9826,40.7537", "--out", out.string()});
-    EXPECT_EQ(spoken.code, exitFailed);
-    EXPECT_THAT(spoken.err, HasSubstr("in the way"));
+    const CommandOutput output = noonmarkCli({"study", city.string(), "--start", "2026-03-21", "--from",
+                                              "22:00", "--zone", "America/New_York", "--region",
+                                              "-73.9845,40.7527,-73.9826,40.7537", "--out", out.string()});
+    EXPECT_EQ(output.code, exitFailed);
+    EXPECT_THAT(output.err, HasSubstr("in the way"));
 }
 
 TEST_F(StudyCommand, InfoAgreesWithWhatIsThere) {
-    const Spoken spoken = noonmarkCli({"info", city.string(), "--json"});
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    const auto json = spoken.json();
+    const CommandOutput output = noonmarkCli({"info", city.string(), "--json"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const auto json = output.json();
     EXPECT_EQ(json["buildings"], 2);
     EXPECT_EQ(json["parts"], 2);
     EXPECT_EQ(json["triangles"], 24);
@@ -236,7 +238,7 @@ TEST_F(StudyCommand, ImportedCityGivesTheSameAnswer) {
 TEST(SampleCommand, WritesWhatInfoReads) {
     const noonmark::tests::TemporaryFolder folder;
     const std::string file = folder.path("grid.gpkg").string();
-    const Spoken written =
+    const CommandOutput written =
         noonmarkCli({"sample", "grid", "--buildings", "200", "--seed", "3", "--out", file, "--json"});
     ASSERT_EQ(written.code, exitOk) << written.err;
     const auto info = noonmarkCli({"info", file, "--json"}).json();

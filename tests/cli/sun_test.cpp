@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 
 namespace noonmark::cli::tests {
 namespace {
@@ -42,9 +42,9 @@ std::vector<std::string> withAir(const std::string& pressureHPa, const std::stri
 // prints, 17:20:19, belongs to the evening before; the sunset after this transit is 87 s earlier. Its sunrise
 // and sunset bend light as at 1010 hPa and 10 C, whatever the air: those are asked for here.
 TEST(Sun, ExampleOfTheSpaReport) {
-    const Spoken spoken = noonmarkCli(with(golden, {"--json"}));
-    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-    const auto json = spoken.json();
+    const CommandOutput output = noonmarkCli(with(golden, {"--json"}));
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    const auto json = output.json();
     EXPECT_NEAR(json["azimuth_deg"].get<double>(), 194.340241, 0.0003);
     EXPECT_NEAR(json["altitude_apparent_deg"].get<double>(), 90 - 50.111622, 0.0005);
     EXPECT_LT(json["altitude_true_deg"], json["altitude_apparent_deg"]);
@@ -90,17 +90,18 @@ TEST(Sun, TheCentreRisesLaterThanTheUpperLimb) {
 }
 
 TEST(Sun, TableForPeople) {
-    const Spoken spoken = noonmarkCli(golden);
-    EXPECT_EQ(spoken.code, exitOk);
-    EXPECT_THAT(spoken.out, HasSubstr("194.340"));
-    EXPECT_THAT(spoken.out, HasSubstr("sunrise"));
-    EXPECT_EQ(spoken.err, "");
+    const CommandOutput output = noonmarkCli(golden);
+    EXPECT_EQ(output.code, exitOk);
+    EXPECT_THAT(output.out, HasSubstr("194.340"));
+    EXPECT_THAT(output.out, HasSubstr("sunrise"));
+    EXPECT_EQ(output.err, "");
 }
 
 TEST(Sun, WrongInput) {
     EXPECT_EQ(noonmarkCli({"sun", "--lat", "95", "--lon", "0", "--at", "2026-06-21T12:00:00Z"}).code,
               exitUsage);
-    const Spoken noOffset = noonmarkCli({"sun", "--lat", "40", "--lon", "0", "--at", "2026-06-21T12:00:00"});
+    const CommandOutput noOffset =
+        noonmarkCli({"sun", "--lat", "40", "--lon", "0", "--at", "2026-06-21T12:00:00"});
     EXPECT_EQ(noOffset.code, exitUsage);
     EXPECT_THAT(noOffset.err, HasSubstr("--zone"));
     EXPECT_EQ(noonmarkCli({"sun", "--lat", "40", "--lon", "0", "--at", "noon", "--zone", "UTC"}).code,
@@ -109,7 +110,7 @@ TEST(Sun, WrongInput) {
               exitUsage);
     EXPECT_EQ(noonmarkCli({"sun", "--lat", "nan", "--lon", "0", "--at", "2026-06-21T12:00:00Z"}).code,
               exitUsage);
-    const Spoken antiquity =
+    const CommandOutput antiquity =
         noonmarkCli({"sun", "--lat", "40", "--lon", "0", "--at", "0001-01-01T12:00:00Z"});
     EXPECT_EQ(antiquity.code, exitUsage);
     EXPECT_THAT(antiquity.err, HasSubstr("1900 to 2100"));

@@ -60,9 +60,9 @@ protected:
 
     /// Runs a command that must succeed.
     static std::string ran(const std::vector<std::string>& words) {
-        const Spoken spoken = noonmarkCli(words);
-        EXPECT_EQ(spoken.code, exitOk) << words[0] << ": " << spoken.err;
-        return spoken.out;
+        const CommandOutput output = noonmarkCli(words);
+        EXPECT_EQ(output.code, exitOk) << words[0] << ": " << output.err;
+        return output.out;
     }
 
     /// Expects all tables in the folder to be sound, and as many as that.
@@ -92,7 +92,7 @@ TEST_F(Tables, OfStudiesAndCityStudiesAreReadByStrangers) {
                                    "--contributions", "--engine", "horizon", "--cells-csv"};
     const auto when = noon("--from");
     asked.insert(asked.end(), when.begin(), when.end());
-    const Spoken study = measured("study", asked);
+    const CommandOutput study = measured("study", asked);
     ASSERT_EQ(study.code, exitOk) << study.err;
     expectTables(folder_.path("out"), 3);  // cells, months and contributions
     std::vector<std::string> whole{"city-study", file_,     "--region", "Park",

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "app/cli/tiles/tiles_command.h"
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::cli::tests {
@@ -33,7 +33,8 @@ TEST(FindArrayTask, OfSlurmKubernetesAndAwsBatch) {
 class TilesCommand : public testing::Test {
 protected:
     TilesCommand() { EXPECT_EQ(noonmarkCli({"sample", "grid", "--out", town}).code, 0); }
-    [[nodiscard]] Spoken plan(std::vector<std::string> more = {}, const std::string& engine = "ray") const {
+    [[nodiscard]] CommandOutput plan(std::vector<std::string> more = {},
+                                     const std::string& engine = "ray") const {
         std::vector<std::string> words{"tiles",      "plan",
                                        town,         "--start",
                                        "2026-03-21", "--from",
@@ -57,18 +58,18 @@ protected:
 };
 
 TEST_F(TilesCommand, PlansRunsAndMerges) {
-    const Spoken planned = plan();
+    const CommandOutput planned = plan();
     ASSERT_EQ(planned.code, 0) << planned.err;
     EXPECT_TRUE(planned.json()["by_window"]);
     const std::size_t tasks = planned.json()["tasks"];
     EXPECT_EQ(noonmarkCli({"tiles", "merge", dir}).code, 1);
     for (std::size_t task = 0; task < tasks; ++task) {
-        const Spoken ran =
+        const CommandOutput ran =
             noonmarkCli({"tiles", "run", dir, "--task", std::to_string(task), "--threads", "1"});
         ASSERT_EQ(ran.code, 0) << ran.err;
     }
     EXPECT_TRUE(noonmarkCli({"tiles", "status", dir, "--json"}).json()["complete"]);
-    const Spoken merged = noonmarkCli({"tiles", "merge", dir});
+    const CommandOutput merged = noonmarkCli({"tiles", "merge", dir});
     ASSERT_EQ(merged.code, 0) << merged.err;
     EXPECT_THAT(merged.out, HasSubstr("shadow.vrt"));
     EXPECT_THAT(plan().err, HasSubstr("exist"));
@@ -77,15 +78,15 @@ TEST_F(TilesCommand, PlansRunsAndMerges) {
 }
 
 TEST_F(TilesCommand, MonthsAreThoseOfCityStudy) {
-    const Spoken planned = plan({"--by", "month", "--days", "20"}, "projected");
+    const CommandOutput planned = plan({"--by", "month", "--days", "20"}, "projected");
     ASSERT_EQ(planned.code, 0) << planned.err;
     for (std::size_t task = 0; task < planned.json()["tasks"]; ++task) {
-        const Spoken ran = noonmarkCli({"tiles", "run", dir, "--task", std::to_string(task)});
+        const CommandOutput ran = noonmarkCli({"tiles", "run", dir, "--task", std::to_string(task)});
         ASSERT_EQ(ran.code, 0) << ran.err;
     }
     ASSERT_EQ(noonmarkCli({"tiles", "merge", dir}).code, 0);
     const std::string whole = folder.path("whole").string();
-    const Spoken city = noonmarkCli(
+    const CommandOutput city = noonmarkCli(
         {"city-study", town,     "--start",  "2026-03-21", "--from", "10:00",    "--hours",
          "4",          "--step", "30",       "--zone",     "UTC",    "--region", "city",
          "--cell",     "4",      "--engine", "projected",  "--tile", "64",       "--no-error-sample",

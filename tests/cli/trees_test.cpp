@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/footprint_files.h"
 
 namespace noonmark::cli::tests {
@@ -18,7 +18,7 @@ using testing::Not;
 // A tower and two trees of an inventory in inches, north of it.
 class TreesCommand : public testing::Test {
 protected:
-    Spoken study(const std::vector<std::string>& more) {
+    CommandOutput study(const std::vector<std::string>& more) {
         std::vector<std::string> all{"study",      town.string(),
                                      "--start",    "2026-01-15",
                                      "--from",     "09:00",
@@ -34,9 +34,9 @@ protected:
     }
     nlohmann::json figures(std::vector<std::string> more) {
         more.emplace_back("--json");
-        const Spoken spoken = study(more);
-        EXPECT_EQ(spoken.code, exitOk) << spoken.err;
-        return spoken.json();
+        const CommandOutput output = study(more);
+        EXPECT_EQ(output.code, exitOk) << output.err;
+        return output.json();
     }
 
     noonmark::tests::TemporaryFolder folder;
@@ -98,9 +98,9 @@ class TreesLeftOut : public TreesCommand {
 protected:
     void expectSaid(std::vector<std::string> question, const std::string& says) {
         for (const char* word : {"--trees", inventory.c_str(), "--json"}) question.emplace_back(word);
-        const Spoken spoken = noonmarkCli(question);
-        ASSERT_EQ(spoken.code, exitOk) << spoken.err;
-        const nlohmann::json warnings = spoken.json().at("warnings");
+        const CommandOutput output = noonmarkCli(question);
+        ASSERT_EQ(output.code, exitOk) << output.err;
+        const nlohmann::json warnings = output.json().at("warnings");
         const auto isAboutTrees = [&](const nlohmann::json& warning) {
             return warning.at("what") == "trees: " + says;
         };
@@ -137,7 +137,7 @@ TEST_F(TreesLeftOut, FilesWithoutThemSaySo) {
 TEST_F(TreesLeftOut, OfAProjectEveryAnswerRepeatsIt) {
     const std::string project = folder.path("town.noonmark.gpkg").string();
     ASSERT_EQ(noonmarkCli({"project", "new", project, town.string(), "--trees", inventory}).code, exitOk);
-    const Spoken point = noonmarkCli({"point", project, "--at", "-73.9800,40.7504"});
+    const CommandOutput point = noonmarkCli({"point", project, "--at", "-73.9800,40.7504"});
     EXPECT_THAT(point.out, HasSubstr("1 left out: trees: projects do not hold them")) << point.err;
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/cli/spoken.h"
+#include "tests/cli/command_output.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::cli::tests {
@@ -14,12 +14,12 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 void expectUsageError(const std::vector<std::string>& arguments, const std::string& about) {
-    const Spoken spoken = noonmarkCli(arguments);
-    EXPECT_EQ(spoken.code, exitUsage) << spoken.err;
-    EXPECT_EQ(spoken.out, "");
-    EXPECT_THAT(spoken.err, StartsWith("noonmark-cli: "));
-    EXPECT_THAT(spoken.err, HasSubstr(about));
-    EXPECT_EQ(std::ranges::count(spoken.err, '\n'), 1) << spoken.err;
+    const CommandOutput output = noonmarkCli(arguments);
+    EXPECT_EQ(output.code, exitUsage) << output.err;
+    EXPECT_EQ(output.out, "");
+    EXPECT_THAT(output.err, StartsWith("noonmark-cli: "));
+    EXPECT_THAT(output.err, HasSubstr(about));
+    EXPECT_EQ(std::ranges::count(output.err, '\n'), 1) << output.err;
 }
 
 std::vector<std::string> study(std::vector<std::string> more) {
@@ -44,7 +44,7 @@ TEST(Usage, HelpAndVersionAreAnswers) {
     EXPECT_THAT(noonmarkCli({"--help"}).out, HasSubstr("study"));
     EXPECT_THAT(noonmarkCli({"--version"}).out, HasSubstr("Noonmark 0."));
     for (const char* command : {"sample", "info", "import", "sun", "study"}) {
-        const Spoken help = noonmarkCli({command, "--help"});
+        const CommandOutput help = noonmarkCli({command, "--help"});
         EXPECT_EQ(help.code, exitOk) << command;
         EXPECT_THAT(help.out, HasSubstr("--json")) << command;
         EXPECT_EQ(help.err, "");
@@ -68,14 +68,14 @@ TEST(Usage, OutputThatCannotBeWrittenIsNoSuccess) {
 }
 
 TEST(Usage, EnginesNameTheirOptions) {
-    const Spoken engines = noonmarkCli({"engines"});
+    const CommandOutput engines = noonmarkCli({"engines"});
     EXPECT_EQ(engines.code, exitOk);
     EXPECT_THAT(engines.out, HasSubstr("ray"));
     EXPECT_THAT(engines.out, HasSubstr("--option levels=3  1 to 8"));
 }
 
 TEST(Usage, DevicesAreThoseToChooseFrom) {
-    const Spoken devices = noonmarkCli({"devices"});
+    const CommandOutput devices = noonmarkCli({"devices"});
     EXPECT_EQ(devices.code, exitOk);
     EXPECT_THAT(devices.out, HasSubstr("--option device="));
 }

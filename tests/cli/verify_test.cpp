@@ -20,14 +20,14 @@ class VerifyCommand : public testing::Test {
 protected:
     void SetUp() override {
         std::ofstream(folder_.path("houses.geojson")) << oneHouse;
-        const Spoken study = noonmarkCli(
+        const CommandOutput study = noonmarkCli(
             {"study", folder_.path("houses.geojson").string(), "--start", "2026-03-21", "--from", "09:00",
              "--hours", "6", "--step", "10", "--zone", "America/New_York", "--region",
              "-73.9845,40.7525,-73.9828,40.7536", "--cell", "2", "--out", folder_.path("out").string()});
         ASSERT_EQ(study.code, exitOk) << study.err;
     }
 
-    [[nodiscard]] Spoken verify(const std::string& report) const {
+    [[nodiscard]] CommandOutput verify(const std::string& report) const {
         return noonmarkCli(
             {"verify", folder_.path(report).string(), "--inputs", folder_.path("").string(), "--json"});
     }
@@ -46,9 +46,9 @@ protected:
 
 TEST_F(VerifyCommand, AgreesWithAReportAndItsRecord) {
     for (const char* report : {"out/report.pdf", "out/study.json"}) {
-        const Spoken spoken = verify(report);
-        EXPECT_EQ(spoken.code, exitOk) << spoken.err << spoken.out;
-        const auto json = spoken.json();
+        const CommandOutput output = verify(report);
+        EXPECT_EQ(output.code, exitOk) << output.err << output.out;
+        const auto json = output.json();
         EXPECT_EQ(json["verdict"], "agrees");
         EXPECT_GT(json["figures"]["compared"], 50);
         EXPECT_EQ(json["inputs"][0]["agrees"], true);
@@ -57,16 +57,16 @@ TEST_F(VerifyCommand, AgreesWithAReportAndItsRecord) {
 }
 
 TEST_F(VerifyCommand, AgreesWithSunByPlace) {
-    const Spoken places =
+    const CommandOutput places =
         noonmarkCli({"by-place", "sample:central-park-south", "--kind", "park", "--start", "2026-03-21",
                      "--from", "09:00", "--hours", "2", "--step", "20", "--zone", "America/New_York",
                      "--cell", "10", "--sheets", "--out", folder_.path("places").string()});
     ASSERT_EQ(places.code, exitOk) << places.err;
     for (const char* report : {"places/sheets.pdf", "places/places.json"}) {
-        const Spoken spoken = verify(report);
-        EXPECT_EQ(spoken.code, exitOk) << spoken.err << spoken.out;
-        EXPECT_GT(spoken.json()["figures"]["compared"], 50);
-        EXPECT_EQ(spoken.json()["tables"][0]["name"], "places.csv");
+        const CommandOutput output = verify(report);
+        EXPECT_EQ(output.code, exitOk) << output.err << output.out;
+        EXPECT_GT(output.json()["figures"]["compared"], 50);
+        EXPECT_EQ(output.json()["tables"][0]["name"], "places.csv");
     }
 }
 
@@ -74,8 +74,8 @@ TEST_F(VerifyCommand, AgreesWithSunByPlace) {
 TEST_F(VerifyCommand, FindsTheProjectThatWasPutBesideTheFiles) {
     const std::string project = folder_.path("town.noonmark.gpkg").string();
     const auto run = [](const std::vector<std::string>& words) {
-        const Spoken spoken = noonmarkCli(words);
-        ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+        const CommandOutput output = noonmarkCli(words);
+        ASSERT_EQ(output.code, exitOk) << output.err;
     };
     run({"project", "new", project, folder_.path("houses.geojson").string()});
     run({"project", "add-scenario", project, "Tower"});
@@ -103,14 +103,14 @@ TEST_F(VerifyCommand, FindsTheProjectThatWasPutBesideTheFiles) {
     fs::rename(project, folder_.path("elsewhere.gpkg"));
     for (const char* report : {"study/study.json", "impact/impact.json", "score/score.json"}) {
         const fs::path file = folder_.path(report);
-        const Spoken spoken =
+        const CommandOutput output =
             noonmarkCli({"verify", file.string(), "--inputs", file.parent_path().string(), "--json"});
-        EXPECT_EQ(spoken.code, exitOk) << report << spoken.err << spoken.out;
+        EXPECT_EQ(output.code, exitOk) << report << output.err << output.out;
     }
     EXPECT_TRUE(fs::exists(folder_.path("places/town.noonmark.gpkg")));
-    const Spoken none = noonmarkCli({"study", folder_.path("houses.geojson").string(), "--start",
-                                     "2026-03-21", "--zone", "America/New_York", "--region", "city",
-                                     "--with-project", "--out", folder_.path("none").string()});
+    const CommandOutput none = noonmarkCli({"study", folder_.path("houses.geojson").string(), "--start",
+                                            "2026-03-21", "--zone", "America/New_York", "--region", "city",
+                                            "--with-project", "--out", folder_.path("none").string()});
     EXPECT_THAT(none.err, HasSubstr("no project to put beside"));
 }
 
@@ -118,8 +118,8 @@ TEST_F(VerifyCommand, FindsTheProjectThatWasPutBesideTheFiles) {
 TEST_F(VerifyCommand, AcceptsAProjectThatWasSavedAgainWithTheSameQuestion) {
     const std::string project = folder_.path("town.noonmark.gpkg").string();
     const auto run = [](const std::vector<std::string>& words) {
-        const Spoken spoken = noonmarkCli(words);
-        ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+        const CommandOutput output = noonmarkCli(words);
+        ASSERT_EQ(output.code, exitOk) << output.err;
     };
     run({"project", "new", project, folder_.path("houses.geojson").string()});
     run({"project", "add-scenario", project, "Tower"});
@@ -135,15 +135,15 @@ TEST_F(VerifyCommand, AcceptsAProjectThatWasSavedAgainWithTheSameQuestion) {
          "--out",      folder_.path("filed").string()});
     run({"project", "lot", "add", project, "Lot", "-73.9836,40.7532,-73.9834,40.7534"});
     for (const char* report : {"filed/report.pdf", "filed/study.json"}) {
-        const Spoken spoken = verify(report);
-        EXPECT_EQ(spoken.code, exitOk) << spoken.err << spoken.out;
-        const auto inputs = spoken.json()["inputs"];
+        const CommandOutput output = verify(report);
+        EXPECT_EQ(output.code, exitOk) << output.err << output.out;
+        const auto inputs = output.json()["inputs"];
         EXPECT_TRUE(std::ranges::any_of(inputs, [](const auto& file) { return file["saved_again"] == true; }))
             << inputs.dump();
     }
     run({"project", "extrude", project, "--scenario", "Tower", "--lot", "Lot", "--height", "30", "--id",
          "T"});
-    const Spoken other = verify("filed/report.pdf");
+    const CommandOutput other = verify("filed/report.pdf");
     EXPECT_EQ(other.code, exitUsage);
     EXPECT_EQ(other.json()["verdict"], "not computed");
 }
@@ -179,13 +179,13 @@ void paintOver(const fs::path& report, const fs::path& painted, const std::strin
 
 TEST_F(VerifyCommand, FindsAPageThatWasPaintedOver) {
     paintOver(folder_.path("out/report.pdf"), folder_.path("out/same.pdf"), " ");
-    const Spoken same = verify("out/same.pdf");
+    const CommandOutput same = verify("out/same.pdf");
     EXPECT_EQ(same.code, exitOk) << same.out;
     EXPECT_EQ(same.json()["pages"]["different"].dump(), "[]");
     EXPECT_GE(same.json()["pages"]["compared"], 1);
     // The words stay as they are: a white field lies over them.
     paintOver(folder_.path("out/report.pdf"), folder_.path("out/covered.pdf"), " 1 g 300 300 6000 3000 re f");
-    const Spoken covered = verify("out/covered.pdf");
+    const CommandOutput covered = verify("out/covered.pdf");
     EXPECT_EQ(covered.code, exitFailed) << covered.out;
     EXPECT_EQ(covered.json()["verdict"], "differs");
     EXPECT_EQ(covered.json()["pages"]["different"].dump(), "[1]");
@@ -193,16 +193,16 @@ TEST_F(VerifyCommand, FindsAPageThatWasPaintedOver) {
 }
 
 TEST_F(VerifyCommand, ReadsTablesAsOthersDo) {
-    const Spoken points = noonmarkCli({"study",       folder_.path("houses.geojson").string(),
-                                       "--start",     "2026-03-21",
-                                       "--from",      "09:00",
-                                       "--hours",     "6",
-                                       "--step",      "10",
-                                       "--zone",      "America/New_York",
-                                       "--region",    "-73.9845,40.7525,-73.9828,40.7536",
-                                       "--receivers", "points",
-                                       "--point",     "-73.9842,40.7531",
-                                       "--out",       folder_.path("points").string()});
+    const CommandOutput points = noonmarkCli({"study",       folder_.path("houses.geojson").string(),
+                                              "--start",     "2026-03-21",
+                                              "--from",      "09:00",
+                                              "--hours",     "6",
+                                              "--step",      "10",
+                                              "--zone",      "America/New_York",
+                                              "--region",    "-73.9845,40.7525,-73.9828,40.7536",
+                                              "--receivers", "points",
+                                              "--point",     "-73.9842,40.7531",
+                                              "--out",       folder_.path("points").string()});
     ASSERT_EQ(points.code, exitOk) << points.err;
     const auto verified = verify("points/study.json").json();
     EXPECT_EQ(verified["verdict"], "agrees");
@@ -210,22 +210,22 @@ TEST_F(VerifyCommand, ReadsTablesAsOthersDo) {
     EXPECT_GT(verified["tables"][0]["compared"], 10);
     EXPECT_THAT(verified["not_compared"].dump(), HasSubstr("elements.gpkg"));
     alter("points/elements.csv", "point 1,point", "1,234.5,point 1,point");
-    const Spoken spoken = verify("points/study.json");
-    EXPECT_EQ(spoken.code, exitFailed);
-    EXPECT_THAT(spoken.json()["tables"][0]["differences"].dump(), HasSubstr("fields"));
+    const CommandOutput output = verify("points/study.json");
+    EXPECT_EQ(output.code, exitFailed);
+    EXPECT_THAT(output.json()["tables"][0]["differences"].dump(), HasSubstr("fields"));
 }
 
 TEST_F(VerifyCommand, FindsAnAlteredFigure) {
     alter("out/study.json", "\"receivers\": ", "\"receivers\": 1");
-    const Spoken spoken = verify("out/study.json");
-    EXPECT_EQ(spoken.code, exitFailed);
-    EXPECT_EQ(spoken.json()["verdict"], "differs");
-    EXPECT_EQ(spoken.json()["figures"]["differences"][0]["key"], "receivers");
+    const CommandOutput output = verify("out/study.json");
+    EXPECT_EQ(output.code, exitFailed);
+    EXPECT_EQ(output.json()["verdict"], "differs");
+    EXPECT_EQ(output.json()["figures"]["differences"][0]["key"], "receivers");
 }
 
 TEST_F(VerifyCommand, ComputesNothingFromOtherInputs) {
     alter("houses.geojson", "\"height\":40", "\"height\":41");
-    const Spoken other = verify("out/report.pdf");
+    const CommandOutput other = verify("out/report.pdf");
     EXPECT_EQ(other.code, exitUsage);
     EXPECT_EQ(other.json()["verdict"], "not computed");
     fs::remove(folder_.path("houses.geojson"));
@@ -236,9 +236,9 @@ TEST_F(VerifyCommand, RefusesWhatIsNoReport) {
     std::ofstream(folder_.path("empty.pdf")) << "%PDF-1.4\n";
     std::ofstream(folder_.path("text.json")) << "{}";
     for (const char* file : {"empty.pdf", "text.json", "houses.geojson", "gone.pdf", "out"}) {
-        const Spoken spoken = verify(file);
-        EXPECT_EQ(spoken.code, exitUsage) << file;
-        EXPECT_FALSE(spoken.err.empty()) << file;
+        const CommandOutput output = verify(file);
+        EXPECT_EQ(output.code, exitUsage) << file;
+        EXPECT_FALSE(output.err.empty()) << file;
     }
 }
 

@@ -57,7 +57,7 @@ TEST(LiveChange, CountsOpenGroundAloneAndFindsTheWorstSpot) {
     EXPECT_EQ(change.figures[0].thresholdMin, 30);
     EXPECT_EQ(change.figures[1].thresholdMin, 60);
     EXPECT_DOUBLE_EQ(change.figures[0].gross.gainedM2, 100);
-    EXPECT_DOUBLE_EQ(change.figures[0].gross.touchedM2, 200);
+    EXPECT_DOUBLE_EQ(change.figures[0].gross.anyMoreShadowM2, 200);
     EXPECT_DOUBLE_EQ(change.figures[0].gross.lostM2, 100);
     EXPECT_DOUBLE_EQ(change.figures[1].gross.lostM2, 0);
     EXPECT_DOUBLE_EQ(change.figures[0].gross.mostGainedMin, 90);
@@ -136,10 +136,10 @@ TEST_F(LiveBaselineTest, TheBaselineMayHaveOtherBuildings) {
     const LiveAnswer same = answer(city, with(city, tower()), question);
     ASSERT_TRUE(same.change);
     EXPECT_FALSE(same.change->worst) << "the baseline has the same tower";
-    EXPECT_EQ(same.change->figures[0].gross.easedM2, 0);
+    EXPECT_EQ(same.change->figures[0].gross.anyLessShadowM2, 0);
     EXPECT_EQ(same.change->figures[0].becameBuildingM2, 0);
     const LiveAnswer lost = answer(city, with(city, tower(100)), question);
-    EXPECT_GT(lost.change->figures[0].gross.easedM2, 100) << "where the other tower's shadow is gone";
+    EXPECT_GT(lost.change->figures[0].gross.anyLessShadowM2, 100) << "where the other tower's shadow is gone";
     EXPECT_EQ(lost.change->figures[0].becameGroundM2, 900);
 }
 
@@ -150,7 +150,7 @@ TEST_F(LiveBaselineTest, OnTerrainContinuousShadowIsComparedWhenItIsCounted) {
     ASSERT_TRUE(gross.change);
     EXPECT_TRUE(std::isnan(gross.change->figures[0].continuous.meanMin));
     const LiveAnswer runs = answer(city, city, question);
-    EXPECT_GT(runs.change->figures[0].continuous.touchedM2, 0);
+    EXPECT_GT(runs.change->figures[0].continuous.anyMoreShadowM2, 0);
     EXPECT_TRUE(sameBits(gross.change->impact.grossMin, runs.change->impact.grossMin));
 }
 

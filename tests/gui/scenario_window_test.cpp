@@ -30,7 +30,7 @@ TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
     const ImpactAnswer& answer = *held;
     EXPECT_EQ(answer.from, existingCity);
     EXPECT_EQ(answer.to, "Proposal A");
-    EXPECT_GT(computeFigures(answer.study.total, 0).gross.touchedM2, 0);
+    EXPECT_GT(computeFigures(answer.study.total, 0).gross.anyMoreShadowM2, 0);
     EXPECT_EQ(window->mode().mode(), ViewMode::analysis);
     const auto legend = window->panel().legend().legend();
     ASSERT_TRUE(legend);

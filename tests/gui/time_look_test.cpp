@@ -5,7 +5,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 
-#include "app/gui/view/time/time_looking.h"
+#include "app/gui/view/time/moment_preview.h"
 #include "app/gui/view/time/time_strip.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "tests/gui/small_city.h"
@@ -64,9 +64,9 @@ TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
 }
 
 // Bins of half a degree misplace a shadow's edge by up to a quarter of a degree of azimuth.
-TEST(TimeLooking, FollowsTheSliderAndEndsAtItsLastPlace) {
+TEST(MomentPreview, FollowsTheSliderAndEndsAtItsLastPlace) {
     const auto study = smallStudy();
-    TimeLooking looking;
+    MomentPreview looking;
     looking.setStudy(study);
     EXPECT_FALSE(looking.answer()) << "the whole period needs no separate answer";
     TimeLook look{LookSpan::moment, {2026y, std::chrono::May, 4d}, 9h};
@@ -91,12 +91,12 @@ TEST(TimeLooking, FollowsTheSliderAndEndsAtItsLastPlace) {
     EXPECT_FALSE(looking.answer());
 }
 
-TEST(TimeLooking, NightIsSaidAndTheNextMomentAnswered) {
-    TimeLooking looking;
+TEST(MomentPreview, NightIsSaidAndTheNextMomentAnswered) {
+    MomentPreview looking;
     QStringList said;
-    QObject::connect(&looking, &TimeLooking::failed, &looking, [&said](const TimeLook&, const Error& error) {
-        said << QString::fromStdString(error.what);
-    });
+    QObject::connect(
+        &looking, &MomentPreview::failed, &looking,
+        [&said](const TimeLook&, const Error& error) { said << QString::fromStdString(error.what); });
     looking.setStudy(smallStudy());
     looking.look({LookSpan::moment, may.date, 2h});
     ASSERT_TRUE(waitFor([&] { return !said.isEmpty(); }));

@@ -96,8 +96,8 @@ TEST_F(ProjectWindow, ScreenReadersHaveANameForEverythingThatTakesTheKeyboard) {
         if (widget->focusPolicy() == Qt::NoFocus) continue;
         const auto* tabs = qobject_cast<QTabBar*>(widget);
         if (tabs && tabs->count() == 0) continue;  // a spare one, which is never shown; tabs name themselves
-        QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
-        if (spoken == nullptr || spoken->text(QAccessible::Name).isEmpty())
+        QAccessibleInterface* output = QAccessible::queryAccessibleInterface(widget);
+        if (output == nullptr || output->text(QAccessible::Name).isEmpty())
             silent << QStringLiteral("%1 '%2'").arg(QLatin1String(widget->metaObject()->className()),
                                                     widget->objectName());
     }

@@ -128,9 +128,9 @@ TEST_F(RenewalTest, TabGoesDownEveryDockAndAllItReachesHasAName) {
             const std::string name =
                 (dock->objectName() + QStringLiteral(": ") + next->objectName()).toStdString() + ", a " +
                 next->metaObject()->className();
-            QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(next);
-            ASSERT_NE(spoken, nullptr) << name;
-            EXPECT_FALSE(spoken->text(QAccessible::Name).isEmpty()) << name;
+            QAccessibleInterface* output = QAccessible::queryAccessibleInterface(next);
+            ASSERT_NE(output, nullptr) << name;
+            EXPECT_FALSE(output->text(QAccessible::Name).isEmpty()) << name;
             const auto top = [&](const QWidget* widget) { return widget->mapTo(dock, QPoint()).y(); };
             if (before != nullptr) {
                 EXPECT_GT(top(next) + next->height(), top(before))

@@ -42,8 +42,8 @@ Edit tower(const std::string& id, float west, float topM) {
 TEST(Impact, OfNothingIsNothing) {
     const ImpactFigures figures = computeFigures(impactOf(threeHouses(), threeHouses()).total, 0);
     EXPECT_GT(figures.receiverAreaM2, 30000);
-    EXPECT_EQ(figures.gross.touchedM2, 0);
-    EXPECT_EQ(figures.gross.easedM2, 0);
+    EXPECT_EQ(figures.gross.anyMoreShadowM2, 0);
+    EXPECT_EQ(figures.gross.anyLessShadowM2, 0);
     EXPECT_EQ(figures.shadowAreaChangeM2, 0);
     EXPECT_EQ(figures.becameBuildingM2, 0);
 }
@@ -60,7 +60,7 @@ TEST(Impact, OfATowerInTheOpenIsItsShadow) {
     const ImpactFigures figures = computeFigures(study.total);
     EXPECT_EQ(figures.becameBuildingM2, 400);
     EXPECT_GT(figures.gross.gainedM2, 0);
-    EXPECT_LT(figures.gross.gainedM2, figures.gross.touchedM2);
+    EXPECT_LT(figures.gross.gainedM2, figures.gross.anyMoreShadowM2);
     EXPECT_EQ(figures.gross.lostM2, 0);
 }
 
@@ -108,8 +108,8 @@ TEST(Impact, FiguresOfAFieldByHand) {
     EXPECT_EQ(figures.receiverAreaM2, 20);
     EXPECT_EQ(figures.gross.gainedM2, 4);  // 30 does not exceed the threshold of 30
     EXPECT_EQ(figures.gross.lostM2, 4);
-    EXPECT_EQ(figures.gross.touchedM2, 8);
-    EXPECT_EQ(figures.gross.easedM2, 8);
+    EXPECT_EQ(figures.gross.anyMoreShadowM2, 8);
+    EXPECT_EQ(figures.gross.anyLessShadowM2, 8);
     EXPECT_EQ(figures.gross.mostGainedMin, 40);
     EXPECT_EQ(figures.gross.mostLostMin, 31);
     EXPECT_NEAR(figures.gross.meanMin, 34.0 / 5, 1e-9);
@@ -133,7 +133,7 @@ TEST(Impact, WithoutRunsTheirChangeIsUnknown) {
     const ImpactFigures figures = computeFigures(impact);
     EXPECT_EQ(figures.gross.gainedM2, 4);
     EXPECT_FALSE(hasRuns(figures));
-    EXPECT_TRUE(std::isnan(figures.continuous.touchedM2)) << "0 would say that nothing changed";
+    EXPECT_TRUE(std::isnan(figures.continuous.anyMoreShadowM2)) << "0 would say that nothing changed";
     const auto json = nlohmann::json::parse(impactJson(answer));
     EXPECT_TRUE(json["impact"][0]["continuous"].is_null());
     EXPECT_EQ(json["impact"][0]["gross"]["lost_m2"], 4);

@@ -111,8 +111,8 @@ TEST(SavedAnswers, AnImpactComesBackWithThresholdsAndBuildings) {
     EXPECT_EQ(back.figures.all[0].becameBuildingM2, 100);
     ASSERT_EQ(back.figures.byBuilding.size(), 1U);
     EXPECT_EQ(back.figures.byBuilding[0].name, "t");
-    EXPECT_EQ(back.figures.byBuilding[0].figures.gross.touchedM2,
-              wanted.byBuilding[0].figures.gross.touchedM2);
+    EXPECT_EQ(back.figures.byBuilding[0].figures.gross.anyMoreShadowM2,
+              wanted.byBuilding[0].figures.gross.anyMoreShadowM2);
     EXPECT_THAT(findChangesSince(*result, saved.origin, project), IsEmpty());
 }
 
@@ -141,7 +141,7 @@ TEST(SavedAnswers, WhatHasNoRunsComesBackWithoutThem) {
     EXPECT_FALSE(hasRuns(impact.impact));
     EXPECT_FALSE(hasRuns(impact.figures.all.at(0)));
     EXPECT_FALSE(hasRuns(impact.figures.byBuilding.at(0).figures));
-    EXPECT_GT(impact.figures.all.at(0).gross.touchedM2, 0);
+    EXPECT_GT(impact.figures.all.at(0).gross.anyMoreShadowM2, 0);
 }
 
 TEST(SavedAnswers, AScoreComesBackMonthByMonth) {

@@ -136,7 +136,7 @@ Result<StudyRequest> requestOfProject(const StudyOptions& options, Progress& pro
     if (options.withProject)
         if (const auto may = checkCopy(*disk, options.out); !may) return tl::make_unexpected(may.error());
     Warnings photographs;
-    const Project project = withPhotographAtHand(disk->project(), photographs, progress, stop);
+    const Project project = withLoadedPhotograph(disk->project(), photographs, progress, stop);
     const std::string scenario = options.scenario.empty() ? existingCity : options.scenario;
     auto city = cityOf(project, scenario);
     if (!city) return tl::make_unexpected(city.error());

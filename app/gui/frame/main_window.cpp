@@ -230,7 +230,7 @@ void MainWindow::connectJobs() {
     connect(&reviews_, &ReviewActions::dockWanted, this, [this] { showDock(docks_.review); });
     for (JobSlot* slot :
          {&workbench_.saving(), &tools_.context().preview.working(),
-          &tools_.context().preview.measuringFacades(), &time_.looking().working(), &points_.working()})
+          &tools_.context().preview.measuringFacades(), &time_.moments().working(), &points_.working()})
         progress_->follow(*slot, ProgressStrip::Jobs::often);
     connect(docks_.study, &StudyDock::scoreRequested, docks_.weights, &WeightsDock::score);
     docks_.study->progress().follow(workbench_.running());
@@ -544,7 +544,7 @@ void MainWindow::takeOver(MainWindow& before) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!saving_.maySafely([this] { close(); })) return event->ignore();
+    if (!saving_.confirmUnsaved([this] { close(); })) return event->ignore();
     settings_.setValue(QStringLiteral("geometry"), saveGeometry());
     settings_.setValue(QStringLiteral("docks"), saveState(layoutVersion));
     QMainWindow::closeEvent(event);

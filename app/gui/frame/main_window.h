@@ -70,7 +70,7 @@ public:
     [[nodiscard]] EditTools& tools() { return tools_; }
     [[nodiscard]] ModeSwitch& mode() { return mode_; }
     [[nodiscard]] const Exploration& exploration() const { return exploration_; }
-    [[nodiscard]] const TimeLooking& looking() const { return time_.looking(); }
+    [[nodiscard]] const MomentPreview& moments() const { return time_.moments(); }
     [[nodiscard]] const SunShadow& shadow() const { return time_.shadow(); }
 
     [[nodiscard]] SavingActions& saving() { return saving_; }

@@ -35,7 +35,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t receiversAWord = 64;
+constexpr std::size_t receiversPerWord = 64;
 
 std::vector<std::uint32_t> inBoth(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
     std::vector<std::uint32_t> both;
@@ -76,8 +76,8 @@ Result<CityScenes> buildScenes(std::span<const City* const> cities, const Receiv
 class WordTracer {
 public:
     WordTracer(const Receivers& receivers, std::size_t word) : word_(word) {
-        const std::size_t first = word * receiversAWord,
-                          end = std::min(first + receiversAWord, receivers.cells.size());
+        const std::size_t first = word * receiversPerWord,
+                          end = std::min(first + receiversPerWord, receivers.cells.size());
         for (std::size_t i = first; i < end; ++i)
             origins_.push_back(placeRayOrigin(receivers.position(receivers.cells[i])));
         common_.resize(origins_.size());
@@ -113,7 +113,7 @@ std::vector<StepMasks> traceDay(const CityScenes& scenes, const Receivers& recei
                                 const std::stop_token& stop) {
     std::vector<StepMasks> masks(scenes.own.size(), StepMasks(receivers.cells.size(), day.steps.size()));
     const std::vector<SunPacket> packets = packSteps(day);
-    const std::size_t words = (receivers.cells.size() + receiversAWord - 1) / receiversAWord;
+    const std::size_t words = (receivers.cells.size() + receiversPerWord - 1) / receiversPerWord;
     tbb::parallel_for(std::size_t{0}, words, [&](std::size_t word) {
         const FlushDenormals flush;
         WordTracer tracer(receivers, word);

@@ -46,7 +46,7 @@ void attach(RTCDevice device, RTCScene scene, unsigned id, const TriangleMesh& m
 // The point that stored coordinates are relative to. Embree works in float32, which resolves 60 km from the
 // city's origin only to 8 mm. For distant buildings it is their centre, rounded to whole metres so that
 // coordinates near it lose no precision; otherwise the city's origin.
-glm::vec3 countedFrom(const TriangleMesh& mesh) {
+glm::vec3 originOf(const TriangleMesh& mesh) {
     constexpr float nearM = 4096;  // resolved to 0.5 mm
     if (mesh.vertices.empty()) return glm::vec3(0);
     glm::vec3 low = mesh.vertices.front(), high = low;
@@ -61,7 +61,9 @@ float justBeyond(float coordinate) {
                     std::nextafter(coordinate, std::numeric_limits<float>::max()));
 }
 
-bool mayGoOn(void* stop, double) { return !static_cast<const std::stop_token*>(stop)->stop_requested(); }
+bool shouldContinue(void* stop, double) {
+    return !static_cast<const std::stop_token*>(stop)->stop_requested();
+}
 
 std::vector<std::uint32_t> listAllObstacles(const City& city) {
     std::vector<std::uint32_t> indices(city.buildings.size());
@@ -232,13 +234,13 @@ struct RayScene::Tree {
         // boxes. A filter of the query, not of the geometry, costs other queries nothing.
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
         rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-        from = countedFrom(buildings.mesh);
+        from = originOf(buildings.mesh);
         attach(device, scene, terrainId, terrain, from);
         attach(device, scene, buildingsId, buildings.mesh, from);
         buildingOfTriangle = buildings.buildingOfTriangle;
         triangles = buildings.mesh.triangles.size() + terrain.triangles.size();
         std::stop_token watched = stop;
-        rtcSetSceneProgressMonitorFunction(scene, mayGoOn, &watched);
+        rtcSetSceneProgressMonitorFunction(scene, shouldContinue, &watched);
         rtcCommitScene(scene);
         rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
         return rtcGetDeviceError(device) == RTC_ERROR_NONE;

@@ -243,11 +243,12 @@ Result<std::vector<ShadowOutlines>> traceOutlines(const City& baseline, const Ci
 
 namespace {
 
-double turnOf(glm::dvec2 u, glm::dvec2 v) { return u.x * v.y - u.y * v.x; }
+double crossProduct(glm::dvec2 u, glm::dvec2 v) { return u.x * v.y - u.y * v.x; }
 
 double twiceArea(const ConvexPolygon& ring) {
     double sum = 0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += turnOf(ring[i] - ring[0], ring[i + 1] - ring[0]);
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+        sum += crossProduct(ring[i] - ring[0], ring[i + 1] - ring[0]);
     return sum;
 }
 
@@ -297,7 +298,7 @@ private:
     // face away from the sun are at the upper one's shadow, the others at the lower one's.
     void addSwept(const Ring& ring, double low, double high) {
         const auto isFar = [&](std::size_t i) {
-            return turnOf(perMetre_, glm::dvec2(ring[(i + 1) % ring.size()]) - glm::dvec2(ring[i])) > 0;
+            return crossProduct(perMetre_, glm::dvec2(ring[(i + 1) % ring.size()]) - glm::dvec2(ring[i])) > 0;
         };
         ConvexPolygon swept;
         bool before = isFar(ring.size() - 1);

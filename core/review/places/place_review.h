@@ -10,8 +10,8 @@
 
 namespace noonmark {
 
-/// What one day brings to one place. Times are those of the rule's clock; "incremental" shadow lies on what
-/// is lit in the baseline.
+/// What is measured of one place on one day. Times are those of the rule's clock; "incremental" shadow lies
+/// on what is lit in the baseline.
 struct ReviewRow {
     CivilDate day;
     double weight = 1;                     ///< days of the year that it stands for

@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "app/gui/view/time/time_looking.h"
+#include "app/gui/view/time/moment_preview.h"
 #include "render/view/camera_pose.h"
 #include "render/view/section_box.h"
 #include "scenarios/project/saved_view.h"

@@ -205,7 +205,7 @@ void ResultDisplay::update() {
 
 // States whether the displayed figures are up to date.
 void ResultDisplay::showOutdated() {
-    places_.figures.offerWayBack(workbench_.canShowStudyAgain(), workbench_.behind() != nullptr);
+    places_.figures.showBackButton(workbench_.canShowStudyAgain(), workbench_.behind() != nullptr);
     const auto answer = workbench_.answer();
     const auto describe = answer ? viewerOf(*answer).note : nullptr;
     if (describe && !preview_.shown()) {

@@ -201,7 +201,7 @@ void ResultsDock::show(const AnswerPage& page, const std::vector<ResultRow>& row
     foot_->setVisible(filled_);
     showMethod();
     setNote({});
-    offerWayBack(false, false);
+    showBackButton(false, false);
     for (QPushButton* button : {allPlaces_, shadedBy_}) button->hide();
 }
 
@@ -260,7 +260,7 @@ void ResultsDock::setFaded(bool faded) {
         each->setStyleSheet(style);
 }
 
-void ResultsDock::offerWayBack(bool offered, bool toStudy) {
+void ResultsDock::showBackButton(bool offered, bool toStudy) {
     back_->setText(toStudy ? tr("Show the study again") : tr("Hide this result"));
     back_->setVisible(offered);
 }

@@ -41,8 +41,8 @@ public:
     [[nodiscard]] bool faded() const { return faded_; }  ///< greyed out by a note that warns
     [[nodiscard]] const std::vector<ResultRow>& rows() const { return rows_; }
     [[nodiscard]] QString headline() const;
-    void offerWayBack(bool offered, bool toStudy);  ///< shows a button back to the study, or to none
-    void showTop();                                 ///< scrolls to the headline
+    void showBackButton(bool offered, bool toStudy);  ///< shows a button back to the study, or to none
+    void showTop();                                   ///< scrolls to the headline
     /// What is shown is one of so many places: buttons back to all of them, and to what shades it. The next
     /// show() removes them.
     void offerAllPlaces(std::size_t places);

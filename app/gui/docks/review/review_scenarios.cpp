@@ -56,7 +56,8 @@ std::vector<std::string> ReviewSession::comparedScenarios() {
     return names;
 }
 
-// Where another scenario is displayed, its own answer is shown instead of the last one, of whichever places.
+// Where another scenario is displayed, its own answer is shown instead of the last one, whatever places that
+// was about.
 void ReviewSession::recall() {
     const auto rule = this->rule();
     if (!rule) return;

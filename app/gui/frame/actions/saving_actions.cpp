@@ -17,7 +17,7 @@ RecoveryOffers::RecoveryOffers(Workbench& workbench, const RecoveryStore& store,
 
 void RecoveryOffers::offer() {
     const auto& file = workbench_.session().file();
-    if (!file) return offerLeft();
+    if (!file) return offerUnsavedProject();
     const auto found = recoveryOf(file->path());
     if (!found) return offerOlder();
     offerNewest(file->path(), *found);
@@ -50,7 +50,7 @@ void RecoveryOffers::offerOlder() {
 }
 
 // Not where the open project is itself recovered work.
-void RecoveryOffers::offerLeft() {
+void RecoveryOffers::offerUnsavedProject() {
     if (!store_.left() || workbench_.session().recovered()) return;
     messages_.showHelp(
         tr("Noonmark closed before a project was saved. The unsaved project can be recovered."));
@@ -113,7 +113,7 @@ void SavingActions::saveAs() {
 
 void SavingActions::saveTo(const std::filesystem::path& file) { saving_.saveAs(file); }
 
-bool SavingActions::maySafely(const std::function<void()>& afterSave) {
+bool SavingActions::confirmUnsaved(const std::function<void()>& afterSave) {
     afterSave_ = nullptr;
     if (!workbench_.session().hasUnsavedWork()) {
         saving_.forgetUnsaved();
@@ -128,7 +128,7 @@ bool SavingActions::maySafely(const std::function<void()>& afterSave) {
 }
 
 void SavingActions::whenSafe(const std::function<void()>& then) {
-    if (maySafely([this, then] { whenSafe(then); })) then();
+    if (confirmUnsaved([this, then] { whenSafe(then); })) then();
 }
 
 // Also removes the recovery file that the work came from; otherwise it would be offered again.

@@ -33,7 +33,7 @@ public:
 private:
     void offerNewest(const std::filesystem::path& project, const Recovery& found);
     void offerOlder();
-    void offerLeft();
+    void offerUnsavedProject();
 
     Workbench& workbench_;
     const RecoveryStore& store_;
@@ -60,7 +60,7 @@ public:
     /// Whether an action that ends the current work may proceed now: nothing is unsaved, or the user discards
     /// it. False if the user cancels or saves first; in the latter case `afterSave` is called after the save.
     /// An action that waited for an earlier save is dropped.
-    [[nodiscard]] bool maySafely(const std::function<void()>& afterSave);
+    [[nodiscard]] bool confirmUnsaved(const std::function<void()>& afterSave);
     /// Calls `then` once no work can be lost: at once, after a save, or never.
     void whenSafe(const std::function<void()>& then);
     void takeProject();  ///< another project is open

@@ -19,7 +19,7 @@ Result<LoadedCity> readProjectFile(const std::string& file, OpenProject& opened,
     progress.report(0.1, "reading the project");
     auto disk = ProjectFile::open(file);
     if (!disk) return tl::make_unexpected(disk.error());
-    opened.project = withPhotographAtHand(disk->project(), opened.placeWarnings, progress, stop);
+    opened.project = withLoadedPhotograph(disk->project(), opened.placeWarnings, progress, stop);
     opened.view = parseViewState(opened.project.view);
     opened.file = *std::move(disk);
     LoadedCity loaded = loadProjectCity(opened.project, file);

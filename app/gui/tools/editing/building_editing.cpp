@@ -168,7 +168,7 @@ void BuildingEditing::toggle(std::uint32_t building) {
     selectAll(std::move(next));
 }
 
-void BuildingEditing::standBack() {
+void BuildingEditing::deactivate() {
     setMoving(false);
     OverlayBodies& overlay = context_.panel.view().overlay();
     overlay.show(OverlayBodies::Tint::hovered, {});

@@ -76,7 +76,7 @@ public:
     void takeHeight(double heightM);
     /// Shows tint and handle again, unless a preview is shown instead.
     void show();
-    void standBack();  ///< hides both, for another tool
+    void deactivate();  ///< hides both, for another tool
 
     /// The lot that contains the middle of the selected building, or else its footprint as "Lot of One57".
     [[nodiscard]] std::optional<NamedLot> lot() const;

@@ -148,7 +148,7 @@ void EditTools::connectTools() {
     connect(&context_.preview, &EditPreview::effectChanged, this, &EditTools::showEffect);
     connect(&context_.preview, &EditPreview::shapeChanged, this, &EditTools::showStoreys);
     connect(&tower_, &TowerEditing::editsMade, this, made);
-    connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
+    connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::deactivate);
     connect(&tower_, &TowerEditing::began, &mesh_, &MeshPlacing::cancel);
     connect(&tower_, &TowerEditing::ended, &building_, &BuildingEditing::show);
     connect(&mesh_, &MeshPlacing::editsMade, this, made);
@@ -374,7 +374,7 @@ void EditTools::drawLot() {
 
 void EditTools::editLot(const NamedLot& lot) {
     if (!context_.city) return;
-    standBackForLot();
+    deactivateForLot();
     lotEditing_.begin(lot);
     context_.panel.view().requestActivate();  // the view receives Delete and Esc
     const QString name = QString::fromStdString(lot.name);
@@ -387,7 +387,7 @@ void EditTools::editLot(const NamedLot& lot) {
                       : how);
 }
 
-void EditTools::standBackForLot() {
+void EditTools::deactivateForLot() {
     ViewPanel& panel = context_.panel;
     for (PolygonTool* tool : {&panel.regionTool(), &panel.lotTool(), &panel.placeTool()}) tool->cancel();
     panel.measureTool().end();

@@ -102,7 +102,7 @@ private:
     void editChosenLot();
     void editTower(const NamedLot& lot);
     [[nodiscard]] std::optional<TowerDraft> selectedDesign() const;
-    void standBackForLot();
+    void deactivateForLot();
     [[nodiscard]] bool hasTowerOn(const NamedLot& lot) const;
     void click(QPointF pixel);
     void dragBox(const QRectF& pixels);

@@ -45,7 +45,7 @@ public:
     [[nodiscard]] const std::optional<NamedLot>& lot() const { return lot_; }
     [[nodiscard]] std::optional<std::size_t> selectedCorner() const { return selected_; }
 
-    /// The lots of the context are others: shows the edited one as it is now, or ends if it is gone.
+    /// The lots of the project have changed: shows the edited lot as it is now, or ends if it was removed.
     void lotsChanged();
 
     bool grab(QPointF pixel) override;

@@ -57,7 +57,7 @@ std::vector<PlaceChange> measurePlaces(const Impact& impact, const std::vector<G
     for (const GridPlace& place : places) {
         PlaceChange change{place.name, place.whole,
                            computeFigures(impact, place.cells, defaultThresholdsMin.front())};
-        if (change.figures.gross.touchedM2 > 0) changes.push_back(std::move(change));
+        if (change.figures.gross.anyMoreShadowM2 > 0) changes.push_back(std::move(change));
     }
     std::ranges::stable_sort(changes, std::greater(), [](const PlaceChange& one) {
         return std::tuple(one.figures.gross.gainedM2, one.figures.gross.mostGainedMin);

@@ -25,9 +25,10 @@ QString overThreshold(double areaM2, double thresholdMin) {
 }
 
 QString describeNewShadow(const LiveChange& change) {
-    if (change.figures.front().gross.touchedM2 == 0) return QObject::tr("No new shadow");
+    if (change.figures.front().gross.anyMoreShadowM2 == 0) return QObject::tr("No new shadow");
     if (isInstant(change.impact))
-        return QObject::tr("New shadow: %1").arg(describeSmallArea(change.figures.front().gross.touchedM2));
+        return QObject::tr("New shadow: %1")
+            .arg(describeSmallArea(change.figures.front().gross.anyMoreShadowM2));
     QStringList areas;
     for (const ImpactFigures& figures : change.figures)
         areas << overThreshold(figures.gross.gainedM2, figures.thresholdMin);
@@ -42,7 +43,7 @@ QString describeWorst(const LiveChange& change) {
 QString describeLess(const LiveChange& change) {
     const ImpactFigures& figures = change.figures.front();
     if (isInstant(change.impact))
-        return QObject::tr("Less shadow: %1").arg(describeSmallArea(figures.gross.easedM2));
+        return QObject::tr("Less shadow: %1").arg(describeSmallArea(figures.gross.anyLessShadowM2));
     return QObject::tr("Less shadow a day: %1")
         .arg(overThreshold(figures.gross.lostM2, figures.thresholdMin));
 }
@@ -50,7 +51,7 @@ QString describeLess(const LiveChange& change) {
 QString describePlace(const PlaceChange& place, bool instant) {
     const ChangeFigures& gross = place.figures.gross;
     const QString name = QString::fromStdString(place.name);
-    QString words = instant ? QObject::tr("%1: %2").arg(name, describeSmallArea(gross.touchedM2))
+    QString words = instant ? QObject::tr("%1: %2").arg(name, describeSmallArea(gross.anyMoreShadowM2))
                             : QObject::tr("%1: %2, up to +%3 min")
                                   .arg(name, overThreshold(gross.gainedM2, place.figures.thresholdMin),
                                        minutesOf(gross.mostGainedMin));
@@ -64,7 +65,7 @@ QString describeEffect(const LiveChange& change, const QString& verdicts) {
     const bool instant = isInstant(change.impact);
     QStringList lines{describeNewShadow(change)};
     if (!instant && change.worst) lines << describeWorst(change);
-    if (change.figures.front().gross.easedM2 > 0) lines << describeLess(change);
+    if (change.figures.front().gross.anyLessShadowM2 > 0) lines << describeLess(change);
     const std::size_t shown = std::min(change.places.size(), maxPlaces);
     for (std::size_t i = 0; i < shown; ++i) lines << describePlace(change.places[i], instant);
     if (const std::size_t more = change.places.size() - shown; more > 0)

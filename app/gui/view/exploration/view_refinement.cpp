@@ -162,7 +162,7 @@ WantedDays wantedDays(const ViewAnswer& answer) {
     return {answer.coarseDays, answer.level == finestLevel ? answer.view.days : answer.coarseDays};
 }
 
-ViewTurn turnOf(const ViewAnswer& answer, const ViewEngine& engine, double maxTests) {
+ViewTurn chooseTurn(const ViewAnswer& answer, const ViewEngine& engine, double maxTests) {
     // The first picture of a view takes all points, so that it has no holes.
     const WantedDays wanted = wantedDays(answer);
     if (!engine.inParts || answer.first) return allTheRest(answer.view, wanted.all, *answer.sun);
@@ -172,7 +172,7 @@ ViewTurn turnOf(const ViewAnswer& answer, const ViewEngine& engine, double maxTe
 Result<ViewAnswer> withMore(ViewAnswer answer, const ViewQuestion& question, const ViewEngine& engine,
                             Progress& progress, std::stop_token stop) {
     ExploredView& view = answer.view;
-    answer.turn = turnOf(answer, engine, question.turnTests);
+    answer.turn = chooseTurn(answer, engine, question.turnTests);
     const Stopwatch watch;
     EdgeMasks steps;
     const auto shadow = engine.accumulator->accumulate(

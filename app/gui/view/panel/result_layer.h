@@ -9,7 +9,7 @@
 #include "app/gui/session/project/view_mode.h"
 #include "app/gui/view/exploration/view_refinement.h"
 #include "app/gui/view/panel/legend_strip.h"
-#include "app/gui/view/time/time_looking.h"
+#include "app/gui/view/time/moment_preview.h"
 #include "render/view/city_view.h"
 #include "render/view/scene_picker.h"
 

@@ -39,7 +39,7 @@ TimeDisplay::TimeDisplay(Workbench& workbench, const ModeSwitch& mode, ViewPanel
     : workbench_(workbench),
       mode_(mode),
       panel_(panel),
-      looking_(std::move(horizons)),
+      moments_(std::move(horizons)),
       rest_(new QTimer(this)) {
     rest_->setSingleShot(true);
     rest_->setInterval(sunRestMs);
@@ -63,8 +63,8 @@ void TimeDisplay::connectView() {
     TimeStrip& strip = panel_.time();
     connect(&strip, &TimeStrip::lookChanged, this, &TimeDisplay::look);
     connect(&strip, &TimeStrip::taken, this, &TimeDisplay::study);
-    connect(&looking_, &TimeLooking::changed, this, &TimeDisplay::show);
-    connect(&looking_, &TimeLooking::failed, &strip, [&strip](const TimeLook& look, const Error& error) {
+    connect(&moments_, &MomentPreview::changed, this, &TimeDisplay::show);
+    connect(&moments_, &MomentPreview::failed, &strip, [&strip](const TimeLook& look, const Error& error) {
         strip.setAnswer(look, QString::fromStdString(error.what));
     });
     connect(&shadow_, &SunShadow::changed, this, [this] {
@@ -142,8 +142,8 @@ void TimeDisplay::offer() {
     TimeStrip& strip = panel_.time();
     strip.setPeriod(study ? study->settings.period : workbench_.document().settings().period);
     strip.setDayOffered(study != nullptr);
-    looking_.look(strip.look());
-    looking_.setStudy(study);
+    moments_.look(strip.look());
+    moments_.setStudy(study);
     shadow_.setCity({workbench_.city(), &workbench_.city()->city()});
     showSun();
 }
@@ -177,13 +177,13 @@ void TimeDisplay::freeLabel() {
 }
 
 void TimeDisplay::look(const TimeLook& look) {
-    looking_.look(look);
+    moments_.look(look);
     showSun();
     Q_EMIT momentChanged();
 }
 
 void TimeDisplay::show() {
-    const auto answer = looking_.answer();
+    const auto answer = moments_.answer();
     panel_.results().setTime(answer);
     if (answer) panel_.time().setAnswer(answer->look, describeShare(answer->field));
 }
@@ -265,7 +265,7 @@ void TimeDisplay::study(const TimeLook& look) {
     StudySettings settings = workbench_.document().settings();
     settings.period = periodOf(look, settings.period);
     panel_.time().setLook(firstLook(settings.period));
-    looking_.look(panel_.time().look());
+    moments_.look(panel_.time().look());
     workbench_.document().change(settings, tr("period"));
     workbench_.run();
 }

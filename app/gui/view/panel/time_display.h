@@ -5,9 +5,9 @@
 #include <functional>
 #include <optional>
 
+#include "app/gui/view/time/moment_preview.h"
 #include "app/gui/view/time/sun_at_moment.h"
 #include "app/gui/view/time/sun_shadow.h"
-#include "app/gui/view/time/time_looking.h"
 
 class QAction;
 class QTimer;
@@ -42,8 +42,8 @@ public:
     /// "21 June 2026, 12:00. Sun 180° S, 72° high", and whether it stands for the night; empty: no moment is
     /// shown.
     [[nodiscard]] QString moment() const;
-    [[nodiscard]] TimeLooking& looking() { return looking_; }
-    [[nodiscard]] const TimeLooking& looking() const { return looking_; }
+    [[nodiscard]] MomentPreview& moments() { return moments_; }
+    [[nodiscard]] const MomentPreview& moments() const { return moments_; }
     [[nodiscard]] const SunShadow& shadow() const { return shadow_; }
     [[nodiscard]] const SunAtMoment& sun() const { return sun_; }  ///< at the date and time of the strip
     /// Another city whose shadows the view shows beside those of the displayed one; null: none.
@@ -76,7 +76,7 @@ private:
     Workbench& workbench_;
     const ModeSwitch& mode_;
     ViewPanel& panel_;
-    TimeLooking looking_;
+    MomentPreview moments_;
     SunShadow shadow_;
     SunShadow otherShadow_;  // of CityView::other()
     bool otherShown_ = false;

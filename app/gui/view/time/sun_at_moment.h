@@ -3,7 +3,7 @@
 #include <QString>
 #include <optional>
 
-#include "app/gui/view/time/time_looking.h"
+#include "app/gui/view/time/moment_preview.h"
 #include "core/sun/solar_position.h"
 
 namespace noonmark {

@@ -5,7 +5,7 @@
 namespace noonmark {
 
 namespace {
-constexpr std::size_t codesALine = 32;
+constexpr std::size_t codesPerLine = 32;
 }
 
 ReceiverBlocks::ReceiverBlocks(const Receivers& receivers, const TileBox& box, Numbering numbering)
@@ -35,7 +35,7 @@ void ReceiverBlocks::addBlock(const Receivers& receivers, int column, int row) {
     blockAt_.push_back(used ? int(blocks_.size()) : -1);
     if (used) {
         blocks_.push_back(block);
-        cellOf_.resize((cellOf_.size() + codesALine - 1) / codesALine * codesALine, padding);
+        cellOf_.resize((cellOf_.size() + codesPerLine - 1) / codesPerLine * codesPerLine, padding);
     } else {
         rowMasks_.pop_back();
         columnMasks_.pop_back();

@@ -1,4 +1,4 @@
-#include "app/gui/view/time/time_looking.h"
+#include "app/gui/view/time/moment_preview.h"
 
 #include <QLocale>
 
@@ -32,7 +32,7 @@ QString describe(const TimeLook& look) {
     return QStringLiteral("%1, %2").arg(date, QString::fromStdString(formatText(look.at)));
 }
 
-void TimeLooking::setStudy(std::shared_ptr<const Study> study) {
+void MomentPreview::setStudy(std::shared_ptr<const Study> study) {
     if (study == study_) return;
     slot_.drop();
     study_ = std::move(study);
@@ -41,7 +41,7 @@ void TimeLooking::setStudy(std::shared_ptr<const Study> study) {
     ask();
 }
 
-void TimeLooking::look(const TimeLook& look) {
+void MomentPreview::look(const TimeLook& look) {
     if (look == look_) return;
     look_ = look;
     if (look_.span == LookSpan::period && answer_) {
@@ -51,7 +51,7 @@ void TimeLooking::look(const TimeLook& look) {
     if (!slot_.busy()) ask();
 }
 
-void TimeLooking::ask() {
+void MomentPreview::ask() {
     if (!study_ || look_.span == LookSpan::period) return;
     computed_ = look_;
     slot_.start<TimeAnswer>(
@@ -63,8 +63,8 @@ void TimeLooking::ask() {
         [this](Result<TimeAnswer> answer) { take(std::move(answer)); });
 }
 
-Result<TimeAnswer> TimeLooking::answered(TimeAnswer question, SharedHorizonCache& horizons,
-                                         Progress& progress, const std::stop_token& stop) {
+Result<TimeAnswer> MomentPreview::answered(TimeAnswer question, SharedHorizonCache& horizons,
+                                           Progress& progress, const std::stop_token& stop) {
     const Study& study = *question.study;
     const SunQuestion sun{periodOf(question.look, study.settings.period), makeObserver(study)};
     auto field = horizons.field(study.city, study.receivers, sun, ShadowCounts::gross, progress, stop);
@@ -73,7 +73,7 @@ Result<TimeAnswer> TimeLooking::answered(TimeAnswer question, SharedHorizonCache
     return question;
 }
 
-void TimeLooking::take(Result<TimeAnswer> answer) {
+void MomentPreview::take(Result<TimeAnswer> answer) {
     if (look_.span == LookSpan::period) return;
     if (answer) {
         answer_ = std::make_shared<const TimeAnswer>(*std::move(answer));

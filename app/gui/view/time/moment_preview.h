@@ -45,10 +45,10 @@ struct TimeAnswer {
 /// Computes looks at a study's city from cached horizons. The first look sweeps the horizons for its sun
 /// positions; later ones are table look-ups, fast enough to follow a slider. One look is computed at a time;
 /// of those that arrive meanwhile the newest is next.
-class TimeLooking final : public QObject {
+class MomentPreview final : public QObject {
     Q_OBJECT
 public:
-    explicit TimeLooking(
+    explicit MomentPreview(
         std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>(),
         QObject* parent = nullptr)
         : QObject(parent), horizons_(std::move(horizons)) {}

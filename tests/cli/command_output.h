@@ -11,7 +11,7 @@
 namespace noonmark::cli::tests {
 
 /// The exit code and output of a command line.
-struct Spoken {
+struct CommandOutput {
     int code = 0;
     std::string out;
     std::string err;
@@ -20,7 +20,7 @@ struct Spoken {
 };
 
 /// Runs the program in this process, without a terminal.
-inline Spoken noonmarkCli(const std::vector<std::string>& arguments) {
+inline CommandOutput noonmarkCli(const std::vector<std::string>& arguments) {
     std::vector<const char*> argv{"noonmark-cli"};
     for (const std::string& argument : arguments) argv.push_back(argument.c_str());
     std::ostringstream out;
