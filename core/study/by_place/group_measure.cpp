@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 
 #include "core/base/progress.h"
 #include "core/describe/text.h"
@@ -121,7 +122,7 @@ public:
           progress_(progress) {}
 
     Result<void> run() {
-        if (isSampled_) errors_.emplace(m_, group_, isMain_);
+        if (isSampled_) errors_ = std::make_unique<PlaceErrors>(m_, group_, isMain_);
         if (auto done = timeStage(m_.made.front(), "accumulate", [&] { return sweepMonths(); }); !done)
             return done;
         for (std::size_t date = 0; date < m_.dates.size(); ++date)
@@ -270,7 +271,7 @@ private:
     const Receivers& receivers_;
     bool isMain_, isSampled_;
     Progress& progress_;
-    std::optional<PlaceErrors> errors_;  // if it is sampled
+    std::unique_ptr<PlaceErrors> errors_;  // null: it is not sampled
     std::size_t done_ = 0;
 };
 
