@@ -1,7 +1,7 @@
 #pragma once
 
-// What sits above the single engines. core_engines.cpp lists all engines with their options
-// (api/engine_registry.h), and auto_engine.h chooses one by its expected run time.
+// What sits above the single engines: core_engines.cpp lists all engines with their options
+// (api/engine_registry.h), and AutoEngine (this file) chooses one by its expected run time.
 
 #include <memory>
 #include <span>

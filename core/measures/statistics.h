@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/measures turns shadow fields into numbers and colours: means, largest values and shadow
+// areas (this file); the error of an engine on a sample of receivers (error_sample.h); the colours of maps
+// (palette.h, colour_scale.h) and what a user chose for their legends (legend_choice.h); and whether
+// continuous shadow was counted (has_runs.h).
+
 #include <span>
 #include <vector>
 
@@ -8,11 +13,6 @@
 #include "core/receivers/receivers.h"
 
 namespace noonmark {
-
-// The folder core/measures turns shadow fields into numbers and colours: means, largest values and shadow
-// areas (this file), the error of an engine on a sample of receivers (error_sample.h selects and compares
-// them, error_sample.h holds the result, error_sample.h does it in an existing ray scene), the colours of
-// maps (palette.h), and whether continuous shadow was counted (has_runs.h).
 
 /// Statistics of a shadow field over its receivers. All zero if there are none.
 struct ShadowStatistics {

@@ -1,10 +1,9 @@
 #pragma once
 
 // The folder core/samples makes the sample cities (this file): a grid from a seed (grid_sample.cpp) and
-// Central Park's southern end (central_park_south_sample.cpp, central_park.h).
-// Both place buildings the same way: street_axes.h describes streets and blocks, lots.h divides blocks into
-// lots, lot_building.cpp and lot_building.h make buildings on them, and lots.h gives the same random
-// numbers on every machine.
+// Central Park's southern end (central_park_south_sample.cpp, central_park.h). Both place buildings the same
+// way: street_axes.h describes streets and blocks, lots.h divides blocks into lots and gives the same random
+// numbers on every machine, and lot_building.h makes buildings on the lots.
 
 #include <cstdint>
 #include <string>

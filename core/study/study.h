@@ -2,7 +2,7 @@
 
 // The folder core/study answers one question: the shadow over a region, in a period, by an engine. runStudy()
 // (this file) runs the steps and returns a Study; study_cost.h and terrain_coverage.h refuse studies that
-// cannot succeed, study_cost.h estimates the remaining time. tiles/ does the same for regions that do not
+// cannot succeed, and study_cost.h estimates the remaining time. tiles/ does the same for regions that do not
 // fit into memory. text/ turns results into JSON, CSV and words, provenance/ records what a result was made
 // from.
 

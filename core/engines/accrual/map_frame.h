@@ -76,7 +76,7 @@ MapFrame makeGroundFrame(const Grid& grid, int mapSize, bool texelsOnCells);
 /// For points on any surface, in one interval: a plane through their centre at a right angle to the sun's
 /// mean direction, so that points on both sides of it move little from step to step. The map contains all
 /// points at every step. With `warp` and an eye, the map is a trapezoid around them that widens away from the
-/// eye (map_frame.h). Needs at least one point. O(points), all cores.
+/// eye. Needs at least one point. O(points), all cores.
 MapFrame makeSurfaceFrame(const SurfacePoints& points, const SunInterval& interval, int mapSize, bool warp);
 
 }  // namespace noonmark

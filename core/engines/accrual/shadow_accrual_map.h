@@ -1,5 +1,13 @@
 #pragma once
 
+// Shadow accrual maps (paper, section 4): for each interval of the sun, a stack of depth maps that differ
+// only by a shear. caster_faces.h lists the faces of a city, and culls and places them for one interval in
+// the frame of map_frame.h, which may be warped towards the eye. slice_stack.h draws one depth map
+// (depth_slice.h) per step, for all steps of an interval. ShadowAccrualMap (this file) reads the shadow of
+// ground grids from them, SurfaceAccrual (surface_accrual.h) that of points on any surface
+// (surface_lookup.h). accrual_settings.h holds the settings. sun_depth_map.h draws a single depth map for
+// shadows in pictures.
+
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -33,13 +41,6 @@ private:
     float biasM_;
     std::vector<std::uint32_t> texel_;  // indices in DepthSlice::depth
 };
-
-// Shadow accrual maps (paper, section 4): for each interval of the sun, a stack of depth maps that differ
-// only by a shear. caster_faces.h lists the faces of a city; caster_faces.h culls and places them for one
-// interval in the frame of map_frame.h, which map_frame.h may warp towards the eye. slice_stack.h and
-// depth_slice.h draw one depth map per step, and slice_stack.h all of an interval. shadow_accrual_map.h and
-// surface_lookup.h read the shadow of receivers from them. ShadowAccrualMap does this for ground grids,
-// SurfaceAccrual for points on any surface. accrual_settings.h holds the settings.
 
 /// Shadow accrual maps (paper, section 4) on the processor, for flat ground. The city is transformed once per
 /// interval. Each step of the interval is a slice, a depth map that differs from the others only by a shear;

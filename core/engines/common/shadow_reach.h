@@ -1,5 +1,12 @@
 #pragma once
 
+// Parts that several engines share. This file finds the buildings whose shadow can reach a receiver;
+// changed_buildings.h compares two cities for the caches. engine_in_use.h answers a question with the engine
+// that was asked for or chosen. receiver_tiles.h divides a region into tiles and delivers running results.
+// sun_packets.h groups sun directions for SIMD. run_counter.h counts shadow and its longest runs.
+// open_below.h finds the open air that horizons count as solid. interval_engine.h is the interface of the
+// accrual maps, which shade one interval of the sun at a time.
+
 #include <cstdint>
 #include <vector>
 
@@ -10,13 +17,6 @@
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
-
-// Parts that several engines share. shadow_reach.h finds the buildings whose shadow can reach a receiver;
-// changed_buildings.h compares two cities for the caches. receiver_tiles.h divide a region into tiles and
-// deliver running results; projected_shadows.cpp combines fields of days. sun_packets.h groups sun directions
-// for SIMD. run_counter.h count shadow and its longest runs. open_below.h finds the open air that horizons
-// count as solid. interval_engine.h is the interface of the accrual maps, which shade one interval of the sun
-// at a time.
 
 /// How far shadows fall during a period, for each azimuth that the sun visits.
 class ShadowReach {

@@ -1,5 +1,10 @@
 #pragma once
 
+// The direction graph (paper, section 6): computes long periods from short intervals. direction_graph.h
+// divides the sky into bins and merges a period's intervals between the same bins into edges. GraphEngine
+// (this file) shades each edge once with an IntervalEngine. interval_tally.h combines the results; for
+// running results it reuses those of a coarser view.
+
 #include <memory>
 
 #include "core/engines/api/engine.h"
@@ -14,12 +19,6 @@ SunSteps collectDirections(const DirectionGraph& graph);
 
 /// Shortens the intervals if steps are shorter than a minute, because a mask holds 64 steps.
 DirectionGraphSettings fitToMasks(DirectionGraphSettings settings, double stepMinutes);
-
-// The direction graph (paper, section 6): computes long periods from short intervals. direction_graph.h
-// divides the sky into bins, direction_graph.h merges a period's intervals between the same bins into edges,
-// and graph_engine.h lists the directions of the edges. GraphEngine shades each edge once with an
-// IntervalEngine and interval_tally.h combines the results. interval_tally.h reuses the result of a coarser
-// view for running results.
 
 /// The settings of an interval engine with those of the graph that it is used through.
 template <class S>

@@ -1,5 +1,11 @@
 #pragma once
 
+// The horizon sweep. This file holds the engine, its settings with their options, and the checks of a study.
+// geometry/ groups suns into azimuth bins and collects what may hide them; sweep/ computes horizons block by
+// block; overhangs/ adds the parts with open air below, trees/ the crowns; counting/ turns horizons into
+// gross shadow and longest runs; cache/ updates a result after an edit; attribution/ charges shadow to
+// buildings.
+
 #include "core/base/result.h"
 #include "core/describe/field.h"
 #include "core/engines/api/engine.h"
@@ -7,12 +13,6 @@
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
-
-// The horizon sweep. This folder holds the engine and its settings (horizon_sweep.h), their fields, which
-// are its options (horizon_sweep.cpp), and the checks of a study (horizon_sweep.h). geometry/ groups
-// suns into azimuth bins and collects what may hide them; sweep/ computes horizons block by block; overhangs/
-// adds the parts with open air below; counting/ turns horizons into gross shadow and longest runs; cache/
-// updates a result after an edit; attribution/ charges shadow to buildings.
 
 struct HorizonSweepSettings {
     static constexpr double minBinDeg = 0.1;

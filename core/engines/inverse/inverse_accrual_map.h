@@ -1,11 +1,11 @@
 #pragma once
 
 // Inverse accrual maps (paper, section 5): find the occluders of each cell at both ends of an interval and
-// move their shadows along straight lines between. sources/ finds the occluders, per block of lanes
-// (lanes.h). source_runs.h joins neighbouring sources to runs and line_cells.h gives the steps at which a run
-// shades a cell; shadow_lines.h draws these into masks (lanes.h), on the processor or with OpenCL.
-// inverse_accrual_scene.cpp draws one part of an interval for the receivers (inverse_accrual_scene.cpp);
-// inverse_accrual_scene.h combines the parts and uses rays for a low sun (inverse_accrual_scene.h).
+// move their shadows along straight lines between. The grid's cells are grouped into lanes (lanes.h, also for
+// their sources and masks). sources/ finds the occluders, per block of lanes. source_runs.h joins
+// neighbouring sources to runs and line_cells.h gives the steps at which a run shades a cell; shadow_lines.h
+// draws these into masks, on the processor or with OpenCL. inverse_accrual_scene.h draws an interval in parts
+// for the receivers, combines the parts and uses rays for a low sun.
 
 #include <memory>
 #include <optional>

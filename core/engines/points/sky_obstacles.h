@@ -1,5 +1,11 @@
 #pragma once
 
+// The folder core/engines/points measures sunlight and sky at single points on any surface. This file lists
+// what can hide the sky; skyline.h is the exact skyline of one point, made of edges as the point sees them
+// (seen_edge.h); sky_factors.h integrates the visible sky over it, and point_sunlight.h tells when it lets
+// the sun through. For many points, point_horizons.h counts minutes from horizons by bins of azimuth (folder
+// horizons), and shaded_step_finder.h tells at which steps they are in shadow.
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -11,11 +17,6 @@
 #include "core/city/city.h"
 
 namespace noonmark {
-
-// The folder core/engines/points measures sunlight and sky at single points on any surface. sky_obstacles.h
-// lists what can hide the sky; skyline.h is the exact skyline of one point, made by skyline.cpp;
-// sky_factors.h integrates the visible sky over it, and point_sunlight.h tells when it lets the sun through.
-// For many points, point_horizons.h counts minutes from horizons by bins of azimuth (folder horizons).
 
 /// An edge with solid below it, down to the ground: of a roof, of a mesh that stands on the ground, of the
 /// terrain.

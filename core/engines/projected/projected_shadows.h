@@ -1,5 +1,11 @@
 #pragma once
 
+// Projected shadows, the exact engine for flat ground, and its cache. casters/ turns buildings into convex
+// casters and projects them at the steps of a period; filling/ fills their shadows, eight steps at a time,
+// into bit rasters; counting/ turns rasters into gross and continuous shadow; masks/ states which receivers
+// of places are in shadow at each step. This file has the engine, and its minutes by sets of steps.
+// shadow_cache.h updates a day's result after an edit.
+
 #include <stop_token>
 #include <vector>
 
@@ -13,19 +19,13 @@
 
 namespace noonmark {
 
-/// Minutes in shadow by sets of steps, computed with projected shadows (projected_shadows.h: the same cities
-/// and receivers). Each set has the same result as a run over its own steps, bit for bit. Buildings are
-/// processed once and each step is filled once, so the cost is that of a run over the whole period plus some
-/// 3 ms per set for 800 x 800 cells. `sets.ofStep`: one entry per step. Does not break down by building.
+/// Minutes in shadow by sets of steps, for the cities and receivers that ProjectedShadows takes. Each set has
+/// the same result as a run over its own steps, bit for bit. Buildings are processed once and each step is
+/// filled once, so the cost is that of a run over the whole period plus some 3 ms per set for 800 x 800
+/// cells. `sets.ofStep`: one entry per step. Does not break down by building.
 Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receivers& receivers,
                                                   const SunSteps& sun, const StepSets& sets,
                                                   Progress& progress, const std::stop_token& stop);
-
-// Projected shadows, the exact engine for flat ground, and its cache. casters/ turns buildings into convex
-// casters and projects them at the steps of a period; filling/ fills their shadows, eight steps at a time,
-// into bit rasters; counting/ turns rasters into gross and continuous shadow; masks/ states which receivers
-// of places are in shadow at each step. projected_shadows.h counts by sets of steps. shadow_cache.h updates
-// a day's result after an edit.
 
 /// Exact shadows on flat ground, computed building by building: at every step each building's shadow is a
 /// polygon, filled into a bit raster of the region. No rays, no depth buffer, no bias; supports prisms,

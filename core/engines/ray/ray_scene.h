@@ -1,10 +1,11 @@
 #pragma once
 
-// The ray reference and everything else that traces rays. ray_scene.h is the only interface to Embree
-// (ray_scene_embree.cpp); it answers occlusion, first-hit and first-occluder queries. ray_reference.h is the
-// engine that all others are measured against; surface_rays.h does the same for single points, surface_rays.h
-// for points on any surface, and ray_intervals.h for one interval of the direction graph. visible_surface.h
-// turns a camera's pixels into surface points, traced_view.h into a picture's depths and normals.
+// The ray reference and everything else that traces rays. RayScene (this file) is the only interface to
+// Embree (ray_scene_embree.cpp); it answers occlusion, first-hit and first-occluder queries. ray_reference.h
+// is the engine that all others are measured against; surface_rays.h does the same for single points on the
+// ground and for points on any surface, and ray_intervals.h for one interval of the direction graph.
+// tree_rays.h adds the shade of crowns. visible_surface.h turns a camera's pixels into surface points,
+// traced_view.h into a picture's depths and normals.
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/measures/outlines makes polygons of shadows. This file projects buildings onto level
+// ground and joins their polygons to the outlines of a moment, for all buildings near an area; on terrain it
+// makes the outlines of traced cells. shadow_fan.h puts the moments of a day into one picture,
+// day_isochrones.h draws lines of equal values.
+
 #include <glm/vec2.hpp>
 #include <memory>
 #include <span>
@@ -14,11 +19,6 @@
 #include "core/measures/shadow_outlines.h"
 
 namespace noonmark {
-
-// The folder core/measures/outlines makes polygons of shadows. moment_outlines.h projects buildings onto
-// level ground, moment_outlines.h joins their polygons to the outlines of a moment, and moment_outlines.h
-// does both for the buildings near an area; moment_outlines.h makes outlines of traced cells, on terrain.
-// shadow_fan.h puts the moments of a day into one picture, day_isochrones.h draws lines of equal values.
 
 /// Convex, counter-clockwise, local metres, not closed.
 using ConvexPolygon = std::vector<glm::dvec2>;

@@ -1,5 +1,8 @@
 #pragma once
 
+// The folder core/receivers/parcels has the lines around parcels that rules measure at (this file): the
+// parcel's own line moved out along roads, lines at a distance from it, and the ground between two of them.
+
 #include <array>
 #include <cstdint>
 #include <stop_token>
@@ -41,9 +44,6 @@ struct LineSettings {
 Result<PointReceivers> placeOnLines(const City& city, const std::vector<Footprint>& parcels,
                                     const LineSettings& settings, double planeM, Warnings& warnings,
                                     const std::stop_token& stop = {});
-
-// The folder core/receivers/parcels has the lines around parcels that rules measure at: parcel_lines.h moves
-// the parcel's own line out along roads, parcel_lines.h cuts the ground between two distances from it.
 
 /// Where a side of a parcel faces, in the local frame.
 enum class ParcelSide : std::uint8_t { north, northeast, east, southeast, south, southwest, west, northwest };

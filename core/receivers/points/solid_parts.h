@@ -1,8 +1,9 @@
 #pragma once
 
-// The folder core/receivers/points places receivers that are points: windows (glazing_receivers.h) and planes
-// (plane_points.h); facades are in core/receivers/point_receivers.h. solid_parts.h tells what is inside a
-// building, glazing_receivers.h which wall a place is at.
+// The folder core/receivers/points places receivers that are points: windows (glazing_receivers.h, which also
+// finds the wall that a place is at), planes (plane_points.h) and listed points (point_list.h); facades are
+// in core/receivers/point_receivers.h. SolidParts (this file) tells what is inside a building.
+// facade_elevations.h has the sides of a building with their windows, for drawing.
 
 #include <cstdint>
 #include <glm/vec3.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-// The folder core/study/contributions states what each building takes: contributions.h has the rows of a
-// table with their figures, place_contributions.h finds them for one place of a study.
+// The folder core/study/contributions states what each building takes: this file has the rows of a table
+// with their figures, place_contributions.h finds them for one place of a study.
 
 #include <array>
 #include <optional>

@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder core/study/elements measures sunlight at points instead of cells: on facades, at windows, on a
+// horizontal plane. runElementStudy() (this file) returns an ElementStudy; element_tables.h turns it into
+// tables and JSON. place_elements.h places the points.
+
 #include <limits>
 #include <map>
 #include <optional>
@@ -11,10 +15,6 @@
 #include "core/study/elements/place_elements.h"
 
 namespace noonmark {
-
-// The folder core/study/elements measures sunlight at points instead of cells: on facades, at windows, on a
-// horizontal plane. runElementStudy() (this file) returns an ElementStudy; element_tables.h turns it into
-// tables and JSON. place_elements.h places the points.
 
 /// Differences of one quantity from the ray reference, in percent.
 struct QuantityError {

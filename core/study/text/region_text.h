@@ -1,8 +1,8 @@
 #pragma once
 
 // The folder core/study/text turns results into text: JSON for study.json and info (error_words.h,
-// height_words.h, error_words.h, terrain_text.h), CSV (breakdown_text.h), words for people
-// (error_words.h, height_words.h), and a region as a command line or GeoJSON (this file).
+// height_words.h, terrain_text.h), CSV (breakdown_text.h), sentences for people (in the same files), and a
+// region as a command line or GeoJSON (this file).
 
 #include <optional>
 #include <string>

@@ -48,7 +48,7 @@ struct ByPlaceRequest : PlacesRequest {
 };
 
 /// The sun of the places of each tile, as by compareSunByPlace() for these places under the sun of the whole
-/// study: the lines of by_place_measure.h. Holds references, which must outlive it.
+/// study: a TileLine, and a PlaceLine for each place. Holds references, which must outlive it.
 class ByPlaceMeasure : public TileMeasure {
 public:
     /// `cities`: as many as the request names. `places` are in their frame.

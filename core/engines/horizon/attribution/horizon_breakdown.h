@@ -1,10 +1,9 @@
 #pragma once
 
 // Charges shadow to buildings. computeHorizonBreakdown() repeats the horizon sweep with attribution:
-// attributed_block.h store, beside each horizon, the building that makes it and the
-// horizon without that building; step_sums.h does the same for the intervals hidden by overhangs. From
-// these follow the attributed shadow and the sole contribution of each building. step_sums.h sorts
-// intervals by receiver.
+// attributed_block.h stores, beside each horizon, the building that makes it and the horizon without that
+// building; step_sums.h finds the intervals that overhangs hide, by building. From these it sums the
+// attributed shadow and the sole contribution of each building.
 
 #include <optional>
 #include <string>

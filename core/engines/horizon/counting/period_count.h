@@ -1,10 +1,10 @@
 #pragma once
 
-// From horizons to minutes. PeriodCount holds what is precomputed for a period; sun_change.h and
-// azimuth_bins.h look up how many suns a horizon hides. short_sums.h and
-// step_sums.h sum the steps of cells, sets and buildings; short_sums.h holds changes of these sums.
-// longest_runs.h finds the longest run of each receiver. run_decider.h decides which of its steps are in
-// doubt; run_decider.h, run_search.h settle these with rays.
+// From horizons to minutes. PeriodCount (this file) holds what is precomputed for a period; sun_change.h
+// looks up how many more suns a horizon hides in one period than in another. short_sums.h sums the hidden
+// steps of a tile's cells. longest_runs.h finds the longest run of each receiver, with the walks of
+// walk_steps.h. run_decider.h decides which of its steps are in doubt, and run_search.h settles these with
+// rays.
 
 #include <optional>
 #include <span>

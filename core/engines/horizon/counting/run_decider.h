@@ -40,9 +40,10 @@ inline constexpr HorizonCode everyHorizon = std::numeric_limits<HorizonCode>::ma
 /// - certainly hidden if the horizons of its bin and of both neighbours hide it and lie on one edge;
 /// - certainly lit if none of these horizons hides it and, at steps of more than a minute or so, where a
 ///   single one may part a run, they lie on one edge;
-/// - in doubt otherwise, and where a part hides it below which there is open air (open_below.h). Rays decide
-/// it where it matters (run_decider.h). Not detected: a gap between two occluders whose tops are in one line
-/// to some millimetres, and a post narrower than a bin that stands free between two means. Immutable.
+/// - in doubt otherwise, and where a part hides it below which there is open air (open_below.h).
+/// Rays decide the doubts where they matter (RunDecider). Not detected: a gap between two occluders whose
+/// tops are in one line to some millimetres, and a post narrower than a bin that stands free between two
+/// means. Immutable.
 class RunDoubts {
 public:
     RunDoubts(const BinnedSun& binned, double stepMinutes);
@@ -85,7 +86,7 @@ struct PartRuns {
     std::array<StepRun, lanesPerPart> below{};  ///< runs of lanes below overhangs; empty: that of `found`
 };
 
-/// Uses rays to confirm longest runs where horizons leave their steps in doubt (run_decider.h), and to search
+/// Uses rays to confirm longest runs where horizons leave their steps in doubt (RunDoubts), and to search
 /// those that are not confirmed or may be longer. For the receivers of one tile.
 class RunDecider {
 public:

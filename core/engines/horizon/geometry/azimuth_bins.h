@@ -1,5 +1,11 @@
 #pragma once
 
+// Geometry of the horizon sweep. This file groups the suns of a period into azimuth bins; azimuth_batch.h
+// groups neighbouring bins. shadow_axes.h defines the coordinates of one azimuth and horizon_code.h the
+// 16-bit horizon. receiver_blocks.h arranges receivers in blocks of 16 x 16, and block_grounds.h gives their
+// ground heights. wall_list.h collects prisms, general meshes and terrain; bin_walls.h cuts their outlines,
+// as seen at one azimuth or batch, into pieces of wall, and filters these for a block.
+
 #include <algorithm>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -42,13 +48,6 @@ int findAzimuthSlot(double azimuthDeg);
 /// sun gets a bin of its own, at a resolution of 0.01 deg. O(steps) + 5 ms.
 BinCuts chooseBinCuts(const SunSteps& sun, double targetPercent,
                       ShadowCounts counts = ShadowCounts::grossAndRuns);
-
-// Geometry of the horizon sweep. azimuth_bins.h group the suns of a period into azimuth bins;
-// azimuth_batch.h groups neighbouring bins. shadow_axes.h defines the coordinates of one azimuth and
-// horizon_code.h the 16-bit horizon. receiver_blocks.h, block_grounds.h arrange receivers
-// in blocks of 16 x 16. wall_list.h collect prisms, general meshes and
-// terrain; bin_walls.h cuts their outlines, as seen at one azimuth or batch, into pieces of wall, which
-// bin_walls.h filters for a block.
 
 /// The steps of a period whose suns lie within one azimuth bin; the sweep treats them as if all had the same
 /// azimuth.

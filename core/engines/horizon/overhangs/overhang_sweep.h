@@ -1,5 +1,12 @@
 #pragma once
 
+// Overhangs: parts of buildings with open air below, which hide an interval of altitudes rather than all
+// below a horizon. overhang_layers.h converts them to prisms and triangles and cuts these into strips in the
+// axes of one azimuth; overhang_intervals.h finds the cells of a block that see a strip and the altitudes it
+// hides from each, and joins these with the horizon. OverhangSweep (this file) applies this to the blocks of
+// a tile at one azimuth, BatchOverhangs (this file) to a batch during a sweep. gaps.h holds the hidden
+// intervals that do not begin at the horizon.
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -41,13 +48,6 @@ struct OverhangTile {
     OverhangTile() = default;
     OverhangTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM);
 };
-
-// Overhangs: parts of buildings with open air below, which hide an interval of altitudes rather than all
-// below a horizon. overhang_layers.h converts them to prisms and triangles; overhang_layers.h cuts these into
-// strips in the axes of one azimuth; overhang_intervals.h finds the cells of a block that see a strip and
-// the altitudes it hides from each, and overhang_intervals.h joins these with the horizon. OverhangSweep
-// applies this to the blocks of a tile (overhang_sweep.h) at one azimuth, BatchOverhangs to a batch during a
-// sweep. gaps.h holds the hidden intervals that do not begin at the horizon.
 
 /// The overhangs and the tile for one azimuth.
 struct OverhangView {

@@ -1,10 +1,10 @@
 #pragma once
 
-// The sweep itself, from a period down to one block. PeriodSweep handles tiles, batches and threads;
-// TileSweep sweeps one tile at the azimuths of a batch. For prisms on level ground it uses BatchHorizons,
-// which processes up to eight azimuths at once (block_sweep.h); otherwise BlockSweep, which also supports
-// terrain, general meshes and receivers at their own heights (raise_block.h). raise_block.h has the inner
-// loops. tile_sweep.h stores the codes of a tile.
+// The sweep itself, from a period down to one block. PeriodSweep (this file) handles tiles, batches and
+// threads; TileSweep (tile_sweep.h) sweeps one tile at the azimuths of a batch. For prisms on level ground it
+// uses BatchHorizons, which processes up to eight azimuths at once; otherwise BlockSweep, which also supports
+// terrain, general meshes and receivers at their own heights (both in block_sweep.h). raise_block.h has the
+// inner loops. TileHorizons (tile_sweep.h) stores the codes of a tile.
 
 #include <tbb/combinable.h>
 #include <tbb/enumerable_thread_specific.h>

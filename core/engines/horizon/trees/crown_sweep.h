@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder core/engines/horizon/trees weighs crowns within the horizon sweep. In this file, CrownSweep has
+// the crowns and the suns of each bin in levels of altitude, CrownBatch adds the crowns before each block,
+// and addCrownToRow() and weighRow() are the inner loops.
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -42,10 +46,6 @@ void addCrownToRow(const CrownOnRow& crown, std::span<const CrownLevel> levels, 
 /// 1 - exp(-optical depth). A level that a horizon cuts counts by the share of its codes. 16 of each.
 void weighRow(std::span<const CrownLevel> levels, const float* inLeaf, const float* bare,
               const HorizonCode* horizons, float* evergreen, float* seasonal);
-
-// The folder core/engines/horizon/trees weighs crowns within the horizon sweep: CrownSweep (this file) has
-// the crowns and the suns of each bin in levels of altitude, CrownBatch adds the crowns before each block,
-// and crown_sweep.h has the inner loops.
 
 /// Steps taken by crowns from each cell of a tile's blocks, in fractions of a step, so that sums are the same
 /// in whatever order they are made. For one thread.

@@ -1,5 +1,9 @@
 #pragma once
 
+// Finders of shadow sources: the nearest occluders of each cell of flat ground at one instant. SourceFinder
+// and SourceInstant (this file) are the interfaces. ProjectedSourceFinder (projected_source_finder.h) fills
+// the shadow polygons of surface_facets.h and keeps the nearest levels; RaySourceFinder traces rays.
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -10,11 +14,6 @@
 #include "core/engines/ray/ray_scene.h"
 
 namespace noonmark {
-
-// Finders of shadow sources: the nearest occluders of each cell of flat ground at one instant. SourceFinder
-// and SourceInstant are the interfaces. ProjectedSourceFinder fills the shadow polygons of surface_facets.h
-// (projected_source_finder.cpp) and keeps the nearest levels (projected_source_finder.h); RaySourceFinder
-// traces rays.
 
 /// Value for RunRule::steepestM: walls up to 75 degrees from the sun's azimuth count as one surface. With a
 /// larger limit, two walls of one building, one behind the other, would count as one too.

@@ -1,5 +1,10 @@
 #pragma once
 
+// Casters: occluders as convex pieces whose shadows are polygons. In this file, ShadowCasters holds those of
+// some buildings, BuildingCasters groups them by building, and sun directions become offsets in cells.
+// convex_pieces.h splits footprints; ring_lines.h converts points to cells and describes edges as lines.
+// caster_shaping-inl.h computes a caster's shadow at eight steps.
+
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -15,12 +20,6 @@
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
-
-// Casters: occluders as convex pieces whose shadows are polygons. ShadowCasters holds those of a city and
-// BuildingCasters groups them by building; convex_pieces.h splits footprints, ring_lines.h describes edges as
-// lines, and ring_lines.h and shadow_casters.h convert points and sun directions to cells.
-// caster_shaping-inl.h computes a caster's shadow at eight steps. ShadowProjection runs filling and counting
-// over a period.
 
 /// A convex caster on flat ground. Coordinates in cells of a grid (the centre of cell (0, 0) is at (0, 0)),
 /// heights in metres above the receivers, which are at the positions of placeRayOrigin().

@@ -1,9 +1,9 @@
 #pragma once
 
-// From bit rasters to minutes. ShadowEvents counts the runs of a band from its rasters in time order
-// (cell_runs.h); cached_band.h counts the 64 cells of one word. For the cache, cached_band.h
-// stores how many buildings shade each cell, and cached_band.h applies edits to a band of rows and recounts
-// the cells that changed. receiver_count.h tells which rectangles contain receivers.
+// From bit rasters to minutes. ShadowEvents (this file) counts the runs of a band from its rasters in time
+// order (cell_runs.h). For the cache, cached_band.h stores how many buildings shade each cell, applies edits
+// to a band of rows and recounts the cells that changed, 64 cells of a word at a time. receiver_count.h tells
+// which rectangles contain receivers.
 
 #include <cstdint>
 #include <span>

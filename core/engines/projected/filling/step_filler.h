@@ -1,5 +1,10 @@
 #pragma once
 
+// Filling of shadow polygons into bit rasters. step_lanes.h defines the data of eight consecutive steps, one
+// lane each, and step_registers-inl.h the same in registers. bit_raster.h is the raster's layout.
+// convex_fill-inl.h fills a convex shape at eight steps, convex_spans.h a single convex polygon. CasterFill
+// fills casters, BuildingFill one building at a time for the cache, and StepFiller all casters of a window.
+
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -11,11 +16,6 @@
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
-
-// Filling of shadow polygons into bit rasters. step_lanes.h defines the data of eight consecutive steps, one
-// lane each, and step_registers-inl.h the same in registers. bit_raster.h is the raster's layout.
-// convex_fill-inl.h fills a convex shape at eight steps, convex_spans.h a single convex polygon. CasterFill
-// fills casters, BuildingFill one building at a time for the cache, and StepFiller all casters of a window.
 
 /// The work done by filling, and the work skipped.
 struct FillCount {

@@ -1,5 +1,9 @@
 #pragma once
 
+// Step masks by projected shadows. This file divides receivers that lie scattered over a city into dense
+// windows, and BlockFiller fills one window at eight steps. caster_reach.h groups casters by neighbourhood
+// and tells which of them reach a rectangle at some steps. projected_masks.h runs a period.
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,11 +15,6 @@
 #include "core/receivers/receivers.h"
 
 namespace noonmark {
-
-// Step masks by projected shadows. block_filler.h (this file) divides receivers that lie scattered over a
-// city into dense rectangles; caster_reach.h orders casters by neighbourhood and caster_reach.h tells which
-// of them reach a rectangle at some steps; block_filler.h fills one window at eight steps; and
-// projected_masks.h runs a period.
 
 /// Neighbouring receivers in a row of the grid.
 struct ReceiverRun {

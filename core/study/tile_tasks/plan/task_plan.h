@@ -1,5 +1,13 @@
 #pragma once
 
+// The folder core/study/tile_tasks divides a study of any size among the tasks of a scheduler. In plan/, a
+// TaskPlan (this file) lists districts, tiles and tasks. make_task_plan.h makes it from the city's files, or
+// from a TileSubject (tile_subject.h), and says which task runs a tile: find_districts.h divides the region
+// into districts, survey_district.h surveys their buildings, and tile_load.h says what a tile has to read and
+// how long it takes. run_task.h computes one task with the runner and the journal of core/study/tiles, and
+// task_status.h sums up what is done. In merge/, merge_tiles.h joins the maps of the tiles (map_files.h),
+// merge_timelines.h their timelines and merge_by_place.h their sun by place.
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -13,15 +21,6 @@
 #include "core/study/provenance/provenance.h"
 
 namespace noonmark {
-
-// The folder core/study/tile_tasks divides a study of any size among the tasks of a scheduler. In plan/, a
-// TaskPlan (this file) lists districts, tiles and tasks; make_task_plan.h makes it from an tile_load.h
-// of the city's files or of a tile_subject.h;
-// tile_load.h says what a tile has to read, tile_load.h how long it takes, and make_task_plan.h which task
-// runs it. run_task.h computes one task with the runner and the journal of core/study/tiles, and
-// task_status.h sums up what is done. In merge/, merge_tiles.h joins the tiles: with map_files.h,
-// merge_tiles.cpp and map_files.h; merge_timelines.h those of timelines, merge_by_place.h those
-// of sun by place.
 
 /// A part of a study with one frame, one grid and one sun, small enough for all three to hold everywhere in
 /// it. A city is one district.
