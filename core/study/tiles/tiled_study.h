@@ -1,5 +1,13 @@
 #pragma once
 
+// The folder core/study/tiles computes regions of any size, tile after tile. runTiledStudy() (this file)
+// divides the region (core/receivers/tile_plan.h). What a tile gives is a TileMeasure (tile_runner.h): the
+// shadow of a city (shadow_measure.h), the timelines of places (timeline_measure.h), their sun
+// (by_place_measure.h), or a measure of scenarios. TileRunner runs the missing tiles and stores each answer
+// as a TileResult (tile_journal.h), from which a killed run can be resumed, and as a file: a raster with the
+// bands of tile_maps.h, or lines of JSON. In the end MonthSums (this file) adds up the months of the tiles,
+// and tile_maps.h joins the tiles into one GeoTIFF for each map.
+
 #include <filesystem>
 #include <map>
 #include <stop_token>
@@ -25,14 +33,6 @@ private:
     std::vector<double> minutes_;
     std::size_t receivers_ = 0;
 };
-
-// The folder core/study/tiles computes regions of any size, tile after tile. runTiledStudy() (this file)
-// divides the region (core/receivers/tile_plan.h). What a tile gives is a TileMeasure (tile_runner.h): the
-// shadow of a city (shadow_measure.h), of places (timeline_measure.h) timelines (timeline_measure.h) or the
-// sun (by_place_measure.h), or a measure of scenarios. tile_runner.h stores its answer as a TileResult
-// (tile_journal.h) and a raster file with the bands of tile_maps.h, or lines of JSON, and tile_runner.h runs
-// the missing ones; tiled_study.h adds up their months; tile_journal.h stores finished tiles, so that a
-// killed run can be resumed; tile_maps.h joins the tiles into one GeoTIFF for each map.
 
 struct TiledStudySettings {
     /// As many cells as the horizon sweep computes in one piece for a year, and whole blocks of the file.

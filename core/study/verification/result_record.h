@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/study/verification checks a result that somebody filed. ResultRecord (this file) is the
+// JSON that stands beside a report or is attached to it; this file also looks for the files that the result
+// was made from. compare_results.h compares the record with that of today's run, and the words and tables
+// that both print. The command line `noonmark-cli verify` runs the recorded command in between.
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,11 +16,6 @@
 #include "core/base/result.h"
 
 namespace noonmark {
-
-// The folder core/study/verification checks a result that somebody filed: ResultRecord (this file) is the
-// JSON that stands beside a report or is attached to it, result_record.h looks for the files it was made
-// from, compare_results.h compares it with a record of today's run, compare_results.h what the pages print.
-// The command line `noonmark-cli verify` runs the recorded command in between.
 
 /// A file that a record names, with the hash it had.
 struct RecordedFile {

@@ -2,8 +2,8 @@
 
 // Charges shadow to buildings. computeHorizonBreakdown() repeats the horizon sweep with attribution:
 // attributed_block.h stores, beside each horizon, the building that makes it and the horizon without that
-// building; step_sums.h finds the intervals that overhangs hide, by building. From these it sums the
-// attributed shadow and the sole contribution of each building.
+// building; step_sums.h finds the intervals that the overhangs of each building hide, and sums the steps of
+// attributed shadow and of sole contribution.
 
 #include <optional>
 #include <string>

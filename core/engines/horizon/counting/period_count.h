@@ -1,10 +1,10 @@
 #pragma once
 
 // From horizons to minutes. PeriodCount (this file) holds what is precomputed for a period; sun_change.h
-// looks up how many more suns a horizon hides in one period than in another. short_sums.h sums the hidden
-// steps of a tile's cells. longest_runs.h finds the longest run of each receiver, with the walks of
-// walk_steps.h. run_decider.h decides which of its steps are in doubt, and run_search.h settles these with
-// rays.
+// looks up how many suns a horizon hides, or how many more than in another period. short_sums.h sums the
+// hidden steps of a tile's cells. longest_runs.h finds the longest run of each receiver, step by step
+// (walk_steps.h). run_decider.h determines which of these steps are in doubt, and run_search.h settles them
+// with rays.
 
 #include <optional>
 #include <span>
