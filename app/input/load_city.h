@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder app/input/ prepares input for the window and the command line. This file reads a city from files
+// or makes a sample, and reads what belongs to it: places, context and photographs. load_project.h reads a
+// city from a project or starts a project from it; all_engines.h lists the engines; output_rules.h protects
+// the input files from being overwritten.
+
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -49,10 +54,6 @@ Result<PlacesRead> loadCityPlaces(const std::vector<std::string>& files, const P
 Result<PlacesRead> loadPlaceFiles(const std::vector<std::string>& files, const PlaceSettings& settings,
                                   const Frame& frame, PlacesRead before, Progress& progress,
                                   const std::stop_token& stop);
-
-// The folder app/input/ prepares input for the window and the command line. load_city.h reads a city from
-// files or makes a sample, load_project.h reads it from a project or starts a project from it;
-// all_engines.h lists the engines; output_rules.h protects the input files from being overwritten.
 
 /// A city and where it came from.
 struct LoadedCity {

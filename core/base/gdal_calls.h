@@ -35,7 +35,7 @@ private:
 /// RAII guard around calls to GDAL. It makes sure that GDAL is set up for untrusted files
 /// (gdal_calls_gdal.cpp), and it collects GDAL's messages on this thread instead of letting GDAL print them.
 /// It is a StopScope: after a stop request every file that GDAL reads on this thread is at its end
-/// (gdal_calls.h), since no driver can be stopped in another way. Backend: gdal_calls_gdal.cpp.
+/// (confineGdalFiles()), since no driver can be stopped in another way. Backend: gdal_calls_gdal.cpp.
 class GdalCalls {
 public:
     explicit GdalCalls(std::stop_token stop = {});

@@ -1,5 +1,11 @@
 #pragma once
 
+// The folder core/bench measures the engines. contests/ runs engines against each other on equal terms:
+// sites, periods, timing, deadlines, errors against the ray reference. paper/ repeats the paper's experiments
+// with these contests, horizon/ measures the horizon sweep and projected shadows, points/ single points.
+// Every experiment returns a Finding with a table and charts (finding.h); BenchReport (this file) collects
+// them. work.h says how much is measured (Extent) and carries progress, stop and time limit (Work).
+
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -27,12 +33,6 @@ Machine detectMachine();
 
 /// "AMD EPYC, 2 threads"
 std::string describeMachine(const Machine& machine);
-
-// The folder core/bench measures the engines. contests/ runs engines against each other on equal terms:
-// sites, periods, timing, deadlines, errors against the ray reference. paper/ repeats the paper's experiments
-// with these contests, horizon/ measures the horizon sweep and projected shadows. Every experiment returns a
-// Finding (finding.h) with a table (finding.h) and charts (finding.h); BenchReport (this file) collects them.
-// Extent (work.h) says how much is measured, Work (work.h) carries progress, stop and time limit.
 
 /// What a ratio or an error should reach on any machine.
 struct Target {

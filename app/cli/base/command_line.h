@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder app/cli/ is the command line program. runCommandLine() (this file) parses the arguments;
+// commands/ holds one file per command, project/ one per subcommand of `project`, and options/ the options
+// that several commands share. The other files of base/ change projects, save cities, and print
+// progress, tables and errors.
+
 #include <iosfwd>
 
 namespace noonmark::cli {
@@ -18,11 +23,6 @@ enum ExitCode : int {
     exitUsage = 2,       ///< the command line is wrong, or a file cannot be read
     exitCancelled = 130  ///< Ctrl-C, as in shells
 };
-
-// The folder app/cli/ is the command line program. command_line.h parses the arguments, commands/ holds one
-// file per command and project/ one per subcommand of `project`; options/ holds the options that several
-// commands share. The files beside this one read the city, run a study or measure, and print progress, tables
-// and errors.
 
 /// The whole program: parses the arguments (argv[0] is skipped), runs one command and returns its ExitCode.
 /// Catches all exceptions.

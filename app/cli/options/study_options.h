@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder app/cli/options/ holds the options that several commands share. Each header has structs with the
+// values as given by the user, functions that add the options to a command, and where needed functions that
+// parse them: this file for days and hours and for whole studies, measure_options.h for commands that
+// measure, the others for reading, projects, engines and outputs.
+
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
@@ -28,11 +33,6 @@ CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options);
 
 /// The period, checked. Error: a zone that is unknown or, where clock hours need it, not given.
 Result<Period> periodFrom(const PeriodOptions& options);
-
-// The folder app/cli/options/ holds the options that several commands share. Each header has a struct with
-// the values as given by the user, a function that adds the options to a command, and where needed a function
-// that parses them: study_options.h and measure_options.h for whole commands, the others for reading, period,
-// engine and outputs.
 
 /// The options of `study`, as given by the user.
 struct StudyOptions {

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder app/cli/tiles holds `noonmark-cli tiles`: a study divided among the tasks of a scheduler.
+// plan_tiles.cpp makes the plan, tiles_command.cpp finds the task that a scheduler means and computes it,
+// finished_tiles.cpp reports on finished tiles and merges them. tile_question.h stores the options of the
+// study in the plan, and reads what they ask for.
+
 #include <CLI/CLI.hpp>
 #include <cstddef>
 #include <functional>
@@ -10,11 +15,6 @@
 #include "core/base/result.h"
 
 namespace noonmark::cli {
-
-// The folder app/cli/tiles holds `noonmark-cli tiles`: a study divided among the tasks of a scheduler.
-// plan_tiles.cpp makes the plan, tiles_command.cpp computes one task, finished_tiles.cpp reports on them and
-// merges them. tile_question.h stores the options of the study in the plan, and tile_question.h reads what
-// they ask for; tiles_command.h finds the task that a scheduler means.
 
 /// Exit code of `tiles run` where the work failed and may succeed later: EX_TEMPFAIL of sysexits.h.
 inline constexpr auto exitRetry = ExitCode(75);

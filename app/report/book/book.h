@@ -3,9 +3,9 @@
 // The folder app/report/book/ makes books of sheets that a board can file. A Book (this file) is a list of
 // pages, and a page is a list of items with their places on the paper: text and tables (page_text.h, flow.h),
 // plan diagrams (diagram.h), sides of buildings (elevation.h, elevation_pages.h), charts (app/report/charts)
-// and pictures. page_painter.h paints a page on any canvas with its frame and title block, print_book.h makes
-// the PDF, and print_book.h adds what Qt's PDF lacks. sun_view.h draws the view from the sun. review/
-// makes the book of a review.
+// and pictures. page_painter.h paints a page on any canvas with its frame and title block; print_book.h makes
+// the PDF and adds what Qt's PDF lacks. sun_view.h draws the view from the sun. review/ makes the book of a
+// review.
 
 #include <QImage>
 #include <QRectF>

@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder app/report/files/ writes results as files. This file and answer_files.h write the complete
+// set of a study, a comparison or a score through output_folder.h, which writes all files or none; the table
+// of receivers is written here, too. Pictures and PDF pages come from app/report/sheets/.
+
 #include <QIODevice>
 #include <filesystem>
 #include <string>
@@ -20,12 +24,8 @@ namespace noonmark {
 /// rows a second.
 bool writeCellsCsv(const ShadowField& field, const Frame& frame, QIODevice& device);
 
-// The folder app/report/files/ writes results as files. study_files.h and answer_files.h write the complete
-// set of a study, a comparison or a score through output_folder.h, which writes all files or none;
-// study_files.h writes the table of receivers. Pictures and PDF pages come from app/report/sheets/.
-
 struct StudyFileOptions {
-    bool cellsCsv = false;                      ///< one line per receiver: see study_files.h
+    bool cellsCsv = false;                      ///< one line per receiver: writeCellsCsv()
     OutputRules rules{};                        ///< which files may be replaced
     int pictureWidth = noonmark::pictureWidth;  ///< of shadow.png, pixels
     LegendChoice legend{};                      ///< of pictures, pages and styles
@@ -36,12 +36,12 @@ struct StudyFileOptions {
 /// The names of the files of writeStudyFiles(), except region.geojson; known before the computation.
 std::vector<std::string> studyFileNames(const StudySettings& settings, const StudyFileOptions& options);
 
-/// Writes all outputs of a study into a folder, which is created if missing: shadow.tif
-/// with its style for QGIS shadow.qml, shadow.png,
-/// report.pdf, study.json; sheets.pdf on request; region.geojson where the region is not a lon/lat box;
-/// cells.csv on request; by_month.tif, .qml and .csv, contributions.csv, .gpkg and .pdf where the study has
-/// them. The window and the command line write the same files. Returns the paths written; a file is written
-/// completely or not at all. Needs a QGuiApplication (the `offscreen` platform suffices).
+/// Writes all outputs of a study into a folder, which is created if missing: shadow.tif with its style for
+/// QGIS, shadow.qml; shadow.png, report.pdf, study.json; sheets.pdf on request; region.geojson where the
+/// region is not a lon/lat box; cells.csv on request; by_month.tif, .qml and .csv, contributions.csv, .gpkg
+/// and .pdf where the study has them. The window and the command line write the same files. Returns the paths
+/// written; a file is written completely or not at all. Needs a QGuiApplication (the `offscreen` platform
+/// suffices).
 Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
                                                            const std::filesystem::path& folder,
                                                            const StudyFileOptions& options);

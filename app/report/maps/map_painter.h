@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder app/report/maps/ paints maps for reports, pictures and the window. This file makes the picture
+// of the cells and paints a map from a MapScene: that picture with the buildings (city_painter.h) in the
+// projection to the page (map_view.h, which has scale bar and north arrow, too). legend_painter.h paints
+// legends; those of comparisons and scores come from answer_legends.h.
+
 #include <QColor>
 #include <QImage>
 #include <functional>
@@ -32,11 +37,6 @@ FieldImage makeFieldImage(const ShadowField& field, const Receivers& receivers, 
 /// their mean colour. O(cells).
 using CellColour = std::function<std::optional<QColor>(std::size_t cell)>;
 FieldImage makeColourImage(const Grid& grid, const CellColour& colour, int wantedPixels);
-
-// The folder app/report/maps/ paints maps for reports, pictures and the window. map_painter.h paints a map
-// from a MapScene: map_painter.h makes the picture of the cells, city_painter.h the buildings, map_view.h the
-// projection to the page. The legends of a study, a comparison and a score come from legend_painter.h,
-// answer_legends.h, scale bar and north arrow from map_view.h.
 
 /// A number or a letter at a place, in local metres.
 struct MapMark {

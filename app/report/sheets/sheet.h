@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder app/report/sheets/ lays out one-page reports. A Sheet (this file) is the content of a page,
+// which is painted as PDF or picture; study_report.h and answer_reports.h make one from a result.
+// report_sections.h and study_words.h write the text, text_column.h sets it in columns; pdf_page.h is the A4
+// page.
+
 #include <QIODevice>
 #include <QImage>
 #include <optional>
@@ -35,11 +40,6 @@ void paintHeadline(const Canvas& canvas, const QRectF& area, const Headline& hea
 
 /// Paints one line across `area`: the data credit at the left, the program at the right.
 void paintSmallPrint(const Canvas& canvas, const QRectF& area, const QString& credit);
-
-// The folder app/report/sheets/ lays out one-page reports. A Sheet is the content of a page; study_report.h,
-// answer_reports.h make one from a result, and sheet.cpp paint
-// it as PDF or picture. report_sections.h, study_words.h write the text; text_column.h,
-// sheet.cpp, sheet.h and style.h set it.
 
 /// A map with its legend.
 struct SheetMap {

@@ -1,5 +1,10 @@
 #pragma once
 
+// How the window looks. This file has the light and the dark palette, the colours of notes and errors in
+// either, and the icons of resources/icons in the colours of the palette. application_theme.h keeps the
+// application in one of the palettes, as the user or the desktop (theme_source.h) chooses, and draws the
+// widgets.
+
 #include <QColor>
 #include <QIcon>
 #include <QPalette>
@@ -7,10 +12,6 @@
 
 #include "app/report/maps/style.h"
 
-// How the window looks. theme.h has the light and the dark palette and the colours of notes and errors in
-// either; application_theme.h keeps the application in one of them as the user or the desktop
-// (theme_source.h) chooses, and draws the widgets; theme.h draws the icons of resources/icons in
-// the colours of the palette.
 class QLabel;
 class QSettings;
 class QWidget;

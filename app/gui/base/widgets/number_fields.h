@@ -12,8 +12,8 @@ namespace noonmark {
 QDoubleSpinBox* numberField(double low, double high, int decimals, double step, const QString& unit);
 QSpinBox* wholeField(int low, int high, const QString& unit);
 
-/// A field for a length. Its value is in metres; it shows and takes the units in use (units.h): feet and
-/// inches where they are imperial, else metres. Any length may be typed with its unit: "12' 6\"", "3.5 m"
+/// A field for a length. Its value is in metres; it shows and takes the units in use (looks/units.h): feet
+/// and inches where they are imperial, else metres. Any length may be typed with its unit: "12' 6\"", "3.5 m"
 /// (core/base/units.h).
 class LengthField final : public QDoubleSpinBox {
     Q_OBJECT

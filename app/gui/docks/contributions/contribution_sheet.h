@@ -1,7 +1,7 @@
 #pragma once
 
-// The folder app/gui/docks/contributions shows what each building takes from a region or a place.
-// contribution_sheet.h makes the rows, as plain data; contributions_dock.h shows them with bars by month;
+// The folder app/gui/docks/contributions shows how much sun each building takes from a region or a place.
+// This file makes the rows, as plain data; contributions_dock.h shows them with bars by month;
 // contribution_links.h asks for them and connects them with the view.
 
 #include <QString>

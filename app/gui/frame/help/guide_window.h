@@ -1,13 +1,14 @@
 #pragma once
 
+// Help without a network. GuideWindow (this file) shows the user guide that is built into the program
+// (docs/user); findGuidePlace() knows which page is about which part of the window. StartPage shows what to
+// open and to ask first, FieldHelp explains fields (What's this), and HelpActions are the menu entries, with
+// what the program is made of. The folder tour has the guided tours.
+
 #include <QDialog>
 #include <QString>
 
 class QWidget;
-// Help without a network. GuideWindow shows the user guide that is built into the program (docs/user),
-// AboutText what the program is made of, StartPage what to open and to ask first; FieldHelp explains fields
-// (What's this), guide_window.h knows which page is about which part of the window, and the folder tour has
-// the guided tours. HelpActions are the menu entries.
 class QLineEdit;
 class QListWidget;
 class QTextBrowser;

@@ -1,14 +1,14 @@
 #pragma once
 
+// Guided tours. This file has the steps as data and tells when a step is done. Tour walks through the steps
+// of one tour, TourControl finds and uses the control of a step in the window, TourBubble shows the text
+// beside it.
+
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace noonmark {
-
-// Guided tours: tour_step.cpp has their steps as data, Tour walks through one, TourControl finds and uses the
-// control of a step in the window, TourBubble shows the text beside it, tour_step.h tells when a step is
-// done.
 
 /// What the user does in a step, and "Show me" does for them.
 enum class TourDeed {
