@@ -33,7 +33,7 @@ std::string wktOf(const OGRSpatialReference* system);
 /// the heights of a compound system are left unchanged. Not thread-safe. Backend: crs_gdal.cpp.
 class CrsToLonLat {
 public:
-    /// Accepts what parseCrs() (crs.h) does, with its errors.
+    /// Accepts what parseCrs() does, with its errors.
     static Result<CrsToLonLat> of(const std::string& crs);
 
     CrsToLonLat(CrsToLonLat&&) noexcept;

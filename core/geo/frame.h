@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder core/geo relates a project's local metres to the earth: Frame, the local plane, and the earth's
+// curvature (this file); Grid, a raster in that plane (grid.h); the transformation of files' coordinates to
+// longitude and latitude (crs.h); great-circle distances and longitudes near the antimeridian (lon_lat.h).
+
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 #include <string>
@@ -8,14 +12,9 @@
 
 namespace noonmark {
 
-// The folder core/geo relates a project's local metres to the earth: Frame, the local plane (this file);
-// Grid, a raster in that plane (grid.h); the transformation of files' coordinates to longitude and latitude
-// (crs.h); the earth's curvature (frame.h); great-circle distances (lon_lat.h); and
-// longitudes near the antimeridian (lon_lat.h).
-
 /// The project's local coordinates, metres: x east, y north of an origin on the WGS84 ellipsoid (the
 /// horizontal part of east-north-up at the origin), z above the origin's ground. Terrain, and buildings whose
-/// ground elevation is stated, are lowered by the earth's curvature (frame.h). True north is +y at the
+/// ground elevation is stated, are lowered by the earth's curvature (earthDropM()). True north is +y at the
 /// origin.
 ///
 /// A value; cheap to copy. A round trip is exact to better than 1 mm within 50 km of the origin; not meant

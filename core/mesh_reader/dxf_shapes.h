@@ -1,5 +1,8 @@
 #pragma once
 
+// A DXF file is text: pairs of lines, a group code and its value (Autodesk, "DXF Reference"). This file reads
+// them as entities and makes polygons from each entity; read_dxf.h joins blocks and layers.
+
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <istream>
@@ -9,9 +12,6 @@
 #include <vector>
 
 namespace noonmark {
-
-// A DXF file is text: pairs of lines, a group code and its value (Autodesk, "DXF Reference"). dxf_shapes.h
-// reads them as entities, dxf_shapes.h makes polygons from one entity, read_dxf.h joins blocks and layers.
 
 /// One entity, or one mark such as SECTION: group 0 and the groups up to the next 0.
 struct DxfEntity {

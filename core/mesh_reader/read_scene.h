@@ -1,16 +1,16 @@
 #pragma once
 
+// The folder core/mesh_reader is the program noonmark-mesh-reader, which parses one untrusted mesh file in a
+// process of its own and writes the scene to its parent (core/io/meshes/mesh_reader_process.h). main.cpp runs
+// the steps: own_limits.h limits the process, mesh_file_check.h refuses hostile files, and readScene() (this
+// file) parses with Assimp, whose access to files is in read_scene_assimp.cpp.
+
 #include <filesystem>
 #include <functional>
 
 #include "core/io/meshes/mesh_scene.h"
 
 namespace noonmark {
-
-// The folder core/mesh_reader is the program noonmark-mesh-reader, which parses one untrusted mesh file in a
-// process of its own and writes the scene to its parent (core/io/meshes/mesh_reader_process.h). main.cpp runs
-// the steps: own_limits.h limits the process, mesh_file_check.h refuses hostile files, read_scene.h (this
-// file) parses with Assimp through the file access of read_scene_assimp.cpp.
 
 /// Reads a mesh file and passes on its objects one by one, with the transformations in the file's tree
 /// applied. Points and lines are left out; polygons stay polygons. The polygons of mirrored objects are

@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder render/gl/ contains the engines that draw with OpenGL, without a window and without Qt. This
+// file implements and registers them, depth_maps.h draws the depth maps with the programs of gl_program.h,
+// which also wraps OpenGL objects and errors, and gl_context.h opens the device.
+
 #include <memory>
 
 #include "core/engines/accrual/accrual_settings.h"
@@ -8,11 +12,6 @@
 #include "render/gl/gl_context.h"
 
 namespace noonmark {
-
-// The folder render/gl/ contains the engines that draw with OpenGL, without a window and without Qt.
-// gl_shadow_maps.h registers and implements them, depth_maps.h draws the depth maps with the
-// programs of gl_program.h, and gl_context.h opens the device. The other headers wrap single OpenGL
-// objects and errors.
 
 enum class GlPasses {
     /// Conventional shadow maps: draws a depth map per step and tests all receivers against it.

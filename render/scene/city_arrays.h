@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder render/scene/ turns a city and its pictures into Qt3D nodes. This file computes arrays without
+// OpenGL; building_bodies.h draws them and overlay_bodies.h draws what the user edits; ground_picture.h and
+// surface_layer.h put results onto ground, roofs and facades; the other headers draw marks, names and tiles,
+// or wrap geometries, textures and shaders of Qt3D.
+
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -15,11 +20,6 @@ namespace noonmark {
 /// indices per edge, each edge once. Faces share an edge if they share its vertices by index. O(triangles log
 /// triangles).
 std::vector<std::uint32_t> findFeatureEdges(const TriangleMesh& mesh, double angleDeg = 20);
-
-// The folder render/scene/ turns a city and its pictures into Qt3D nodes. city_arrays.h
-// compute arrays without OpenGL; building_bodies.h draws them and overlay_bodies.h draws what the user edits;
-// ground_picture.h, surface_layer.h put results onto ground, roofs and facades; the
-// other headers wrap geometries, textures and shaders of Qt3D.
 
 /// The arrays of a city for the graphics card. They can be computed on any thread, without OpenGL.
 struct CityArrays {

@@ -1,11 +1,11 @@
 #pragma once
 
-// The folder render/view/ shows a city on the screen. city_view.h is the Qt3D window; drawn_city.h is one
-// city in it with the pictures on it, traced_city.h the same by rays, frame_graph.h the order in which all is
-// drawn, view_sides.h the two sides of a comparison. view_navigator.h moves the camera
-// with mouse and keys, camera_pose.h and camera_control.h are the camera as a value and its movements,
-// camera_pose.h and scene_picker.h find what lies under a pixel, and explored_view.h holds shadow on the
-// surfaces that a camera sees.
+// The folder render/view/ shows a city on the screen. CityView (this file) is the Qt3D window; drawn_city.h
+// is one city in it with the pictures on it, traced_city.h the same by rays, frame_graph.h the order in which
+// all is drawn, view_sides.h the two sides of a comparison. camera_pose.h is the camera as a value, with the
+// rays through its pixels; camera_control.h has its movements, and view_navigator.h moves it with mouse and
+// keys. scene_picker.h finds what lies under a pixel, and explored_view.h holds shadow on the surfaces that a
+// camera sees.
 
 #include <QImage>
 #include <Qt3DExtras/Qt3DWindow>

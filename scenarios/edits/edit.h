@@ -1,8 +1,8 @@
 #pragma once
 
-// The folder scenarios/edits/ changes cities. edit.h defines the edits, placed_building.h the geometry of
-// moving, turning and scaling a building, read_shape.h reads a building from a mesh file, apply_edits.h
-// gives buildings unique ids and applies a list of edits to a City.
+// The folder scenarios/edits/ changes cities. This file defines the edits, placed_building.h the geometry of
+// moving, turning and scaling a building; read_shape.h reads a building from a mesh file; apply_edits.h gives
+// buildings unique ids and applies a list of edits to a City.
 
 #include <memory>
 #include <string>

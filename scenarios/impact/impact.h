@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder scenarios/impact/ compares two cities. This file computes the two fields, their difference and
+// the contribution of each new building, and measures the error against the ray reference; impact_figures.h
+// sums the difference up; impact_text.h writes JSON and CSV; impact_tiles.h compares cities tile by tile.
+
 #include <array>
 #include <optional>
 #include <stop_token>
@@ -10,11 +14,6 @@
 #include "core/study/study.h"
 
 namespace noonmark {
-
-// The folder scenarios/impact/ compares two cities. impact.h computes the two fields, their difference and
-// the contribution of each new building; impact.cpp measures the error against the ray reference;
-// impact_figures.h sums the difference up; impact_text.h writes JSON and CSV; impact_tiles.h compares cities
-// tile by tile.
 
 /// How a cell changed between two cities.
 enum class CellChange : std::uint8_t {

@@ -1,11 +1,10 @@
 #pragma once
 
-// The folder scenarios/massing/ builds towers on lots. massing.h makes one from a user's settings;
-// fit_floor_area.h finds settings for a floor area and those nearest to impossible ones;
-// floor_plate.h computes its plates with straight_skeleton.h (backend CGAL), floor_plate.h the walls of
-// tapered and twisted volumes, floor_plate.h the floor area of each use; copy_massing.h reshapes a building
-// at constant gross floor area; lot_edits.h turns massings into edits of a city, and tower_design.h finds the
-// massing of a scenario's towers again.
+// The folder scenarios/massing/ builds towers on lots. This file makes one from a user's settings;
+// fit_floor_area.h finds settings for a floor area and those nearest to impossible ones. floor_plate.h
+// computes the plates with straight_skeleton.h (backend CGAL), the walls of tapered and twisted volumes and
+// the floor area of each use. copy_massing.h reshapes a building at constant gross floor area; lot_edits.h
+// turns massings into edits of a city, and tower_design.h finds the massing of a scenario's towers again.
 
 #include <optional>
 #include <string>

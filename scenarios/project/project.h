@@ -1,10 +1,9 @@
 #pragma once
 
-// The folder scenarios/project/ holds the project and its file. project.h defines the Project value;
-// project_file.h opens and saves it as a GeoPackage through read_project.h and write_project.h,
-// project_file.cpp and edit_json.h; project_file.h stores unsaved work; project_provenance.h states what a
-// result was made from. results/ converts saved results to and from their JSON, and tables/ holds the SQLite
-// and GeoPackage layer.
+// The folder scenarios/project/ holds the project and its file. This file defines the Project value;
+// project_file.h opens and saves it as a GeoPackage through read_project.h, write_project.h and edit_json.h,
+// and stores unsaved work; project_provenance.h states what a result was made from. results/ converts saved
+// results to and from their JSON, and tables/ holds the SQLite and GeoPackage layer.
 
 #include <map>
 #include <memory>

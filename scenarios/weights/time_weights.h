@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder scenarios/weights/ weighs wanted shade against unwanted shadow. This file defines tables of
+// weights by date and hour, reads and writes them; edit_weights.h edits their intervals and has tables to
+// begin with. score.h computes a shadow score: score_sum.h splits the steps by month and interval and adds
+// the pieces up, score_text.h writes JSON and CSV, and score_tiles.h computes scores tile by tile.
+
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -13,11 +18,6 @@
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
-
-// The folder scenarios/weights/ weighs wanted shade against unwanted shadow. time_weights.h defines tables of
-// weights by date and hour, reads and writes them, edit_weights.h edits their intervals and has tables to
-// begin with. score.h computes a shadow score: score_sum.h splits the steps by month and interval and adds
-// the pieces up, score_text.h writes JSON and CSV.
 
 /// A range of dates in every year and a range of hours that share one weight.
 struct WeightedInterval {

@@ -1,5 +1,12 @@
 #pragma once
 
+// The folder core/bench/contests runs engines against each other. A Contestant is an engine with settings; a
+// contest checks each against the ray reference and then times it in rounds (both in this file). moments.h
+// has the statistics of the times, site.h says where and when. contest_runs.h and core/bench/paper run
+// contests over periods, resolutions and random positions. Allowance (core/bench/work.h), Deadline and
+// Forecast (this file) limit the time; contest_runs.cpp predicts the time of longer periods. ray_masks.h
+// traces directions that belong to no period.
+
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -114,13 +121,6 @@ struct FieldError {
 
 /// Over `receivers`, which may be a sample of those of the fields. O(n log n).
 FieldError errorOf(const ShadowField& field, const ShadowField& truth, const Receivers& receivers);
-
-// The folder core/bench/contests runs engines against each other. A Contestant is an engine with settings
-// (contest.h); a contest (this file) checks each against the ray reference (contest.h) and then times
-// it in rounds (moments.h). site.h says where and when; contest_runs.h and paper_bench.cpp
-// run contests over periods, resolutions and random positions. Time is limited by work.h, contest.h;
-// contest_runs.cpp predicts the time of longer periods. ray_masks.h traces directions that belong to no
-// period.
 
 /// The input of the engines.
 struct Scene {

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/bench/horizon measures the two exact engines against their targets. runHorizonBench() (this
+// file) runs the experiments: a year by the horizon sweep and its growth with receivers and buildings
+// (horizon_year.h), a day by projected shadows (horizon_bench.cpp), and edits with cached horizons and with
+// cached shadows (horizon_edits.h), which both make the same edit.
+
 #include <array>
 
 #include "core/bench/bench_report.h"
@@ -8,12 +13,6 @@
 #include "core/engines/api/engine_registry.h"
 
 namespace noonmark::bench {
-
-// The folder core/bench/horizon measures the two exact engines against their targets. runHorizonBench() (this
-// file) runs one experiment per header: a year by the horizon sweep (horizon_year.h), a day by projected
-// shadows (horizon_bench.cpp), edits with cached horizons (horizon_edits.h) and cached shadows
-// (horizon_edits.h), and growth with receivers and buildings (horizon_year.h). horizon_edits.cpp is the edit
-// that both experiments on edits make.
 
 /// The numbers of the two exact engines against their targets: the horizon sweep over a year, with the curves
 /// of error and time; projected shadows over a day; edits with cached horizons and cached shadows. Errors as

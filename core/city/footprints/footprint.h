@@ -1,5 +1,11 @@
 #pragma once
 
+// The folder core/city/footprints handles polygons in plan. Footprint (this file) is the valid polygon that
+// the whole program uses; repair_footprint.h makes it from rings as they are read, and refuses rings that
+// would take too long. triangulate.h triangulates it; plan_overlay.h intersects and subtracts footprints, and
+// finds the faces between lines; plan_areas.h sums storeys. Files that end in _geos.cpp or _cgal.cpp use that
+// library; geos_shapes.h wraps GEOS for them.
+
 #include <glm/vec2.hpp>
 #include <utility>
 #include <vector>
@@ -21,12 +27,6 @@ inline double crossingX(glm::vec2 a, glm::vec2 b, double y) {
     if (a.y > b.y) std::swap(a, b);
     return double(a.x) + (y - double(a.y)) * (double(b.x) - double(a.x)) / (double(b.y) - double(a.y));
 }
-
-// The folder core/city/footprints handles polygons in plan. Footprint (this file) is the valid polygon that
-// the whole program uses; repair_footprint.h makes it from rings as they are read, and repair_footprint.h
-// refuses rings that would take too long. triangulate.h triangulates it, plan_overlay.h intersects and
-// subtracts footprints, plan_overlay.h finds the faces between lines, plan_areas.h sums storeys. Files that
-// end in _geos.cpp or _cgal.cpp use that library; geos_shapes.h wraps GEOS for them.
 
 /// A closed ring of points in local metres; the last point connects to the first, which is not repeated.
 using Ring = std::vector<glm::vec2>;

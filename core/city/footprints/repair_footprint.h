@@ -30,7 +30,7 @@ struct RepairedFootprint {
 /// makes points coincide or edges cross, all points are snapped to float32's step (1 mm at 10 km). A hole
 /// that lies wholly outside is most often a second outline: it becomes a piece of its own, and `what` says
 /// so. An outline without an interior gives no pieces. `rings[0]` is the outer ring, the others are holes.
-/// Refused, with no pieces: rings with more than maxCrossings crossings (repair_footprint.h), and coordinates
+/// Refused, with no pieces: rings with more than maxCrossings crossings (areTangled()), and coordinates
 /// over 1e8 m or not finite. About 5 us for a valid polygon of few points.
 RepairedFootprint repairFootprint(const std::vector<RawRing>& rings);
 

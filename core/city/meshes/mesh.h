@@ -2,9 +2,9 @@
 
 // The folder core/city/meshes handles triangle meshes. TriangleMesh (this file) is the plain data. Making
 // meshes: extrude.cpp from prisms, surface_mesher.h from polygons in space. Turning a mesh as read into parts
-// of a building: mesh_parts.h, with weld and orientation in mesh_topology.h, the outline seen from above in
-// mesh_outline.h, surfaces without thickness in mesh_sheets.h and mesh_parts.h. mesh_section.h cuts a mesh
-// horizontally, extrude.h counts triangles without making them.
+// of a building: mesh_parts.h, which also cuts off eaves, with weld and orientation in mesh_topology.h, the
+// outline seen from above in mesh_outline.h, and surfaces without thickness in mesh_sheets.h. mesh_section.h
+// cuts a mesh horizontally, extrude.h counts triangles without making them.
 
 #include <cstdint>
 #include <glm/vec3.hpp>

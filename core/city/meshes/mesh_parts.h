@@ -18,7 +18,7 @@ struct CutEaves {
 };
 
 /// Cuts the roof of an open mesh along its walls, seen from above, where it overhangs them as a sheet. Eaves
-/// are the faces outside of the walls that begin more than openAirM (mesh_parts.h) above the mesh's bottom;
+/// are the faces outside of the walls that begin more than openAirM above the mesh's bottom;
 /// they reach 1 cm inward, so that no slit is left. The body keeps all else but the floor outside of the
 /// walls. None where the walls enclose nothing, or not all of the building: walls on the ground or a roof
 /// more than 3 m away lie outside; none, too, where less than 0.1 m2 of the roof overhangs by more than 10
@@ -49,7 +49,7 @@ struct MeshParts {
 /// warning. `where` names the mesh in warnings. A level sheet becomes a slab, levelSheetM thick, and casts a
 /// shadow like every other part; an upright sheet keeps its faces, and its footprint is a strip. A level
 /// piece at the foot of others is their ground and is left out. A roof that overhangs its walls as a sheet is
-/// cut along them (mesh_parts.h): what is outside becomes parts of its own, which are overhangs. Whether a
+/// cut along them (cutEaves()): what is outside becomes parts of its own, which are overhangs. Whether a
 /// whole part is an overhang: see markOverhangs.
 MeshParts partsOf(const TriangleMesh& mesh, const std::string& sourceId, const std::string& where);
 

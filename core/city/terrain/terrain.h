@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/city/terrain is the ground of a city. Terrain (this file) holds elevations on a grid of
+// posts (post_grid.h) and their origin, TerrainSource. It is made of rasters in core/io/terrain, or of
+// triangles or points by tin_terrain.h; post_grid.h fills missing posts. building_ground.h tells where
+// buildings touch the ground.
+
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <string>
@@ -43,11 +48,6 @@ struct TerrainSource {
 
     bool operator==(const TerrainSource&) const = default;
 };
-
-// The folder core/city/terrain is the ground of a city. Terrain (this file) holds elevations on a grid of
-// posts (post_grid.h) and their origin (terrain.h). It is made of rasters in core/io/terrain, of
-// triangles by tin_terrain.h, or of points by tin_terrain.h; post_grid.h fills missing posts.
-// building_ground.h and building_ground.h tell where buildings touch the ground.
 
 /// The ground as elevations of posts. Between posts it is the surface of meshOf's triangles, so that the
 /// ground under buildings and the ground that casts shadows agree; beyond the outer posts the nearest value

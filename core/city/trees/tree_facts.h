@@ -46,7 +46,7 @@ struct TreeFacts {
 };
 
 /// The tree with these facts; what they do not state is estimated from what they do, else the default of its
-/// group (tree_facts.h). The facts must be plausible; readers leave others out with a warning.
+/// group (findTreeGroup()). The facts must be plausible; readers leave others out with a warning.
 Tree completeTree(const TreeFacts& facts);
 
 /// Height 0.5 to 120 m, crown 0.3 to 50 m wide, stem 0.01 to 5 m thick.

@@ -1,5 +1,8 @@
 #pragma once
 
+// The folder core/io/bodies hands buildings to other programs as bodies in space. This file makes them, in a
+// plane of metres, and writes them as DXF; app/report/bodies writes them as OBJ, glTF, COLLADA, PLY and STL.
+
 #include <filesystem>
 #include <functional>
 #include <glm/vec3.hpp>
@@ -11,10 +14,6 @@
 #include "core/io/shadows/write_shadows.h"
 
 namespace noonmark {
-
-// The folder core/io/bodies hands buildings to other programs as bodies in space. write_bodies.h makes them,
-// in a plane of metres; write_bodies.h writes them as DXF, app/report/bodies as OBJ, glTF, COLLADA, PLY and
-// STL.
 
 /// A building as triangles, counter-clockwise seen from outside.
 struct Body {

@@ -1,10 +1,10 @@
 #pragma once
 
-// The folder core/io/citygml reads CityGML 1.0, 2.0 and 3.0. citygml_load.cpp runs the steps: citygml_load.h
-// reads the file as a stream, one top-level object at a time, into the plain values of CityJSON
+// The folder core/io/citygml reads CityGML 1.0, 2.0 and 3.0. loadCityGml() (this file) reads the file as a
+// stream, one top-level object at a time, into the plain values of CityJSON
 // (core/io/cityjson/cityjson_model.h); citygml_reference.h settles reference system and order of the axes;
-// the rest is that of CityJSON. gml_geometry.h collects geometries, gml_object.h chooses among them,
-// gml_object.h knows the names.
+// the rest is that of CityJSON. gml_geometry.h collects geometries; gml_object.h knows the names of elements
+// and chooses among the geometries of an object.
 
 #include <filesystem>
 #include <glm/vec3.hpp>

@@ -1,5 +1,8 @@
 #pragma once
 
+// The folder core/io/context reads what maps draw for orientation (core/city/map_context.h): it holds the
+// rules of OpenStreetMap's tags, finds the sea beside coastlines, and reads files.
+
 #include <cstddef>
 #include <filesystem>
 #include <glm/vec2.hpp>
@@ -17,9 +20,6 @@
 #include "core/io/places/place_tags.h"
 
 namespace noonmark {
-
-// The folder core/io/context reads what maps draw for orientation (core/city/map_context.h): read_context.h
-// (this file) holds the rules of OpenStreetMap's tags, read_context.h reads files.
 
 /// The kind of an area, a line or a point by its OpenStreetMap tags
 /// (https://wiki.openstreetmap.org/wiki/Map_features); nothing for what is not drawn: buildings, car parks,
@@ -73,11 +73,12 @@ struct ContextRead {
 };
 
 /// Reads what a map draws for orientation into the frame of a city: of an OpenStreetMap file by its tags
-/// (read_context.h); of any other vector format features whose field `kind` names a ContextKind, or whose
-/// columns bear OpenStreetMap's keys. The sea is what lies on the right of coastlines within the box that the
-/// file covers, or that of the coastlines where it states none (read_context.h). Shapes are drawn as they
-/// are, without repair. Error: the file cannot be read, is damaged, states no CRS, has no such feature (not
-/// for OpenStreetMap) or too many; cancelled(). Some 10 us a feature. Backend: read_context_gdal.cpp.
+/// (classifyContextArea() and the like); of any other vector format features whose field `kind` names a
+/// ContextKind, or whose columns bear OpenStreetMap's keys. The sea is what lies on the right of coastlines
+/// within the box that the file covers, or that of the coastlines where it states none (findSea()). Shapes
+/// are drawn as they are, without repair. Error: the file cannot be read, is damaged, states no CRS, has no
+/// such feature (not for OpenStreetMap) or too many; cancelled(). Some 10 us a feature. Backend:
+/// read_context_gdal.cpp.
 Result<ContextRead> readContext(const std::filesystem::path& file, const ContextSettings& settings,
                                 const Frame& frame, Progress& progress, const std::stop_token& stop);
 

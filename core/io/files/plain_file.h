@@ -1,17 +1,17 @@
 #pragma once
 
+// The folder core/io/files holds what all readers and writers share. Inputs are untrusted: this file detects
+// a file's format (formats/format.h) from its content and refuses pipes and devices,
+// core/base/gdal_calls_gdal.cpp restricts GDAL, open_dataset.h is the only way from a file to GDAL,
+// geopackage_check.h refuses databases that would run SQL. Outputs: check_output.h names their kinds and
+// protects existing files, write_text.h replaces a file in one step.
+
 #include <filesystem>
 
 #include "core/base/result.h"
 #include "core/io/formats/format.h"
 
 namespace noonmark {
-
-// The folder core/io/files holds what all readers and writers share. Inputs are untrusted: plain_file.h
-// detects a file's format (formats/format.h) from its content, plain_file.h refuses pipes and devices,
-// gdal_calls_gdal.cpp restricts GDAL, open_dataset.h is the only way from a file to GDAL, geopackage_check.h
-// refuses databases that would run SQL. Outputs: check_output.h protects existing files, check_output.h names
-// the kinds, write_text.h replace a file in one step.
 
 /// Detects the format from the content; the name only matters if the content is ambiguous. Reads the
 /// beginning of the file; of JSON as far as the first key that identifies it. A GeoPackage or a folder is

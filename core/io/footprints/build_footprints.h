@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/io/footprints reads buildings from layers of polygons: building_layers.h finds the layers
+// that hold buildings, footprint_layer.h reads the features of one, feature_facts.h interprets their
+// attributes, OpenStreetMap's tags in a converter's column among them, and this file assembles features into
+// buildings, those of OpenStreetMap files (core/io/osm) too.
+
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -13,12 +18,6 @@
 #include "core/io/pieces/read_part.h"
 
 namespace noonmark {
-
-// The folder core/io/osm reads OpenStreetMap and holds its rules. Buildings: osm_map.h reads a file,
-// osm_layers.h makes polygons of its ways and relations, read_osm_buildings.h reads their tags, and
-// build_footprints.h (this file) assembles features into buildings, those of other files too. Places and
-// context are layers of features (osm_layers.h), so that they are read as those of other formats;
-// feature_facts.h parses the tags in a converter's column.
 
 /// Assembles features into buildings by OpenStreetMap's rules for simple 3D buildings, which also hold for
 /// files without parts: see groupIntoBuildings, computeRemainder and settleParts. Canopies (building=roof)

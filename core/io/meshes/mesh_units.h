@@ -1,5 +1,11 @@
 #pragma once
 
+// The folder core/io/meshes reads mesh files (OBJ, PLY, glTF 2, STL, COLLADA, IFC, DXF). mesh_buildings.cpp
+// runs the steps: mesh_reader_process.h starts the process that parses the file (core/mesh_reader) and
+// returns a MeshScene (mesh_scene.h); mesh_placement.h says where it lies; mesh_units.h (this file) divides
+// its objects into buildings with unit_joins.h and separate_roofs.h, which also reads the objects' names;
+// mesh_buildings.h makes parts from them by core/city/meshes.
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -51,12 +57,6 @@ private:
 inline std::uint64_t edgeOf(std::uint32_t a, std::uint32_t b) {
     return (std::uint64_t(std::min(a, b)) << 32U) | std::max(a, b);
 }
-
-// The folder core/io/meshes reads mesh files (OBJ, PLY, glTF 2, STL, COLLADA, IFC, DXF). mesh_buildings.cpp
-// runs the steps: mesh_reader_process.h starts the process that parses the file (core/mesh_reader) and
-// returns a MeshScene (mesh_scene.h); mesh_placement.h says where it lies; mesh_units.h (this file) divides
-// its objects into buildings by separate_roofs.h, unit_joins.h, with separate_roofs.h reading the objects'
-// names; mesh_buildings.h makes parts from them by core/city/meshes.
 
 /// Joins objects that are surfaces of one building, according to their names (separate_roofs.h), or according
 /// to their parent's name if their own only names a surface ("building 12" over "WallSurface" and

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/io/osm reads OpenStreetMap and holds its rules. Buildings: osm_map.h (this file) reads a
+// file, osm_layers.h makes polygons of its ways and relations, read_osm_buildings.h reads their tags, and
+// core/io/footprints/build_footprints.h assembles features into buildings. Places and context are layers of
+// features (osm_layers.h), so that they are read as those of other formats.
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>

@@ -1,5 +1,8 @@
 #pragma once
 
+// The folder core/io/settings says how files are read: ReadSettings and advice that names a setting (this
+// file); the table of its fields and its text in projects (read_fields.h).
+
 #include <optional>
 #include <span>
 #include <string>
@@ -10,10 +13,6 @@
 #include "core/geo/frame.h"
 
 namespace noonmark {
-
-// The folder core/io/settings says how files are read: ReadSettings (this file), its table of fields
-// (read_fields.h), its text in projects (read_fields.h), and advice that names a setting
-// (read_settings.h).
 
 enum class LengthUnit { metres, feet, usSurveyFeet, centimetres, millimetres, inches, decimetres };
 enum class UpAxis { z, y, automatic };

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/io/shadows writes outlines of shadows for other programs. ShadowDrawing (this file) is
+// everything that is written; write_shadows.h writes it as DXF, GeoPackage, GeoJSON or SVG, and chooses the
+// names of layers in DXF. drawing_tables.h has the rows of the layers, ogr_drawing.h the coordinates and
+// shapes of GDAL.
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,11 +19,6 @@
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
-
-// The folder core/io/shadows writes outlines of shadows for other programs. ShadowDrawing (this file) is
-// everything that is written; write_shadows.h writes it as DXF, GeoPackage, GeoJSON or SVG. drawing_tables.h
-// has the rows of the layers, write_shadows.h the names of layers in DXF, and ogr_drawing.h the coordinates
-// and shapes of GDAL.
 
 /// A moment as drawings name it.
 struct DrawnTime {

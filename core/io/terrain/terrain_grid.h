@@ -3,8 +3,8 @@
 // The folder core/io/terrain makes the ground of a city. read_terrain_gdal.cpp reads rasters: raster_place.h
 // transforms pixels to local metres, terrain_grid.h (this file) chooses the posts and finishes the Terrain.
 // ground_choice.h chooses among rasters and takes the ground from a model of the surface (surface_model.h).
-// buildings_on_terrain.h makes a terrain from the ground elevations that buildings state. standing.h places
-// the buildings of files on the terrain, buildings_on_terrain.h one of them.
+// buildings_on_terrain.h makes a terrain from the ground elevations that buildings state, and places one
+// building on a terrain; standing.h places the buildings of files.
 
 #include <optional>
 #include <string>

@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder core/io/trees reads trees from files of their own and joins those of all files into a city. The
+// names of fields are in core/io/heights/tree_fields.h, OpenStreetMap's trees in
+// core/io/osm/read_osm_buildings.h.
+
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,10 +18,6 @@
 #include "core/io/pieces/read_part.h"
 
 namespace noonmark {
-
-// The folder core/io/trees reads trees from files of their own (this file) and joins those of all files into
-// a city (read_trees.h). The names of fields are in core/io/heights/tree_fields.h, OpenStreetMap's trees in
-// core/io/osm/read_osm_buildings.h.
 
 /// The trees of one file.
 struct TreesRead {

@@ -1,9 +1,9 @@
 #pragma once
 
-// The folder scenarios/project/tables/ reads and writes the tables of a project file. database.h wraps
-// SQLite, schema.h creates, checks and migrates the tables, geopackage.h adds the tables of the GeoPackage
-// standard, checked_row.h validates numbers; the other files handle one kind of content each: geometry, grid
-// tiles, value bands, layer styles, the city, and the warnings of reading.
+// The folder scenarios/project/tables/ reads and writes the tables of a project file. This file wraps SQLite,
+// schema.h creates, checks and migrates the tables, geopackage.h adds the tables of the GeoPackage standard,
+// checked_row.h validates numbers; the other files handle one kind of content each: geometry, grid tiles,
+// layer styles, points, the city, and settings.
 
 #include <cstdint>
 #include <filesystem>
