@@ -1,8 +1,8 @@
 #pragma once
 
 // The folder scenarios/project/results/ converts results for the project. This file makes a SavedResult from
-// a computed answer, saved_answer.h turns it back into figures and maps, and saved_figures_json.h parses its
-// JSON.
+// a computed answer (save_result.cpp writes it into the tables); saved_answer.h turns it back into figures
+// and maps, and saved_figures_json.h parses its JSON.
 
 #include <chrono>
 #include <nlohmann/json_fwd.hpp>
