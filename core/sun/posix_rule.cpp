@@ -112,11 +112,12 @@ std::optional<PosixRule> PosixRule::parsed(std::string_view text) {
     if (scanner.good() && !scanner.atEnd()) {
         DaylightSaving daylightSaving;
         scanner.name();
-        summer.offset = scanner.atTime() ? -scanner.time(maxHoursOfOffset) : rule.standard_ + hours{1};
-        summer.start = takeChange(scanner);
-        summer.end = takeChange(scanner);
-        if (!isCalendar(summer.start) || !isCalendar(summer.end)) return std::nullopt;
-        rule.daylightSaving_ = summer;
+        daylightSaving.offset =
+            scanner.atTime() ? -scanner.time(maxHoursOfOffset) : rule.standard_ + hours{1};
+        daylightSaving.start = takeChange(scanner);
+        daylightSaving.end = takeChange(scanner);
+        if (!isCalendar(daylightSaving.start) || !isCalendar(daylightSaving.end)) return std::nullopt;
+        rule.daylightSaving_ = daylightSaving;
     }
     if (!scanner.good() || !scanner.atEnd()) return std::nullopt;
     return rule;

@@ -265,10 +265,10 @@ bool meet(const Box2& a, const Box2& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-using Parts = std::vector<const Part*>;
+using PartRefs = std::vector<const Part*>;
 
-Parts carriersOf(const Part& part, const Parts& standing, float reachM) {
-    Parts carriers;
+PartRefs carriersOf(const Part& part, const PartRefs& standing, float reachM) {
+    PartRefs carriers;
     const Box2 box = bounds(part.footprint);
     for (const Part* lower : standing)
         if (lower->topM >= part.bottomM - reachM && meet(box, bounds(lower->footprint)))
@@ -276,7 +276,7 @@ Parts carriersOf(const Part& part, const Parts& standing, float reachM) {
     return carriers;
 }
 
-bool isCarried(const Part& part, const Parts& carriers) {
+bool isCarried(const Part& part, const PartRefs& carriers) {
     if (carriers.empty()) return false;
     std::vector<Footprint> footprints;
     for (const Part* carrier : carriers) footprints.push_back(carrier->footprint);
@@ -288,7 +288,7 @@ bool isCarried(const Part& part, const Parts& carriers) {
     return computeAreaOutside(part.footprint, footprints) <= openM2;
 }
 
-float lowestTop(const Parts& carriers) {
+float lowestTop(const PartRefs& carriers) {
     return (*std::ranges::min_element(carriers, {}, [](const Part* part) { return part->topM; }))->topM;
 }
 
@@ -297,10 +297,10 @@ void lower(Part& part, float bottomM, Warnings& warnings) {
     warnings.push_back({WarningKind::repaired, "a low gap under a raised part was closed", part.sourceId});
 }
 
-void settle(Part& part, const Parts& standing, const SettleRules& rules, Warnings& warnings) {
+void settle(Part& part, const PartRefs& standing, const SettleRules& rules, Warnings& warnings) {
     if (part.bottomM <= rules.groundM + sameHeightM) return;
     if (isCarried(part, carriersOf(part, standing, sameHeightM))) return;
-    const Parts near = carriersOf(part, standing, rules.carryGapM);
+    const PartRefs near = carriersOf(part, standing, rules.carryGapM);
     if (isCarried(part, near)) return lower(part, std::min(part.bottomM, lowestTop(near)), warnings);
     if (part.bottomM <= rules.groundM + rules.groundGapM) return lower(part, rules.groundM, warnings);
     part.isOverhanging = true;
@@ -313,7 +313,7 @@ void settleParts(std::vector<Part>& parts, const SettleRules& rules, Warnings& w
     for (Part& part : parts)
         if (!part.isOverhanging) upward.push_back(&part);
     std::ranges::stable_sort(upward, {}, [](const Part* part) { return part->bottomM; });
-    Parts standing;
+    PartRefs standing;
     for (Part* part : upward) {
         settle(*part, standing, rules, warnings);
         if (!part->isOverhanging) standing.push_back(part);
