@@ -4103,14 +4103,6 @@ Opens the panel Review.</source>
         <translation>%1 nimmt weniger Sonne als %2: %3 gegenüber %4 am Tag im Mittel über die Orte.</translation>
     </message>
     <message>
-        <source>%1 has no open ground that was measured</source>
-        <translation>%1 hat keine freie Fläche, die gemessen wurde</translation>
-    </message>
-    <message>
-        <source>%1 has %2 of sun a day; %3 of its area has %4 or more</source>
-        <translation>%1 hat %2 Sonne am Tag; %3 der Fläche hat %4 oder mehr</translation>
-    </message>
-    <message>
         <source>On %1 it has %2; %3 of its area has less than %4.</source>
         <translation>Am %1 hat der Ort %2; %3 seiner Fläche hat weniger als %4.</translation>
     </message>
@@ -4511,14 +4503,6 @@ Opens the panel Review.</source>
         <translation>Den Boden wählen oder eine Untersuchung der Dächer berechnen</translation>
     </message>
     <message>
-        <source>On %1 it is %2 of %3 places that have less than %4.</source>
-        <translation>Am %1 sind es %2 von %3 Orten, die weniger als %4 haben.</translation>
-    </message>
-    <message>
-        <source>Least sun has %1 with %2, most %3 with %4.</source>
-        <translation>Am wenigsten Sonne hat %1 mit %2, am meisten %3 mit %4.</translation>
-    </message>
-    <message>
         <source>On average over their area %1 a day, of %2 without any shadow.</source>
         <translation>Im Mittel über ihre Fläche %1 am Tag, von %2 ganz ohne Schatten.</translation>
     </message>
@@ -4609,6 +4593,26 @@ Opens the panel Review.</source>
     <message>
         <source>%1 everywhere</source>
         <translation>%1 überall</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>On %1, %2 of %3 places have less than %4.</source>
+        <translation>Am %1 sind es %2 von %3 Orten, die weniger als %4 haben.</translation>
+    </message>
+    <message>
+        <source>%1 has the least sun, %2 a day, and %3 the most, %4.</source>
+        <translation>Am wenigsten Sonne hat %1 mit %2 am Tag, am meisten %3 mit %4.</translation>
+    </message>
+    <message>
+        <source>%1: no open ground was measured</source>
+        <translation>%1: Es wurde keine freie Fläche gemessen</translation>
+    </message>
+    <message>
+        <source>%1: %2 of sun a day; %3 of its area has %4 or more</source>
+        <translation>%1: %2 Sonne am Tag; %3 der Fläche hat %4 oder mehr</translation>
     </message>
 </context>
 <context>
@@ -6466,6 +6470,13 @@ Niedrigstes %3, Median %4, höchstes %5.</numerusform>
     </message>
 </context>
 <context>
+    <name>noonmark::MomentPreview</name>
+    <message>
+        <source>Computing %1</source>
+        <translation>%1 wird berechnet</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::MovieActions</name>
     <message>
         <source>Export &amp;movie...</source>
@@ -7059,10 +7070,6 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Art</translation>
     </message>
     <message>
-        <source>%1 (%2 h), %</source>
-        <translation>%1 (%2 h), %</translation>
-    </message>
-    <message>
         <source>%1 (here: %2 h)</source>
         <translation>%1 (hier: %2 h)</translation>
     </message>
@@ -7073,6 +7080,10 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>Minutes of sun a day more than in the baseline, mean over the days and the place; negative: less</source>
         <translation>Minuten Sonne am Tag mehr als in der Ausgangslage, Mittel über die Tage und den Ort; negativ: weniger</translation>
+    </message>
+    <message>
+        <source>≥ %1 h, %</source>
+        <translation>ab %1 h, %</translation>
     </message>
 </context>
 <context>
@@ -8102,6 +8113,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
             <numerusform>Zurück zu allen %1 Orten</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Hide this result</source>
+        <translation>Dieses Ergebnis ausblenden</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewActions</name>
@@ -8472,6 +8487,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
             <numerusform>%1 Gebäude gespeichert als %2</numerusform>
             <numerusform>%1 Gebäude gespeichert als %2</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>There is no scenario yet to compare. A change to a building begins one: click a building, and drag its arrow or type its height</source>
+        <translation>Es gibt noch kein Szenario zum Vergleichen. Eine Änderung an einem Gebäude beginnt eines: ein Gebäude anklicken und seinen Pfeil ziehen oder seine Höhe eingeben</translation>
     </message>
 </context>
 <context>
@@ -9295,10 +9314,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>diese Stadt hat Gelände</translation>
     </message>
     <message>
-        <source>Choose weights</source>
-        <translation>Gewichte wählen</translation>
-    </message>
-    <message>
         <source>Choose a rule</source>
         <translation>Regel wählen</translation>
     </message>
@@ -9329,6 +9344,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Run</source>
         <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Compute score</source>
+        <translation>Bewertung berechnen</translation>
     </message>
 </context>
 <context>
@@ -9499,13 +9518,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>It is night there now, so this is noon: %1</source>
         <translation>Dort ist jetzt Nacht, daher ist dies Mittag: %1</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::MomentPreview</name>
-    <message>
-        <source>Computing %1</source>
-        <translation>%1 wird berechnet</translation>
     </message>
 </context>
 <context>
@@ -10269,6 +10281,10 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 is saved with the project: the list above the results shows it again</source>
+        <translation>%1 ist mit dem Projekt gespeichert: Die Liste über den Ergebnissen zeigt es wieder</translation>
     </message>
 </context>
 <context>

@@ -4103,14 +4103,6 @@ Abre el panel Evaluación.</translation>
         <translation>%1 quita menos sol que %2: %3 frente a %4 al día de media en los lugares.</translation>
     </message>
     <message>
-        <source>%1 has no open ground that was measured</source>
-        <translation>%1 no tiene suelo libre que se haya medido</translation>
-    </message>
-    <message>
-        <source>%1 has %2 of sun a day; %3 of its area has %4 or more</source>
-        <translation>%1 tiene %2 de sol al día; el %3 de su área tiene %4 o más</translation>
-    </message>
-    <message>
         <source>On %1 it has %2; %3 of its area has less than %4.</source>
         <translation>El %1 tiene %2; el %3 de su área tiene menos de %4.</translation>
     </message>
@@ -4511,14 +4503,6 @@ Abre el panel Evaluación.</translation>
         <translation>Elija el suelo o calcule un estudio de las cubiertas</translation>
     </message>
     <message>
-        <source>On %1 it is %2 of %3 places that have less than %4.</source>
-        <translation>El %1 son %2 de %3 lugares los que tienen menos de %4.</translation>
-    </message>
-    <message>
-        <source>Least sun has %1 with %2, most %3 with %4.</source>
-        <translation>El que menos sol tiene es %1, con %2; el que más, %3, con %4.</translation>
-    </message>
-    <message>
         <source>On average over their area %1 a day, of %2 without any shadow.</source>
         <translation>De media sobre su área, %1 al día, de %2 sin ninguna sombra.</translation>
     </message>
@@ -4609,6 +4593,26 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>%1 everywhere</source>
         <translation>%1 en todas partes</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>%1 como máximo</translation>
+    </message>
+    <message>
+        <source>On %1, %2 of %3 places have less than %4.</source>
+        <translation>El %1 son %2 de %3 lugares los que tienen menos de %4.</translation>
+    </message>
+    <message>
+        <source>%1 has the least sun, %2 a day, and %3 the most, %4.</source>
+        <translation>El que menos sol tiene es %1, con %2 al día; el que más, %3, con %4.</translation>
+    </message>
+    <message>
+        <source>%1: no open ground was measured</source>
+        <translation>%1: no se midió suelo libre</translation>
+    </message>
+    <message>
+        <source>%1: %2 of sun a day; %3 of its area has %4 or more</source>
+        <translation>%1: %2 de sol al día; el %3 de su área tiene %4 o más</translation>
     </message>
 </context>
 <context>
@@ -6466,6 +6470,13 @@ El más bajo %3, mediana %4, el más alto %5.</numerusform>
     </message>
 </context>
 <context>
+    <name>noonmark::MomentPreview</name>
+    <message>
+        <source>Computing %1</source>
+        <translation>Calculando %1</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::MovieActions</name>
     <message>
         <source>Export &amp;movie...</source>
@@ -7059,10 +7070,6 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Tipo</translation>
     </message>
     <message>
-        <source>%1 (%2 h), %</source>
-        <translation>%1 (%2 h), %</translation>
-    </message>
-    <message>
         <source>%1 (here: %2 h)</source>
         <translation>%1 (aquí: %2 h)</translation>
     </message>
@@ -7073,6 +7080,10 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>Minutes of sun a day more than in the baseline, mean over the days and the place; negative: less</source>
         <translation>Minutos de sol al día más que en la referencia, media de los días y del lugar; negativo: menos</translation>
+    </message>
+    <message>
+        <source>≥ %1 h, %</source>
+        <translation>desde %1 h, %</translation>
     </message>
 </context>
 <context>
@@ -8102,6 +8113,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
             <numerusform>Volver a los %1 lugares</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Hide this result</source>
+        <translation>Ocultar este resultado</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewActions</name>
@@ -8472,6 +8487,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
             <numerusform>%1 edificio guardado como %2</numerusform>
             <numerusform>%1 edificios guardados como %2</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>There is no scenario yet to compare. A change to a building begins one: click a building, and drag its arrow or type its height</source>
+        <translation>Todavía no hay ningún escenario que comparar. Un cambio en un edificio inicia uno: haga clic en un edificio y arrastre su flecha o escriba su altura</translation>
     </message>
 </context>
 <context>
@@ -9295,10 +9314,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>esta ciudad tiene terreno</translation>
     </message>
     <message>
-        <source>Choose weights</source>
-        <translation>Elegir pesos</translation>
-    </message>
-    <message>
         <source>Choose a rule</source>
         <translation>Elegir una norma</translation>
     </message>
@@ -9329,6 +9344,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Run</source>
         <translation>Calcular</translation>
+    </message>
+    <message>
+        <source>Compute score</source>
+        <translation>Calcular puntuación</translation>
     </message>
 </context>
 <context>
@@ -9499,13 +9518,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>It is night there now, so this is noon: %1</source>
         <translation>Allí es de noche ahora, así que esto es el mediodía: %1</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::MomentPreview</name>
-    <message>
-        <source>Computing %1</source>
-        <translation>Calculando %1</translation>
     </message>
 </context>
 <context>
@@ -10269,6 +10281,10 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 is saved with the project: the list above the results shows it again</source>
+        <translation>%1 está guardado con el proyecto: la lista sobre los resultados lo vuelve a mostrar</translation>
     </message>
 </context>
 <context>

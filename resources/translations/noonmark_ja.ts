@@ -4076,14 +4076,6 @@ Opens the panel Review.</source>
         <translation>%1 が奪う日照は %2 より少なくなります：場所の平均で 1 日、前者は %3、後者は %4 です。</translation>
     </message>
     <message>
-        <source>%1 has no open ground that was measured</source>
-        <translation>%1 には測定した空地がありません</translation>
-    </message>
-    <message>
-        <source>%1 has %2 of sun a day; %3 of its area has %4 or more</source>
-        <translation>%1 の日照は 1 日 %2。面積の %3 が %4 以上</translation>
-    </message>
-    <message>
         <source>On %1 it has %2; %3 of its area has less than %4.</source>
         <translation>%1 の日照は %2。面積の %3 が %4 未満です。</translation>
     </message>
@@ -4484,14 +4476,6 @@ Opens the panel Review.</source>
         <translation>地面を選ぶか、屋根の検討を計算してください</translation>
     </message>
     <message>
-        <source>On %1 it is %2 of %3 places that have less than %4.</source>
-        <translation>%1 は %3 か所中 %2 か所が %4 未満です。</translation>
-    </message>
-    <message>
-        <source>Least sun has %1 with %2, most %3 with %4.</source>
-        <translation>日照が最も少ないのは %1 の %2、最も多いのは %3 の %4 です。</translation>
-    </message>
-    <message>
         <source>On average over their area %1 a day, of %2 without any shadow.</source>
         <translation>面積平均で 1 日 %1、影がまったくない場合は %2 です。</translation>
     </message>
@@ -4582,6 +4566,26 @@ Opens the panel Review.</source>
     <message>
         <source>%1 everywhere</source>
         <translation>どこでも %1</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>最大 %1</translation>
+    </message>
+    <message>
+        <source>On %1, %2 of %3 places have less than %4.</source>
+        <translation>%1 は %3 か所中 %2 か所が %4 未満です。</translation>
+    </message>
+    <message>
+        <source>%1 has the least sun, %2 a day, and %3 the most, %4.</source>
+        <translation>日照が最も少ないのは %1 の 1 日 %2、最も多いのは %3 の %4 です。</translation>
+    </message>
+    <message>
+        <source>%1: no open ground was measured</source>
+        <translation>%1：測定できる空地がありませんでした</translation>
+    </message>
+    <message>
+        <source>%1: %2 of sun a day; %3 of its area has %4 or more</source>
+        <translation>%1：日照は 1 日 %2。面積の %3 が %4 以上</translation>
     </message>
 </context>
 <context>
@@ -6430,6 +6434,13 @@ Lowest %3, median %4, tallest %5.</source>
     </message>
 </context>
 <context>
+    <name>noonmark::MomentPreview</name>
+    <message>
+        <source>Computing %1</source>
+        <translation>%1 を計算中</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::MovieActions</name>
     <message>
         <source>Export &amp;movie...</source>
@@ -7017,10 +7028,6 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>種類</translation>
     </message>
     <message>
-        <source>%1 (%2 h), %</source>
-        <translation>%1 (%2 h), %</translation>
-    </message>
-    <message>
         <source>%1 (here: %2 h)</source>
         <translation>%1（ここでは %2 h）</translation>
     </message>
@@ -7031,6 +7038,10 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>Minutes of sun a day more than in the baseline, mean over the days and the place; negative: less</source>
         <translation>比較基準より増えた 1 日の日照の分数（日と場所の平均）。負は減少</translation>
+    </message>
+    <message>
+        <source>≥ %1 h, %</source>
+        <translation>%1 h 以上、%</translation>
     </message>
 </context>
 <context>
@@ -8054,6 +8065,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
             <numerusform>全 %1 か所に戻る</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Hide this result</source>
+        <translation>この結果を隠す</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewActions</name>
@@ -8423,6 +8438,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>
             <numerusform>%1 棟の建物を %2 として保存しました</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>There is no scenario yet to compare. A change to a building begins one: click a building, and drag its arrow or type its height</source>
+        <translation>比較するシナリオがまだありません。建物を変えるとシナリオが始まります。建物をクリックし、矢印をドラッグするか高さを入力してください</translation>
     </message>
 </context>
 <context>
@@ -9246,10 +9265,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>この都市には地形があります</translation>
     </message>
     <message>
-        <source>Choose weights</source>
-        <translation>重みを選ぶ</translation>
-    </message>
-    <message>
         <source>Choose a rule</source>
         <translation>規定を選ぶ</translation>
     </message>
@@ -9280,6 +9295,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Run</source>
         <translation>計算</translation>
+    </message>
+    <message>
+        <source>Compute score</source>
+        <translation>スコアを計算</translation>
     </message>
 </context>
 <context>
@@ -9450,13 +9469,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>It is night there now, so this is noon: %1</source>
         <translation>現地は今夜なので、正午を表示しています：%1</translation>
-    </message>
-</context>
-<context>
-    <name>noonmark::MomentPreview</name>
-    <message>
-        <source>Computing %1</source>
-        <translation>%1 を計算中</translation>
     </message>
 </context>
 <context>
@@ -10220,6 +10232,10 @@ Click a building first.</source>
     <message>
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1 is saved with the project: the list above the results shows it again</source>
+        <translation>%1 をプロジェクトに保存しました。結果の上の一覧から再び表示できます</translation>
     </message>
 </context>
 <context>
