@@ -75,7 +75,9 @@ TEST(SunByPlaceBook, ItsCommandBreaksOnlyBeforeOptions) {
     ASSERT_GT(lines.size(), 1);
     for (qsizetype i = 0; i < lines.size(); ++i) {
         EXPECT_LE(lines[i].size(), 60) << lines[i].toStdString();
-        if (i > 0) EXPECT_TRUE(lines[i].trimmed().startsWith(QStringLiteral("--"))) << lines[i].toStdString();
+        if (i > 0) {
+            EXPECT_TRUE(lines[i].trimmed().startsWith(QStringLiteral("--"))) << lines[i].toStdString();
+        }
     }
 }
 
