@@ -533,7 +533,7 @@ TEST(SunByPlace, TheSentencesOfOnePlaceStateItsSunItsDatesAndWhatIsTaken) {
         compared({{"Now", tower()}, {"Wall", withWall(tower())}},
                  {namedPlace("Park", -30, 20, 50, 60), namedPlace("Far", -400, -400, -360, -360)}, settings);
     const AnswerPage page = makePage(both, 0);
-    EXPECT_THAT(formatText(page.headline), testing::StartsWith("Park has "));
+    EXPECT_THAT(formatText(page.headline), testing::StartsWith("Park: "));
     ASSERT_EQ(page.findings.size(), 2U);
     EXPECT_THAT(formatText(page.findings[0]), testing::StartsWith("Wall takes "));
     EXPECT_THAT(formatText(page.findings[1]), testing::StartsWith("On 2026-12-21 it has "));
