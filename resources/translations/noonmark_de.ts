@@ -6270,8 +6270,8 @@ Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfa
         <translation>Sockel</translation>
     </message>
     <message>
-        <source>One storey to 2000 m; or drag the arrow on the tower, or type a number over the view</source>
-        <translation>Von einem Geschoss bis 2000 m; oder am Pfeil des Turms ziehen oder eine Zahl über der Ansicht tippen</translation>
+        <source>One storey to %1; or drag the arrow on the tower, or type a number over the view</source>
+        <translation>Von einem Geschoss bis %1; oder am Pfeil des Turms ziehen oder eine Zahl über der Ansicht tippen</translation>
     </message>
     <message>
         <source>Fewer than all storeys</source>
@@ -7300,8 +7300,8 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation> (und %1 weitere)</translation>
     </message>
     <message>
-        <source>Floor to floor, 2 to 10 m, for lines at its floors; 0: not known</source>
-        <translation>Geschosshöhe, 2 bis 10 m, für Linien an den Decken; 0: nicht bekannt</translation>
+        <source>Floor to floor, %1 to %2, for lines at its floors; 0: not known</source>
+        <translation>Geschosshöhe, %1 bis %2, für Linien an den Decken; 0: nicht bekannt</translation>
     </message>
     <message>
         <source>not known</source>
@@ -8963,8 +8963,8 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Höher, auf der halben Platte</translation>
     </message>
     <message>
-        <source>0.1 to 2000 m above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
-        <translation>0,1 bis 2000 m über Gelände; Ansicht &gt; Höhen über Bezugsniveau zeigt sie als absolute Höhe. Oder den Pfeil am Gebäude ziehen. Eingabe übernimmt</translation>
+        <source>%1 to %2 above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
+        <translation>%1 bis %2 über Gelände; Ansicht &gt; Höhen über Bezugsniveau zeigt sie als absolute Höhe. Oder den Pfeil am Gebäude ziehen. Eingabe übernimmt</translation>
     </message>
     <message>
         <source>Top above datum</source>

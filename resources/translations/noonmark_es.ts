@@ -6270,8 +6270,8 @@ Aproximado: la leyenda indica el error medido. Deshacer recupera el método ante
         <translation>Basamento</translation>
     </message>
     <message>
-        <source>One storey to 2000 m; or drag the arrow on the tower, or type a number over the view</source>
-        <translation>De una planta a 2000 m; o arrastre la flecha de la torre, o escriba un número sobre la vista</translation>
+        <source>One storey to %1; or drag the arrow on the tower, or type a number over the view</source>
+        <translation>De una planta a %1; o arrastre la flecha de la torre, o escriba un número sobre la vista</translation>
     </message>
     <message>
         <source>Fewer than all storeys</source>
@@ -7300,8 +7300,8 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation> (y %1 más)</translation>
     </message>
     <message>
-        <source>Floor to floor, 2 to 10 m, for lines at its floors; 0: not known</source>
-        <translation>De suelo a suelo, 2 a 10 m, para las líneas de sus forjados; 0: desconocida</translation>
+        <source>Floor to floor, %1 to %2, for lines at its floors; 0: not known</source>
+        <translation>De suelo a suelo, %1 a %2, para las líneas de sus forjados; 0: desconocida</translation>
     </message>
     <message>
         <source>not known</source>
@@ -8963,8 +8963,8 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Más alto, con media planta</translation>
     </message>
     <message>
-        <source>0.1 to 2000 m above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
-        <translation>De 0,1 a 2000 m sobre el terreno; Ver &gt; Alturas sobre el datum la muestra como cota. O arrastre la flecha del edificio. Pulse Intro para aplicar</translation>
+        <source>%1 to %2 above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
+        <translation>De %1 a %2 sobre el terreno; Ver &gt; Alturas sobre el datum la muestra como cota. O arrastre la flecha del edificio. Pulse Intro para aplicar</translation>
     </message>
     <message>
         <source>Top above datum</source>

@@ -6237,8 +6237,8 @@ Approximate: the legend states the measured error. Undo takes the method of the 
         <translation>基壇</translation>
     </message>
     <message>
-        <source>One storey to 2000 m; or drag the arrow on the tower, or type a number over the view</source>
-        <translation>1 階分から 2000 m。塔の矢印をドラッグするか、表示の上で数字を入力しても可</translation>
+        <source>One storey to %1; or drag the arrow on the tower, or type a number over the view</source>
+        <translation>1 階分から %1。塔の矢印をドラッグするか、表示の上で数字を入力しても可</translation>
     </message>
     <message>
         <source>Fewer than all storeys</source>
@@ -7255,8 +7255,8 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation> (ほか %1 件)</translation>
     </message>
     <message>
-        <source>Floor to floor, 2 to 10 m, for lines at its floors; 0: not known</source>
-        <translation>階高、2~10 m(階の線に使う)。0: 不明</translation>
+        <source>Floor to floor, %1 to %2, for lines at its floors; 0: not known</source>
+        <translation>階高、%1~%2(階の線に使う)。0: 不明</translation>
     </message>
     <message>
         <source>not known</source>
@@ -8914,8 +8914,8 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>基準階を半分にして高く</translation>
     </message>
     <message>
-        <source>0.1 to 2000 m above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
-        <translation>地盤から 0.1~2000 m。表示 &gt; 基準面からの高さ で標高として示す。または建物の矢印をドラッグ。Enter で適用</translation>
+        <source>%1 to %2 above the ground; View &gt; Heights above datum shows it as an elevation. Or drag the arrow on the building. Press Enter to apply</source>
+        <translation>地盤から %1~%2。表示 &gt; 基準面からの高さ で標高として示す。または建物の矢印をドラッグ。Enter で適用</translation>
     </message>
     <message>
         <source>Top above datum</source>

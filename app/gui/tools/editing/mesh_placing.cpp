@@ -45,7 +45,8 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     scale_->setToolTip(tr("Scale of all three axes"));
     turn_->setToolTip(tr("Clockwise, seen from above"));
     storeyHeight_->setObjectName(QStringLiteral("meshStoreyHeight"));
-    storeyHeight_->setToolTip(tr("Floor to floor, 2 to 10 m, for lines at its floors; 0: not known"));
+    storeyHeight_->setToolTip(tr("Floor to floor, %1 to %2, for lines at its floors; 0: not known")
+                                  .arg(describeLength(2, 0), describeLength(10, 0)));
     storeyHeight_->setSpecialValueText(tr("not known"));
     apply_->setObjectName(QStringLiteral("applyMesh"));
     apply_->setToolTip(tr("Adds it to the scenario (Enter over the view)"));

@@ -214,8 +214,9 @@ QWidget* SelectionPanel::makeFields() {
     east_->setObjectName(QStringLiteral("moveEast"));
     north_->setObjectName(QStringLiteral("moveNorth"));
     height_->setToolTip(
-        tr("0.1 to 2000 m above the ground; View > Heights above datum shows it as an elevation. Or drag the "
-           "arrow on the building. Press Enter to apply"));
+        tr("%1 to %2 above the ground; View > Heights above datum shows it as an elevation. Or drag the "
+           "arrow on the building. Press Enter to apply")
+            .arg(describeLength(0.1), describeLength(2000, 0)));
     turn_->setToolTip(tr("Clockwise about its middle. Press Enter to apply"));
     for (QDoubleSpinBox* field : {east_, north_})
         field->setToolTip(tr("Negative: west, south. Press Enter to apply"));

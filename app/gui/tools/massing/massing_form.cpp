@@ -68,8 +68,8 @@ void MassingForm::makeFields() {
     podiumWalls_->setObjectName(QStringLiteral("podiumWalls"));
     explain(*storeys_, "--storeys");
     explain(*storeyHeight_, "--storey-height");
-    height_->setToolTip(
-        tr("One storey to 2000 m; or drag the arrow on the tower, or type a number over the view"));
+    height_->setToolTip(tr("One storey to %1; or drag the arrow on the tower, or type a number over the view")
+                            .arg(describeLength(2000, 0)));
     explain(*turn_, "--turn");
     podiumStoreys_->setToolTip(tr("Fewer than all storeys"));
     podium_->setCheckable(true);
