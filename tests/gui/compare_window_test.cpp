@@ -172,14 +172,15 @@ TEST_F(CompareWindow, TheStudyOfTheOtherScenarioIsShownInTheSameColours) {
     lookAtTower();
     show("compareSwipe");
     window->mode().setMode(ViewMode::analysis);
+    const QSize calm = captured().size();
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return workbench().study() != nullptr; }, 20000)) << message().toStdString();
     EXPECT_TRUE(note().contains(QStringLiteral("not measured yet"))) << note().toStdString();
-    const QImage before = captured();
+    const QImage before = capturedAt(calm);
     workbench().measureAll();
     ASSERT_TRUE(waitFor([this] { return workbench().measuredScenarios().size() == 2; }, 20000));
     EXPECT_EQ(note(), QStringLiteral("the same study, in the same colours"));
-    const QImage after = capturedAt(before.size());
+    const QImage after = capturedAt(calm);
     EXPECT_GT(differing(before, after, 0, after.width() / 2 - 8), 500);
     EXPECT_EQ(differing(before, after, after.width() / 2 + 8, after.width()), 0);
 }

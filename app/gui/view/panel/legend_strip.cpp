@@ -161,7 +161,6 @@ LegendStrip::LegendStrip(QWidget* parent)
     row->addStretch(1);
     connectShown();
     setChoice({});
-    setLegend(std::nullopt);
 }
 
 void LegendStrip::connectShown() {
@@ -255,8 +254,7 @@ void LegendStrip::setLegend(std::optional<Legend> legend) {
                        legend_->colours->of == ColourScale::Of::change);
     const bool ofPlaces = legend_ && legend_->colours && LegendEditor::isOfPlaces(*legend_->colours);
     for (QWidget* choice : std::initializer_list<QWidget*>{measure_, shadow_, sun_})
-        choice->setHidden(ofPlaces || !legend_);
-    fitHeight();
+        choice->setHidden(ofPlaces);
     tellEditor();
     update();
 }
@@ -327,21 +325,10 @@ QRectF LegendStrip::noteArea() const {
 }
 
 QRectF LegendStrip::legendArea() const {
-    if (!legend_) return hintArea();
     if (narrow()) return {12, stripHeight - 2.0, width() - 24.0, legendRowHeight - 2.0};
     const double right = note_.isEmpty() ? width() - compassWidth(width()) : noteArea().left();
     const double left = measureWidth + margin;
     return {left, 8, std::min(double(maxLegendWidth), right - 2 * margin - left), stripHeight - 10.0};
-}
-
-// The hint has the room of the choices, which nothing shows yet.
-QRectF LegendStrip::hintArea() const {
-    const double right = note_.isEmpty() ? width() - compassWidth(width()) : noteArea().left();
-    return {12, 4, std::max(0.0, right - 2 * margin - 12), stripHeight - 8.0};
-}
-
-void LegendStrip::fitHeight() {
-    setFixedHeight(narrow() && legend_ ? stripHeight + legendRowHeight : stripHeight);
 }
 
 // On amber if the result is partial.
@@ -361,7 +348,7 @@ void LegendStrip::paintNote(const Canvas& canvas) const {
 
 void LegendStrip::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    fitHeight();
+    setFixedHeight(narrow() ? stripHeight + legendRowHeight : stripHeight);
     placeNote();
 }
 

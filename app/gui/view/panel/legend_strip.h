@@ -21,7 +21,7 @@ class LegendEditor;
 
 /// The strip below the view: choice of the measure, a switch between shadow and sun, the legend, a scale bar
 /// and a compass. A click on the legend, or Enter, opens its editor. In a narrow window the legend has its
-/// own row. Without a legend there is nothing to choose: a hint stands there, and the view has the room.
+/// own row.
 class LegendStrip final : public QWidget {
     Q_OBJECT
 public:
@@ -70,8 +70,6 @@ private:
     [[nodiscard]] bool narrow() const;
     [[nodiscard]] QFont noteFont() const;
     [[nodiscard]] QSizeF noteRoom() const;
-    [[nodiscard]] QRectF hintArea() const;
-    void fitHeight();
     void placeNote();
     void connectShown();
     void choose(const LegendChoice& choice);
