@@ -38,9 +38,8 @@ public:
     explicit Job(Work work);
     ~Job() override;
 
-    void
     /// Asks the work to stop. It still delivers, usually an Error for which isCancelled() holds.
-    cancel();
+    void cancel();
 
     /// Cancels without waiting: nothing is reported or delivered any more. The job deletes itself when its
     /// work ends, or earlier together with `keeper`.

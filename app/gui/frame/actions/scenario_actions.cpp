@@ -97,8 +97,7 @@ void ScenarioActions::compare(bool on) {
         return Q_EMIT workbench_.noted(
             session.project().scenarios.empty()
                 ? tr("There is no scenario yet to compare. A change to a building begins one: click a "
-                     "building, "
-                     "and drag its arrow or type its height")
+                     "building, and drag its arrow or type its height")
                 : tr("The existing city is displayed. Choose a scenario at the top, and compare it"));
     if (workbench_.answerAs<ImpactAnswer>()) return Q_EMIT comparisonShown();
     if (beside_ && !beside_->isChecked()) beside_->trigger();
