@@ -4451,8 +4451,8 @@ Opens the panel Review.</source>
         <translation>Gelände weit von der Stadt entfernt wurde ausgelassen</translation>
     </message>
     <message>
-        <source>cells without elevation were filled from the nearest one</source>
-        <translation>Zellen ohne Höhe wurden mit der nächstgelegenen gefüllt</translation>
+        <source>cells without elevation were filled from the cells around</source>
+        <translation>Zellen ohne Höhe wurden aus den Zellen ringsum gefüllt</translation>
     </message>
     <message>
         <source>a tree far from the buildings</source>

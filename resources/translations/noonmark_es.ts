@@ -4451,8 +4451,8 @@ Abre el panel Evaluación.</translation>
         <translation>se omitió el terreno lejos de la ciudad</translation>
     </message>
     <message>
-        <source>cells without elevation were filled from the nearest one</source>
-        <translation>las celdas sin elevación se rellenaron con la más próxima</translation>
+        <source>cells without elevation were filled from the cells around</source>
+        <translation>las celdas sin elevación se rellenaron a partir de las celdas de alrededor</translation>
     </message>
     <message>
         <source>a tree far from the buildings</source>

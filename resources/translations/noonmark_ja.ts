@@ -4424,8 +4424,8 @@ Opens the panel Review.</source>
         <translation>都市から遠い地形を除外しました</translation>
     </message>
     <message>
-        <source>cells without elevation were filled from the nearest one</source>
-        <translation>標高のないセルを最も近いセルの値で補いました</translation>
+        <source>cells without elevation were filled from the cells around</source>
+        <translation>標高のないセルを周囲のセルから補いました</translation>
     </message>
     <message>
         <source>a tree far from the buildings</source>

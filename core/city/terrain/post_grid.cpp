@@ -4,37 +4,83 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
 
 namespace noonmark {
 
-std::size_t fillFromNearest(std::vector<float>& values, int columns, int rows) {
-    // Breadth-first search that starts from all known cells next to a gap; each filled cell enters the queue
-    // once.
-    std::vector<std::size_t> wave;
-    const auto index = [&](int column, int row) {
-        return std::size_t(row) * std::size_t(columns) + std::size_t(column);
-    };
-    const auto forEachEmptyNeighbour = [&](std::size_t cell, auto&& visit) {
-        const int column = int(cell % std::size_t(columns));
-        const int row = int(cell / std::size_t(columns));
-        for (int r = std::max(0, row - 1); r <= std::min(rows - 1, row + 1); ++r)
-            for (int c = std::max(0, column - 1); c <= std::min(columns - 1, column + 1); ++c)
-                if (std::isnan(values[index(c, r)])) visit(index(c, r));
-    };
-    for (std::size_t cell = 0; cell < values.size(); ++cell) {
-        if (std::isnan(values[cell])) continue;
-        bool onRim = false;
-        forEachEmptyNeighbour(cell, [&](std::size_t) { onRim = true; });
-        if (onRim) wave.push_back(cell);
+namespace {
+
+struct Values {
+    std::vector<float> of;  // row-major
+    int columns, rows;
+    [[nodiscard]] float& at(int column, int row) {
+        return of[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
     }
-    std::size_t filled = 0;
-    for (std::vector<std::size_t> next; !wave.empty(); wave.swap(next), next.clear())
-        for (const std::size_t cell : wave)
-            forEachEmptyNeighbour(cell, [&](std::size_t neighbour) {
-                values[neighbour] = values[cell];
-                next.push_back(neighbour);
-                ++filled;
-            });
+    [[nodiscard]] float clampedAt(int column, int row) {
+        return at(std::clamp(column, 0, columns - 1), std::clamp(row, 0, rows - 1));
+    }
+};
+
+// The mean of each four cells that have values; NaN where none has.
+Values halve(Values& fine) {
+    Values coarse{{}, (fine.columns + 1) / 2, (fine.rows + 1) / 2};
+    coarse.of.assign(std::size_t(coarse.columns) * std::size_t(coarse.rows),
+                     std::numeric_limits<float>::quiet_NaN());
+    for (int row = 0; row < coarse.rows; ++row)
+        for (int column = 0; column < coarse.columns; ++column) {
+            float sum = 0, count = 0;
+            for (int r = 2 * row; r < std::min(2 * row + 2, fine.rows); ++r)
+                for (int c = 2 * column; c < std::min(2 * column + 2, fine.columns); ++c)
+                    if (const float value = fine.at(c, r); !std::isnan(value)) sum += value, ++count;
+            if (count > 0) coarse.at(column, row) = sum / count;
+        }
+    return coarse;
+}
+
+// Bilinear between the four nearest cells of a grid of twice the cell size.
+float readCoarse(Values& coarse, int column, int row) {
+    const int c = column / 2, r = row / 2;
+    const int besideC = c + (column % 2 != 0 ? 1 : -1), besideR = r + (row % 2 != 0 ? 1 : -1);
+    return (9 * coarse.clampedAt(c, r) + 3 * coarse.clampedAt(besideC, r) +
+            3 * coarse.clampedAt(c, besideR) + coarse.clampedAt(besideC, besideR)) /
+           16;
+}
+
+// Draws filled cells towards the mean of their neighbours (Gauss-Seidel), which takes away what the coarser
+// grids left of their cells. A few rounds do, as the coarser grids were relaxed before.
+void relax(Values& values, const std::vector<std::size_t>& filled) {
+    constexpr int rounds = 8;
+    for (int round = 0; round < rounds; ++round)
+        for (const std::size_t cell : filled) {
+            const int column = int(cell % std::size_t(values.columns));
+            const int row = int(cell / std::size_t(values.columns));
+            values.of[cell] = (values.clampedAt(column - 1, row) + values.clampedAt(column + 1, row) +
+                               values.clampedAt(column, row - 1) + values.clampedAt(column, row + 1)) /
+                              4;
+        }
+}
+
+std::size_t fillLevel(Values& fine) {
+    std::vector<std::size_t> gaps;
+    for (std::size_t cell = 0; cell < fine.of.size(); ++cell)
+        if (std::isnan(fine.of[cell])) gaps.push_back(cell);
+    if (gaps.empty() || gaps.size() == fine.of.size()) return 0;
+    Values coarse = halve(fine);
+    fillLevel(coarse);
+    for (const std::size_t cell : gaps)
+        fine.of[cell] = readCoarse(coarse, int(cell % std::size_t(fine.columns)),
+                                   int(cell / std::size_t(fine.columns)));
+    relax(fine, gaps);
+    return gaps.size();
+}
+
+}  // namespace
+
+std::size_t fillGaps(std::vector<float>& values, int columns, int rows) {
+    Values all{std::move(values), columns, rows};
+    const std::size_t filled = fillLevel(all);
+    values = std::move(all.of);
     return filled;
 }
 

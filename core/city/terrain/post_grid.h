@@ -10,9 +10,10 @@
 
 namespace noonmark {
 
-/// Gives every NaN cell of a row-major grid the value of a nearest cell that has one (in steps to the eight
-/// neighbours). Returns the number of cells filled; 0 if all cells had values, or none had. O(cells).
-std::size_t fillFromNearest(std::vector<float>& values, int columns, int rows);
+/// Gives every NaN cell of a row-major grid a value between those of the cells around its gap, without steps:
+/// terraces would cast shadows of their own. Returns the number of cells filled; 0 if all cells had values, or
+/// none had. O(cells).
+std::size_t fillGaps(std::vector<float>& values, int columns, int rows);
 
 /// Posts (points of known elevation) in rows and columns, placed in local metres. The posts are those of a
 /// square grid, or a raster's own posts, whose rows deviate from true east by the convergence of its map. Row

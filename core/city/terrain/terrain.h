@@ -40,7 +40,7 @@ struct TerrainSource {
     /// kept.
     double heightRmsM = 0;
     double heightMaxM = 0;
-    std::size_t filled = 0;      ///< posts without elevation in the source, filled from the nearest post
+    std::size_t filled = 0;      ///< posts without elevation in the source, filled from the posts around
     std::size_t impossible = 0;  ///< how many of them had an impossible elevation
     /// Posts of a surface model that showed buildings or trees and got the elevation of the ground around
     std::size_t underBuildings = 0;

@@ -114,7 +114,7 @@ std::optional<TinTerrain> rasterizeTin(const TriangleMesh& tin) {
                                    glm::dvec3(tin.vertices[t.z]));
         if (triangle.doubledArea != 0) rasterize(triangle, grid, elevations);
     }
-    result.filled = fillFromNearest(elevations, grid.columns, grid.rows);
+    result.filled = fillGaps(elevations, grid.columns, grid.rows);
     if (std::isnan(elevations[0])) return std::nullopt;
     describe(coverage, tin, result);
     return result;

@@ -19,7 +19,7 @@ std::vector<glm::uvec3> triangulateDelaunay(std::span<const glm::vec2> points);
 
 struct TinTerrain {
     Terrain terrain;
-    std::size_t filled = 0;  ///< cells that no triangle covers, filled from the nearest cell
+    std::size_t filled = 0;  ///< cells that no triangle covers, filled from the cells around them
 };
 
 /// Rasterises a triangulated ground to a grid over its box. Cell size: half the mean distance of its points,

@@ -198,7 +198,7 @@ void addTin(const CityJsonData& data, const std::string& file, FilePiece& piece)
     if (made->filled > 0)
         piece.warnings.push_back(
             {WarningKind::repaired,
-             "cells that the terrain's triangles do not cover were filled from the nearest elevation",
+             "cells that the terrain's triangles do not cover were filled from the elevations around",
              fmt::format("{} ({} of {} cells)", file, made->filled, made->terrain.grid.size())});
     made->terrain.source.file = std::filesystem::path(file).filename().string();
     piece.terrain = std::make_shared<const Terrain>(std::move(made->terrain));

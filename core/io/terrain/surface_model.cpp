@@ -269,7 +269,7 @@ Terrain takeGroundAround(const Terrain& surface, const SharedBuildings& building
         if (covered[i]) ground.elevationM[i] = std::numeric_limits<float>::quiet_NaN();
     ground.source.underBuildings = posts.size() - open;
     fillFromAround(ground.elevationM, posts.columns, posts.rows, stop);
-    fillFromNearest(ground.elevationM, posts.columns, posts.rows);
+    fillGaps(ground.elevationM, posts.columns, posts.rows);
     return ground;
 }
 

@@ -160,14 +160,14 @@ Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevatio
     source.impossible = forgetImpossible(elevations);
     if (source.impossible > 0)
         piece.warnings.push_back({WarningKind::repaired,
-                                  "impossible elevations were filled from the nearest cell",
+                                  "impossible elevations were filled from the cells around",
                                   fmt::format("{} ({} cells)", file, source.impossible)});
     source.filled = gapsInside(place, elevations);
     if (source.filled > 0)
         piece.warnings.push_back(
-            {WarningKind::repaired, NM_TEXT("cells without elevation were filled from the nearest one"),
+            {WarningKind::repaired, NM_TEXT("cells without elevation were filled from the cells around"),
              fmt::format("{} ({} of {} cells)", file, source.filled, elevations.size())});
-    fillFromNearest(elevations, place.posts.columns, place.posts.rows);
+    fillGaps(elevations, place.posts.columns, place.posts.rows);
     const float lowest = findLowest(elevations);
     if (!std::isfinite(lowest))
         return failure("The terrain has no elevations here", file, "Choose a terrain that covers the city");

@@ -162,7 +162,7 @@ std::string formatText(const Terrain& terrain) {
     const TerrainSource& source = terrain.source;
     std::string text = methodText(terrain);
     if (source.filled > 0)
-        text += fmt::format("; {} posts without elevation were filled from the nearest post", source.filled);
+        text += fmt::format("; {} posts without elevation were filled from the posts around", source.filled);
     if (source.underBuildings > 0)
         text += fmt::format(
             "; it shows a surface with buildings: {} posts on them and on trees got the ground around them",

@@ -12,21 +12,43 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-TEST(FillGaps, NearestValueWins) {
-    std::vector<float> values{1, nan, nan, nan, 2, nan, nan, nan, nan, nan};
-    EXPECT_EQ(fillFromNearest(values, 5, 2), 8U);
-    EXPECT_EQ(values[1], 1);
-    EXPECT_EQ(values[3], 2);
-    EXPECT_EQ(values[5], 1);
-    EXPECT_EQ(values[9], 2);
-    for (const float value : values) EXPECT_TRUE(value == 1 || value == 2);
+TEST(FillGaps, AGapLiesBetweenItsRims) {
+    // A strip of ten cells between elevations 0 and 11: filled about linearly, and never beyond the rims.
+    constexpr int columns = 12, rows = 12;
+    std::vector<float> values(std::size_t(columns) * rows, nan);
+    for (int row = 0; row < rows; ++row) {
+        values[std::size_t(row) * columns] = 0;
+        values[std::size_t(row) * columns + columns - 1] = 11;
+    }
+    EXPECT_EQ(fillGaps(values, columns, rows), 120U);
+    for (int row = 0; row < rows; ++row)
+        for (int column = 1; column < columns; ++column) {
+            const std::size_t cell = std::size_t(row) * columns + std::size_t(column);
+            EXPECT_NEAR(values[cell], column, 1.5) << column;
+            EXPECT_GE(values[cell], values[cell - 1]);
+            EXPECT_NEAR(values[cell], values[cell % columns], 0.2);
+        }
+}
+
+TEST(FillGaps, GroundBeyondASlopingRimHasNoTerraces) {
+    // Known along a diagonal only, rising by 1 a cell. The nearest value alone makes steps of 1 there.
+    constexpr int side = 64;
+    std::vector<float> values(std::size_t(side) * side, nan);
+    for (int at = 0; at < side; ++at) values[std::size_t(at) * side + std::size_t(at)] = float(at);
+    fillGaps(values, side, side);
+    for (int row = 1; row + 1 < side; ++row)
+        for (int column = row + 4; column + 1 < side; ++column) {
+            const std::size_t cell = std::size_t(row) * side + std::size_t(column);
+            const float bend = values[cell - 1] + values[cell + 1] - 2 * values[cell];
+            EXPECT_LT(std::abs(bend), 0.25F) << column << ' ' << row;
+        }
 }
 
 TEST(FillGaps, NothingToFillOrNothingToFillFrom) {
     std::vector<float> whole{1, 2, 3};
-    EXPECT_EQ(fillFromNearest(whole, 3, 1), 0U);
+    EXPECT_EQ(fillGaps(whole, 3, 1), 0U);
     std::vector<float> empty(6, nan);
-    EXPECT_EQ(fillFromNearest(empty, 3, 2), 0U);
+    EXPECT_EQ(fillGaps(empty, 3, 2), 0U);
     EXPECT_TRUE(std::isnan(empty[0]));
 }
 

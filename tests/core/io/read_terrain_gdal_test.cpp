@@ -158,7 +158,7 @@ TEST(ReadTerrain, NoDataIsFilledFromTheNearestAndCounted) {
     raster.value = [](double e, double n) { return std::hypot(e - 585300, n - 4511700) < 60 ? -9999 : 25; };
     const auto stated = read(raster);
     ASSERT_TRUE(stated);
-    EXPECT_TRUE(warns(*stated, "filled from the nearest"));
+    EXPECT_TRUE(warns(*stated, "filled from the cells around"));
     raster.noData = NAN;
     const auto customary = read(raster);
     ASSERT_TRUE(customary);

@@ -112,7 +112,7 @@ std::shared_ptr<const Terrain> resampledBilinearly(const std::filesystem::path& 
             terrain.elevationM[grid.index(column, row)] =
                 float(double(value) - frame.originElevationM() - earthDropM(grid.centre(column, row)));
         }
-    fillFromNearest(terrain.elevationM, grid.columns, grid.rows);
+    fillGaps(terrain.elevationM, grid.columns, grid.rows);
     return std::make_shared<const Terrain>(std::move(terrain));
 }
 
