@@ -143,21 +143,31 @@ struct CrsToLonLat::Parts {
         }
     };
 
+    static constexpr double metresPerZone = 1e6;
+
     OGRSpatialReference system;
     std::unique_ptr<OGRCoordinateTransformation, HandBack> toLonLat;
     double metresPerElevationUnit = 1;
     bool elevationUnitIsStated = false;
     double west = -180, south = -90, east = 180, north = 90;  // area of use
+    double zoneM = 0;  // what the number of its zone before an easting adds to it; 0: no UTM system
+    std::size_t zonesTakenOff = 0;
 
     void learnArea() {
         double w = 0, s = 0, e = 0, n = 0;
         if (!system.GetAreaOfUse(&w, &s, &e, &n, nullptr) || w <= -1000) return;
         west = w, south = s, east = e, north = n;
     }
-    void addPlaces(std::span<const glm::dvec2> points, std::vector<LonLat>& places) const {
+    // No easting of a UTM zone reaches 1,000 km, so that these are its number and nothing else.
+    [[nodiscard]] double takeZoneOff(double easting) {
+        if (zoneM == 0 || easting < zoneM || easting >= zoneM + metresPerZone) return easting;
+        ++zonesTakenOff;
+        return easting - zoneM;
+    }
+    void addPlaces(std::span<const glm::dvec2> points, std::vector<LonLat>& places) {
         std::vector<double> x, y;
         for (const glm::dvec2 point : points) {
-            x.push_back(point.x);
+            x.push_back(takeZoneOff(point.x));
             y.push_back(point.y);
         }
         std::vector<int> worked(points.size(), 0);
@@ -192,6 +202,8 @@ Result<CrsToLonLat> CrsToLonLat::of(const std::string& crs) {
     OGRSpatialReference horizontal(parts->system);
     horizontal.DemoteTo2D(nullptr);
     if (horizontal.IsCompound() != 0) horizontal.StripVertical();
+    int isNorth = 0;
+    parts->zoneM = horizontal.GetUTMZone(&isNorth) * Parts::metresPerZone;
     OGRSpatialReference wgs84;
     wgs84.SetWellKnownGeogCS("WGS84");
     for (OGRSpatialReference* system : {&horizontal, &wgs84})
@@ -225,6 +237,7 @@ bool CrsToLonLat::isPlausible(LonLat place) const {
     return width + 2 * slackDeg >= 360 || eastward <= width + 2 * slackDeg;
 }
 
+bool CrsToLonLat::tookZoneOff() const { return parts_->zonesTakenOff > 0; }
 double CrsToLonLat::metresPerElevationUnit() const { return parts_->metresPerElevationUnit; }
 bool CrsToLonLat::elevationUnitIsStated() const { return parts_->elevationUnitIsStated; }
 std::optional<double> CrsToLonLat::metresPerUnit() const {

@@ -161,6 +161,7 @@ Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const 
         data.warnings.push_back(
             {WarningKind::assumed, "elevations have no unit; the unit of the map is assumed", file});
     if (!toPlaces(data, *crs, stop)) return cancelled();
+    if (crs->tookZoneOff()) data.warnings.push_back({WarningKind::assumed, std::string(zoneTakenOff), file});
     std::vector<PlaceBox> boxes = boxesOf(data);
     const std::optional<LonLat> median = medianOf(boxes);
     if (!median && boxes.empty())

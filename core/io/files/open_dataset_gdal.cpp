@@ -103,10 +103,23 @@ bool isVirtual(const fs::path& file) {
 
 bool isGeoPackage(GDALDataset& dataset) { return dataset.GetDriverName() == std::string_view("GPKG"); }
 
+bool lacksShapeIndex(const fs::path& file) {
+    std::error_code error;
+    const auto has = [&](const char* ending) {
+        return fs::exists(fs::path(file).replace_extension(ending), error);
+    };
+    return (file.extension() == ".shp" || file.extension() == ".SHP") && !has(".shx") && !has(".SHX");
+}
+
 tl::unexpected<Error> notOpened(const fs::path& file, DatasetContent content, const std::string& why) {
     if (isVirtual(file))
         return failure("It is a virtual dataset: it holds no data, and names files, databases or addresses",
                        file.string(), adviceOf(content));
+    if (lacksShapeIndex(file))
+        return failure(
+            "Its index is missing: the file of the same name that ends in .shx", file.string(),
+            "Copy it beside it, or make a new one: ogr2ogr --config SHAPE_RESTORE_SHX YES out.gpkg "
+            "FILE.shp");
     if (why.empty())
         return unsupported("It is of no format that is read here", file.string(), adviceOf(content));
     return failure(fmt::format("It cannot be read ({})", why), file.string(),

@@ -11,6 +11,7 @@
 #include "core/io/footprints/footprint_layer.h"
 #include "core/io/heights/height_text.h"
 #include "core/io/layers/feature_stream.h"
+#include "core/io/pieces/read_part.h"
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {
@@ -394,6 +395,8 @@ Result<void> FootprintLayer::checkPlace(Warnings& warnings) const {
             {WarningKind::assumed,
              fmt::format("its position is far outside the area of use of {}", toLonLat_.name()),
              source_.file});
+    if (toLonLat_.tookZoneOff())
+        warnings.push_back({WarningKind::assumed, std::string(zoneTakenOff), source_.file});
     if (hasZ_)
         warnings.push_back({WarningKind::leftOut, "the elevations in its polygons; only outlines are used",
                             source_.oneOfSeveral ? source_.file + ": " + name_ : source_.file});

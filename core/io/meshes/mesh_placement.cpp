@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/io/pieces/read_part.h"
 #include "core/io/settings/read_fields.h"
 
 namespace noonmark {
@@ -301,6 +302,7 @@ Result<void> MeshPlacement::placeOnMap(const MeshScene& scene, const MeshFile& f
              fmt::format("the coordinates are taken in the unit of {}, {:.8g} m, heights in {:.8g} m",
                          crs_->name(), unit.value_or(0), up_),
              file.name});
+    if (crs_->tookZoneOff()) warnings.push_back({WarningKind::assumed, std::string(zoneTakenOff), file.name});
     warnOfRounding(scene, unit ? across_ * *unit : 0, file, warnings);
     if (!settings.frame) frame_ = Frame(*middle);
     return {};

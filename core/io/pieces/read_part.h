@@ -15,6 +15,7 @@
 #include "core/city/building.h"
 #include "core/city/city.h"
 #include "core/city/trees/tree_facts.h"
+#include "core/describe/text.h"
 #include "core/geo/frame.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/heights/height_facts.h"
@@ -64,6 +65,10 @@ std::string describeCrs(const std::string& name, CrsSource source);  ///< define
 
 /// What a mesh says that was read without the position of its origin.
 inline constexpr std::string_view originAsAnchor = "the project's origin is used as the mesh's origin";
+
+/// What is assumed of UTM eastings of 1,000 km and more (CrsToLonLat::tookZoneOff).
+inline constexpr std::string_view zoneTakenOff =
+    NM_TEXT("the eastings begin with the number of their zone, which was taken off");
 
 /// One reader per family of formats (core_formats.cpp); OpenStreetMap has osm/read_osm_buildings.h.
 /// `settings.frame` is set if an earlier file fixed it; otherwise the reader chooses the middle of its data.

@@ -28,6 +28,26 @@ TEST(CrsToLonLat, LongitudeComesFirst) {
     EXPECT_NEAR(place.latDeg, 40.75, 1e-9);
 }
 
+TEST(CrsToLonLat, EastingsLoseTheNumberOfTheirZone) {
+    for (const char* crs : {"EPSG:25833", "EPSG:25833+7837", "EPSG:32633"}) {
+        const auto system = CrsToLonLat::of(crs);
+        const glm::dvec2 plain{391800, 5820000}, numbered{33391800, 5820000};
+        const LonLat place = system->lonLat({&plain, 1})[0];
+        EXPECT_FALSE(system->tookZoneOff()) << crs;
+        const LonLat same = system->lonLat({&numbered, 1})[0];
+        EXPECT_TRUE(system->tookZoneOff()) << crs;
+        EXPECT_EQ(same.lonDeg, place.lonDeg) << crs;
+        EXPECT_EQ(same.latDeg, place.latDeg) << crs;
+    }
+    // Another zone's number is not taken off, and this system states its numbers itself.
+    EXPECT_TRUE(std::isnan(convert("EPSG:25833", {32391800, 5820000}).lonDeg) ||
+                !CrsToLonLat::of("EPSG:25833")->isPlausible(convert("EPSG:25833", {32391800, 5820000})));
+    const auto own = CrsToLonLat::of("EPSG:4647");
+    const glm::dvec2 point{32500000, 5820000};
+    EXPECT_NEAR(own->lonLat({&point, 1})[0].lonDeg, 9, 1e-9);
+    EXPECT_FALSE(own->tookZoneOff());
+}
+
 TEST(CrsToLonLat, UnitsOfHeight) {
     const auto unit = [](const char* crs) {
         const auto made = CrsToLonLat::of(crs);
