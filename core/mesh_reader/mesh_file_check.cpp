@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "core/mesh_reader/read_dxf.h"
+
 namespace noonmark {
 
 namespace {
@@ -93,6 +95,15 @@ Result<std::uintmax_t> checkGlb(const std::string& head, std::uintmax_t fileSize
     return checkGltf(contentOf(file, headerBytes, jsonLength), file);
 }
 
+// Text formats that end with a mark of their own: without it part of the model is missing, which nothing that
+// was read shows.
+Result<std::uintmax_t> checkEnd(const std::filesystem::path& file, std::uintmax_t size, const char* mark) {
+    constexpr std::uintmax_t tailBytes = 4096;  // room for blank lines and padding
+    const std::uintmax_t start = size > tailBytes ? size - tailBytes : 0;
+    if (contentOf(file, start, tailBytes).find(mark) != std::string::npos) return size;
+    return failure(std::string("The file is cut off: its last line should be ") + mark, file.string(), again);
+}
+
 }  // namespace
 
 Result<std::uintmax_t> checkMeshFile(const std::filesystem::path& file) {
@@ -105,6 +116,8 @@ Result<std::uintmax_t> checkMeshFile(const std::filesystem::path& file) {
     constexpr std::size_t headBytes = 65536;
     const std::string head = contentOf(file, 0, headBytes);
     if (head.starts_with("ply")) return checkPly(head, size, file.string());
+    if (head.starts_with("ISO-10303-21")) return checkEnd(file, size, "END-ISO-10303-21");
+    if (isDxf(file) && !head.starts_with("AutoCAD Binary")) return checkEnd(file, size, "EOF");
     if (head.starts_with("glTF")) return checkGlb(head, size, file);
     if (const auto start = head.find_first_not_of(" \t\r\n"); start != head.npos && head[start] == '{')
         return checkGltf(contentOf(file, 0, size), file);

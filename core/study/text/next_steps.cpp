@@ -67,6 +67,10 @@ std::vector<NextStep> listNextSteps(const CityRead& read, const std::vector<std:
         steps.push_back(
             {*assumed, writer.write("noonmark-cli info", options.substr(0, options.find(" or ")))});
     }
+    const bool showsRoofs = read.city.terrain && read.city.terrain->source.underBuildings > 0;
+    if (assumed && showsRoofs && !settings.heightsFromSurface)
+        steps.push_back({"heights that the surface model shows",
+                         writer.write("noonmark-cli info", readOption("heights_from_surface"))});
     if (!read.city.terrain)
         steps.push_back({"the ground is flat, since there is no terrain",
                          writer.write("noonmark-cli info", {}, "TERRAIN.tif")});

@@ -363,10 +363,7 @@ TEST(DxfMasses, HostileDrawingsEndWithAWord) {
     EXPECT_THAT(refusal(drawing(groups({{0, "INSERT"}, {2, "b39"}}), doubling)), HasSubstr("too often"));
     const std::string whole = drawing(outline() + boxFaces(), header(6));
     for (std::size_t cut = 0; cut < whole.size(); cut += 97) {
-        const auto piece = readMass(folder.file("cut.dxf", whole.substr(0, cut)));
-        if (!piece) {
-            EXPECT_FALSE(piece.error().what.empty());
-        }
+        EXPECT_FALSE(readMass(folder.file("cut.dxf", whole.substr(0, cut)))) << cut;  // EOF is missing
     }
 }
 

@@ -142,6 +142,19 @@ TEST(NextSteps, BeginWithTheFieldThatMayHoldTheHeights) {
     EXPECT_EQ(steps[0].command, "noonmark-cli info a.shp --height-field H_BAT");
 }
 
+TEST(NextSteps, OfferTheHeightsThatASurfaceModelShows) {
+    CityRead read;
+    read.city = ofHeights(2, 1);
+    Terrain terrain;
+    terrain.source.underBuildings = 40;
+    read.city.terrain = std::make_shared<const Terrain>(terrain);
+    const std::vector<std::string> files{"a.shp", "dsm.tif"};
+    EXPECT_EQ(listNextSteps(read, files, {})[0].command,
+              "noonmark-cli info a.shp dsm.tif --heights-from-surface");
+    const auto taken = listNextSteps(read, files, {.heightsFromSurface = true});
+    EXPECT_NE(taken[0].why, listNextSteps(read, files, {})[0].why);
+}
+
 TEST(InfoJson, AnEmptyCity) {
     const auto info = nlohmann::json::parse(infoJson({}));
     EXPECT_EQ(info["buildings"], 0);
