@@ -62,12 +62,46 @@ void printHeights(std::ostream& out, const CityRead& read) {
         out << "  " << selectingOptions(field) << ": " << describe(field) << '\n';
 }
 
+// The layers with polygons of the files that have several, and which of them were read. A file whose layers
+// cannot be listed holds one city and no layers.
+nlohmann::ordered_json layersJson(const ReadOptions& options) {
+    auto json = nlohmann::ordered_json::array();
+    const std::string& chosen = options.settings.layer;
+    for (const std::string& file : options.files) {
+        const auto layers = listLayers(file, {});
+        if (!layers || layers->size() < 2 || isProjectFile(file)) continue;
+        for (const ListedLayer& layer : *layers)
+            json.push_back({{"file", file},
+                            {"layer", layer.name},
+                            {"features", layer.features},
+                            {"read", chosen.empty() ? layer.isRead : layer.name == chosen}});
+    }
+    return json;
+}
+
+// "buildings (144); not read: plots (407)".
+std::string describeLayers(const nlohmann::ordered_json& layers) {
+    std::vector<std::string> read, others;
+    for (const auto& layer : layers)
+        (layer["read"].get<bool>() ? read : others)
+            .push_back(fmt::format("{} ({})", layer["layer"].get<std::string>(),
+                                   withCommas(layer["features"].get<std::size_t>())));
+    return fmt::format("{}{}{}", fmt::join(read, ", "),
+                       others.empty() ? "" : "; not read: ", fmt::join(others, ", "));
+}
+
+nlohmann::ordered_json describeCity(const CityRead& read, const ReadOptions& options) {
+    auto info = nlohmann::ordered_json::parse(infoJson(read));
+    info["layers"] = layersJson(options);
+    return info;
+}
+
 // Prints the figures of the JSON as text.
-void print(const CityRead& read, std::ostream& out) {
-    const auto info = nlohmann::ordered_json::parse(infoJson(read));
+void print(const CityRead& read, const nlohmann::ordered_json& info, std::ostream& out) {
     const auto number = [&](const char* key) { return withCommas(info[key].get<std::size_t>()); };
     Table table;
     table.add("format", read.format);
+    if (!info["layers"].empty()) table.add("layers", describeLayers(info["layers"]));
     table.add("features", number("features"));
     table.add("buildings", number("buildings"));
     table.add("parts", fmt::format("{} ({} overhanging)", number("parts"), number("parts_hanging")));
@@ -175,12 +209,12 @@ int runInfo(const InfoOptions& options, const Console& console) {
     const bool isProject = namesProject(options.read);
     const auto steps = isProject ? std::vector<NextStep>()
                                  : listNextSteps(loaded->read, options.read.files, options.read.settings);
+    auto info = describeCity(loaded->read, options.read);
     if (options.json) {
-        auto info = nlohmann::ordered_json::parse(infoJson(loaded->read));
         info["next"] = nextStepsJson(steps);
         console.out << toJsonText(info) << '\n';
     } else {
-        print(loaded->read, console.out);
+        print(loaded->read, info, console.out);
         printNextSteps(steps, console.out);
         printProjectAdvice(options.read.files.front(), console.out);
     }
