@@ -281,7 +281,7 @@ void WindowStates::changeBuildings() {
 void WindowStates::showDialogs() {
     for (const auto& [action, state] : {std::pair{"exportResults", "dialog export"},
                                         {"Export movie...", "dialog movie"},
-                                        {"Sheets of the review...", "dialog sheets"}}) {
+                                        {"Export the review...", "dialog export review"}}) {
         trigger(QString::fromLatin1(action));
         write(state);
         for (QDialog* dialog : window_->findChildren<QDialog*>()) dialog->close();
