@@ -116,10 +116,8 @@ tl::unexpected<Error> notOpened(const fs::path& file, DatasetContent content, co
         return failure("It is a virtual dataset: it holds no data, and names files, databases or addresses",
                        file.string(), adviceOf(content));
     if (lacksShapeIndex(file))
-        return failure(
-            "Its index is missing: the file of the same name that ends in .shx", file.string(),
-            "Copy it beside it, or make a new one: ogr2ogr --config SHAPE_RESTORE_SHX YES out.gpkg "
-            "FILE.shp");
+        return failure("Its index is missing: the file of the same name that ends in .shx", file.string(),
+                       "Copy it beside it, or open the .shp in QGIS and save it as GeoPackage");
     if (why.empty())
         return unsupported("It is of no format that is read here", file.string(), adviceOf(content));
     return failure(fmt::format("It cannot be read ({})", why), file.string(),
