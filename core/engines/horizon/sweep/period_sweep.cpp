@@ -150,7 +150,8 @@ void PeriodSweep::sweep(const BatchRange& batch, Tile& tile) {
     if (!overhangs_.empty()) workspace.overhangs.begin(overhangs_, tile.overhangs, bins, scene.cellM, stop_);
     if (crowns_ != nullptr) {
         workspace.crowns.begin(*crowns_, batch.first, batch.end);
-        if (!workspace.crownSums.begun()) workspace.crownSums.begin(tile.blocks.blocks().size());
+        if (!workspace.crownSums.begun())
+            workspace.crownSums.begin(tile.blocks.blocks().size(), crowns_->steps());
     }
     const auto take = [&](std::size_t i, std::size_t block, const HorizonCode* codes, bool swapped) {
         const std::size_t bin = batch.first + i;
@@ -251,17 +252,16 @@ void PeriodSweep::weigh(const CrownSweep* crowns) {
 
 void PeriodSweep::countCrowns(const Tile& tile) {
     for (const Workspace& workspace : workspaces_) {
-        const std::span<const CrownSums::Steps> steps = workspace.crownSums.steps();
-        if (steps.empty()) continue;
+        if (!workspace.crownSums.begun()) continue;
         for (std::size_t i = 0; i < tile.blocks.blocks().size(); ++i) {
             const ReceiverBlocks::Block& block = tile.blocks.blocks()[i];
             const std::uint8_t* places = tile.blocks.places(block, false);
             for (std::uint32_t n = 0; n < block.count; ++n) {
                 const std::uint32_t cell = tile.blocks.cell(block.first + n);
                 if (cell == ReceiverBlocks::padding) continue;
-                const CrownSums::Steps& taken = steps[i * ReceiverBlocks::cells + places[n]];
-                taken_.evergreen[cell] += double(taken.evergreen) / CrownSums::fractions;
-                taken_.seasonal[cell] += double(taken.seasonal) / CrownSums::fractions;
+                const CrownSums::Steps taken = workspace.crownSums.steps(i, places[n]);
+                taken_.evergreen[cell] += taken.evergreen;
+                taken_.seasonal[cell] += taken.seasonal;
             }
         }
     }

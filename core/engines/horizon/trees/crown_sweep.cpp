@@ -1,67 +1,66 @@
 #include "core/engines/horizon/trees/crown_sweep.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace noonmark {
 
 namespace {
 
-constexpr float bandM = 16;  // width of a band
+constexpr std::size_t side = ReceiverBlocks::side;
 
 struct LeafySun {
     HorizonCode code;
     bool inLeaf;
 };
 
-CrownLevel makeLevel(std::span<const LeafySun> suns) {
-    CrownLevel level;
+void addLevel(std::span<const LeafySun> suns, CrownLevels& levels) {
+    const std::size_t i = levels.count++;
     double angles = 0;
     for (const LeafySun& sun : suns) {
         angles += std::atan(toTangent(sun.code));
-        (sun.inLeaf ? level.inLeaf : level.bare) += 1;
+        (sun.inLeaf ? levels.inLeaf : levels.bare)[i] += 1;
     }
-    level.tan = float(std::tan(angles / double(suns.size())));
-    level.secant = std::sqrt(1 + level.tan * level.tan);
-    level.belowCode = float(suns.back().code) + 1;
-    level.perCode = 1 / (level.belowCode - float(suns.front().code));
-    return level;
+    const double angle = angles / double(suns.size());
+    levels.tan[i] = float(std::tan(angle));
+    levels.perTan[i] = float(1 / std::tan(angle));
+    levels.secant[i] = float(1 / std::cos(angle));
+    levels.belowCode[i] = float(suns.back().code) + 1;
+    levels.perCode[i] = 1 / (levels.belowCode[i] - float(suns.front().code));
 }
 
-// By equal numbers of suns; suns of one code stay together.
-std::vector<CrownLevel> splitIntoLevels(std::vector<LeafySun> suns) {
+// By equal numbers of suns, but for the first and last; suns of one code stay together. Levels of
+// neighbouring bins begin at different shares of their suns, by the golden ratio, because crowns have edges
+// at the same altitude in many bins: errors at equal levels would add up instead of cancelling out.
+CrownLevels splitIntoLevels(std::size_t bin, std::vector<LeafySun> suns) {
+    constexpr double goldenRatio = 0.6180339887498949;
     std::ranges::sort(suns, {}, &LeafySun::code);
-    std::vector<CrownLevel> levels;
-    const std::size_t size = (suns.size() + CrownSweep::maxLevels - 1) / CrownSweep::maxLevels;
-    for (std::size_t first = 0; first < suns.size();) {
-        std::size_t end = std::min(first + size, suns.size());
+    CrownLevels levels;
+    const double size = std::max(1.0, double(suns.size()) / double(CrownSweep::maxLevels - 1));
+    const double share = double(bin + 1) * goldenRatio;
+    double limit = size * (share - std::floor(share));
+    for (std::size_t first = 0; first < suns.size(); limit += size) {
+        const bool last = levels.count + 1 == CrownSweep::maxLevels;
+        std::size_t end = last ? suns.size() : std::min(std::size_t(std::lround(limit)), suns.size());
+        if (end <= first) continue;
         while (end < suns.size() && suns[end].code == suns[end - 1].code) ++end;
-        levels.push_back(makeLevel(std::span(suns).subspan(first, end - first)));
+        addLevel(std::span(suns).subspan(first, end - first), levels);
         first = end;
     }
     return levels;
 }
 
-CrownOnRow shapeOf(const Crown& crown, double datumM) {
-    const double heightM = crown.topM - crown.bottomM, r = crown.radiusM;
-    CrownOnRow row{};
-    row.bottomM = float(crown.bottomM - datumM);
-    row.topM = row.pivotM = float(crown.topM - datumM);
-    row.inLeafPerM = float(crown.leafOnPerM);
-    row.barePerM = float(crown.leafOffPerM);
-    row.a = 1;
-    if (crown.shape == CrownShape::cylinder) row.c = float(-r * r);
-    if (crown.shape == CrownShape::cone) row.q = float(-(r * r) / (heightM * heightM));
-    if (crown.shape != CrownShape::ellipsoid) return row;
-    row.pivotM = float((crown.bottomM + crown.topM) / 2 - datumM);
-    row.a = float(1 / (r * r));
-    row.q = float(4 / (heightM * heightM));
-    row.c = -1;
-    return row;
+CrownOnBlock shapeOf(const Crown& crown, double datumM) {
+    return {.bottomM = float(crown.bottomM - datumM),
+            .topM = float(crown.topM - datumM),
+            .radiusM = float(crown.radiusM),
+            .inLeafPerM = float(crown.leafOnPerM),
+            .barePerM = float(crown.leafOffPerM),
+            .shape = crown.shape};
 }
 
 const std::array<HorizonCode, ReceiverBlocks::cells>& levelHorizons() {
@@ -73,97 +72,114 @@ const std::array<HorizonCode, ReceiverBlocks::cells>& levelHorizons() {
     return level;
 }
 
-HorizonCode findLowestCode(const HorizonCode* codes, std::uint16_t receivers) {
-    HorizonCode lowest = std::numeric_limits<HorizonCode>::max();
-    for (unsigned cell = 0; cell < unsigned(ReceiverBlocks::side); ++cell)
-        if ((receivers >> cell & 1U) != 0) lowest = std::min(lowest, codes[cell]);
-    return lowest;
-}
-
 }  // namespace
 
+void CrownSums::begin(std::size_t blocks, std::size_t steps) {
+    constexpr double finest = 4096;
+    const double most = double(std::numeric_limits<std::int32_t>::max()) / double(steps + 1);
+    fractions_ = float(std::min(finest, std::exp2(std::floor(std::log2(most)))));
+    blocks_.assign(2 * blocks, {});
+}
+
+CrownSums::Steps CrownSums::steps(std::size_t block, std::size_t cell) const {
+    const Block &straight = blocks_[2 * block], &swapped = blocks_[2 * block + 1];
+    const std::size_t other = cell % side * side + cell / side;
+    const auto sum = [&](std::int32_t a, std::int32_t b) {
+        return (double(a) + double(b)) / double(fractions_);
+    };
+    return {sum(straight.evergreen[cell], swapped.evergreen[other]),
+            sum(straight.seasonal[cell], swapped.seasonal[other])};
+}
+
 CrownSweep::CrownSweep(const CrownScene& scene, const BinnedSun& binned, const Grid& grid, double datumM)
-    : crowns_(scene.crowns), levels_(binned.bins.size()), grid_(grid), datumM_(datumM) {
+    : cellM_(grid.cellM), steps_(binned.places.size()) {
     std::vector<std::vector<LeafySun>> suns(binned.bins.size());
     for (std::size_t step = 0; step < binned.places.size(); ++step)
         suns[binned.places[step].bin].push_back({binned.places[step].sun, scene.inLeaf[step] != 0});
     for (std::size_t bin = 0; bin < suns.size(); ++bin) {
-        levels_[bin] = splitIntoLevels(std::move(suns[bin]));
+        levels_.push_back(splitIntoLevels(bin, std::move(suns[bin])));
         away_.push_back(binned.bins[bin].away);
     }
-    for (const Crown& crown : crowns_) {
-        shapes_.push_back(shapeOf(crown, datumM));
-        widestM_ = std::max(widestM_, crown.radiusM);
-        highestM_ = std::max(highestM_, crown.topM - datumM);
+    for (const Crown& crown : scene.crowns) {
+        places_.emplace_back(crown.x - grid.westM, crown.y - grid.southM);
+        crowns_.push_back(shapeOf(crown, datumM));
+        widestM_ = std::max(widestM_, crowns_.back().radiusM);
+        highestM_ = std::max(highestM_, crowns_.back().topM);
     }
 }
 
 /// A block at one bin.
 struct CrownBatch::BlockView {
-    std::span<const CrownLevel> levels;
+    const CrownLevels& levels;
     float aside = 0, ahead = 0;  // of its first cell, metres
     float asidePerRow = 0, aheadPerRow = 0, asidePerCell = 0, aheadPerCell = 0;
-    const ReceiverBlocks::Masks* masks = nullptr;
-    const HorizonCode* codes = nullptr;
+    float lowAside = 0, highAside = 0, lowAhead = 0, highAhead = 0;  // of its cells
     bool swapped = false;
-    const CacheLine<float>* groundM = nullptr;
-    float lowestTan = 0;              // of the suns that some cell sees
-    float lowestM = 0, highestM = 0;  // ground of its cells above the datum
-    std::array<std::size_t, rowCells>
-        visible{};  // first level of each row that no horizon hides from all cells
-
-    [[nodiscard]] bool isReceiver(std::size_t row, std::size_t cell) const {
-        return ((*masks)[row] >> cell & 1U) != 0;
-    }
-    // Of the values at the corners of the block, which change by so much along its rows and columns.
-    [[nodiscard]] static float lowest(float first, float perRow, float perCell) {
-        return first + (std::min(0.0F, perRow) + std::min(0.0F, perCell)) * float(rowCells - 1);
-    }
-    [[nodiscard]] static float highest(float first, float perRow, float perCell) {
-        return first + (std::max(0.0F, perRow) + std::max(0.0F, perCell)) * float(rowCells - 1);
-    }
+    CrownGround ground;
+    float lowestTan = 0;                        // of the levels that some cell sees
+    std::array<std::uint16_t, side> visible{};  // levels that some cell of each row sees, as bits
 };
+
+std::size_t CrownBatch::Squares::at(const PlacedCrown& crown) const {
+    const auto band = std::size_t((crown.aside - lowestAside) * perM);
+    return band * std::size_t(inBand) + std::size_t((crown.ahead - lowestAhead) * perM);
+}
+
+// May return more than those between the two.
+std::span<const CrownBatch::PlacedCrown> CrownBatch::Squares::find(int band, float nearest,
+                                                                   float farthest) const {
+    const float from = std::max(0.0F, (nearest - lowestAhead) * perM), to = (farthest - lowestAhead) * perM;
+    if (to < 0 || from >= float(inBand)) return {};
+    const auto last = std::size_t(std::min(float(inBand - 1), to));
+    const std::size_t row = std::size_t(band) * std::size_t(inBand);
+    const std::uint32_t begin = first[row + std::size_t(from)], end = first[row + last + 1];
+    return std::span(crowns).subspan(begin, end - begin);
+}
 
 void CrownBatch::begin(const CrownSweep& sweep, std::size_t first, std::size_t end) {
     sweep_ = &sweep;
     firstBin_ = first;
-    bands_.resize(end - first);
-    for (std::size_t bin = first; bin < end; ++bin) place(sweep, bin, bands_[bin - first]);
+    squares_.resize(end - first);
+    for (std::size_t bin = first; bin < end; ++bin) place(sweep, bin, squares_[bin - first]);
 }
 
-// Sorted by all that tells crowns apart, so that sums do not depend on threads.
-void CrownBatch::place(const CrownSweep& sweep, std::size_t bin, Bands& bands) {
+// A counting sort, which leaves crowns of a square in their order, so that sums do not depend on threads.
+void CrownBatch::place(const CrownSweep& sweep, std::size_t bin, Squares& squares) {
     const glm::dvec2 away = sweep.away(bin), right(-away.y, away.x);
-    const glm::dvec2 corner(sweep.grid().westM, sweep.grid().southM);
-    bands.crowns.clear();
-    float lowest = std::numeric_limits<float>::max(), highest = -lowest;
-    for (std::uint32_t i = 0; i < sweep.crowns().size(); ++i) {
-        const glm::dvec2 place = glm::dvec2(sweep.crowns()[i].x, sweep.crowns()[i].y) - corner;
-        const PlacedCrown placed{float(glm::dot(place, right)), float(-glm::dot(place, away)), i};
-        lowest = std::min(lowest, placed.aside);
-        highest = std::max(highest, placed.aside);
-        bands.crowns.push_back(placed);
+    glm::vec2 low(std::numeric_limits<float>::max()), high(-low);
+    unsorted_.clear();
+    for (std::uint32_t i = 0; i < sweep.places().size(); ++i) {
+        const glm::vec2 at(glm::dot(sweep.places()[i], right), -glm::dot(sweep.places()[i], away));
+        unsorted_.push_back({at.x, at.y, i});
+        low = glm::vec2(std::min(low.x, at.x), std::min(low.y, at.y));
+        high = glm::vec2(std::max(high.x, at.x), std::max(high.y, at.y));
     }
-    bands.lowest = lowest;
-    const auto bandOf = [&](const PlacedCrown& crown) { return std::size_t((crown.aside - lowest) / bandM); };
-    std::ranges::sort(bands.crowns, {}, [&](const PlacedCrown& crown) {
-        return std::tuple(bandOf(crown), crown.ahead, crown.crown);
-    });
-    bands.first.assign(std::size_t((highest - lowest) / bandM) + 2, 0);
-    for (const PlacedCrown& crown : bands.crowns) ++bands.first[bandOf(crown) + 1];
-    for (std::size_t band = 1; band < bands.first.size(); ++band) bands.first[band] += bands.first[band - 1];
+    constexpr float narrowestM = 16;
+    const glm::vec2 extent = high - low;
+    const float sideM = std::max(narrowestM, std::sqrt(extent.x * extent.y / float(4 * unsorted_.size())));
+    squares.lowestAside = low.x;
+    squares.lowestAhead = low.y;
+    squares.perM = 1 / sideM;
+    squares.bands = int(extent.x * squares.perM) + 1;
+    squares.inBand = int(extent.y * squares.perM) + 1;
+    squares.first.assign(std::size_t(squares.bands) * std::size_t(squares.inBand) + 2, 0);
+    for (const PlacedCrown& crown : unsorted_) ++squares.first[squares.at(crown) + 2];
+    for (std::size_t i = 2; i < squares.first.size(); ++i) squares.first[i] += squares.first[i - 1];
+    squares.crowns.resize(unsorted_.size());
+    for (const PlacedCrown& crown : unsorted_) squares.crowns[squares.first[squares.at(crown) + 1]++] = crown;
 }
 
 void CrownBatch::add(std::size_t bin, std::size_t blockIndex, const ReceiverBlocks& blocks,
                      const HorizonCode* codes, bool swapped, const BlockGround& ground, CrownSums& sums) {
+    const ReceiverBlocks::Masks& receivers = blocks.masks(blockIndex, swapped);
     BlockView view = viewOf(bin, blocks.blocks()[blockIndex], swapped);
-    view.masks = &blocks.masks(blockIndex, swapped);
-    view.codes = codes == nullptr ? levelHorizons().data() : codes;
-    setGround(view, ground);
-    if (findVisible(view)) {
-        addCrowns(bands_[bin - firstBin_], view);
-        for (std::size_t row = 0; row < rowCells; ++row)
-            if (touchedFrom_[row] < touchedTo_[row]) countRow(row, blockIndex, view, sums);
+    if (codes == nullptr) codes = levelHorizons().data();
+    setGround(view, ground, receivers);
+    if (findVisible(view, codes, receivers) && addCrowns(squares_[bin - firstBin_], view)) {
+        CrownSums::Block& block = sums.at(blockIndex, swapped);
+        weighBlock(view.levels, depths_, codes, sums.fractions(), block.evergreen, block.seasonal);
+        for (const HiddenGap& gap : gaps_) takeGap(gap, view, sums.fractions(), block);
+        std::ranges::fill(depths_.touched, std::uint16_t{0});
     }
     gaps_.clear();
 }
@@ -171,161 +187,104 @@ void CrownBatch::add(std::size_t bin, std::size_t blockIndex, const ReceiverBloc
 CrownBatch::BlockView CrownBatch::viewOf(std::size_t bin, const ReceiverBlocks::Block& block,
                                          bool swapped) const {
     const glm::dvec2 away = sweep_->away(bin), right(-away.y, away.x);
-    const double cellM = sweep_->grid().cellM;
+    const double cellM = sweep_->cellM();
     const glm::dvec2 first(cellM * (block.column + 0.5), cellM * (block.row + 0.5));
     const glm::dvec2 toNextCell = swapped ? glm::dvec2(0, cellM) : glm::dvec2(cellM, 0);
     const glm::dvec2 toNextRow = swapped ? glm::dvec2(cellM, 0) : glm::dvec2(0, cellM);
-    BlockView view;
-    view.levels = sweep_->levels(bin);
+    BlockView view{.levels = sweep_->levels(bin)};
     view.aside = float(glm::dot(first, right));
     view.ahead = float(-glm::dot(first, away));
     view.asidePerRow = float(glm::dot(toNextRow, right));
     view.aheadPerRow = float(-glm::dot(toNextRow, away));
     view.asidePerCell = float(glm::dot(toNextCell, right));
     view.aheadPerCell = float(-glm::dot(toNextCell, away));
+    const auto low = [](float at, float perRow, float perCell) {
+        return at + (std::min(0.0F, perRow) + std::min(0.0F, perCell)) * float(side - 1);
+    };
+    view.lowAside = low(view.aside, view.asidePerRow, view.asidePerCell);
+    view.highAside = -low(-view.aside, -view.asidePerRow, -view.asidePerCell);
+    view.lowAhead = low(view.ahead, view.aheadPerRow, view.aheadPerCell);
+    view.highAhead = -low(-view.ahead, -view.aheadPerRow, -view.aheadPerCell);
     view.swapped = swapped;
     return view;
 }
 
-void CrownBatch::setGround(BlockView& view, const BlockGround& ground) {
+void CrownBatch::setGround(BlockView& view, const BlockGround& ground,
+                           const ReceiverBlocks::Masks& receivers) {
     if (ground.rowsM == nullptr) return;
-    view.groundM = ground.rowsM;
-    view.lowestM = view.highestM = ground.lowestM;
-    for (std::size_t row = 0; row < rowCells; ++row)
-        for (std::size_t cell = 0; cell < rowCells; ++cell)
-            if (view.isReceiver(row, cell))
-                view.highestM = std::max(view.highestM, ground.rowsM[row].values[cell]);
+    view.ground = {ground.rowsM, ground.lowestM, ground.lowestM};
+    for (std::size_t row = 0; row < side; ++row)
+        for (std::size_t cell = 0; cell < side; ++cell)
+            if ((receivers[row] >> cell & 1U) != 0)
+                view.ground.highestM = std::max(view.ground.highestM, ground.rowsM[row].values[cell]);
 }
 
 // Whether any cell sees a sun.
-bool CrownBatch::findVisible(BlockView& view) {
-    std::size_t lowestVisible = view.levels.size();
-    for (std::size_t row = 0; row < rowCells; ++row) {
-        touchedFrom_[row] = touchedTo_[row] = 0;
-        const std::uint16_t receivers = (*view.masks)[row];
-        const auto lowest = receivers == 0 ? std::numeric_limits<float>::max()
-                                           : float(findLowestCode(view.codes + row * rowCells, receivers));
-        const auto first = std::ranges::find_if(
-            view.levels, [&](const CrownLevel& level) { return level.belowCode > lowest; });
-        view.visible[row] = std::size_t(first - view.levels.begin());
-        lowestVisible = std::min(lowestVisible, view.visible[row]);
-    }
-    if (lowestVisible == view.levels.size()) return false;
-    view.lowestTan = view.levels[lowestVisible].tan;
+bool CrownBatch::findVisible(BlockView& view, const HorizonCode* codes,
+                             const ReceiverBlocks::Masks& receivers) {
+    findVisibleLevels(view.levels, codes, receivers, view.visible.data());
+    unsigned some = 0;
+    for (const std::uint16_t levels : view.visible) some |= levels;
+    if (some == 0) return false;
+    view.lowestTan = view.levels.tan[std::countr_zero(some)];
     return true;
 }
 
-void CrownBatch::addCrowns(const Bands& bands, const BlockView& view) {
-    const auto widest = float(sweep_->widestM());
-    const float low = BlockView::lowest(view.aside, view.asidePerRow, view.asidePerCell) - widest;
-    const float high = BlockView::highest(view.aside, view.asidePerRow, view.asidePerCell) + widest;
-    const int bandCount = int(bands.first.size()) - 1;
-    const int firstBand = std::max(0, int(std::floor((low - bands.lowest) / bandM)));
-    const int lastBand = std::min(bandCount - 1, int(std::floor((high - bands.lowest) / bandM)));
-    const float nearest = BlockView::lowest(view.ahead, view.aheadPerRow, view.aheadPerCell) - widest;
-    const float reachM = std::max(0.0F, float(sweep_->highestM()) - view.lowestM) / view.lowestTan;
-    const float farthest =
-        BlockView::highest(view.ahead, view.aheadPerRow, view.aheadPerCell) + widest + reachM;
-    for (int band = firstBand; band <= lastBand; ++band) {
-        const auto crowns = std::span(bands.crowns)
-                                .subspan(bands.first[std::size_t(band)],
-                                         bands.first[std::size_t(band) + 1] - bands.first[std::size_t(band)]);
-        auto crown = std::ranges::lower_bound(crowns, nearest, {}, &PlacedCrown::ahead);
-        for (; crown != crowns.end() && crown->ahead <= farthest; ++crown) addCrown(*crown, view);
-    }
+// Whether any stands before the block.
+bool CrownBatch::addCrowns(const Squares& squares, const BlockView& view) {
+    const float widest = sweep_->widestM();
+    const float reachM = std::max(0.0F, sweep_->highestM() - view.ground.lowestM) / view.lowestTan;
+    const auto bandAt = [&](float aside) {
+        return int(std::floor((aside - squares.lowestAside) * squares.perM));
+    };
+    const int first = std::max(0, bandAt(view.lowAside - widest));
+    const int last = std::min(squares.bands - 1, bandAt(view.highAside + widest));
+    bool any = false;
+    for (int band = first; band <= last; ++band)
+        for (const PlacedCrown& crown :
+             squares.find(band, view.lowAhead - widest, view.highAhead + widest + reachM))
+            any = addCrown(crown, view) || any;
+    return any;
 }
 
-void CrownBatch::countRow(std::size_t row, std::size_t blockIndex, const BlockView& view, CrownSums& sums) {
-    const std::size_t from = touchedFrom_[row], to = touchedTo_[row];
-    alignas(64) float evergreen[rowCells], seasonal[rowCells];
-    weighRow(view.levels.subspan(from, to - from), inLeaf_[row][from], bare_[row][from],
-             view.codes + row * rowCells, evergreen, seasonal);
-    for (const HiddenGap& gap : gaps_) {
-        const std::size_t gapRow = view.swapped ? gap.cell % rowCells : gap.cell / rowCells;
-        const std::size_t cell = view.swapped ? gap.cell / rowCells : gap.cell % rowCells;
-        if (gapRow == row) takeGap(gap, row, cell, view, evergreen[cell], seasonal[cell]);
-    }
-    for (std::size_t cell = 0; cell < rowCells; ++cell)
-        if (evergreen[cell] > 0)
-            sums.add(blockIndex, view.swapped ? cell * rowCells + row : row * rowCells + cell,
-                     evergreen[cell], std::max(0.0F, seasonal[cell]));
+bool CrownBatch::addCrown(const PlacedCrown& placed, const BlockView& view) {
+    const CrownOnBlock& crown = sweep_->crowns()[placed.crown];
+    const float r = crown.radiusM, overM = crown.topM - view.ground.lowestM;
+    if (placed.aside - view.highAside >= r || placed.aside - view.lowAside <= -r || overM <= 0) return false;
+    if (placed.ahead - view.lowAhead <= -r) return false;
+    if ((placed.ahead - view.highAhead - r) * view.lowestTan >= overM) return false;
+    CrownOnBlock on = crown;
+    on.distance = placed.ahead - view.ahead;
+    on.distancePerRow = -view.aheadPerRow;
+    on.distancePerCell = -view.aheadPerCell;
+    on.aside = placed.aside - view.aside;
+    on.asidePerRow = -view.asidePerRow;
+    on.asidePerCell = -view.asidePerCell;
+    addCrownToBlock(on, view.levels, view.ground, view.visible.data(), depths_);
+    return true;
 }
 
 // Suns that an overhang hides are not the crowns'.
-void CrownBatch::takeGap(const HiddenGap& gap, std::size_t row, std::size_t cell, const BlockView& view,
-                         float& evergreen, float& seasonal) const {
-    for (std::size_t i = touchedFrom_[row]; i < touchedTo_[row]; ++i) {
-        const CrownLevel& level = view.levels[i];
+void CrownBatch::takeGap(const HiddenGap& gap, const BlockView& view, float fractions,
+                         CrownSums::Block& sums) const {
+    const std::size_t across = gap.cell % side, down = gap.cell / side;
+    const std::size_t row = view.swapped ? across : down, cell = view.swapped ? down : across;
+    const CrownLevels& levels = view.levels;
+    float evergreen = 0, seasonal = 0;
+    for (unsigned bits = depths_.touched[row]; bits != 0; bits &= bits - 1) {
+        const auto i = std::size_t(std::countr_zero(bits));
         const auto above = [&](HorizonCode code) {
-            return std::clamp((level.belowCode - float(code)) * level.perCode, 0.0F, 1.0F);
+            return std::clamp((levels.belowCode[i] - float(code)) * levels.perCode[i], 0.0F, 1.0F);
         };
         const float hidden = above(gap.low) - above(gap.high);
         if (hidden <= 0) continue;
-        const float taken = -std::expm1(-inLeaf_[row][i][cell]),
-                    takenBare = -std::expm1(-bare_[row][i][cell]);
-        evergreen -= hidden * (level.inLeaf + level.bare) * taken;
-        seasonal -= hidden * (level.inLeaf * taken + level.bare * takenBare);
+        const float taken = -std::expm1(-depths_.inLeaf[row][i][cell]);
+        evergreen += hidden * (levels.inLeaf[i] + levels.bare[i]) * taken;
+        seasonal += hidden * levels.inLeaf[i] * taken;
+        if (levels.bare[i] > 0) seasonal -= hidden * levels.bare[i] * std::expm1(-depths_.bare[row][i][cell]);
     }
-}
-
-void CrownBatch::addCrown(const PlacedCrown& placed, const BlockView& view) {
-    const Crown& crown = sweep_->crowns()[placed.crown];
-    const auto r = float(crown.radiusM);
-    const float last = rowCells - 1;
-    const float nearest = placed.ahead - BlockView::highest(view.ahead, view.aheadPerRow, view.aheadPerCell);
-    const float farthest = placed.ahead - BlockView::lowest(view.ahead, view.aheadPerRow, view.aheadPerCell);
-    const float overM = float(crown.topM - sweep_->datumM()) - view.lowestM;
-    if (farthest < -r || overM <= 0 || (nearest - r) * view.lowestTan > overM) return;
-    for (int row = 0; row < int(rowCells); ++row) {
-        const float aside = placed.aside - view.aside - view.asidePerRow * float(row);
-        const float other = aside - view.asidePerCell * last;
-        if (std::min(aside, other) > r || std::max(aside, other) < -r) continue;
-        addToRow(placed.crown, view, row, placed.ahead - view.ahead - view.aheadPerRow * float(row), aside);
-    }
-}
-
-// At the levels whose rays from some cell of the row may meet the crown.
-void CrownBatch::addToRow(std::size_t crown, const BlockView& view, int row, float distance, float aside) {
-    CrownOnRow on = sweep_->shape(crown);
-    on.distance = distance;
-    on.distanceStep = -view.aheadPerCell;
-    on.aside = aside;
-    on.asideStep = -view.asidePerCell;
-    if (view.groundM != nullptr) on.groundM = view.groundM[row].values;
-    const auto r = float(sweep_->crowns()[crown].radiusM);
-    const float other = distance + on.distanceStep * float(rowCells - 1);
-    const float nearest = std::min(distance, other) - r, farthest = std::max(distance, other) + r;
-    if (farthest <= 0) return;
-    const float steepest =
-        nearest > 0 ? (on.topM - view.lowestM) / nearest : std::numeric_limits<float>::max();
-    const float flattest = std::max(0.0F, on.bottomM - view.highestM) / farthest;
-    std::size_t first = view.visible[std::size_t(row)], end = view.levels.size();
-    while (first < end && view.levels[first].tan < flattest) ++first;
-    while (end > first && view.levels[end - 1].tan > steepest) --end;
-    if (first == end) return;
-    touch(row, first, end);
-    addCrownToRow(on, view.levels.subspan(first, end - first), inLeaf_[row][first], bare_[row][first]);
-}
-
-// Levels count from zero where a crown first comes before them.
-void CrownBatch::touch(int row, std::size_t first, std::size_t end) {
-    std::size_t &from = touchedFrom_[row], &to = touchedTo_[row];
-    const auto clear = [&](std::size_t low, std::size_t high) {
-        for (std::size_t level = low; level < high; ++level) {
-            std::ranges::fill(inLeaf_[row][level], 0.0F);
-            std::ranges::fill(bare_[row][level], 0.0F);
-        }
-    };
-    if (from == to) {
-        clear(first, end);
-        from = first;
-        to = end;
-        return;
-    }
-    if (first < from) clear(first, from);
-    if (end > to) clear(to, end);
-    from = std::min(from, first);
-    to = std::max(to, end);
+    sums.evergreen[row * side + cell] -= std::int32_t(evergreen * fractions + 0.5F);
+    sums.seasonal[row * side + cell] -= std::int32_t(seasonal * fractions + 0.5F);
 }
 
 }  // namespace noonmark

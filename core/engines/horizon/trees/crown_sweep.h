@@ -2,7 +2,7 @@
 
 // The folder core/engines/horizon/trees weighs crowns within the horizon sweep. In this file, CrownSweep has
 // the crowns and the suns of each bin in levels of altitude, CrownBatch adds the crowns before each block,
-// and addCrownToRow() and weighRow() are the inner loops.
+// and addCrownToBlock(), findVisibleLevels() and weighBlock() are the inner loops.
 
 #include <array>
 #include <cstddef>
@@ -18,83 +18,113 @@
 
 namespace noonmark {
 
-/// Suns of a bin that are weighed together, at the mean tangent of their altitudes.
-struct CrownLevel {
-    float tan = 0, secant = 1;   ///< of the altitude
-    float belowCode = 0;         ///< code of its highest sun + 1
-    float perCode = 1;           ///< 1 / (belowCode - code of its lowest sun)
-    float inLeaf = 0, bare = 0;  ///< numbers of suns in and out of the leaf season
+/// The suns of a bin in levels of altitude, from the lowest up; those of a level are weighed together, at the
+/// mean of their altitudes. Entries from `count` on are harmless.
+struct CrownLevels {
+    static constexpr std::size_t most = 16;  ///< a level is a bit
+    std::size_t count = 0;
+    alignas(64) float tan[most] = {}, perTan[most] = {}, secant[most] = {};  ///< of the altitude; 1 / tan
+    alignas(64) float belowCode[most] = {};                                  ///< code of its highest sun + 1
+    alignas(64) float perCode[most] = {};                  ///< 1 / (belowCode - code of its lowest sun)
+    alignas(64) float inLeaf[most] = {}, bare[most] = {};  ///< numbers of suns in and out of the leaf season
+    [[nodiscard]] std::uint16_t all() const { return std::uint16_t((1U << count) - 1); }
 };
 
-/// A crown before a row of 16 cells, as a quadric cut by two levels. With x from its axis away from the cell,
-/// u aside and p the ray's height over the pivot there: inside where a (x2 + u2) + q (p + tan x)2 + c <= 0.
-struct CrownOnRow {
-    float distance,
-        distanceStep;        ///< along the azimuth from the first cell to the axis; from cell to cell, m
-    float aside, asideStep;  ///< across it, m
-    float a, q, c;
-    float pivotM, bottomM, topM;     ///< above the datum of the cells
-    float inLeafPerM, barePerM;      ///< optical depth
-    const float* groundM = nullptr;  ///< of the 16 cells above the datum; null: 0
+/// A crown before a block. Its axis is `distance` along the azimuth from the block's first cell, towards the
+/// sun, and `aside` across it; both change from row to row and from cell to cell. Metres.
+struct CrownOnBlock {
+    float distance, distancePerRow, distancePerCell;
+    float aside, asidePerRow, asidePerCell;
+    float bottomM, topM, radiusM;  ///< elevations above the datum of the cells
+    float inLeafPerM, barePerM;    ///< optical depth
+    CrownShape shape;
 };
 
-/// Adds the crown's optical depth at some levels: to [level][cell], 16 floats a level, from the first level
-/// of the span on.
-void addCrownToRow(const CrownOnRow& crown, std::span<const CrownLevel> levels, float* inLeaf, float* bare);
+/// Ground of a block's cells above the datum.
+struct CrownGround {
+    const CacheLine<float>* rowsM = nullptr;  ///< null: all at the datum
+    float lowestM = 0, highestM = 0;          ///< of the receivers
+};
 
-/// Steps that crowns take from cells at some levels, of those that the cells' horizons leave: each sun counts
-/// 1 - exp(-optical depth). A level that a horizon cuts counts by the share of its codes. 16 of each.
-void weighRow(std::span<const CrownLevel> levels, const float* inLeaf, const float* bare,
-              const HorizonCode* horizons, float* evergreen, float* seasonal);
+/// Optical depths before the cells of a block at each level, in and out of the leaf season. Those of a row
+/// and level that no crown has touched are unspecified.
+struct CrownDepths {
+    static constexpr std::size_t side = ReceiverBlocks::side;
+    std::uint16_t touched[side] = {};  ///< levels of each row, as bits
+    alignas(64) float inLeaf[side][CrownLevels::most][side];
+    alignas(64) float bare[side][CrownLevels::most][side];  ///< only at levels with suns out of season
+};
+
+/// Adds a crown at those levels of each row, as bits, at which its shadow may meet the row.
+void addCrownToBlock(const CrownOnBlock& crown, const CrownLevels& levels, const CrownGround& ground,
+                     const std::uint16_t* visible, CrownDepths& depths);
+
+/// For each row of a block the levels of which some receiver sees a sun, as bits.
+void findVisibleLevels(const CrownLevels& levels, const HorizonCode* codes,
+                       const ReceiverBlocks::Masks& receivers, std::uint16_t* visible);
+
+/// Adds the steps that crowns take from a block's cells, of those that their horizons leave, times
+/// `fractions`: each sun counts 1 - exp(-optical depth). A level that a horizon cuts counts by the share of
+/// its codes. Sums are 16 a row; those of cells that are no receivers are of no use.
+void weighBlock(const CrownLevels& levels, const CrownDepths& depths, const HorizonCode* codes,
+                float fractions, std::int32_t* evergreen, std::int32_t* seasonal);
 
 /// Steps taken by crowns from each cell of a tile's blocks, in fractions of a step, so that sums are the same
 /// in whatever order they are made. For one thread.
 class CrownSums {
 public:
-    static constexpr double fractions = 4096;
-    struct Steps {
-        std::uint64_t evergreen = 0, seasonal = 0;
+    struct Block {
+        alignas(64) std::int32_t evergreen[ReceiverBlocks::cells] = {};
+        alignas(64) std::int32_t seasonal[ReceiverBlocks::cells] = {};
     };
-    void begin(std::size_t blocks) { steps_.assign(blocks * ReceiverBlocks::cells, {}); }
-    [[nodiscard]] bool begun() const { return !steps_.empty(); }
-    void end() { steps_.clear(); }
-    void add(std::size_t block, std::size_t cell, float evergreen, float seasonal) {
-        Steps& steps = steps_[block * ReceiverBlocks::cells + cell];
-        steps.evergreen += std::uint64_t(double(evergreen) * fractions + 0.5);
-        steps.seasonal += std::uint64_t(double(seasonal) * fractions + 0.5);
+    struct Steps {
+        double evergreen = 0, seasonal = 0;
+    };
+    /// `steps`: of the period; a cell's sum is at most all of them.
+    void begin(std::size_t blocks, std::size_t steps);
+    [[nodiscard]] bool begun() const { return !blocks_.empty(); }
+    void end() { blocks_.clear(); }
+    [[nodiscard]] float fractions() const { return fractions_; }
+    /// Sums row by row, column by column if swapped.
+    [[nodiscard]] Block& at(std::size_t block, bool swapped) {
+        return blocks_[2 * block + (swapped ? 1 : 0)];
     }
-    [[nodiscard]] std::span<const Steps> steps() const { return steps_; }
+    /// `cell`: row by row.
+    [[nodiscard]] Steps steps(std::size_t block, std::size_t cell) const;
 
 private:
-    std::vector<Steps> steps_;  // row by row in each block
+    float fractions_ = 1;
+    std::vector<Block> blocks_;
 };
 
 /// The crowns and suns of a period.
 class CrownSweep {
 public:
     /// At most so many levels a bin.
-    static constexpr std::size_t maxLevels = 24;
+    static constexpr std::size_t maxLevels = 10;
+    static_assert(maxLevels <= CrownLevels::most);
     /// `scene` and `binned` are of the same steps; `datumM`: local z from which heights count.
     CrownSweep(const CrownScene& scene, const BinnedSun& binned, const Grid& grid, double datumM);
 
-    [[nodiscard]] std::span<const Crown> crowns() const { return crowns_; }
-    [[nodiscard]] std::span<const CrownLevel> levels(std::size_t bin) const { return levels_[bin]; }
+    /// Where crowns stand: metres from the grid's south-western corner.
+    [[nodiscard]] std::span<const glm::dvec2> places() const { return places_; }
+    /// The crowns, but for where they stand before a block.
+    [[nodiscard]] std::span<const CrownOnBlock> crowns() const { return crowns_; }
+    [[nodiscard]] const CrownLevels& levels(std::size_t bin) const { return levels_[bin]; }
     [[nodiscard]] glm::dvec2 away(std::size_t bin) const { return away_[bin]; }
-    [[nodiscard]] const Grid& grid() const { return grid_; }
-    [[nodiscard]] double datumM() const { return datumM_; }
-    [[nodiscard]] double widestM() const { return widestM_; }    ///< the largest radius
-    [[nodiscard]] double highestM() const { return highestM_; }  ///< the highest top above the datum
-    /// The crown's quadric, but for where it stands before a row.
-    [[nodiscard]] const CrownOnRow& shape(std::size_t crown) const { return shapes_[crown]; }
+    [[nodiscard]] double cellM() const { return cellM_; }
+    [[nodiscard]] float widestM() const { return widestM_; }    ///< the largest radius
+    [[nodiscard]] float highestM() const { return highestM_; }  ///< the highest top above the datum
+    [[nodiscard]] std::size_t steps() const { return steps_; }
 
 private:
-    std::vector<Crown> crowns_;
-    std::vector<CrownOnRow> shapes_;
-    std::vector<std::vector<CrownLevel>> levels_;  // one list a bin, from the lowest sun up
+    std::vector<glm::dvec2> places_;
+    std::vector<CrownOnBlock> crowns_;
+    std::vector<CrownLevels> levels_;  // one a bin
     std::vector<glm::dvec2> away_;
-    Grid grid_;
-    double datumM_;
-    double widestM_ = 0, highestM_ = 0;
+    double cellM_;
+    float widestM_ = 0, highestM_ = 0;
+    std::size_t steps_;
 };
 
 /// The crowns at one bin after the other. Reuses its memory; one per thread.
@@ -115,17 +145,20 @@ public:
              bool swapped, const BlockGround& ground, CrownSums& sums);
 
 private:
-    static constexpr std::size_t rowCells = ReceiverBlocks::side;
     /// A crown in the axes of one azimuth, metres.
     struct PlacedCrown {
         float aside, ahead;  ///< across the azimuth, and along it towards the sun, from the grid's corner
         std::uint32_t crown;
     };
-    /// Those of one bin, by bands across the azimuth, in each from the farthest from the sun on.
-    struct Bands {
-        float lowest = 0;
-        std::vector<std::uint32_t> first;  // of each band, and the end
+    /// Those of one bin in squares: bands across the azimuth, in each from the farthest from the sun on.
+    struct Squares {
+        float lowestAside = 0, lowestAhead = 0;
+        float perM = 0;  ///< 1 / side
+        int bands = 0, inBand = 0;
+        std::vector<std::uint32_t> first;  // of each square, and the end
         std::vector<PlacedCrown> crowns;
+        [[nodiscard]] std::size_t at(const PlacedCrown& crown) const;
+        [[nodiscard]] std::span<const PlacedCrown> find(int band, float nearest, float farthest) const;
     };
     struct HiddenGap {
         std::size_t cell;
@@ -133,25 +166,21 @@ private:
     };
     struct BlockView;
 
-    static void place(const CrownSweep& sweep, std::size_t bin, Bands& bands);
+    void place(const CrownSweep& sweep, std::size_t bin, Squares& squares);
     [[nodiscard]] BlockView viewOf(std::size_t bin, const ReceiverBlocks::Block& block, bool swapped) const;
-    static void setGround(BlockView& view, const BlockGround& ground);
-    bool findVisible(BlockView& view);
-    void addCrowns(const Bands& bands, const BlockView& view);
-    void addCrown(const PlacedCrown& placed, const BlockView& view);
-    void addToRow(std::size_t crown, const BlockView& view, int row, float distance, float aside);
-    void touch(int row, std::size_t first, std::size_t end);
-    void countRow(std::size_t row, std::size_t blockIndex, const BlockView& view, CrownSums& sums);
-    void takeGap(const HiddenGap& gap, std::size_t row, std::size_t cell, const BlockView& view,
-                 float& evergreen, float& seasonal) const;
+    static void setGround(BlockView& view, const BlockGround& ground, const ReceiverBlocks::Masks& receivers);
+    static bool findVisible(BlockView& view, const HorizonCode* codes,
+                            const ReceiverBlocks::Masks& receivers);
+    bool addCrowns(const Squares& squares, const BlockView& view);
+    bool addCrown(const PlacedCrown& placed, const BlockView& view);
+    void takeGap(const HiddenGap& gap, const BlockView& view, float fractions, CrownSums::Block& sums) const;
 
     const CrownSweep* sweep_ = nullptr;
     std::size_t firstBin_ = 0;
-    std::vector<Bands> bands_;
+    std::vector<Squares> squares_;
+    std::vector<PlacedCrown> unsorted_;
     std::vector<HiddenGap> gaps_;
-    std::size_t touchedFrom_[rowCells], touchedTo_[rowCells];  // levels of each row
-    alignas(64) float inLeaf_[rowCells][CrownSweep::maxLevels][rowCells];
-    alignas(64) float bare_[rowCells][CrownSweep::maxLevels][rowCells];
+    CrownDepths depths_;
 };
 
 }  // namespace noonmark
