@@ -47,6 +47,21 @@ Result<std::shared_ptr<const TreeShade>> sweepTrees(const City& city, const Rece
 
 }  // namespace
 
+City withTreesFor(City city, TreeColumns columns) {
+    if (columns == TreeColumns::without) city.trees.reset();
+    if (!city.trees || city.trees->weighed) return city;
+    Trees weighed = *city.trees;
+    weighed.weighed = true;
+    city.trees = std::make_shared<const Trees>(std::move(weighed));
+    return city;
+}
+
+const ShadowField& fieldOfColumn(const ShadowField& field, TreeColumns column) {
+    for (const ShadeColumn& shade : listShadeColumns(field))
+        if (shade.column == column) return *shade.field;
+    return field;
+}
+
 Result<std::shared_ptr<const TreeShade>> shadeTrees(const City& city, const Receivers& receivers,
                                                     const SunSteps& sun, const ShadowField& field,
                                                     TreeColumns columns, Progress& progress,

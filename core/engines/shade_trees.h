@@ -12,6 +12,18 @@
 
 namespace noonmark {
 
+/// The city with the trees that these columns count, as engines weigh them; without trees where they count
+/// none.
+City withTreesFor(City city, TreeColumns columns);
+
+/// Whether `wanted` has this column, evergreen or seasonal.
+constexpr bool isAmong(TreeColumns wanted, TreeColumns column) {
+    return wanted == TreeColumns::all || wanted == column;
+}
+
+/// The field with trees of one column, evergreen or seasonal; the field itself where no tree reaches it.
+const ShadowField& fieldOfColumn(const ShadowField& field, TreeColumns column);
+
 /// The shade of a city's trees on top of a field of the same city, receivers and steps, by whichever engine:
 /// that engine's own (ShadowField::trees) where it weighs crowns, else by rays, or by a horizon
 /// sweep of its own where there are more than 10^8 of them (rays again where the sweep refuses). Null where

@@ -9,7 +9,6 @@
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
 #include "core/city/city_position.h"
-#include "core/city/trees/tree.h"
 #include "core/describe/text.h"
 #include "core/engines/common/engine_in_use.h"
 #include "core/engines/shade_trees.h"
@@ -188,13 +187,6 @@ Observer makeObserver(const Study& study) { return makeObserver(study.city, stud
 
 namespace {
 
-std::shared_ptr<const Trees> weighed(const std::shared_ptr<const Trees>& trees) {
-    if (!trees || trees->weighed) return trees;
-    Trees all = *trees;
-    all.weighed = true;
-    return std::make_shared<const Trees>(std::move(all));
-}
-
 Result<Study> answer(const City& city, const StudySettings& settings, Progress& progress,
                      const std::stop_token& stop, const EngineList& engines) {
     const Stopwatch watch;
@@ -206,8 +198,7 @@ Result<Study> answer(const City& city, const StudySettings& settings, Progress& 
         return tl::make_unexpected(able.error());
     if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
 
-    Study study{.city = city, .settings = settings};
-    study.city.trees = settings.trees == TreeColumns::without ? nullptr : weighed(study.city.trees);
+    Study study{.city = withTreesFor(city, settings.trees), .settings = settings};
     if (auto done = placeStudy(study, stop); !done) return tl::make_unexpected(done.error());
     const City* const cities[]{&study.city};
     EngineInUse inUse(**engine, cities, study.receivers, study.sun);

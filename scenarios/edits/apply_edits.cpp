@@ -4,10 +4,13 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "core/city/building_heights.h"
 #include "core/city/terrain/building_ground.h"
+#include "core/city/trees/tree_facts.h"
 #include "core/io/terrain/buildings_on_terrain.h"
 
 namespace noonmark {
@@ -43,6 +46,22 @@ std::vector<std::string> idsWithoutFile(const City& city, const std::string& tex
     return ids;
 }
 
+// All cells of a canopy raster may have one id, so the last copy of each is remembered.
+Trees withUniqueIds(Trees trees, const City& city) {
+    std::unordered_set<std::string> used;
+    std::unordered_map<std::string, int> copies;
+    for (Tree& tree : trees.trees) {
+        const std::string own = tree.sourceId.empty() ? "tree" : tree.sourceId;
+        int& copy = copies.try_emplace(own, 1).first->second;
+        std::string id = own;
+        while (!used.insert(id).second) id = fmt::format("{} ({})", own, ++copy);
+        tree.sourceId = std::move(id);
+        tree.place = glm::dvec2(glm::vec2(tree.place));
+        tree.groundM = groundAt(city, tree.place);
+    }
+    return trees;
+}
+
 }  // namespace
 
 City makeIdsUnique(City city) {
@@ -56,7 +75,18 @@ City makeIdsUnique(City city) {
         renamed.sourceId = id;
         building = std::make_shared<const Building>(std::move(renamed));
     }
+    if (city.trees) city.trees = std::make_shared<const Trees>(withUniqueIds(*city.trees, city));
     return city;
+}
+
+Result<std::size_t> findTree(const City& city, const std::string& id) {
+    if (!city.trees || city.trees->trees.empty())
+        return failure("The city has no trees", id, "Read some: noonmark-cli project tree import");
+    const std::vector<Tree>& trees = city.trees->trees;
+    const auto found = std::ranges::find(trees, id, &Tree::sourceId);
+    if (found == trees.end())
+        return failure("There is no such tree", id, "Ids are listed by: noonmark-cli project tree list");
+    return std::size_t(found - trees.begin());
 }
 
 Result<std::size_t> findBuilding(const City& city, const std::string& idOrName) {
@@ -141,9 +171,91 @@ public:
         });
     }
 
-    EditedCity take() && { return std::move(edited_); }
+    Result<void> operator()(const PlantTree& edit) {
+        if (edit.tree.sourceId.empty()) return failure("The new tree has no id", edit.tree.species);
+        if (std::ranges::find(trees(), edit.tree.sourceId, &Tree::sourceId) != trees().end())
+            return failure("Another tree has this id", edit.tree.sourceId, "Choose another one");
+        return onGround(edit.tree).map([&](Tree tree) { trees().push_back(std::move(tree)); });
+    }
+
+    Result<void> operator()(const FellTree& edit) {
+        return withTree(edit.tree, [&](Tree& tree) -> Result<void> {
+            trees().erase(trees().begin() + (&tree - trees().data()));
+            return {};
+        });
+    }
+
+    Result<void> operator()(const ReplaceTree& edit) {
+        return change(edit.tree, [&](Tree& tree) {
+            Tree with = edit.with;
+            with.sourceId = tree.sourceId;
+            with.place = tree.place;
+            tree = std::move(with);
+        });
+    }
+
+    Result<void> operator()(const MoveTree& edit) {
+        return change(edit.tree, [&](Tree& tree) { tree.place += edit.byM; });
+    }
+
+    Result<void> operator()(const GrowTree& edit) {
+        return change(edit.tree, [&](Tree& tree) {
+            tree.heightM = float(edit.heightM);
+            tree.crownBaseM = float(edit.crownBaseM);
+            tree.crownDiameterM = float(edit.crownDiameterM);
+            tree.heightSource = tree.crownSource = TreeSource::estimated;
+        });
+    }
+
+    EditedCity take() && {
+        if (trees_ && trees_->trees.empty()) edited_.city.trees.reset();
+        if (trees_ && !trees_->trees.empty())
+            edited_.city.trees = std::make_shared<const Trees>(*std::move(trees_));
+        return std::move(edited_);
+    }
 
 private:
+    // Copied before the first edit of a tree.
+    std::vector<Tree>& trees() {
+        const City& city = edited_.city;
+        if (!trees_)
+            trees_ = city.trees ? *city.trees
+                                : Trees{.trees = {}, .leafDays = assumeLeafDays(city.frame.origin().latDeg)};
+        return trees_->trees;
+    }
+
+    template <class Change>
+    Result<void> withTree(const std::string& id, Change&& change) {
+        const auto found = std::ranges::find(trees(), id, &Tree::sourceId);
+        if (found == trees().end())
+            return failure("There is no such tree", id, "It may have been felled by an earlier edit");
+        return change(*found);
+    }
+
+    template <class Change>
+    Result<void> change(const std::string& id, Change&& how) {
+        return withTree(id, [&](Tree& tree) {
+            Tree changed = tree;
+            how(changed);
+            return onGround(std::move(changed)).map([&](Tree there) { tree = std::move(there); });
+        });
+    }
+
+    // Error: measures that no tree has.
+    [[nodiscard]] Result<Tree> onGround(Tree tree) const {
+        if (!isPlausibleTreeHeight(double(tree.heightM)) || !isPlausibleCrown(double(tree.crownDiameterM)))
+            return failure(fmt::format("A tree cannot be {:g} m high with a crown {:g} m wide", tree.heightM,
+                                       tree.crownDiameterM),
+                           tree.sourceId, "Give a height of 0.5 to 120 m and a crown of 0.3 to 50 m");
+        if (!(tree.crownBaseM >= 0 && tree.crownBaseM < tree.heightM))
+            return failure("The crown's base lies above the tree's top", tree.sourceId,
+                           "Give a base of 0 m or more, below the height");
+        if (!(std::abs(tree.place.x) <= 1e6 && std::abs(tree.place.y) <= 1e6))
+            return failure("The tree stands too far away", tree.sourceId, "Give a place in the city");
+        tree.groundM = groundAt(edited_.city, tree.place);
+        return tree;
+    }
+
     std::vector<Shared>& buildings() { return edited_.city.buildings; }
 
     template <class Change>
@@ -201,6 +313,7 @@ private:
     }
 
     EditedCity edited_;
+    std::optional<Trees> trees_;  // of the city, once an edit changes them
 };
 
 }  // namespace

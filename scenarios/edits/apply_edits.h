@@ -13,12 +13,16 @@
 namespace noonmark {
 
 /// Gives every building a unique id (`sourceId`): a second "way 3" becomes "way 3 (2)", a building without id
-/// becomes "building" or "building (2)". Shares the buildings whose id does not change. O(buildings).
+/// becomes "building" or "building (2)". Shares the buildings whose id does not change. Trees get unique ids
+/// likewise, and places in float32, as project files hold them. O(buildings + trees).
 City makeIdsUnique(City city);
 
 /// Finds a building by its id, or else by its name. Error: no match, with a similar name as advice; or
 /// several buildings of that name, with their ids. O(buildings).
 Result<std::size_t> findBuilding(const City& city, const std::string& idOrName);
+
+/// Finds a tree by its id. Error: no match, or the city has no trees. O(trees).
+Result<std::size_t> findTree(const City& city, const std::string& id);
 
 /// The buildings in which an edited city differs from the city before; the pointers are those that the two
 /// cities hold. A changed building is in both lists; a building that was added and removed again is in

@@ -26,6 +26,19 @@ struct Words {
     std::string operator()(const ImportMesh& edit) const {
         return fmt::format("Import {} from {}", edit.shape->sourceId, edit.file);
     }
+    std::string operator()(const PlantTree& edit) const {
+        return fmt::format("Plant {}, {:.1f} m high", edit.tree.sourceId, edit.tree.heightM);
+    }
+    std::string operator()(const FellTree& edit) const { return "Fell " + edit.tree; }
+    std::string operator()(const ReplaceTree& edit) const {
+        return fmt::format("Replace {} with a tree {:.1f} m high", edit.tree, edit.with.heightM);
+    }
+    std::string operator()(const MoveTree& edit) const {
+        return fmt::format("Move {} by {:.1f} m east, {:.1f} m north", edit.tree, edit.byM.x, edit.byM.y);
+    }
+    std::string operator()(const GrowTree& edit) const {
+        return fmt::format("Grow {} by {:g} years to {:.1f} m", edit.tree, edit.years, edit.heightM);
+    }
 };
 
 }  // namespace
@@ -34,7 +47,8 @@ std::string formatText(const Edit& edit) { return std::visit(Words{}, edit); }
 
 std::string_view getKind(const Edit& edit) {
     constexpr std::array<std::string_view, std::variant_size_v<Edit>> kinds{
-        "demolish", "replace", "add", "height", "move", "rotate", "import"};
+        "demolish", "replace", "add",  "height",       "move",      "rotate",
+        "import",   "plant",   "fell", "replace-tree", "move-tree", "grow"};
     return kinds[edit.index()];
 }
 

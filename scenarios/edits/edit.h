@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/city/building.h"
+#include "core/city/trees/tree.h"
 #include "scenarios/edits/placed_building.h"
 
 namespace noonmark {
@@ -70,13 +71,49 @@ struct ImportMesh {
     bool operator==(const ImportMesh&) const = default;
 };
 
-using Edit = std::variant<Demolish, Replace, AddBuilding, ChangeHeight, Move, Rotate, ImportMesh>;
+// Edits of trees name one by its `sourceId`, which is unique in a project, too. A tree stands on the ground:
+// its `groundM` is found when the edit is applied.
+
+struct PlantTree {
+    Tree tree;  ///< its id must be free
+    bool operator==(const PlantTree&) const = default;
+};
+
+struct FellTree {
+    std::string tree;
+    bool operator==(const FellTree&) const = default;
+};
+
+/// The new tree stands where the old one stood, under its id.
+struct ReplaceTree {
+    std::string tree;
+    Tree with;
+    bool operator==(const ReplaceTree&) const = default;
+};
+
+struct MoveTree {
+    std::string tree;
+    glm::dvec2 byM{0, 0};  ///< east, north
+    bool operator==(const MoveTree&) const = default;
+};
+
+/// The tree after some years. Holds the measures that growTree() found, so that a scenario stays as it is
+/// when what is assumed of growth changes.
+struct GrowTree {
+    std::string tree;
+    double years = 0;
+    double heightM = 0, crownBaseM = 0, crownDiameterM = 0;
+    bool operator==(const GrowTree&) const = default;
+};
+
+using Edit = std::variant<Demolish, Replace, AddBuilding, ChangeHeight, Move, Rotate, ImportMesh, PlantTree,
+                          FellTree, ReplaceTree, MoveTree, GrowTree>;
 
 /// "Demolish One57", "Move lot 17 by 3.0 m east, 0.0 m north": for edit lists and undo menus.
 std::string formatText(const Edit& edit);
 
 /// The keyword in the project file and on the command line: "demolish", "replace", "add", "height", "move",
-/// "rotate", "import".
+/// "rotate", "import", "plant", "fell", "replace-tree", "move-tree", "grow".
 std::string_view getKind(const Edit& edit);
 
 }  // namespace noonmark

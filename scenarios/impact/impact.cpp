@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
+#include <utility>
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
-#include "core/city/trees/tree.h"
 #include "core/engines/common/shadow_reach.h"
+#include "core/engines/shade_trees.h"
 #include "core/measures/error_sample.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/study_cost.h"
@@ -86,6 +87,12 @@ public:
         : settings_(settings), engines_(engines), progress_(progress), stop_(std::move(stop)) {}
 
     Result<ImpactStudy> run(const City& before, const City& after) {
+        const TreeColumns columns = settings_.study.trees;
+        return runWith(withTreesFor(before, columns), withTreesFor(after, columns));
+    }
+
+private:
+    Result<ImpactStudy> runWith(const City& before, const City& after) {
         if (auto ready = prepare(before, after); !ready) return tl::make_unexpected(ready.error());
         auto study = compare(before, after);
         while (auto other = chooseAnother(study, before, after)) {
@@ -101,7 +108,6 @@ public:
         return study;
     }
 
-private:
     // Where the choice refused, or its sample is off by more than it aims at.
     [[nodiscard]] std::optional<EngineChoice> chooseAnother(const Result<ImpactStudy>& study,
                                                             const City& before, const City& after) const {
@@ -115,7 +121,7 @@ private:
     Result<ImpactStudy> compare(const City& before, const City& after) {
         done_ = 0;
         const auto fresh = settings_.byBuilding ? newBuildings(before, after) : std::vector<std::size_t>{};
-        fields_ = 3 + fresh.size();  // two fields, their error, and one field per new building
+        fields_ = 5 + fresh.size();  // two fields, their trees, their error, and one field per new building
         ImpactStudy study{.sun = sun_, .frame = after.frame};
         auto first = fieldOf(before);
         if (!first) return tl::make_unexpected(first.error());
@@ -126,11 +132,30 @@ private:
         for (ShadowField* field : {&study.before, &study.after})
             if (field->engineKey.empty()) field->engineKey = settings_.study.engine;
         study.total = computeDifference(study.before, study.after, common_.change);
-        std::ranges::move(warnOfTrees(after.trees), std::back_inserter(study.total.warnings));
+        if (auto done = addTrees(before, after, study); !done) return tl::make_unexpected(done.error());
         for (const std::size_t i : fresh)
             if (auto added = addBuilding(after, i, study); !added) return tl::make_unexpected(added.error());
         if (auto done = measureError(before, after, study); !done) return tl::make_unexpected(done.error());
         return study;
+    }
+
+    Result<void> addTrees(const City& before, const City& after, ImpactStudy& study) {
+        bool any = false;
+        for (const auto& [city, field] :
+             {std::pair(&before, &study.before), std::pair(&after, &study.after)}) {
+            ProgressShare share(progress_, done_++, fields_);
+            auto shade =
+                shadeTrees(*city, common_.receivers, sun_, *field, settings_.study.trees, share, stop_);
+            if (!shade) return tl::make_unexpected(shade.error());
+            field->trees = *std::move(shade);
+            any = any || field->trees;
+        }
+        for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+            if (any && isAmong(settings_.study.trees, column))
+                study.withTrees.push_back(
+                    {column, computeDifference(fieldOfColumn(study.before, column),
+                                               fieldOfColumn(study.after, column), common_.change)});
+        return {};
     }
 
     // A missing error only adds a warning to the comparison; only a stop request ends it.
@@ -184,6 +209,7 @@ private:
 
     Result<void> addBuilding(const City& after, std::size_t i, ImpactStudy& study) {
         City without = after;
+        without.trees.reset();  // a building's contribution is that without trees
         without.buildings.erase(without.buildings.begin() + std::ptrdiff_t(i));
         const Building& building = *after.buildings[i];
         auto field = fieldWithout(without, after.buildings[i], study.after);

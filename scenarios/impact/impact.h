@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/engines/api/shadow_field.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -45,6 +46,12 @@ struct Impact {
     Warnings warnings;
 };
 
+/// The change of the shadow with trees, which are planted and felled as buildings are built and demolished.
+struct ShadeImpact {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+    Impact impact;
+};
+
 /// The sole contribution of one new building: the scenario minus the scenario without it.
 struct BuildingImpact {
     std::string id;
@@ -73,7 +80,8 @@ struct ImpactSettings {
 };
 
 struct ImpactStudy {
-    Impact total;
+    Impact total;                            ///< without trees
+    std::vector<ShadeImpact> withTrees;      ///< evergreens first; none where no tree reaches a receiver
     std::vector<BuildingImpact> byBuilding;  ///< in the order of the buildings in the scenario's city
     ShadowField before;
     ShadowField after;

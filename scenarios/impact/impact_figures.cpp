@@ -73,6 +73,15 @@ ImpactFigures computeFigures(const Impact& impact, double thresholdMin) {
     return countCells(impact, thresholdMin, std::views::iota(std::size_t{0}, impact.grossMin.size()));
 }
 
+ImpactFigures computeFigures(const ImpactStudy& study, double thresholdMin) {
+    ImpactFigures figures = computeFigures(study.total, thresholdMin);
+    for (const ShadeImpact& shade : study.withTrees) {
+        const ImpactFigures with = computeFigures(shade.impact, thresholdMin);
+        figures.withTrees.push_back({shade.column, with.gross, with.continuous, with.shadowAreaChangeM2});
+    }
+    return figures;
+}
+
 ImpactFigures computeFigures(const Impact& impact, const Region& region, double thresholdMin) {
     return computeFigures(impact, collectCells(region.polygons, impact.grid), thresholdMin);
 }

@@ -19,6 +19,14 @@ struct ChangeFigures {
     double mostLostMin = 0;  ///< >= 0
 };
 
+/// The same with trees.
+struct ShadeChange {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+    ChangeFigures gross;
+    ChangeFigures continuous;
+    double shadowAreaChangeM2 = 0;
+};
+
 struct ImpactFigures {
     double thresholdMin = 30;
     double receiverAreaM2 = 0;  ///< area of the receivers common to both cities
@@ -27,12 +35,16 @@ struct ImpactFigures {
     double shadowAreaChangeM2 = 0;  ///< sum of (share of sunlit time in shadow x cell area)
     double becameBuildingM2 = 0;
     double becameGroundM2 = 0;
+    std::vector<ShadeChange> withTrees{};  ///< where trees reach a receiver
 };
 
 /// Figures over all receivers. `thresholdMin`: minutes a day for gross shadow, minutes for continuous shadow,
 /// 0 or more. The default 30 is that of the paper's case study; Boston's rules use 60. Changes below a
 /// thousandth of a minute are float32 rounding and do not count. O(cells), sums in double.
 ImpactFigures computeFigures(const Impact& impact, double thresholdMin = 30);
+
+/// The same, with the change of each shade of trees.
+ImpactFigures computeFigures(const ImpactStudy& study, double thresholdMin);
 
 /// Figures over the cells whose centres lie in the region.
 ImpactFigures computeFigures(const Impact& impact, const Region& region, double thresholdMin = 30);

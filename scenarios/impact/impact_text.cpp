@@ -24,6 +24,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+const std::string shadowAreaChangeKey = "shadow_area_change_m2";
+
 Json changeJson(const ChangeFigures& figures) {
     return std::isnan(figures.meanMin) ? Json() : figuresJson(changeFigures().of(figures));
 }
@@ -34,6 +36,12 @@ Json figuresJson(const ImpactFigures& figures) {
     Json json = figuresJson(impactFigures().of(figures));
     json["gross"] = changeJson(figures.gross);
     json["continuous"] = changeJson(figures.continuous);
+    for (const ShadeChange& shade : figures.withTrees) {
+        const std::string suffix = suffixOf(shade.column);
+        json[shadowAreaChangeKey + suffix] = shade.shadowAreaChangeM2;
+        json["gross" + suffix] = changeJson(shade.gross);
+        json["continuous" + suffix] = changeJson(shade.continuous);
+    }
     return json;
 }
 
@@ -43,6 +51,23 @@ Json figuresJson(const Impact& impact, const std::vector<double>& thresholds) {
     Json json = Json::array();
     for (const double threshold : thresholds) json.push_back(figuresJson(computeFigures(impact, threshold)));
     return json;
+}
+
+Json figuresJson(const ImpactStudy& study, const std::vector<double>& thresholds) {
+    Json json = Json::array();
+    for (const double threshold : thresholds) json.push_back(figuresJson(computeFigures(study, threshold)));
+    return json;
+}
+
+std::string describeColumn(TreeColumns column) {
+    return fmt::format("with trees{}, weighted by what buildings and crowns take from the sun",
+                       column == TreeColumns::evergreen ? " as evergreens" : " and their seasons");
+}
+
+void defineColumns(Json& json, const ImpactStudy& study) {
+    for (const ShadeImpact& shade : study.withTrees)
+        for (const std::string& key : {shadowAreaChangeKey, std::string("gross"), std::string("continuous")})
+            json[key + suffixOf(shade.column)] = fmt::format("{} {}", key, describeColumn(shade.column));
 }
 
 Json definitions() {
@@ -55,21 +80,43 @@ Json definitions() {
     return json;
 }
 
-std::vector<std::string> columnsOf() {
+std::vector<std::string> columnsOf(const ImpactStudy& study) {
     std::vector<std::string> columns{"id", "name"};
     std::ranges::move(listColumns(impactFigures().rows()), std::back_inserter(columns));
     std::ranges::move(listColumns(changeFigures().rows()), std::back_inserter(columns));
     for (const std::string& column : listColumns(figuresByThreshold()))
         columns.push_back("continuous_" + column);
+    for (const ShadeImpact& shade : study.withTrees) {
+        columns.push_back(shadowAreaChangeKey + suffixOf(shade.column));
+        for (const std::string& column : listColumns(changeFigures().rows()))
+            columns.push_back(column + suffixOf(shade.column));
+    }
     return withSourceColumns(std::move(columns));
 }
 
-void addLine(CsvText& csv, const std::string& id, const std::string& name, const ImpactFigures& figures,
-             const SourceValues& source) {
+// A building's own contribution is not measured with trees: its fields of them are empty.
+void addShades(CsvText& csv, const ImpactStudy& study, const ImpactFigures& figures) {
+    static const Figure& area = findFigure(impactFigures().rows(), shadowAreaChangeKey);
+    for (std::size_t i = 0; i < study.withTrees.size(); ++i) {
+        const bool measured = i < figures.withTrees.size();
+        const ShadeChange shade =
+            measured ? figures.withTrees[i]
+                     : ShadeChange{.gross = notComputed(),
+                                   .shadowAreaChangeM2 = std::numeric_limits<double>::quiet_NaN()};
+        ImpactFigures whole;
+        whole.shadowAreaChangeM2 = shade.shadowAreaChangeM2;
+        addFigures(csv, {{&area, 1}, &whole});
+        addFigures(csv, changeFigures().of(shade.gross));
+    }
+}
+
+void addLine(CsvText& csv, const ImpactStudy& study, const std::string& id, const std::string& name,
+             const ImpactFigures& figures, const SourceValues& source) {
     csv.text(id).text(name);
     addFigures(csv, impactFigures().of(figures));
     addFigures(csv, changeFigures().of(figures.gross));
     addFigures(csv, {figuresByThreshold(), &figures.continuous});
+    addShades(csv, study, figures);
     addSource(csv, source);
     csv.endRow();
 }
@@ -90,7 +137,7 @@ ComparisonFigures computeFigures(const ImpactAnswer& answer) {
     ComparisonFigures figures{answer.from,  answer.to,    {}, {}, formatText(answer.settings.study.period),
                               total.engine, total.waterM2};
     for (const double threshold : answer.thresholdsMin)
-        figures.all.push_back(computeFigures(total, threshold));
+        figures.all.push_back(computeFigures(answer.study, threshold));
     for (const BuildingImpact& building : answer.study.byBuilding)
         figures.byBuilding.push_back({building.name.empty() ? building.id : building.name,
                                       computeFigures(building.impact, answer.thresholdsMin.front())});
@@ -113,6 +160,17 @@ void addChange(std::vector<FigureLine>& lines, std::string_view measure, const C
 
 }  // namespace
 
+namespace {
+
+std::string_view measureOf(TreeColumns column, ShownAs show) {
+    const bool evergreen = column == TreeColumns::evergreen;
+    if (show == ShownAs::shadow)
+        return evergreen ? NM_TEXT("Gross, trees as evergreens") : NM_TEXT("Gross, trees with their seasons");
+    return evergreen ? NM_TEXT("Sun, trees as evergreens") : NM_TEXT("Sun, trees with their seasons");
+}
+
+}  // namespace
+
 // Of runs in shadow nothing can be told as sun.
 std::vector<FigureLine> listLines(const ComparisonFigures& figures, ShownAs show) {
     constexpr std::string_view continuous = NM_TEXT("Continuous");
@@ -128,6 +186,11 @@ std::vector<FigureLine> listLines(const ComparisonFigures& figures, ShownAs show
                          .value = first.continuous.meanMin,
                          .measure = continuous});
     addChange(lines, gross, first.gross, std::nullopt, show);
+    for (const ImpactFigures& one : figures.all)
+        for (const ShadeChange& shade : one.withTrees)
+            addChange(lines, measureOf(shade.column, show), shade.gross, one.thresholdMin, show);
+    for (const ShadeChange& shade : first.withTrees)
+        addChange(lines, measureOf(shade.column, show), shade.gross, std::nullopt, show);
     std::ranges::copy(listLines(impactFigures().of(first), FigureUse::basis), std::back_inserter(lines));
     if (figures.waterM2 > 0)
         lines.push_back({&findFigure(shadowFigures().rows(), "water_m2"), figures.waterM2});
@@ -203,7 +266,7 @@ std::string impactJson(const ImpactAnswer& answer) {
     json["water_m2"] = total.waterM2;
     json["error"] = answer.study.error ? errorJson(*answer.study.error, answer.study.frame) : Json();
     json["errors"] = answer.study.error ? errorsJson(listErrors(*answer.study.error, true)) : Json();
-    json["impact"] = figuresJson(total, answer.thresholdsMin);
+    json["impact"] = figuresJson(answer.study, answer.thresholdsMin);
     json["by_building"] = Json::array();
     for (const BuildingImpact& building : answer.study.byBuilding)
         json["by_building"].push_back({{"id", building.id},
@@ -212,18 +275,20 @@ std::string impactJson(const ImpactAnswer& answer) {
     addProvenance(json, answer.provenance);
     addRepeat(json, makeRepeatCommand(answer, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions();
+    defineColumns(json["definitions"], answer.study);
     json["warnings"] = warningsJson(total.warnings);
     return toJsonText(json);
 }
 
 std::string impactCsv(const ImpactAnswer& answer) {
-    CsvText csv(columnsOf());
+    CsvText csv(columnsOf(answer.study));
     const SourceValues source = sourceValues(answer.provenance);
     for (const double threshold : answer.thresholdsMin)
-        addLine(csv, "", "all", computeFigures(answer.study.total, threshold), source);
+        addLine(csv, answer.study, "", "all", computeFigures(answer.study, threshold), source);
     for (const BuildingImpact& building : answer.study.byBuilding)
         for (const double threshold : answer.thresholdsMin)
-            addLine(csv, building.id, building.name, computeFigures(building.impact, threshold), source);
+            addLine(csv, answer.study, building.id, building.name, computeFigures(building.impact, threshold),
+                    source);
     return csv.take();
 }
 

@@ -24,10 +24,14 @@ public:
         found->second.heightM = edit.heightM;
     }
     template <class Change>
+    requires requires(const Change& edit) { edit.building; }
     void operator()(const Change& edit) {
         if (const auto found = towers_.find(edit.building); found != towers_.end())
             found->second.changed = true;
     }
+
+    template <class OfTree>
+    void operator()(const OfTree&) {}
 
     std::map<std::string, ProposedTower> take() && { return std::move(towers_); }
 

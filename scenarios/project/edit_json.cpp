@@ -107,6 +107,8 @@ namespace {
 constexpr NumberLimits scaleLimits{1e-6, 1e6};
 constexpr NumberLimits storeyOrNoneM{0, 10};
 constexpr NumberLimits angleLimitsDeg{-1e6, 1e6};
+constexpr NumberLimits treeLimitsM{0, 1000};
+constexpr NumberLimits yearLimits{0, 1000};
 
 std::string wordsIn(const Json& json, const char* key) {
     return cleanText(json.at(key).get_ref<const std::string&>());
@@ -187,6 +189,15 @@ DesignOfShape designOf(const Json& json) {
     return json.contains("design") ? parseDesign(json.at("design")) : nullptr;
 }
 
+Json treeJson(const Tree& tree) { return fieldsJson(treeRecordFields().of(tree)); }
+
+Tree treeOf(const Json& json) {
+    Tree tree = partFrom(treeRecordFields(), json);
+    tree.sourceId = cleanText(tree.sourceId);
+    tree.species = cleanText(tree.species);
+    return tree;
+}
+
 double storeyHeightOf(const Json& json) {
     return json.contains("storey_height_m") ? numberFrom(json.at("storey_height_m"), storeyOrNoneM) : 0;
 }
@@ -219,6 +230,21 @@ struct Writer {
         if (edit.storeyHeightM > 0) json["storey_height_m"] = edit.storeyHeightM;
         return json;
     }
+    Json operator()(const PlantTree& edit) const { return {{"with", treeJson(edit.tree)}}; }
+    Json operator()(const FellTree& edit) const { return {{"tree", edit.tree}}; }
+    Json operator()(const ReplaceTree& edit) const {
+        return {{"tree", edit.tree}, {"with", treeJson(edit.with)}};
+    }
+    Json operator()(const MoveTree& edit) const {
+        return {{"tree", edit.tree}, {"east_m", edit.byM.x}, {"north_m", edit.byM.y}};
+    }
+    Json operator()(const GrowTree& edit) const {
+        return {{"tree", edit.tree},
+                {"years", edit.years},
+                {"height_m", edit.heightM},
+                {"crown_base_m", edit.crownBaseM},
+                {"crown_diameter_m", edit.crownDiameterM}};
+    }
 };
 
 glm::dvec2 moveOf(const Json& json) {
@@ -244,6 +270,15 @@ Edit read(const std::string& kind, const Json& json) {
     if (kind == "import")
         return ImportMesh{shapeOf(json.at("with")), placementOf(json), wordsIn(json, "file"),
                           storeyHeightOf(json)};
+    const auto tree = [&] { return wordsIn(json, "tree"); };
+    const auto lengthM = [&](const char* key) { return numberFrom(json.at(key), treeLimitsM); };
+    if (kind == "plant") return PlantTree{treeOf(json.at("with"))};
+    if (kind == "fell") return FellTree{tree()};
+    if (kind == "replace-tree") return ReplaceTree{tree(), treeOf(json.at("with"))};
+    if (kind == "move-tree") return MoveTree{tree(), moveOf(json)};
+    if (kind == "grow")
+        return GrowTree{tree(), numberFrom(json.at("years"), yearLimits), lengthM("height_m"),
+                        lengthM("crown_base_m"), lengthM("crown_diameter_m")};
     throw std::invalid_argument("an edit of an unknown kind");
 }
 

@@ -17,5 +17,7 @@ std::vector<NamedPeriod> readPeriods(Database& database);
 std::vector<SavedView> readSavedViews(Database& database);
 SheetSettings readSheetSettings(Database& database);
 std::shared_ptr<const MapContext> readContext(Database& database);  ///< null where there is none
+/// On the ground of `city`; null where there are none. What a row leaves empty is completed (completeTree()).
+std::shared_ptr<const Trees> readTreeTable(Database& database, const City& city);
 
 }  // namespace noonmark

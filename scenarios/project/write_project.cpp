@@ -331,6 +331,7 @@ void writeCity(Database& database, const City* before, const City& after) {
     if (before == nullptr || old.frame != after.frame) writeFrame(database, after.frame);
     if (before == nullptr || old.terrain != after.terrain) writeTerrain(database, after.terrain.get());
     if (before == nullptr || old.context != after.context) writeContext(database, after.context.get());
+    if (before == nullptr || old.trees != after.trees) writeTrees(database, after.trees.get());
     BuildingWriter writer(database, after);
     const std::size_t most = std::max(old.buildings.size(), after.buildings.size());
     for (std::size_t i = 0; i < most; ++i) {

@@ -22,6 +22,7 @@ void writeResult(Database& database, const SavedResult& result);
 void writeElements(Database& database, std::int64_t result, const std::vector<MeasuredElement>& elements);
 void removeResult(Database& database, const std::string& name);
 void writeContext(Database& database, const MapContext* context);  ///< null: removes it
+void writeTrees(Database& database, const Trees* trees);           ///< null: removes them
 void writePeriods(Database& database, const std::vector<NamedPeriod>& periods);
 void writeSavedViews(Database& database, const std::vector<SavedView>& views);
 void writeSheetSettings(Database& database, const SheetSettings& settings);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/city/meshes/mesh_topology.h"
+#include "core/city/trees/tree_facts.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {
@@ -178,6 +179,79 @@ TEST(BuildingIds, AreFoundAfterTheirFile) {
     EXPECT_EQ(findBuilding(city, "town.gpkg: a").value(), findBuilding(city, "a").value());
     city.buildings.push_back(shared(house("a", box(0, 50, 10, 60), 10)));
     EXPECT_THAT(findBuilding(makeIdsUnique(city), "town.gpkg: a").error().advice, HasSubstr("a, a (2)"));
+}
+
+// Two trees on the slope, whose ground rises by 1 m every 10 m to the east.
+City withTwoTrees() {
+    City city = threeHouses();
+    city.terrain = slope();
+    Trees trees{.trees = {completeTree({.sourceId = "lime", .species = "Tilia cordata", .heightM = 10.0}),
+                          completeTree({.sourceId = "pine", .species = "Pinus nigra", .heightM = 12.0})},
+                .leafDays = {100, 300}};
+    trees.trees[0].place = {20, 20};
+    trees.trees[1].place = {50, 20};
+    city.trees = std::make_shared<const Trees>(std::move(trees));
+    return city;
+}
+
+TEST(ApplyEdits, TreesArePlantedFelledMovedReplacedAndGrown) {
+    const City before = withTwoTrees();
+    Tree planted = completeTree({.sourceId = "new", .heightM = 6.0});
+    planted.place = {100, 0};
+    const std::vector<Edit> edits{
+        PlantTree{planted}, FellTree{"lime"}, MoveTree{"pine", {30, 0}}, GrowTree{"pine", 10, 15, 3, 8},
+        ReplaceTree{"new", completeTree({.sourceId = "other", .species = "Betula", .heightM = 8.0})}};
+    const auto edited = applied(before, edits);
+    ASSERT_TRUE(edited) << edited.error().text();
+    EXPECT_TRUE(edited->changes.none()) << "no building changed";
+    const std::vector<Tree>& trees = edited->city.trees->trees;
+    ASSERT_EQ(trees.size(), 2U);
+    EXPECT_EQ(trees[0].sourceId, "pine");
+    EXPECT_EQ(trees[0].place, glm::dvec2(80, 20));
+    EXPECT_FLOAT_EQ(trees[0].groundM, groundAt(before, {80, 20}));
+    EXPECT_FLOAT_EQ(trees[0].heightM, 15);
+    EXPECT_FLOAT_EQ(trees[0].crownDiameterM, 8);
+    EXPECT_EQ(trees[0].heightSource, TreeSource::estimated);
+    EXPECT_EQ(trees[1].sourceId, "new");
+    EXPECT_EQ(trees[1].species, "Betula");
+    EXPECT_EQ(trees[1].place, glm::dvec2(100, 0));
+    EXPECT_FLOAT_EQ(trees[1].groundM, groundAt(before, {100, 0}));
+    EXPECT_EQ(edited->city.trees->leafDays, before.trees->leafDays);
+    EXPECT_EQ(before.trees->trees.size(), 2U) << "the city before stays";
+}
+
+TEST(ApplyEdits, TheLastTreeFelledLeavesNone) {
+    const auto bare = applied(withTwoTrees(), std::vector<Edit>{FellTree{"lime"}, FellTree{"pine"}});
+    ASSERT_TRUE(bare);
+    EXPECT_FALSE(bare->city.trees);
+}
+
+TEST(ApplyEdits, EditsOfTreesThatCannotBeAreRefused) {
+    const City city = withTwoTrees();
+    const Tree good = completeTree({.sourceId = "lime", .heightM = 6.0});
+    const auto trouble = [&](Edit edit) {
+        const auto edited = applied(city, std::vector<Edit>{std::move(edit)});
+        return edited ? std::string() : edited.error().what;
+    };
+    EXPECT_THAT(trouble(PlantTree{good}), HasSubstr("has this id"));
+    EXPECT_THAT(trouble(FellTree{"oak"}), HasSubstr("no such tree"));
+    EXPECT_THAT(trouble(GrowTree{"lime", 300, 200, 3, 8}), HasSubstr("200 m high"));
+    EXPECT_THAT(trouble(GrowTree{"lime", 3, 9, 9, 8}), HasSubstr("base"));
+    EXPECT_THAT(trouble(MoveTree{"lime", {1e9, 0}}), HasSubstr("too far"));
+}
+
+TEST(ApplyEdits, TreesOfOneIdAreNumbered) {
+    City city = withTwoTrees();
+    Trees trees = *city.trees;
+    for (Tree& tree : trees.trees) tree.sourceId = "canopy";
+    trees.trees[0].place = {0.1, 0.2};
+    city.trees = std::make_shared<const Trees>(std::move(trees));
+    const City unique = makeIdsUnique(city);
+    EXPECT_EQ(unique.trees->trees[0].sourceId, "canopy");
+    EXPECT_EQ(unique.trees->trees[1].sourceId, "canopy (2)");
+    EXPECT_EQ(unique.trees->trees[0].place, glm::dvec2(0.1F, 0.2F)) << "as a project file holds it";
+    EXPECT_EQ(findTree(unique, "canopy (2)").value(), 1U);
+    EXPECT_FALSE(findTree(threeHouses(), "canopy"));
 }
 
 }  // namespace

@@ -29,5 +29,22 @@ TEST(EditJson, CornersThatNoWholeNumberNamesAreRefused) {
     }
 }
 
+TEST(EditJson, EditsOfTreesComeBack) {
+    Tree tree = completeTree({.sourceId = "planted 1", .species = "Tilia \"x\"", .crownDiameterM = 7.3});
+    tree.place = {1.0 / 3, -250.125};
+    tree.evergreen = true;
+    tree.shape = CrownShape::cone;
+    tree.heightSource = TreeSource::designed;
+    const std::vector<Edit> edits{PlantTree{tree}, FellTree{"node 7"}, ReplaceTree{"node 8", tree},
+                                  MoveTree{"node 9", {0.1, -2}}, GrowTree{"node 9", 12.5, 9.25, 2.5, 6.75}};
+    for (const Edit& edit : edits) {
+        const auto read = parseEdit(std::string(getKind(edit)), toJson(edit));
+        ASSERT_TRUE(read) << read.error().text();
+        EXPECT_EQ(*read, edit) << toJson(edit);
+    }
+    EXPECT_FALSE(parseEdit("plant", replaced(toJson(edits[0]), "\"leaf_on\":", "\"leaf_on\":7,\"was\":")));
+    EXPECT_FALSE(parseEdit("plant", replaced(toJson(edits[0]), "\"height_m\"", "\"high_m\"")));
+}
+
 }  // namespace
 }  // namespace noonmark::tests

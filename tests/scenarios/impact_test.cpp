@@ -3,13 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/city/trees/tree_facts.h"
 #include "core/engines/common/shadow_reach.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/impact/impact_text.h"
+#include "scenarios/project/results/saved_figures_json.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/score_text.h"
 #include "tests/scenarios/small_town.h"
@@ -297,6 +300,86 @@ TEST(Impact, SaysWhatIsMissing) {
     stop.request_stop();
     EXPECT_TRUE(
         isCancelled(runImpact(threeHouses(), threeHouses(), morning(), progress, stop.get_token()).error()));
+}
+
+// One lime with a crown 8 m wide from 3 to 12 m, in the open, and none before.
+City withLime(City city, bool evergreen = false) {
+    Tree lime = completeTree({.sourceId = "lime",
+                              .species = "Tilia",
+                              .heightM = 12.0,
+                              .crownDiameterM = 8.0,
+                              .crownBaseM = 3.0,
+                              .evergreen = evergreen});
+    lime.place = {110, -20};
+    city.trees = std::make_shared<const Trees>(Trees{.trees = {lime}, .leafDays = {100, 300}});
+    return city;
+}
+
+double changeOf(const ImpactStudy& study, TreeColumns column) {
+    for (const ShadeChange& shade : computeFigures(study, 30).withTrees)
+        if (shade.column == column) return shade.shadowAreaChangeM2;
+    ADD_FAILURE() << "no such column";
+    return 0;
+}
+
+TEST(Impact, PlantingATreeAddsWhatItTakesAndFellingItGivesItBack) {
+    const City bare = threeHouses();
+    ImpactSettings winter = morning();
+    winter.study.period.start = std::chrono::year(2026) / 1 / 15;  // leaves are on from day 100 to 300
+    const ImpactStudy planted = impactOf(bare, withLime(bare), winter);
+    const ImpactStudy felled = impactOf(withLime(bare), bare, winter);
+    ASSERT_EQ(planted.withTrees.size(), 2U);
+    EXPECT_EQ(computeFigures(planted.total, 0).shadowAreaChangeM2, 0) << "without trees nothing changes";
+    const double evergreen = changeOf(planted, TreeColumns::evergreen),
+                 seasonal = changeOf(planted, TreeColumns::seasonal);
+    EXPECT_GT(evergreen, 0);
+    EXPECT_GT(seasonal, 0) << "bare branches";
+    EXPECT_LT(seasonal, evergreen / 2);
+    EXPECT_NEAR(changeOf(felled, TreeColumns::evergreen), -evergreen, 1e-6 * evergreen);
+    EXPECT_NEAR(changeOf(felled, TreeColumns::seasonal), -seasonal, 1e-6 * evergreen);
+    EXPECT_THAT(planted.total.warnings, testing::IsEmpty());
+    const ImpactStudy always = impactOf(bare, withLime(bare, true), winter);
+    EXPECT_NEAR(changeOf(always, TreeColumns::seasonal), evergreen, 1e-6 * evergreen);
+}
+
+TEST(Impact, OnlyTheColumnsAskedForAreMeasured) {
+    const City bare = threeHouses();
+    ImpactSettings settings = morning();
+    settings.study.trees = TreeColumns::seasonal;
+    const ImpactStudy one = impactOf(bare, withLime(bare), settings);
+    ASSERT_EQ(one.withTrees.size(), 1U);
+    EXPECT_EQ(one.withTrees[0].column, TreeColumns::seasonal);
+    settings.study.trees = TreeColumns::without;
+    EXPECT_TRUE(impactOf(bare, withLime(bare), settings).withTrees.empty());
+    settings.study.trees = TreeColumns::all;
+    EXPECT_TRUE(impactOf(bare, bare, settings).withTrees.empty());
+}
+
+TEST(Impact, FilesStateTheColumnsOfTrees) {
+    const City bare = threeHouses();
+    ImpactAnswer answer{
+        .from = "A", .to = "B", .settings = morning(), .study = impactOf(bare, withLime(bare))};
+    const auto json = nlohmann::ordered_json::parse(impactJson(answer));
+    const auto& first = json.at("impact").at(0);
+    EXPECT_EQ(first.at("gross").at("mean_min"), 0);
+    EXPECT_GT(first.at("gross_evergreen").at("mean_min"), 0);
+    EXPECT_DOUBLE_EQ(first.at("shadow_area_change_m2_seasonal").get<double>(),
+                     changeOf(answer.study, TreeColumns::seasonal));
+    EXPECT_TRUE(json.at("definitions").contains("gross_seasonal"));
+    const ImpactFigures read = parseComparison(json).all.at(0);
+    ASSERT_EQ(read.withTrees.size(), 2U);
+    EXPECT_EQ(read.withTrees[0].column, TreeColumns::evergreen);
+    EXPECT_DOUBLE_EQ(read.withTrees[0].gross.meanMin,
+                     first.at("gross_evergreen").at("mean_min").get<double>());
+    const std::string csv = impactCsv(answer);
+    EXPECT_THAT(csv.substr(0, csv.find('\n')),
+                testing::AllOf(testing::HasSubstr("shadow_area_change_m2_evergreen"),
+                               testing::HasSubstr("mean_min_seasonal")));
+    const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
+    const std::string second = csv.substr(csv.find('\n') + 1);
+    EXPECT_EQ(commas(csv.substr(0, csv.find('\n'))), commas(second.substr(0, second.find('\n'))));
+    EXPECT_THAT(impactCsv({.from = "A", .to = "B", .settings = morning(), .study = impactOf(bare, bare)}),
+                testing::Not(testing::HasSubstr("evergreen")));
 }
 
 }  // namespace

@@ -88,16 +88,24 @@ void expectSame(const MeasuredElement& a, const MeasuredElement& b) {
     EXPECT_TRUE(std::ranges::equal(a.monthMin, b.monthMin, same));
 }
 
+// Version 9 stored no trees.
+Project asVersion9Holds(Project project) {
+    City city = *project.city;
+    city.trees = nullptr;
+    project.city = std::make_shared<const City>(std::move(city));
+    return project;
+}
+
 // Version 7 stored no section boxes of views.
 Project asVersion7Holds(Project project) {
     for (SavedView& view : project.views) view.section.reset();
-    return project;
+    return asVersion9Holds(std::move(project));
 }
 
 // Version 5 stored no views.
 Project asVersion5Holds(Project project) {
     project.views.clear();
-    return project;
+    return asVersion9Holds(std::move(project));
 }
 
 // Version 4 stored no roads along lots.
@@ -223,6 +231,7 @@ TEST_F(ProjectFileTest, ATerrainOnAMapsOwnRowsAndColumnsComesBackToTheLastBit) {
                       .misplacedM = 0.1 / 3,
                       .filled = 4};
     city.terrain = std::make_shared<const Terrain>(std::move(terrain));
+    city.trees = nullptr;  // they stand on the other terrain
     project.city = std::make_shared<const City>(std::move(city));
     made(project);
     const Project back = opened();
@@ -314,7 +323,7 @@ TEST_F(ProjectFileTest, AFileOfVersion7WithAColumnOfThatNameIsRefused) {
 
 TEST_F(ProjectFileTest, AFileOfVersion8IsOpened) {
     fs::copy_file(testFile("scenarios/files/version-8.noonmark.gpkg"), file());
-    expectSame(opened(), sampleWithPoints());
+    expectSame(opened(), asVersion9Holds(sampleWithPoints()));
 }
 
 TEST_F(ProjectFileTest, AFileOfVersion8WithAColumnOfThatNameIsRefused) {
@@ -335,7 +344,46 @@ TEST_F(ProjectFileTest, APeriodOfVersion8ThatMakesNoSenseIsDamage) {
 
 TEST_F(ProjectFileTest, AFileOfVersion9IsOpened) {
     fs::copy_file(testFile("scenarios/files/version-9.noonmark.gpkg"), file());
+    expectSame(opened(), asVersion9Holds(sampleWithPoints()));
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion9WithATableOfThatNameIsRefused) {
+    fs::copy_file(testFile("scenarios/files/version-9.noonmark.gpkg"), file());
+    Database(file(), Database::Access::write).execute("CREATE TABLE Trees (fid INTEGER)");
+    EXPECT_THAT(troubleOfOpening(), HasSubstr("'trees'"));
+}
+
+TEST_F(ProjectFileTest, AFileOfVersion10IsOpened) {
+    fs::copy_file(testFile("scenarios/files/version-10.noonmark.gpkg"), file());
     expectSame(opened(), sampleWithPoints());
+}
+
+// As if a GIS program had drawn the first tree: its place and its height alone.
+TEST_F(ProjectFileTest, ATreeThatAGisProgramLeftIncompleteIsCompleted) {
+    made();
+    Database(file(), Database::Access::write)
+        .execute(
+            "UPDATE trees SET tree_id = NULL, species = NULL, crown_diameter_m = NULL, crown_base_m = "
+            "NULL, shape = NULL, evergreen = NULL, height_source = NULL, crown_source = NULL, leaf_on = "
+            "NULL, leaf_off = NULL WHERE fid = 1");
+    const City city = *opened().city;
+    Tree drawn = completeTree({.sourceId = "tree 1", .heightM = double(11.3F)});
+    drawn.place = sampleProject().city->trees->trees[0].place;
+    drawn.groundM = groundAt(city, drawn.place);
+    ASSERT_TRUE(city.trees);
+    EXPECT_EQ(city.trees->trees.at(0), drawn);
+    EXPECT_EQ(city.trees->trees.at(1), sampleProject().city->trees->trees[1]);
+}
+
+TEST_F(ProjectFileTest, TreesThatMakeNoSenseAreDamage) {
+    for (const char* harm : {"UPDATE trees SET height_m = -3", "UPDATE trees SET leaf_on = 1.5",
+                             "UPDATE trees SET geom = x'01'", "UPDATE trees SET crown_diameter_m = 'wide'",
+                             "UPDATE noonmark SET value = '0-400' WHERE key = 'leaf_days'"}) {
+        fs::remove(file());
+        made();
+        Database(file(), Database::Access::write).execute(harm);
+        EXPECT_THAT(troubleOfOpening(), HasSubstr("damaged")) << harm;
+    }
 }
 
 // Each field of a period, other than its default.

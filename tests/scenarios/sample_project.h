@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/city/map_context.h"
+#include "core/city/trees/tree_facts.h"
 #include "scenarios/project/project.h"
 #include "tests/scenarios/small_town.h"
 
@@ -45,6 +46,13 @@ inline Project sampleProject() {
          {ContextKind::path, "", 2, {{0, 1}, {2, 3}}}},
         {{1, 2}, {3.3F, 4}},
         "(c) map"});
+    Trees trees{.trees = {completeTree({.sourceId = "node 1", .species = "Pinus d'Été", .heightM = 11.3}),
+                          completeTree({.sourceId = "node 2", .stemDiameterM = 0.31})},
+                .leafDays = {101, 317}};
+    trees.trees[0].place = {20.3F, 5.1F};
+    trees.trees[1].place = {150.7F, -3};
+    for (Tree& tree : trees.trees) tree.groundM = groundAt(city, tree.place);
+    city.trees = std::make_shared<const Trees>(std::move(trees));
     Project project;
     project.city = std::make_shared<const City>(city);
     project.attribution = "(c) OpenStreetMap contributors, ODbL";
@@ -109,6 +117,7 @@ inline bool sameCity(const City& a, const City& b) {
     if (a.frame != b.frame || a.buildings.size() != b.buildings.size()) return false;
     if (bool(a.terrain) != bool(b.terrain) || (a.terrain && *a.terrain != *b.terrain)) return false;
     if (bool(a.context) != bool(b.context) || (a.context && *a.context != *b.context)) return false;
+    if (bool(a.trees) != bool(b.trees) || (a.trees && *a.trees != *b.trees)) return false;
     for (std::size_t i = 0; i < a.buildings.size(); ++i) {
         Building x = *a.buildings[i], y = *b.buildings[i];
         if (x.parts.size() != y.parts.size()) return false;

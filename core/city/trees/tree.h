@@ -69,6 +69,11 @@ struct Tree {
     bool operator==(const Tree&) const = default;
 };
 
+template <class S>
+class Fields;
+/// Its fields but `groundM`, for files: the place in local metres, lengths in metres.
+const Fields<Tree>& treeRecordFields();
+
 /// The trees of a city: immutable as its buildings are.
 struct Trees {
     std::vector<Tree> trees;

@@ -23,6 +23,7 @@ struct ShippedTrees {
     std::vector<TreeGroup> groups;
     std::map<std::string, std::size_t, std::less<>> groupOfGenus;  // in small letters
     std::vector<LeafRow> leafRows;                                 // by latitude
+    double stemGrowthM = 0;                                        // of the diameter, a year
 };
 
 std::string inSmallLetters(std::string_view text) {
@@ -47,6 +48,7 @@ TreeGroup parseGroup(const nlohmann::json& json) {
 ShippedTrees parseShipped() {
     const auto json = nlohmann::json::parse(shippedTreeDefaults);
     ShippedTrees shipped;
+    shipped.stemGrowthM = json.at("stem_growth_m_per_year");
     for (const auto& group : json.at("groups")) {
         for (const auto& genus : group.at("genera"))
             shipped.groupOfGenus[inSmallLetters(genus.get<std::string>())] = shipped.groups.size();
@@ -178,6 +180,22 @@ Tree completeTree(const TreeFacts& facts) {
             .leafOffTransmissivity = evergreen         ? group.leafOn
                                      : group.evergreen ? listTreeGroups().front().leafOff
                                                        : group.leafOff};
+}
+
+Tree growTree(const Tree& tree, double years) {
+    const TreeGroup& group = groupOf(
+        {.species = tree.species, .evergreen = tree.evergreen, .needles = tree.shape == CrownShape::cone});
+    const double crownGrowthM = years * shippedTrees().stemGrowthM * group.crownPerStem;
+    const double heightM = double(tree.heightM);
+    const double grownM = std::min(heightM + crownGrowthM * group.heightPerCrown, maxEstimatedM);
+    Tree grown = tree;
+    if (!(grownM > heightM)) return grown;
+    const double share = (grownM - heightM) / (crownGrowthM * group.heightPerCrown);
+    grown.heightM = float(grownM);
+    grown.crownBaseM = float(double(tree.crownBaseM) * grownM / heightM);
+    grown.crownDiameterM = float(double(tree.crownDiameterM) + share * crownGrowthM);
+    grown.heightSource = grown.crownSource = TreeSource::estimated;
+    return grown;
 }
 
 bool isPlausibleTreeHeight(double metres) { return metres >= 0.5 && metres <= 120; }

@@ -49,6 +49,14 @@ struct TreeFacts {
 /// group (findTreeGroup()). The facts must be plausible; readers leave others out with a warning.
 Tree completeTree(const TreeFacts& facts);
 
+/// What a user states of a new tree: species, height, crown, crown base and stem.
+const Fields<TreeFacts>& treeFactFields();
+
+/// The tree after `years`, 0 to 200: its crown grows as its stem does, by the same width each year, its
+/// height with the crown, the crown's base with the height (resources/trees/defaults.json). Grows up to 35 m
+/// high; a higher one keeps its measures. Both sources are "estimated" after it.
+Tree growTree(const Tree& tree, double years);
+
 /// Height 0.5 to 120 m, crown 0.3 to 50 m wide, stem 0.01 to 5 m thick.
 bool isPlausibleTreeHeight(double metres);
 bool isPlausibleCrown(double metres);

@@ -79,6 +79,11 @@ ImpactFigures parseImpactFigures(const Json& json) {
     ImpactFigures figures = readFigures(impactFigures(), json);
     figures.gross = changeFrom(json.at("gross"));
     figures.continuous = changeFrom(json.at("continuous"));
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (const std::string suffix = suffixOf(column); json.contains("gross" + suffix))
+            figures.withTrees.push_back({column, changeFrom(json.at("gross" + suffix)),
+                                         changeFrom(json.at("continuous" + suffix)),
+                                         json.at("shadow_area_change_m2" + suffix).get<double>()});
     return figures;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -9,6 +10,7 @@
 
 #include "core/base/clean_text.h"
 #include "core/city/map_context.h"
+#include "core/city/trees/tree_facts.h"
 #include "core/io/settings/read_fields.h"
 #include "core/study/text/height_words.h"
 #include "core/study/text/terrain_text.h"
@@ -136,7 +138,105 @@ std::shared_ptr<const City> readCityTables(Database& database) {
     city->buildings = readBuildings(database);
     city->terrain = readTerrain(database);
     city->context = readContext(database);
+    city->trees = readTreeTable(database, *city);
     return city;
+}
+
+// Reads and writes the layer `trees` and the row `leaf_days` of the table `noonmark`.
+
+namespace {
+
+constexpr const char* leafDaysKey = "leaf_days";
+constexpr NumberLimits treeHeightLimitsM{0.01, 1000};
+constexpr NumberLimits crownWidthLimitsM{0.01, 1000};
+constexpr NumberLimits transmissivityLimits{0, 1};
+
+LeafDays readLeafDays(Database& database, const City& city) {
+    const std::string text = readFact(database, leafDaysKey);
+    if (text.empty()) return assumeLeafDays(city.frame.origin().latDeg);
+    int on = 0, off = 0;
+    const bool both = std::sscanf(text.c_str(), "%d-%d", &on, &off) == 2;
+    if (!both || on < 1 || off < 1 || on > 366 || off > 366)
+        throwDamaged("table noonmark, leaf_days: not two days of a year");
+    return {on, off};
+}
+
+/// One row of the layer, which a GIS program may have left incomplete.
+class TreeRow {
+public:
+    explicit TreeRow(const Statement& row) : row_(row), checked_(row, "trees") {}
+
+    [[nodiscard]] Tree read() const {
+        const auto points = toPoints(row_.blob(1));
+        if (!points || points->size() != 1) checked_.refuse("a tree has no place");
+        TreeFacts facts{.sourceId = cleanText(row_.text(2)),
+                        .species = cleanText(row_.text(3)),
+                        .heightM = stated(4, "height_m", treeHeightLimitsM),
+                        .crownDiameterM = stated(5, "crown_diameter_m", crownWidthLimitsM),
+                        .crownBaseM = stated(6, "crown_base_m", {0, treeHeightLimitsM.high})};
+        if (facts.sourceId.empty()) facts.sourceId = fmt::format("tree {}", row_.integer(0));
+        if (!row_.isNull(8)) facts.evergreen = row_.integer(8) != 0;
+        Tree tree = completeTree(facts);
+        tree.place = glm::dvec2(points->front());
+        takeStated(tree);
+        if (!(tree.heightM > tree.crownBaseM)) checked_.refuse("the crown's base lies above the tree's top");
+        return tree;
+    }
+
+private:
+    [[nodiscard]] std::optional<double> stated(int column, const char* name,
+                                               const NumberLimits& limits) const {
+        if (row_.isNull(column)) return std::nullopt;
+        return checked_.number(column, name, limits);
+    }
+
+    void takeStated(Tree& tree) const {
+        tree.shape = parseCrownShape(row_.text(7)).value_or(tree.shape);
+        tree.heightSource = parseTreeSource(row_.text(9)).value_or(tree.heightSource);
+        tree.crownSource = parseTreeSource(row_.text(10)).value_or(tree.crownSource);
+        if (const auto share = stated(11, "leaf_on", transmissivityLimits))
+            tree.leafOnTransmissivity = float(*share);
+        if (const auto share = stated(12, "leaf_off", transmissivityLimits))
+            tree.leafOffTransmissivity = float(*share);
+    }
+
+    const Statement& row_;
+    CheckedRow checked_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Trees> readTreeTable(Database& database, const City& city) {
+    Trees trees{.trees = {}, .leafDays = readLeafDays(database, city)};
+    Statement row = database.prepare(
+        "SELECT fid, geom, tree_id, species, height_m, crown_diameter_m, crown_base_m, shape, evergreen, "
+        "height_source, crown_source, leaf_on, leaf_off FROM trees ORDER BY fid");
+    while (row.step()) {
+        Tree tree = TreeRow(row).read();
+        tree.groundM = groundAt(city, tree.place);
+        trees.trees.push_back(std::move(tree));
+    }
+    return trees.trees.empty() ? nullptr : std::make_shared<const Trees>(std::move(trees));
+}
+
+void writeTrees(Database& database, const Trees* trees) {
+    database.execute("DELETE FROM trees");
+    if (trees == nullptr) return removeFact(database, leafDaysKey);
+    setFact(database, leafDaysKey, fmt::format("{}-{}", trees->leafDays.on, trees->leafDays.off));
+    Statement add = database.prepare(
+        "INSERT INTO trees (geom, tree_id, species, height_m, crown_diameter_m, crown_base_m, shape, "
+        "evergreen, height_source, crown_source, leaf_on, leaf_off) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+        "?)");
+    Box2 box;
+    for (const Tree& tree : trees->trees) {
+        const glm::vec2 place(tree.place);
+        add.run(AsBlob{pointBlob(place)}, tree.sourceId, tree.species, tree.heightM, tree.crownDiameterM,
+                tree.crownBaseM, nameOf(tree.shape), tree.evergreen, nameOf(tree.heightSource),
+                nameOf(tree.crownSource), tree.leafOnTransmissivity, tree.leafOffTransmissivity);
+        box.add(place);
+    }
+    touchLayer(database, "trees", double(box.low.x), double(box.low.y), double(box.high.x),
+               double(box.high.y));
 }
 
 // Reads and writes the table `context`: what maps draw for orientation. All trees are one feature.

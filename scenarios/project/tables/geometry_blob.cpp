@@ -172,6 +172,15 @@ Bytes lineBlob(const std::vector<glm::vec2>& points) {
     return bytes;
 }
 
+Bytes pointBlob(glm::vec2 point) {
+    Bytes bytes;
+    putHeader(bytes, boxOf({point}));
+    put(bytes, std::uint8_t(1));
+    put(bytes, wkbPoint);
+    putPoint(bytes, point);
+    return bytes;
+}
+
 Bytes multiPointBlob(const std::vector<glm::vec2>& points) {
     Bytes bytes;
     putHeader(bytes, boxOf(points));

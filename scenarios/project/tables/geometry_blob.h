@@ -19,6 +19,7 @@ Bytes multiPolygonBlob(const std::vector<Footprint>& polygons);
 
 /// A LINESTRING of two or more points.
 Bytes lineBlob(const std::vector<glm::vec2>& points);
+Bytes pointBlob(glm::vec2 point);
 Bytes multiPointBlob(const std::vector<glm::vec2>& points);
 
 /// Parses a POLYGON or MULTIPOLYGON and repairs polygons that another program drew. Empty where the bytes are

@@ -99,6 +99,13 @@ constexpr const char* sectionColumn = "ALTER TABLE saved_views ADD COLUMN sectio
 // Since version 9.
 constexpr const char* periodSettingsColumn = "ALTER TABLE periods ADD COLUMN settings TEXT";
 
+// Since version 10.
+constexpr const char* treeTable = R"sql(
+CREATE TABLE trees (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, tree_id TEXT, species TEXT, height_m REAL,
+  crown_diameter_m REAL, crown_base_m REAL, shape TEXT, evergreen INTEGER, height_source TEXT, crown_source TEXT,
+  leaf_on REAL, leaf_off REAL);
+)sql";
+
 struct FeatureTable {
     const char* table;
     const char* type;
@@ -118,6 +125,7 @@ constexpr FeatureTable contextLayer{"context", "GEOMETRY", "Context",
                                     "Streets, paths, parks, water and trees, drawn for orientation"};
 constexpr FeatureTable elementLayer{"result_elements", "MULTIPOINT", "Points of results",
                                     "Sun and shadow at points of facades, windows and planes"};
+constexpr FeatureTable treeLayer{"trees", "POINT", "Trees", "Trees of the existing city; metres"};
 constexpr std::array attributeTables{
     "noonmark",           "inputs",       "meshes",  "terrain", "scenarios",     "edits",
     "time_weight_tables", "time_weights", "periods", "results", "result_layers", "view_state"};
@@ -164,6 +172,11 @@ void addViewTable(Database& database) {
 void addElementTable(Database& database) {
     database.execute(elementTable);
     registerLayer(database, elementLayer);
+}
+
+void addTreeTable(Database& database) {
+    database.execute(treeTable);
+    registerLayer(database, treeLayer);
 }
 
 void registerTables(Database& database) {
@@ -240,10 +253,16 @@ void toVersion9(Database& database) {
     addPeriodSettings(database);
 }
 
+void toVersion10(Database& database) {
+    refuseForeignTable(database, "trees");
+    addTreeTable(database);
+}
+
 // Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {
-    static const std::vector<std::function<void(Database&)>> steps{
-        toVersion2, toVersion3, toVersion4, toVersion5, toVersion6, toVersion7, toVersion8, toVersion9};
+    static const std::vector<std::function<void(Database&)>> steps{toVersion2, toVersion3, toVersion4,
+                                                                   toVersion5, toVersion6, toVersion7,
+                                                                   toVersion8, toVersion9, toVersion10};
     return steps;
 }
 
@@ -261,6 +280,7 @@ void createSchema(Database& database, const std::string& localWkt) {
     database.execute(sectionColumn);
     database.execute(periodSettingsColumn);
     addElementTable(database);
+    addTreeTable(database);
     addLayerStyles(database);
     database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")
         .run(std::to_string(schemaVersion));

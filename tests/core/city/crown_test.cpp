@@ -134,5 +134,27 @@ TEST(TreeFacts, LeafCycleAndTypeCountWhereTheGenusIsUnknown) {
     EXPECT_GT(bareMagnolia.leafOffTransmissivity, 0.5F);
 }
 
+// A stem grows by 8.5 mm a year (resources/trees/defaults.json): in 10 years a lime's crown by 25.5 x 85 mm,
+// its height by 1.4 times that.
+TEST(GrowTree, CrownAndHeightFollowTheStem) {
+    const Tree young =
+        completeTree({.species = "Tilia", .heightM = 6.0, .crownDiameterM = 4.0, .crownBaseM = 2.0});
+    const Tree grown = growTree(young, 10);
+    EXPECT_NEAR(grown.crownDiameterM, 4 + 25.5 * 0.085, 1e-5);
+    EXPECT_NEAR(grown.heightM, 6 + 1.4 * 25.5 * 0.085, 1e-5);
+    EXPECT_NEAR(grown.crownBaseM / grown.heightM, 2.0 / 6, 1e-6);
+    EXPECT_EQ(grown.heightSource, TreeSource::estimated);
+    EXPECT_EQ(growTree(young, 0), young);
+}
+
+TEST(GrowTree, EndsAtThirtyFiveMetres) {
+    const Tree tall = completeTree({.species = "Platanus", .heightM = 34.0, .crownDiameterM = 20.0});
+    const Tree grown = growTree(tall, 100);
+    EXPECT_FLOAT_EQ(grown.heightM, 35);
+    EXPECT_NEAR(grown.crownDiameterM, 20 + 1 / 1.4, 1e-5) << "the crown stops with the height";
+    const Tree giant = completeTree({.species = "Sequoia", .heightM = 90.0, .crownDiameterM = 20.0});
+    EXPECT_EQ(growTree(giant, 50), giant);
+}
+
 }  // namespace
 }  // namespace noonmark
