@@ -153,6 +153,8 @@ Result<CityRead> readOrMake(const std::vector<std::string>& files, const ReadSet
 Result<std::vector<InputFile>> inputsOf(const std::vector<std::string>& files) {
     std::vector<InputFile> inputs;
     for (const std::string& file : files) {
+        const auto isKnown = [&](const InputFile& input) { return input.path == file; };
+        if (std::ranges::any_of(inputs, isKnown)) continue;
         if (isSample(file)) {
             inputs.push_back({.path = file});
             continue;
@@ -182,7 +184,9 @@ Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSet
     tbb::task_group describing;  // beside the reading; both mostly wait for the disk
     describing.run([&, stop] {
         const StopScope scope(stop);
-        inputs = inputsOf(files);
+        std::vector<std::string> all = files;
+        std::ranges::copy(settings.treeFiles, std::back_inserter(all));
+        inputs = inputsOf(all);
     });
     const Stopwatch watch;
     auto read = readOrMake(files, settings, progress, std::move(stop));

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "core/city/trees/tree.h"
 #include "core/io/files/geopackage_check.h"
 #include "core/samples/sample_city.h"
 #include "scenarios/edits/apply_edits.h"
@@ -41,27 +40,16 @@ void addSamplePlaces(Project& project, const LoadedCity& loaded) {
         project.lots.push_back({lot.tower, lot.ground});
 }
 
-constexpr std::string_view whyNoTrees =
-    "projects do not hold them; all questions measure the shadow of buildings and terrain only";
-
-// A project has no table of trees: what it is asked now and after it is saved must be the same.
-void leaveOutTrees(City& city, Warnings& warnings) {
-    std::ranges::move(warnOfTrees(city.trees, whyNoTrees), std::back_inserter(warnings));
-    city.trees.reset();
-}
-
 }  // namespace
 
 Project projectOf(const LoadedCity& loaded) {
     Project project;
     City city = makeIdsUnique(loaded.read.city);
-    Warnings warnings = loaded.read.warnings;
-    leaveOutTrees(city, warnings);
     project.city = std::make_shared<const City>(std::move(city));
     project.attribution = loaded.read.attribution;
     project.inputs = loaded.inputs;
     project.reading = std::make_shared<const CityReading>(
-        CityReading{loaded.settings, std::move(warnings), loaded.read.heights});
+        CityReading{loaded.settings, loaded.read.warnings, loaded.read.heights});
     addSamplePlaces(project, loaded);
     return project;
 }

@@ -134,17 +134,112 @@ TEST_F(TreesLeftOut, FilesWithoutThemSaySo) {
                "a GeoPackage of buildings does not hold them");
 }
 
-TEST_F(TreesLeftOut, OfAProjectEveryAnswerRepeatsIt) {
-    const std::string project = folder.path("town.noonmark.gpkg").string();
-    ASSERT_EQ(noonmarkCli({"project", "new", project, town.string(), "--trees", inventory}).code, exitOk);
-    const CommandOutput point = noonmarkCli({"point", project, "--at", "-73.9800,40.7504"});
-    EXPECT_THAT(point.out, HasSubstr("1 left out: trees: projects do not hold them")) << point.err;
+TEST_F(TreesLeftOut, ACopyOfTheInventoryIsNotOverwritten) {
+    const CommandOutput written =
+        noonmarkCli({"import", town.string(), "--trees", inventory, "--out", inventory, "--overwrite"});
+    EXPECT_NE(written.code, exitOk);
+    std::ifstream file(inventory);
+    std::string heading;
+    std::getline(file, heading);
+    EXPECT_EQ(heading, "tree_dbh,spc_latin,latitude,longitude");
 }
 
 TEST_F(TreesLeftOut, AStudyCountsThem) {
     EXPECT_THAT(study({"--trees", inventory}).out, Not(HasSubstr("left out: trees")));
     for (const nlohmann::json& warning : figures({"--trees", inventory}).at("warnings"))
         EXPECT_THAT(warning.at("what").get<std::string>(), Not(testing::StartsWith("trees:")));
+}
+
+// The town with its two trees as a project, with a scenario.
+class TreesOfAProject : public TreesCommand {
+protected:
+    void SetUp() override {
+        ASSERT_EQ(noonmarkCli({"project", "new", project, town.string(), "--trees", inventory}).code, exitOk);
+        ASSERT_EQ(noonmarkCli({"project", "add-scenario", project, "Avenue"}).code, exitOk);
+    }
+    CommandOutput tree(std::vector<std::string> words) {
+        words.insert(words.begin() + 1, project);
+        words.insert(words.begin(), {"project", "tree"});
+        return noonmarkCli(words);
+    }
+    nlohmann::json list() { return tree({"list", "--json"}).json(); }
+    nlohmann::json impact(std::vector<std::string> more = {}) {
+        std::vector<std::string> all{"impact",   project,
+                                     "--to",     "Avenue",
+                                     "--region", "-73.9815,40.7495,-73.9785,40.7515",
+                                     "--start",  "2026-01-15",
+                                     "--from",   "Existing",
+                                     "--hours",  "6",
+                                     "--at",     "09:00",
+                                     "--step",   "10",
+                                     "--zone",   "America/New_York",
+                                     "--cell",   "2",
+                                     "--out",    folder.path("out").string(),
+                                     "--json",   "--overwrite"};
+        all.insert(all.end(), more.begin(), more.end());
+        const CommandOutput output = noonmarkCli(all);
+        EXPECT_EQ(output.code, exitOk) << output.err;
+        return output.json();
+    }
+
+    const std::string project = folder.path("town.noonmark.gpkg").string();
+};
+
+TEST_F(TreesOfAProject, AreStoredWithTheirFilesHash) {
+    const nlohmann::json trees = list();
+    ASSERT_EQ(trees.size(), 2U);
+    EXPECT_EQ(trees[0]["species"], "Platanus x acerifolia");
+    EXPECT_NEAR(trees[0]["crown_diameter_m"].get<double>(), 25.5 * 20 * 0.0254, 1e-4);
+    EXPECT_EQ(trees[1]["evergreen"], true);
+    const nlohmann::json inputs = impact().at("inputs");
+    const auto isInventory = [&](const nlohmann::json& input) { return input.at("path") == inventory; };
+    const auto found = std::ranges::find_if(inputs, isInventory);
+    ASSERT_NE(found, inputs.end()) << inputs;
+    EXPECT_EQ(found->at("sha256").get<std::string>().size(), 64U);
+}
+
+TEST_F(TreesOfAProject, FellingThemChangesTheShadowWithTreesOnly) {
+    ASSERT_EQ(tree({"remove", "--within", "-73.9815,40.7495,-73.9785,40.7515", "--scenario", "Avenue"}).code,
+              exitOk);
+    const nlohmann::json change = impact().at("impact").at(0);
+    EXPECT_EQ(change.at("gross").at("mean_min"), 0);
+    EXPECT_LT(change.at("gross_evergreen").at("mean_min"), 0);
+    EXPECT_LT(change.at("gross_seasonal").at("mean_min"), 0);
+    EXPECT_FALSE(impact({"--tree-shade", "seasonal"}).at("impact").at(0).contains("gross_evergreen"));
+}
+
+TEST_F(TreesOfAProject, ARowIsPlantedMovedAndGrown) {
+    const CommandOutput row =
+        tree({"add", "--along", "-73.9805,40.7500", "-73.9795,40.7500", "--spacing", "10", "--species",
+              "Tilia cordata", "--height", "8", "--scenario", "Avenue"});
+    ASSERT_EQ(row.code, exitOk) << row.err;
+    // 0.001 degrees of longitude are 84.4 m here: trees at 0, 10, ..., 80 m.
+    EXPECT_EQ(std::ranges::count(row.out, '\n'), 9) << row.out;
+    EXPECT_THAT(tree({"grow", "planted 1", "--years", "10", "--scenario", "Avenue"}).out,
+                HasSubstr("Grow planted 1 by 10 years to 11.0 m"));
+    EXPECT_THAT(tree({"move", "planted 2", "--east", "3", "--scenario", "Avenue"}).out,
+                HasSubstr("Move planted 2 by 3.0 m east"));
+    EXPECT_GT(impact().at("impact").at(0).at("gross_evergreen").at("mean_min"), 0);
+    EXPECT_NE(tree({"remove", "oak", "--scenario", "Avenue"}).code, exitOk);
+    EXPECT_NE(tree({"remove", "planted 1", "--scenario", "Existing"}).code, exitOk);
+    EXPECT_EQ(list().size(), 2U) << "the existing city stays";
+}
+
+TEST_F(TreesOfAProject, InventoriesAreAddedOnce) {
+    EXPECT_THAT(tree({"import", inventory}).out, HasSubstr("0 trees read"));
+    const std::string more =
+        folder.file("more.csv", "height,latitude,longitude\n9,40.7503,-73.9801\n").string();
+    EXPECT_THAT(tree({"import", more}).out, HasSubstr("1 trees read; the project has 3"));
+}
+
+TEST_F(TreesOfAProject, LeafDaysAreStated) {
+    EXPECT_THAT(tree({"leaves", "--leaf-on", "01-02", "--leaf-off", "12-20"}).out,
+                HasSubstr("from 01-02 up to and without 12-20"));
+    ASSERT_EQ(tree({"remove", "--within", "-73.9815,40.7495,-73.9785,40.7515", "--scenario", "Avenue"}).code,
+              exitOk);
+    const nlohmann::json change = impact().at("impact").at(0);  // of January, now in leaf
+    EXPECT_EQ(change.at("gross_evergreen"), change.at("gross_seasonal"));
+    EXPECT_NE(tree({"leaves", "--leaf-on", "13-01"}).code, exitOk);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ struct ImportOptions {
 };
 
 int runImport(const ImportOptions& options, const Console& console) {
-    const OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
+    const OutputRules rules = outputRules(listNamedFiles(options.read), {}, options.overwrite);
     if (const auto may = checkOutput(options.out, OutputKind::geoPackage, rules); !may)
         return fail(console, may.error(), exitUsage);
     const auto loaded = loadCity(options.read, console);

@@ -156,7 +156,7 @@ bool isSameFile(const std::string& a, const std::string& b) {
 }
 
 Result<void> checkFiles(const PointOptions& options) {
-    const OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
+    const OutputRules rules = outputRules(listNamedFiles(options.read), {}, options.overwrite);
     if (!options.svg.empty() && !options.csv.empty() && isSameFile(options.svg, options.csv))
         return failure("The drawing and the table cannot be one file", options.svg, "Name two files");
     if (!options.svg.empty())

@@ -12,6 +12,7 @@
 #include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/progress_line.h"
 #include "app/cli/base/table.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/measure_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/sheet_options.h"
@@ -19,6 +20,7 @@
 #include "app/questions/review_question.h"
 #include "app/report/files/answer_files.h"
 #include "core/describe/command_options.h"
+#include "core/study/study_fields.h"
 #include "scenarios/project/project_provenance.h"
 #include "scenarios/project/results/save_result.h"
 #include "scenarios/weights/score_text.h"
@@ -311,6 +313,7 @@ void addImpactCommand(CLI::App& app, Run& run) {
     addSheetSwitch(*command, options->sheets);
     addSheetOptions(*command, options->sheets);
     addErrorOptions(*command, options->measure.settings.errorSample);
+    addFieldOptions(*command, treeFields().of(options->measure.settings));
     command->add_option(flags::from, options->from, "The baseline: the scenario to compare with")
         ->default_val(existingCity)
         ->type_name("NAME");

@@ -66,6 +66,12 @@ void addLegendOptions(CLI::App& command, LegendChoice& legend) {
     addFieldOptions(command, legendFields().of(legend));
 }
 
+std::vector<std::string> listNamedFiles(const ReadOptions& options) {
+    std::vector<std::string> files = options.files;
+    files.insert(files.end(), options.settings.treeFiles.begin(), options.settings.treeFiles.end());
+    return files;
+}
+
 void addReadOptions(CLI::App& command, ReadOptions& options) {
     command.add_option("files", options.files, options.filesHelp)->required()->type_name("FILE");
     addFieldOptions(command, readSettingsFields().of(options.settings));

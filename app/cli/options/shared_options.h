@@ -36,6 +36,9 @@ struct ReadOptions {
     ReadSettings settings;
 };
 
+/// The city's files and its inventories of trees, none of which may be replaced.
+std::vector<std::string> listNamedFiles(const ReadOptions& options);
+
 /// Adds FILE... and one option per user-visible field of ReadSettings. `options` must outlive the parsing.
 void addReadOptions(CLI::App& command, ReadOptions& options);
 

@@ -23,6 +23,7 @@ void addProjectVariant(CLI::App& project, Run& run);
 void addProjectLot(CLI::App& project, Run& run);
 void addProjectRegion(CLI::App& project, Run& run);
 void addProjectPlace(CLI::App& project, Run& run);
+void addProjectTree(CLI::App& project, Run& run);
 void addProjectContext(CLI::App& project, Run& run);
 void addProjectPhotograph(CLI::App& project, Run& run);
 void addProjectWeights(CLI::App& project, Run& run);

@@ -10,6 +10,7 @@
 #include "app/input/load_city.h"
 #include "app/input/load_project.h"
 #include "app/input/output_rules.h"
+#include "core/city/trees/tree.h"
 #include "core/io/read_region.h"
 #include "scenarios/project/project_file.h"
 
@@ -86,7 +87,7 @@ Result<ContextRead> contextOf(const NewOptions& options, const Frame& frame, con
 
 // Protects the city's files and those of the places: "Park=park.geojson".
 OutputRules rulesOf(const NewOptions& options) {
-    OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
+    OutputRules rules = outputRules(listNamedFiles(options.read), {}, options.overwrite);
     for (const auto* places : {&options.regions, &options.lots})
         for (const std::string& place : *places) addPlace(rules, place.substr(place.find('=') + 1));
     return rules;
@@ -111,10 +112,11 @@ int runNew(const NewOptions& options, const Console& console) {
         ProjectFile::create(options.file, *project,
                             options.overwrite ? ProjectFile::IfThere::replace : ProjectFile::IfThere::refuse);
     if (!made) return fail(console, made.error(), exitFailed);
-    console.out << fmt::format("{}: {} buildings, {} places, {} regions, {} lots\n", options.file,
-                               withCommas(project->city->buildings.size()),
-                               withCommas(project->places.size()), project->regions.size(),
-                               project->lots.size());
+    const std::size_t trees = project->city->trees ? project->city->trees->trees.size() : 0;
+    console.out << fmt::format(
+        "{}: {} buildings, {}{} places, {} regions, {} lots\n", options.file,
+        withCommas(project->city->buildings.size()), trees > 0 ? withCommas(trees) + " trees, " : "",
+        withCommas(project->places.size()), project->regions.size(), project->lots.size());
     printWarnings(console.out, loaded->read.warnings);
     printWarnings(console.out, places->warnings);
     printWarnings(console.out, context->warnings);
@@ -166,6 +168,7 @@ void addProjectCommand(CLI::App& app, Run& run) {
     addProjectRegion(*project, run);
     addProjectPlace(*project, run);
     addProjectPeriod(*project, run);
+    addProjectTree(*project, run);
     addProjectContext(*project, run);
     addProjectPhotograph(*project, run);
     addProjectWeights(*project, run);

@@ -61,7 +61,7 @@ Result<ReviewSource> openReviewSource(const ReviewRunOptions& options, const Rul
     auto source = namesProject(options.read) ? openScenarios(options, console) : readFiles(options, console);
     if (!source) return source;
     source->ofRules = library.warnings();
-    source->outputs = outputRules(options.read.files, source->project.inputs, options.overwrite);
+    source->outputs = outputRules(listNamedFiles(options.read), source->project.inputs, options.overwrite);
     const GlazingRunOptions& windows = options.windows;
     if (windows.ofFile) addPlace(source->outputs, windows.elements.windows.string());
     if (windows.asked()) addPlace(source->outputs, windows.region);

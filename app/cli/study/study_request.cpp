@@ -178,7 +178,7 @@ SheetSettings sheetsOf(const StudyRequest& request) {
 }
 
 OutputRules outputRulesOf(const StudyOptions& options, const std::vector<InputFile>& inputs) {
-    OutputRules rules = outputRules(options.read.files, inputs, options.overwrite);
+    OutputRules rules = outputRules(listNamedFiles(options.read), inputs, options.overwrite);
     addPlace(rules, options.region);
     const ElementSettings& elements = options.elements;
     for (const std::string& file : {elements.windows.string(), elements.pointsFile.string(), elements.parcel})

@@ -103,7 +103,7 @@ Result<TaskPlan> makePlan(const PlanOptions& options, std::vector<std::string> a
     if (!files) return tl::make_unexpected(files.error());
     const auto question = readQuestion(options.question);
     if (!question) return tl::make_unexpected(question.error());
-    OutputRules rules = outputRules(study.read.files, {}, study.overwrite);
+    OutputRules rules = outputRules(listNamedFiles(study.read), {}, study.overwrite);
     addPlace(rules, study.region);
     addPlace(rules, options.question.placesFile());
     if (auto may = checkOutputs(study.out, {planFileName, indexFileName}, rules); !may)

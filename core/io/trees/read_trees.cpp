@@ -46,8 +46,10 @@ glm::dvec2 findMiddle(const City& city) {
 
 std::shared_ptr<const Trees> joinTrees(const std::vector<ReadTree>& read, const City& city, double farAwayM,
                                        Warnings& warnings) {
-    Trees all{.trees = {}, .leafDays = assumeLeafDays(city.frame.origin().latDeg)};
+    Trees all =
+        city.trees ? *city.trees : Trees{.trees = {}, .leafDays = assumeLeafDays(city.frame.origin().latDeg)};
     PlantedPlaces planted;
+    for (const Tree& tree : all.trees) planted.plant(tree.place);
     const glm::dvec2 middle = findMiddle(city);
     for (const ReadTree& one : read) {
         const glm::dvec2 place = city.frame.localFromLonLat(one.place);

@@ -47,12 +47,18 @@ bool isCompanion(const InputFile& file, const std::vector<InputFile>& inputs) {
     });
 }
 
+// Inventories of trees have an option of their own.
+bool hasOption(const InputFile& file, const std::optional<ReadSettings>& reading) {
+    return reading && std::ranges::find(reading->treeFiles, file.path.string()) != reading->treeFiles.end();
+}
+
 // File names, or paths if two names are equal: paths do not hold elsewhere, but they distinguish the files.
-void addInputs(CommandWords& line, const std::vector<InputFile>& inputs) {
+void addInputs(CommandWords& line, const Provenance& provenance) {
+    const std::vector<InputFile>& inputs = provenance.inputs;
     std::set<std::filesystem::path> names;
     std::vector<const InputFile*> named;
     for (const InputFile& input : inputs)
-        if (!isCompanion(input, inputs)) named.push_back(&input);
+        if (!isCompanion(input, inputs) && !hasOption(input, provenance.reading)) named.push_back(&input);
     for (const InputFile* input : named) names.insert(input->path.filename());
     for (const InputFile* input : named)
         line.file(names.size() == named.size() ? input->path.filename().string() : input->path.string());
@@ -101,7 +107,7 @@ bool namesCityFiles(const Provenance& provenance) {
 }
 
 void addCityFiles(CommandWords& line, const Provenance& provenance) {
-    addInputs(line, provenance.inputs);
+    addInputs(line, provenance);
     for (const CommandOption& option : listOptions(readSettingsFields().of(*provenance.reading)))
         line.option(option);
 }

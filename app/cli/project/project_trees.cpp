@@ -1,0 +1,378 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include "app/cli/base/interrupt.h"
+#include "app/cli/base/table.h"
+#include "app/cli/options/field_options.h"
+#include "app/cli/options/shared_options.h"
+#include "app/cli/project/edit_scenario.h"
+#include "app/cli/project/list_project.h"
+#include "app/cli/project/project_commands.h"
+#include "core/city/trees/tree_facts.h"
+#include "core/io/read_region.h"
+#include "core/io/trees/read_trees.h"
+#include "core/study/text/terrain_text.h"
+#include "core/sun/civil_time.h"
+#include "scenarios/edits/apply_edits.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct TreeImportOptions {
+    ChangeOptions change;
+    std::vector<std::string> files;
+    std::string crs;
+    double farAwayM = ReadSettings{}.farAwayM;
+};
+
+// Trees of the scenario's city, by id or inside a region.
+struct TreesOptions : EditOptions {
+    std::vector<std::string> trees;
+    std::string within;
+};
+
+struct TreeAddOptions : EditOptions {
+    std::vector<std::string> at;     // LON,LAT
+    std::vector<std::string> along;  // the corners of a line
+    double spacingM = 8;
+    TreeFacts facts;
+};
+
+struct TreeMoveOptions : TreesOptions {
+    glm::dvec2 byM{0};
+};
+
+struct TreeGrowOptions : TreesOptions {
+    double years = 0;
+};
+
+struct LeafOptions {
+    ChangeOptions change;
+    std::string on, off;  // MM-DD
+};
+
+struct TreeReplaceOptions : TreesOptions {
+    TreeFacts facts;
+};
+
+Result<std::string> importTrees(const TreeImportOptions& options, Project& project) {
+    const Interrupt interrupt;
+    NoProgress progress;
+    const std::optional<std::string> crs =
+        options.crs.empty() ? std::nullopt : std::optional<std::string>(options.crs);
+    City city = *project.city;
+    const std::size_t before = city.trees ? city.trees->trees.size() : 0;
+    Warnings warnings;
+    for (const std::string& file : options.files) {
+        auto read = readTrees(file, crs, progress, interrupt.token());
+        if (!read) return tl::make_unexpected(read.error());
+        std::ranges::move(read->warnings, std::back_inserter(warnings));
+        city.trees = joinTrees(read->trees, city, options.farAwayM, warnings);
+        const auto inputs = describeInputFiles(file);
+        if (!inputs) return tl::make_unexpected(inputs.error());
+        std::ranges::copy_if(*inputs, std::back_inserter(project.inputs), [&](const InputFile& input) {
+            return std::ranges::find(project.inputs, input.path, &InputFile::path) == project.inputs.end();
+        });
+    }
+    project.city = std::make_shared<const City>(makeIdsUnique(std::move(city)));
+    std::ostringstream words;
+    const auto& trees = project.city->trees;
+    words << fmt::format("{} trees read; the project has {}\n",
+                         withCommas((trees ? trees->trees.size() : 0) - before),
+                         trees ? describeTrees(*trees) : "none");
+    printWarnings(words, warnings);
+    CityReading reading = *project.reading;
+    std::ranges::move(warnings, std::back_inserter(reading.warnings));
+    project.reading = std::make_shared<const CityReading>(std::move(reading));
+    return words.str();
+}
+
+std::vector<Listed> listTrees(const Project& project) {
+    std::vector<Listed> lines;
+    if (!project.city->trees) return lines;
+    for (const Tree& tree : project.city->trees->trees) {
+        const LonLat at = project.city->frame.lonLatFromLocal(tree.place);
+        lines.push_back({tree.sourceId,
+                         fmt::format("{}{:.1f} m high ({}), crown {:.1f} m ({}), {}",
+                                     tree.species.empty() ? "" : tree.species + ", ", tree.heightM,
+                                     nameOf(tree.heightSource), tree.crownDiameterM, nameOf(tree.crownSource),
+                                     tree.evergreen ? "evergreen" : "loses its leaves"),
+                         {{"species", tree.species},
+                          {"lon_deg", at.lonDeg},
+                          {"lat_deg", at.latDeg},
+                          {"height_m", tree.heightM},
+                          {"height_source", nameOf(tree.heightSource)},
+                          {"crown_diameter_m", tree.crownDiameterM},
+                          {"crown_source", nameOf(tree.crownSource)},
+                          {"crown_base_m", tree.crownBaseM},
+                          {"shape", nameOf(tree.shape)},
+                          {"evergreen", tree.evergreen}}});
+    }
+    return lines;
+}
+
+Result<glm::dvec2> parsePosition(const std::string& text, const Frame& frame) {
+    std::istringstream stream(text);
+    LonLat at;
+    char comma = 0;
+    const bool read = bool(stream >> at.lonDeg >> comma >> at.latDeg) && comma == ',' &&
+                      (stream >> std::ws).eof() && std::abs(at.lonDeg) <= 180 && std::abs(at.latDeg) <= 90;
+    if (!read) return failure("This is no position", text, "Give LON,LAT in degrees: -73.98,40.75");
+    return frame.localFromLonLat(at);
+}
+
+Result<std::vector<glm::dvec2>> parsePositions(const std::vector<std::string>& texts, const Frame& frame) {
+    std::vector<glm::dvec2> places;
+    for (const std::string& text : texts) {
+        const auto place = parsePosition(text, frame);
+        if (!place) return tl::make_unexpected(place.error());
+        places.push_back(*place);
+    }
+    return places;
+}
+
+constexpr std::size_t maxRow = 10'000;
+
+// From the first corner on, `spacingM` apart along the line.
+Result<std::vector<glm::dvec2>> placeAlong(const std::vector<glm::dvec2>& line, double spacingM) {
+    if (line.size() < 2) return failure("A row needs two corners or more", "--along", "Give LON,LAT LON,LAT");
+    std::vector<glm::dvec2> places;
+    double nextM = 0;  // from the current corner
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const double lengthM = glm::distance(line[i - 1], line[i]);
+        if (lengthM / spacingM > double(maxRow - places.size()))
+            return failure(fmt::format("The row would have more than {} trees", maxRow), "--along",
+                           "Give a larger --spacing");
+        for (; nextM <= lengthM + 1e-6 && lengthM > 0; nextM += spacingM)
+            places.push_back(line[i - 1] + (line[i] - line[i - 1]) * (nextM / lengthM));
+        nextM -= lengthM;
+    }
+    return places;
+}
+
+Result<std::vector<glm::dvec2>> placesOf(const TreeAddOptions& options, const Frame& frame) {
+    auto places = parsePositions(options.at, frame);
+    if (!places || options.along.empty()) return places;
+    return parsePositions(options.along, frame)
+        .and_then([&](const std::vector<glm::dvec2>& line) { return placeAlong(line, options.spacingM); })
+        .map([&](const std::vector<glm::dvec2>& row) {
+            places->insert(places->end(), row.begin(), row.end());
+            return *places;
+        });
+}
+
+Tree designTree(const TreeFacts& facts) {
+    Tree tree = completeTree(facts);
+    if (facts.heightM) tree.heightSource = TreeSource::designed;
+    if (facts.crownDiameterM) tree.crownSource = TreeSource::designed;
+    return tree;
+}
+
+Result<City> cityToChange(Project& project, const std::string& scenario) {
+    if (const auto known = scenarioToChange(project, scenario); !known)
+        return tl::make_unexpected(known.error());
+    return cityOf(project, scenario).map([](const EditedCity& edited) { return edited.city; });
+}
+
+Result<std::string> plantTrees(const TreeAddOptions& options, Project& project) {
+    const auto city = cityToChange(project, options.scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    const auto places = placesOf(options, city->frame);
+    if (!places) return tl::make_unexpected(places.error());
+    if (places->empty()) return failure("No place is given", "add", "Give --at or --along");
+    std::vector<Edit> edits;
+    int number = 1;
+    for (const glm::dvec2 place : *places) {
+        Tree tree = designTree(options.facts);
+        tree.place = place;
+        do {
+            tree.sourceId = fmt::format("planted {}", number++);
+        } while (city->trees && findTree(*city, tree.sourceId));
+        edits.emplace_back(PlantTree{std::move(tree)});
+    }
+    return withEdits(project, options.scenario, edits);
+}
+
+Result<std::vector<Tree>> findTrees(const TreesOptions& options, const City& city) {
+    std::vector<Tree> found;
+    for (const std::string& id : options.trees) {
+        const auto at = findTree(city, id);
+        if (!at) return tl::make_unexpected(at.error());
+        found.push_back(city.trees->trees[*at]);
+    }
+    if (options.within.empty()) return found;
+    const auto region = readRegion(options.within, city.frame);
+    if (!region) return tl::make_unexpected(region.error());
+    if (city.trees)
+        std::ranges::copy_if(city.trees->trees, std::back_inserter(found), [&](const Tree& tree) {
+            return std::ranges::any_of(region->polygons,
+                                       [&](const Footprint& area) { return contains(area, tree.place); });
+        });
+    return found;
+}
+
+// One edit for each of the trees.
+template <class Make>
+Result<std::string> editTrees(const TreesOptions& options, Project& project, Make&& make) {
+    const auto city = cityToChange(project, options.scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    const auto trees = findTrees(options, *city);
+    if (!trees) return tl::make_unexpected(trees.error());
+    if (trees->empty()) return failure("No tree is chosen", "trees", "Name trees, or give --within");
+    std::vector<Edit> edits;
+    for (const Tree& tree : *trees) edits.emplace_back(make(tree));
+    return withEdits(project, options.scenario, edits);
+}
+
+Result<std::string> fellTrees(const TreesOptions& options, Project& project) {
+    return editTrees(options, project, [](const Tree& tree) { return FellTree{tree.sourceId}; });
+}
+
+Result<std::string> moveTrees(const TreeMoveOptions& options, Project& project) {
+    if (options.byM == glm::dvec2(0))
+        return failure("The trees would stay where they are", "move", "Give --east or --north");
+    return editTrees(options, project, [&](const Tree& tree) {
+        return MoveTree{tree.sourceId, options.byM};
+    });
+}
+
+Result<std::string> growTrees(const TreeGrowOptions& options, Project& project) {
+    return editTrees(options, project, [&](const Tree& tree) {
+        const Tree grown = growTree(tree, options.years);
+        return GrowTree{tree.sourceId, options.years, double(grown.heightM), double(grown.crownBaseM),
+                        double(grown.crownDiameterM)};
+    });
+}
+
+Result<std::string> replaceTrees(const TreeReplaceOptions& options, Project& project) {
+    return editTrees(options, project, [&](const Tree& tree) {
+        return ReplaceTree{tree.sourceId, designTree(options.facts)};
+    });
+}
+
+// Of a year without 29 February.
+Result<int> parseDayOfYear(const std::string& text) {
+    using namespace std::chrono;
+    constexpr year common{2026};
+    const auto date = parseDate("2026-" + text);
+    if (!date) return failure("This is no day of the year", text, "Give MM-DD: 04-15");
+    return int((sys_days(*date) - sys_days(common / January / 1)).count()) + 1;
+}
+
+std::string describeDay(int dayOfYear) {
+    using namespace std::chrono;
+    const year_month_day date(sys_days(year{2026} / January / 1) + days(dayOfYear - 1));
+    return fmt::format("{:02}-{:02}", unsigned(date.month()), unsigned(date.day()));
+}
+
+Result<std::string> setLeafDays(const LeafOptions& options, Project& project) {
+    if (!project.city->trees)
+        return failure("The project has no trees", "leaves", "Read some: noonmark-cli project tree import");
+    Trees trees = *project.city->trees;
+    for (const auto& [text, day] :
+         {std::pair(&options.on, &trees.leafDays.on), std::pair(&options.off, &trees.leafDays.off)}) {
+        if (text->empty()) continue;
+        const auto stated = parseDayOfYear(*text);
+        if (!stated) return tl::make_unexpected(stated.error());
+        *day = *stated;
+    }
+    const std::string words =
+        fmt::format("Trees that lose their leaves have them from {} up to and without {}\n",
+                    describeDay(trees.leafDays.on), describeDay(trees.leafDays.off));
+    City city = *project.city;
+    city.trees = std::make_shared<const Trees>(std::move(trees));
+    project.city = std::make_shared<const City>(std::move(city));
+    return words;
+}
+
+void addTrees(CLI::App& command, TreesOptions& options) {
+    command.add_option("trees", options.trees, "Ids of the trees")->type_name("TREE");
+    command
+        .add_option("--within", options.within,
+                    "All trees inside west,south,east,north in degrees, POLYGON ((lon lat, ...)), or a "
+                    "polygon file")
+        ->type_name("W,S,E,N|WKT|FILE");
+}
+
+void addTreeAdd(CLI::App& group, Run& run) {
+    const auto options = std::make_shared<TreeAddOptions>();
+    CLI::App* add = addEditCommand(group, "add", "Plant trees in a scenario", options, plantTrees, run);
+    add->add_option("--at", options->at, "Where a tree is planted; may be repeated")->type_name("LON,LAT");
+    add->add_option("--along", options->along, "Corners of a line along which a row is planted")
+        ->type_name("LON,LAT");
+    add->add_option("--spacing", options->spacingM, "Distance between the trees of a row, m")
+        ->check(within(0.5, 1000))
+        ->type_name("M");
+    addFieldOptions(*add, treeFactFields().of(options->facts));
+}
+
+void addTreeImport(CLI::App& group, Run& run) {
+    const auto options = std::make_shared<TreeImportOptions>();
+    CLI::App* read = addChangeCommand(
+        group, "import", "Add trees of inventories, OpenStreetMap or canopy rasters to the existing city",
+        options, importTrees, run);
+    read->add_option("files", options->files, "The files")->required()->type_name("FILE");
+    read->add_option("--crs", options->crs,
+                     "Coordinate reference system of files that do not state it: EPSG:2263")
+        ->type_name("CRS");
+}
+
+void addTreeLeaves(CLI::App& group, Run& run) {
+    const auto options = std::make_shared<LeafOptions>();
+    CLI::App* leaves =
+        addChangeCommand(group, "leaves",
+                         "State between which days trees that lose their leaves have them (default: those "
+                         "assumed for the latitude)",
+                         options, setLeafDays, run);
+    leaves->add_option("--leaf-on", options->on, "First day in leaf")->type_name("MM-DD");
+    leaves->add_option("--leaf-off", options->off, "First day without leaves")->type_name("MM-DD");
+}
+
+void addTreeChanges(CLI::App& group, Run& run) {
+    const auto felled = std::make_shared<TreesOptions>();
+    addTrees(*addEditCommand(group, "remove", "Fell trees in a scenario", felled, fellTrees, run), *felled);
+    const auto moved = std::make_shared<TreeMoveOptions>();
+    CLI::App* move = addEditCommand(group, "move", "Move trees of a scenario", moved, moveTrees, run);
+    addTrees(*move, *moved);
+    move->add_option("--east", moved->byM.x, "Distance to the east, m; negative: to the west")
+        ->check(within(-20000, 20000))
+        ->type_name("M");
+    move->add_option("--north", moved->byM.y, "Distance to the north, m; negative: to the south")
+        ->check(within(-20000, 20000))
+        ->type_name("M");
+    const auto grown = std::make_shared<TreeGrowOptions>();
+    CLI::App* grow =
+        addEditCommand(group, "grow", "Let trees of a scenario grow for some years", grown, growTrees, run);
+    addTrees(*grow, *grown);
+    grow->add_option("--years", grown->years, "Number of years")
+        ->required()
+        ->check(within(0.1, 200))
+        ->type_name("YEARS");
+    const auto replaced = std::make_shared<TreeReplaceOptions>();
+    CLI::App* replace = addEditCommand(group, "replace", "Replace trees of a scenario by others", replaced,
+                                       replaceTrees, run);
+    addTrees(*replace, *replaced);
+    addFieldOptions(*replace, treeFactFields().of(replaced->facts));
+}
+
+}  // namespace
+
+void addProjectTree(CLI::App& project, Run& run) {
+    CLI::App* group = project.add_subcommand("tree", "Trees of the city and of scenarios");
+    group->require_subcommand(1);
+    addTreeImport(*group, run);
+    addListCommand(*group, "List the trees of the existing city", listTrees, run);
+    addTreeAdd(*group, run);
+    addTreeChanges(*group, run);
+    addTreeLeaves(*group, run);
+}
+
+}  // namespace noonmark::cli
