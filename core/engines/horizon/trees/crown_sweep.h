@@ -101,7 +101,7 @@ private:
 class CrownSweep {
 public:
     /// At most so many levels a bin.
-    static constexpr std::size_t maxLevels = 10;
+    static constexpr std::size_t maxLevels = 12;
     static_assert(maxLevels <= CrownLevels::most);
     /// `scene` and `binned` are of the same steps; `datumM`: local z from which heights count.
     CrownSweep(const CrownScene& scene, const BinnedSun& binned, const Grid& grid, double datumM);
