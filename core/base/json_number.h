@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -33,6 +35,15 @@ template <std::integral Integer, class Json>
 Integer wholeNumberIn(const Json& json, const char* member, Integer otherwise) {
     const auto found = json.find(member);
     return found == json.end() ? otherwise : wholeNumberFrom<Integer>(*found);
+}
+
+/// The number that a CSV text with so many decimals states (CsvText): so JSON and CSV round halves alike.
+inline double roundAsText(double value, int decimals) {
+    if (!std::isfinite(value)) return value;
+    std::array<char, 400> digits{};  // the largest double has 309 before its point
+    const auto end = std::to_chars(digits.begin(), digits.end(), value, std::chars_format::fixed, decimals);
+    std::from_chars(digits.begin(), end.ptr, value);
+    return value;
 }
 
 }  // namespace noonmark

@@ -40,8 +40,7 @@ double computeShare(const Figure& figure, double value, const FigureContext& con
 }
 
 double rounded(const Figure& figure, double value) {
-    const double grains = figure.jsonDecimals ? std::pow(10, *figure.jsonDecimals) : 0;
-    return figure.jsonDecimals ? std::round(value * grains) / grains : value;
+    return figure.jsonDecimals ? roundAsText(value, *figure.jsonDecimals) : value;
 }
 
 std::string trimmed(std::string number) {

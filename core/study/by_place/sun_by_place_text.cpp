@@ -5,6 +5,7 @@
 #include <cctype>
 #include <limits>
 
+#include "core/base/json_number.h"
 #include "core/base/version.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
@@ -20,14 +21,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int digits = 4;  // of hours and shares
+// As JSON and CSV state them, which agree to the last digit.
+constexpr int digits = 4;     // of hours and shares
+constexpr int fewDigits = 2;  // of areas and minutes
 
 Figure hours(double SunOfPlace::*member, std::string_view key, std::string_view label,
              std::string_view definition) {
     return figure(member, {.key = key,
                            .label = label,
                            .definition = definition,
-                           .decimals = 3,
+                           .decimals = digits,
                            .jsonDecimals = digits,
                            .shownDecimals = 2,
                            .better = Better::higher});
@@ -160,13 +163,13 @@ Json figuresOf(const SunByPlace& sun, std::size_t i) {
     const SunOfPlace& of = sun.sun[i];
     Json json = figuresJson(sunOfPlaceFigures().of(of));
     for (std::size_t season = 0; season < of.seasonHours.size(); ++season)
-        json["season_hours"][sun.seasons[season].key] = of.seasonHours[season];
+        json["season_hours"][sun.seasons[season].key] = roundAsText(of.seasonHours[season], digits);
     for (std::size_t month = 0; month < of.monthHours.size(); ++month)
-        json["month_hours"][sun.months[month]] = of.monthHours[month];
+        json["month_hours"][sun.months[month]] = roundAsText(of.monthHours[month], digits);
     for (std::size_t date = 0; date < of.dateHours.size(); ++date)
-        json["date_hours"][formatText(sun.settings.dates[date])] = of.dateHours[date];
+        json["date_hours"][formatText(sun.settings.dates[date])] = roundAsText(of.dateHours[date], digits);
     for (std::size_t date = 0; date < of.belowShare.size(); ++date)
-        json["share_below"][formatText(sun.settings.dates[date])] = of.belowShare[date];
+        json["share_below"][formatText(sun.settings.dates[date])] = roundAsText(of.belowShare[date], digits);
     return json;
 }
 
@@ -244,7 +247,8 @@ const Figures<SunOfPlace>& sunOfPlaceFigures() {
         figure(&SunOfPlace::areaM2, {.key = "area_m2",
                                      .label = NM_TEXT("Open ground"),
                                      .definition = NM_TEXT("area of the place without buildings"),
-                                     .jsonDecimals = 2,
+                                     .decimals = fewDigits,
+                                     .jsonDecimals = fewDigits,
                                      .unit = FigureUnit::squareMetres,
                                      .use = FigureUse::basis}),
         hours(&SunOfPlace::meanHours, "hours_mean", NM_TEXT("Mean sun"),
@@ -284,7 +288,8 @@ const Figures<SunChange>& sunChangeFigures() {
              .label = NM_TEXT("Largest loss"),
              .definition = NM_TEXT("minutes of sun a day less than in the baseline, mean over the days, at "
                                    "the cell that loses most"),
-             .jsonDecimals = 2,
+             .decimals = fewDigits,
+             .jsonDecimals = fewDigits,
              .unit = FigureUnit::minutesADay,
              .better = Better::lower}),
         figure(
@@ -293,7 +298,8 @@ const Figures<SunChange>& sunChangeFigures() {
              .label = NM_TEXT("Largest gain"),
              .definition = NM_TEXT("minutes of sun a day more than in the baseline, mean over the days, at "
                                    "the cell that gains most"),
-             .jsonDecimals = 2,
+             .decimals = fewDigits,
+             .jsonDecimals = fewDigits,
              .unit = FigureUnit::minutesADay,
              .better = Better::higher}),
         figure(&SunChange::lostShare,

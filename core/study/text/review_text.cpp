@@ -1,10 +1,13 @@
 #include "core/study/text/review_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "core/base/csv_text.h"
+#include "core/base/json_number.h"
 #include "core/base/version.h"
 #include "core/describe/figure_text.h"
 #include "core/review/library/rule_text.h"
@@ -18,7 +21,7 @@ namespace noonmark {
 
 using Json = nlohmann::ordered_json;
 
-double round4(double value) { return std::round(value * 1e4) / 1e4; }
+double round4(double value) { return roundAsText(value, 4); }
 
 Json numberOrNull(double value) { return std::isfinite(value) ? Json(round4(value)) : Json(); }
 

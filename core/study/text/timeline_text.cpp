@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/csv_text.h"
+#include "core/base/json_number.h"
 #include "core/describe/figure_text.h"
 #include "core/measures/places/place_sums.h"
 #include "core/receivers/place_names.h"
@@ -16,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+double rounded(double value) { return roundAsText(value, 4); }
 
 /// Writes what belongs to one place.
 class TimelineWriter {
@@ -91,9 +92,7 @@ private:
     [[nodiscard]] Json spanJson(const TimeSpan& span) const {
         return {{"from", time(span.from)}, {"to", time(span.to)}, {"minutes", rounded(span.minutes())}};
     }
-    static double share(double part, double whole) {
-        return whole > 0 ? std::round(part / whole * 1e6) / 1e6 : 0;
-    }
+    static double share(double part, double whole) { return whole > 0 ? roundAsText(part / whole, 6) : 0; }
     static Json most(const std::optional<MostShadow>& most) {
         if (!most) return {};
         return {{"day", formatText(most->day)}, {"m2h", rounded(most->areaHoursM2)}};

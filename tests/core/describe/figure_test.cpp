@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/json_number.h"
 #include "core/describe/figure_text.h"
 #include "core/measures/shadow_figures.h"
 
@@ -53,6 +54,24 @@ TEST(Figures, AreColumnsWithTheirDecimals) {
     csv.endRow();
     EXPECT_EQ(csv.take(), "apples,weight_kg,sugar_pct\r\n3,0.75,\r\n");
     EXPECT_EQ(definitionsJson(harvestFigures().rows()), (Json{{"apples", "number of apples"}}));
+}
+
+// 0.0625 lies in the middle of two texts of three digits, 1.005 a little below that of two.
+TEST(Figures, JsonAndCsvRoundHalvesAlike) {
+    struct Half {
+        double value = 0;
+    };
+    static const Figures<Half> table{figure(&Half::value, {.key = "v", .decimals = 3, .jsonDecimals = 3})};
+    for (const double value : {0.0625, 0.1875, 2.0625, -0.0625, 1.0005, 0.5, 12345.0}) {
+        CsvText csv({"v"});
+        addFigures(csv, table.of(Half{value}));
+        csv.endRow();
+        const std::string text = csv.take();
+        EXPECT_EQ(figuresJson(table.of(Half{value}))["v"].get<double>(), std::stod(text.substr(3))) << text;
+    }
+    EXPECT_EQ(roundAsText(0.0625, 3), 0.062) << "halves go to the even digit";
+    EXPECT_EQ(roundAsText(1.005, 2), 1.0) << "it is 1.00499999999999989...";
+    EXPECT_TRUE(std::isnan(roundAsText(std::nan(""), 2)));
 }
 
 struct Wind {
