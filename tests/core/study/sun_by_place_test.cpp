@@ -591,7 +591,7 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
                 HasSubstr("name,kind,part_of,area_m2,hours_mean,hours_min,hours_max,share_enough,"
                           "hours_dec_feb,hours_mar_may,hours_2026-02,hours_2026-03,hours_2026-12-21,"
                           "share_below_2026-12-21,cell_m,without_figures,remarks,lon_deg,lat_deg,source"));
-    EXPECT_THAT(csv, HasSubstr("\"A, \"\"B\"\"\",plaza,,800.0,"));
+    EXPECT_THAT(csv, HasSubstr("\"A, \"\"B\"\"\",plaza,,800.00,"));
     const auto json = nlohmann::json::parse(toJson(sun));
     EXPECT_NEAR(json["places"][1]["hours_mean"].get<double>(), sun.sun[1].meanHours, 1e-4);
     EXPECT_EQ(json["places"][0]["month_hours"].size(), 2U);
