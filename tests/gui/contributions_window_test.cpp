@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableView>
+#include <QToolButton>
 #include <fstream>
 #include <sstream>
 
@@ -22,6 +24,7 @@ namespace {
 
 using test::waitFor;
 using testing::HasSubstr;
+using testing::Not;
 
 /// The window with a place in the yard, and the dock of contributions in front.
 struct ContributionsWindow : test::AnswersWindow {
@@ -130,6 +133,23 @@ TEST_F(ContributionsWindow, AClickedPlaceIsAttributedAndAddsUpToTheStudysFigure)
     EXPECT_LT(links().shown()->cells, first->cells);
     links().choose("Yard");
     EXPECT_EQ(links().shown(), first) << "kept until the study changes";
+}
+
+TEST_F(ContributionsWindow, SentencesAreAboutSunWhereTheLegendShowsSun) {
+    ask(false, false);
+    study();
+    choose("Yard");
+    ASSERT_TRUE(links().shown()) << why().toStdString();
+    EXPECT_THAT(headline().toStdString(), HasSubstr("min a day in shadow"));
+    window->findChild<QToolButton*>(QStringLiteral("showSun"))->click();
+    const double minutes = links().shown()->studyMinM2 /
+                           (double(links().shown()->cells) * links().shown()->breakdown.grid.cellAreaM2() *
+                            double(links().shown()->days));
+    const double hours = (workbench().study()->field.sunlitMinutesPerDay - minutes) / 60;
+    EXPECT_THAT(headline().toStdString(), HasSubstr(fmt::format("{:.1f}", hours).substr(0, 3)));
+    EXPECT_THAT(headline().toStdString(), HasSubstr(" h of sun a day, "));
+    EXPECT_THAT(headline().toStdString(), Not(HasSubstr("min a day in shadow")));
+    EXPECT_THAT(why().toStdString(), HasSubstr(" h of sun a day"));
 }
 
 TEST_F(ContributionsWindow, TheWholeRegionIsAttributedByTheButton) {

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <QComboBox>
@@ -93,6 +94,41 @@ TEST_F(MeasuredAnswersWindow, AScoreByAnotherWeightTableReplacesNone) {
     EXPECT_EQ(workbench().measured().size(), before + 1);
     score("default");
     EXPECT_EQ(workbench().measured().size(), before + 1) << "the same question as in the file";
+}
+
+// Chosen from the list, an answer is shown: nothing is computed, and what is being computed goes on.
+TEST_F(MeasuredAnswersWindow, ShowingAComparisonFromTheListStartsNoRun) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }));
+    const auto comparison = workbench().measured().back();
+    session().compareWith({});
+    int runs = 0;
+    QObject::connect(&workbench().running(), &JobSlot::started, &workbench(), [&] { ++runs; });
+    workbench().showMeasured(*comparison);
+    EXPECT_EQ(session().baseline(), existingCity);
+    ASSERT_TRUE(workbench().answerAs<ImpactAnswer>());
+    EXPECT_EQ(runs, 0);
+    EXPECT_FALSE(workbench().running().busy());
+}
+
+// A copy of the scenario is displayed when the answer arrives: the answer is about the one that was asked.
+TEST_F(MeasuredAnswersWindow, AScenarioCopiedWhileItIsMeasuredLeavesTheAnswerItsName) {
+    session().goTo("Tower");
+    workbench().run();
+    auto* tree = window->findChild<ProjectDock*>();
+    tree->duplicate(tree->model().indexOf(ProjectPart::scenario, "Tower"));
+    const std::string copy = session().scenario();
+    ASSERT_NE(copy, "Tower");
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy() && !workbench().measured().empty(); }));
+    EXPECT_EQ(workbench().measured().back()->known().answer->part().scenario, "Tower");
+    EXPECT_THAT(workbench().measured().back()->name(), testing::HasSubstr("Tower,"));
+    ASSERT_TRUE(workbench().study()) << "it is valid for the copy, too";
+    EXPECT_EQ(workbench().answer()->part().scenario, copy);
+    EXPECT_EQ(workbench().measuredShown(), workbench().measured().back()) << "the list marks it";
+    session().goTo("Tower");
+    EXPECT_EQ(workbench().answer()->part().scenario, "Tower");
+    EXPECT_EQ(workbench().measured().size(), 1U);
 }
 
 // Its name is one of the file's own: what is saved under it replaces the answer kept without being asked.

@@ -199,6 +199,22 @@ TEST_F(Session, OtherBuildingsInTheBaselineAreTold) {
     EXPECT_EQ(baselines.count(), 1) << "another scenario is shown, the baseline is the same";
 }
 
+TEST_F(Session, OnlyTheUsersChoiceOfABaselineAsksForAComparison) {
+    demolish(0);
+    const QSignalSpy wanted(&session, &ProjectSession::comparisonWanted);
+    const QSignalSpy baselines(&session, &ProjectSession::baselineChanged);
+    session.setBaseline(existingCity);
+    EXPECT_EQ(baselines.count(), 1);
+    EXPECT_EQ(wanted.count(), 0) << "the comparison is at hand";
+    session.compareWith({});
+    session.compareWith(existingCity);
+    EXPECT_EQ(wanted.count(), 2);
+    const QSignalSpy refused(&session, &ProjectSession::refused);
+    session.compareWith("Nowhere");
+    EXPECT_EQ(refused.count(), 1);
+    EXPECT_EQ(wanted.count(), 2);
+}
+
 TEST(ProposalNames, GoOnAfterZ) {
     std::vector<Scenario> scenarios;
     for (int i = 0; i < 30; ++i) scenarios.push_back({nextProposal(scenarios), {}, {}});

@@ -53,8 +53,14 @@ TEST_F(ProjectWindow, AllScenariosAreMeasuredForTheTable) {
     question.receivers.cellM = 4;
     question.period.stepMinutes = 10;
     workbench().document().change(question, QStringLiteral("test"));
+    std::vector<double> fractions;
+    QObject::connect(&workbench().running(), &JobSlot::started, &workbench(), [&](const Job& job) {
+        QObject::connect(&job, &Job::progressed, &workbench(),
+                         [&](double fraction) { fractions.push_back(fraction); });
+    });
     workbench().measureAll();
     ASSERT_TRUE(waitFor([this] { return workbench().studies().size() == 2; }));
+    EXPECT_TRUE(std::ranges::is_sorted(fractions)) << "progress never runs back";
     const auto studies = workbench().studies();
     EXPECT_GT(studies.at("Proposal A")->statistics.shadowAreaM2,
               studies.at(existingCity)->statistics.shadowAreaM2);

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QTreeView>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -241,6 +242,16 @@ TEST_F(SunByPlaceWindow, TheLegendTakesRangeAndClassesInHours) {
     EXPECT_EQ(strip.legend()->colours->breaks, (std::vector<double>{1, 5}));
     kinds.setCurrentIndex(int(LegendClasses::Kind::continuous));
     EXPECT_EQ(strip.legend()->colours->breaks.size(), 5U) << "those of the threshold again";
+}
+
+TEST_F(SunByPlaceWindow, TheColumnOfNamesIsWideEnoughForThem) {
+    measure();
+    auto& tree = field<QTreeView>("placesTable");
+    for (int row = 0; row < tree.model()->rowCount(); ++row) {
+        const QString name = tree.model()->index(row, 0).data().toString();
+        EXPECT_GE(tree.columnWidth(0), tree.indentation() + tree.fontMetrics().horizontalAdvance(name))
+            << name.toStdString();
+    }
 }
 
 TEST_F(SunByPlaceWindow, TheMapIsExportedAsPictureAndRasterAlsoOfASavedAnswer) {

@@ -280,6 +280,7 @@ private:
     bool again_ = false;  ///< the latest question is that of runAgain()
     std::shared_ptr<const Study> study_;
     SharedAnswer base_, front_, past_;
+    std::map<SharedAnswer, SharedAnswer> listed_;  ///< base_ and front_ as lists have them, if renamed since
     ListAnswers scenarioAnswers_;
     FindPlace placeShown_;
     Start long_;  ///< the run announced by longRun()

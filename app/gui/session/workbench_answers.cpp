@@ -225,8 +225,9 @@ void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted) {
         [wanted = std::move(wanted), shown = city_, asked = *asked](
             Progress& progress, const std::stop_token& stop) mutable -> Result<Made> {
             Made made;
+            RisingProgress rising(progress);  // a study begins anew where its engine is too far off
             for (std::size_t i = 0; i < wanted.size(); ++i) {
-                ProgressShare share(progress, i, wanted.size());
+                ProgressShare share(rising, i, wanted.size());
                 asked.loaded = withCity(shown->loaded, *wanted[i].city);
                 auto study = studyQuestion().compute(asked, wanted.size() > 1 ? share : progress, stop);
                 if (!study && isCancelled(study.error()) && !made.empty()) return made;
@@ -325,7 +326,10 @@ bool Workbench::rename(SharedAnswer& answer) {
     if (!answer) return false;
     SharedAnswer now = answer->updated(session_.project(), session_.scenario(), session_.baseline());
     if (!now) return false;
+    const auto listed = listed_.find(answer);
+    listed_[now] = listed == listed_.end() ? answer : listed->second;
     answer = std::move(now);
+    std::erase_if(listed_, [this](const auto& one) { return one.first != base_ && one.first != front_; });
     return true;
 }
 
@@ -440,7 +444,9 @@ std::string Workbench::savedName() const {
 
 std::shared_ptr<const MeasuredAnswer> Workbench::measuredShown() const {
     const auto saved = answerAs<SavedContent>();
-    const auto shown = answer() ? answer() : past();
+    const auto now = answer() ? answer() : past();
+    const auto listed = listed_.find(now);
+    const auto shown = listed == listed_.end() ? now : listed->second;
     const auto at = std::ranges::find_if(measured_, [&](const auto& one) {
         const SharedAnswer& known = one->known().answer;
         return known ? known == shown : saved && one->toSave() == saved->result;
@@ -500,12 +506,9 @@ void Workbench::showMeasured(const MeasuredAnswer& measured) {
     if (scenario.empty() || (known.before && baseline.empty())) return showPast(known.answer);
     if (known.before) comparison_ = known;
     session_.goTo(scenario);
-    if (known.before && session_.baseline() != baseline) {
-        session_.compareWith(baseline);
-        running_.drop();  // a baseline that is chosen asks for the comparison, which is at hand
-    }
+    if (known.before) session_.setBaseline(baseline);
     if (!contentOf<Study>(known.answer)) return putInFront(known.before ? nullptr : known.answer);
-    session_.compareWith({});
+    session_.setBaseline({});
     adoptStudy(known);
     putInFront(nullptr);
 }

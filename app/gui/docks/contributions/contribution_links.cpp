@@ -6,6 +6,7 @@
 #include "app/gui/base/widgets/error_words.h"
 #include "app/gui/base/widgets/progress_strip.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/panel/view_panel.h"
@@ -62,6 +63,7 @@ void ContributionLinks::connectDock() {
 void ContributionLinks::connectView() {
     connect(&panel_.navigator(), &ViewNavigator::clicked, this, &ContributionLinks::click);
     connect(&tools_.building(), &BuildingEditing::selectionChanged, this, &ContributionLinks::markSelected);
+    connect(&panel_.legend(), &LegendStrip::shownChosen, this, &ContributionLinks::refresh);
 }
 
 void ContributionLinks::listPlaces() {
@@ -119,7 +121,7 @@ void ContributionLinks::refresh() {
     if (const auto comparison = workbench_.answerAs<ImpactAnswer>(); comparison && workbench_.city()) {
         const auto place = dock_.subject().empty() ? std::nullopt : subject();
         return dock_.show(
-            makeContributionSheet(*comparison, workbench_.city()->city(), place ? &*place : nullptr));
+            makeContributionSheet(*comparison, workbench_.city()->city(), place ? &*place : nullptr, told()));
     }
     if (const auto saved = workbench_.answerAs<SavedContent>()) return showSaved(*saved);
     if (sun()) return showSun();
@@ -129,9 +131,14 @@ void ContributionLinks::refresh() {
            "shade it."));
 }
 
+// Sun by place tells of sun, whatever the legend of other answers shows.
+ShownAs ContributionLinks::told() const {
+    return sunOf(workbench_.answer()) ? ShownAs::sun : panel_.legend().choice().show;
+}
+
 void ContributionLinks::showSun() {
     if (const KeptContributions* known = kept(); known != nullptr && workbench_.city())
-        return dock_.show(makeContributionSheet(*known, workbench_.city()->city()));
+        return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), told()));
     if (placeOfSun())
         return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
     dock_.explain(
@@ -140,13 +147,15 @@ void ContributionLinks::showSun() {
 }
 
 void ContributionLinks::showStudy(const Study& study) {
-    if (const auto answer = shown()) return dock_.show(makeContributionSheet(study, *answer));
-    if (const KeptContributions* known = kept()) return dock_.show(makeContributionSheet(*known, study.city));
+    if (const auto answer = shown()) return dock_.show(makeContributionSheet(study, *answer, told()));
+    if (const KeptContributions* known = kept())
+        return dock_.show(makeContributionSheet(*known, study.city, told()));
     if (!dock_.subject().empty())
         return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
     if (study.settings.contributions && study.breakdown)
         return dock_.show(makeContributionSheet(
-            study, *study.breakdown, listContributions(study.city, *study.breakdown, study.sun.dayCount())));
+            study, *study.breakdown, listContributions(study.city, *study.breakdown, study.sun.dayCount()),
+            told()));
     dock_.explain(tr("Click a place in the view to see which buildings shade it, or attribute the shadow of "
                      "the whole region."),
                   true, makeMonthBars(study));
@@ -155,10 +164,10 @@ void ContributionLinks::showStudy(const Study& study) {
 // What a place gets is computed from a study, which the project file does not hold.
 void ContributionLinks::showSaved(const SavedContent& saved) {
     if (const KeptContributions* known = kept(); known != nullptr && workbench_.city())
-        return dock_.show(makeContributionSheet(*known, workbench_.city()->city()));
+        return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), told()));
     const auto* study = saved.as<SavedStudy>();
     if (study && study->contributions && dock_.subject().empty() && workbench_.city())
-        return dock_.show(makeContributionSheet(*study, workbench_.city()->city()));
+        return dock_.show(makeContributionSheet(*study, workbench_.city()->city(), told()));
     dock_.explain(tr("A saved result holds what buildings take from its whole region, if that was asked for. "
                      "Of places it holds those that were attributed before it was saved."),
                   false, study ? makeMonthBars(study->months, study->start, study->field.days) : Bars());

@@ -69,8 +69,13 @@ QString describeNumber(double number) {
 
 QString percentOf(double share) { return describeNumber(100 * share); }
 
-QString describeShadow(double minutesADay, double sunlitMin) {
+// Without the sunlit time sun cannot be told from shadow.
+QString describeTime(double minutesADay, double sunlitMin, ShownAs show) {
     if (!(sunlitMin > 0)) return QObject::tr("%1 min a day in shadow").arg(describeNumber(minutesADay));
+    const double sunMin = std::max(0.0, sunlitMin - minutesADay);
+    if (show != ShownAs::shadow)
+        return QObject::tr("%1 h of sun a day, %2 % of the sunlit time")
+            .arg(formatAmount(sunMin / minutesOfHour, 2), percentOf(sunMin / sunlitMin));
     return QObject::tr("%1 min a day in shadow, %2 % of the sunlit time")
         .arg(describeNumber(minutesADay), percentOf(minutesADay / sunlitMin));
 }
@@ -83,13 +88,12 @@ QString describeLargest(const std::vector<ContributionRow>& rows) {
         .arg(formatCount(quint64(buildings)), rows.front().name, percentOf(rows.front().share));
 }
 
-QString describeSum(const ContributionSheet& sheet, const std::vector<Contribution>& rows,
-                    const ShadowField& field) {
+QString describeSum(const ContributionSheet& sheet, const std::vector<Contribution>& rows, double sunlitMin,
+                    ShownAs show) {
     if (rows.empty()) return QObject::tr("No building shades it in the period.");
     double minutes = 0;
     for (const Contribution& row : rows) minutes += row.attributedMin;
-    return QStringLiteral("%1. %2.").arg(describeShadow(minutes, field.sunlitMinutesPerDay),
-                                         describeLargest(sheet.rows));
+    return QStringLiteral("%1. %2.").arg(describeTime(minutes, sunlitMin, show), describeLargest(sheet.rows));
 }
 
 /// The change over the cells of a place, or of the whole region.
@@ -134,6 +138,19 @@ std::shared_ptr<const Building> recordedBuilding(const City& city, const std::st
 // Of a saved study, whose buildings have no index.
 bool isTerrain(const Contribution& one) { return one.id == terrainId; }
 
+QString describeChange(const ImpactAnswer& answer, double meanMin, std::size_t cells, ShownAs show) {
+    const bool isSun = show != ShownAs::shadow;
+    const double shown = isSun ? -meanMin : meanMin;
+    const QString text =
+        isSun ? QObject::tr("%1 compared with %2: %3 min of sun a day, mean over %4 cell(s).", "",
+                            pluralNumber(cells))
+              : QObject::tr("%1 compared with %2: %3 min a day in shadow, mean over %4 cell(s).", "",
+                            pluralNumber(cells));
+    return text.arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
+                    (shown > 0 ? QStringLiteral("+") : QString()) + formatAmount(shown, 2),
+                    formatCount(cells));
+}
+
 // Shares of the sum of what is added; a building that takes shadow away has none.
 void shareOut(ContributionSheet& sheet) {
     double added = 0;
@@ -146,54 +163,54 @@ void shareOut(ContributionSheet& sheet) {
 }  // namespace
 
 ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdown& breakdown,
-                                        const std::vector<Contribution>& rows) {
+                                        const std::vector<Contribution>& rows, ShownAs show) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
     for (const Contribution& one : rows) sheet.rows.push_back(makeRow(one, study.city));
-    sheet.headline = describeSum(sheet, rows, study.field);
+    sheet.headline = describeSum(sheet, rows, study.field.sunlitMinutesPerDay, show);
     sheet.method = QString::fromStdString(breakdown.engine);
     sheet.months = makeMonthBars(study);
     return sheet;
 }
 
-ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of) {
-    ContributionSheet sheet = makeContributionSheet(study, of.breakdown, of.rows);
+ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of, ShownAs show) {
+    ContributionSheet sheet = makeContributionSheet(study, of.breakdown, of.rows, show);
     sheet.months = makeMonthBars(of.breakdown, study.sun);
     const double cellDays = double(of.cells) * of.breakdown.grid.cellAreaM2() * double(of.days);
-    sheet.note = QObject::tr("%1 cell(s); in the study itself %2 min a day.", "", pluralNumber(of.cells))
-                     .arg(formatCount(of.cells), describeNumber(of.studyMinM2 / cellDays));
+    const QString itself = describeTime(of.studyMinM2 / cellDays, study.field.sunlitMinutesPerDay, show);
+    sheet.note = QObject::tr("%1 cell(s); in the study itself %2.", "", pluralNumber(of.cells))
+                     .arg(formatCount(of.cells), itself);
     sheet.method =
         QObject::tr("Attributed by: %1\nThe study: %2")
             .arg(QString::fromStdString(of.breakdown.engine), QString::fromStdString(study.field.engine));
     return sheet;
 }
 
-ContributionSheet makeContributionSheet(const SavedStudy& study, const City& city) {
+ContributionSheet makeContributionSheet(const SavedStudy& study, const City& city, ShownAs show) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
     for (const Contribution& one : *study.contributions) {
         const QString name = isTerrain(one) ? QObject::tr("Terrain") : nameOf(one.name, one.id);
         sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : recordedBuilding(city, one.id)));
     }
-    sheet.headline = describeSum(sheet, *study.contributions, study.field);
+    sheet.headline = describeSum(sheet, *study.contributions, study.field.sunlitMinutesPerDay, show);
     sheet.method = QString::fromStdString(study.field.engine);
     sheet.months = makeMonthBars(study.months, study.start, study.field.days);
     return sheet;
 }
 
-ContributionSheet makeContributionSheet(const KeptContributions& of, const City& city) {
+ContributionSheet makeContributionSheet(const KeptContributions& of, const City& city, ShownAs show) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
     for (const Contribution& one : of.rows) {
         const QString name = isTerrain(one) ? QObject::tr("Terrain") : nameOf(one.name, one.id);
         sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : recordedBuilding(city, one.id)));
     }
-    ShadowField field;
-    field.sunlitMinutesPerDay = of.sunlitMinutesPerDay;
-    sheet.headline = describeSum(sheet, of.rows, field);
+    sheet.headline = describeSum(sheet, of.rows, of.sunlitMinutesPerDay, show);
     sheet.note = QObject::tr("%1 cell(s)", "", pluralNumber(of.cells)).arg(formatCount(of.cells));
     sheet.method = QObject::tr("Attributed by: %1").arg(QString::fromStdString(of.engine));
     return sheet;
 }
 
-ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place) {
+ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place,
+                                        ShownAs show) {
     ContributionSheet sheet{.columns = columnsOfComparison()};
     for (const BuildingImpact& one : answer.study.byBuilding) {
         const CellChanges sum = sumUpChanges(one.impact, place);
@@ -206,11 +223,7 @@ ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& 
     shareOut(sheet);
     const CellChanges all = sumUpChanges(answer.study.total, place);
     const double mean = all.cells > 0 ? all.sumMin / double(all.cells) : 0;
-    sheet.headline = QObject::tr("%1 compared with %2: %3 min a day in shadow, mean over %4 cell(s).", "",
-                                 pluralNumber(all.cells))
-                         .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
-                              (mean > 0 ? QStringLiteral("+") : QString()) + formatAmount(mean, 2),
-                              formatCount(all.cells));
+    sheet.headline = describeChange(answer, mean, all.cells, show);
     sheet.method = QString::fromStdString(answer.study.total.engine);
     return sheet;
 }

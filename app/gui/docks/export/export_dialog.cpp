@@ -176,11 +176,14 @@ QLayout* ExportDialog::makeFoot() {
     connect(openFolder_, &QPushButton::clicked, this,
             [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(writtenTo_)); });
     connect(close, &QPushButton::clicked, this, &QDialog::close);
-    auto* foot = new QHBoxLayout;
-    foot->addWidget(message_, 1);
-    foot->addWidget(progress_, 1);
+    auto* row = new QHBoxLayout;
+    row->addWidget(progress_, 1);
+    row->addStretch();
     for (QWidget* field : std::initializer_list<QWidget*>{withProject_, write_, openFolder_, close})
-        foot->addWidget(field);
+        row->addWidget(field);
+    auto* foot = new QVBoxLayout;
+    foot->addWidget(message_);  // above the buttons: a path beside them would be broken letter by letter
+    foot->addLayout(row);
     return foot;
 }
 

@@ -84,6 +84,17 @@ Legend legendOf(const ColourScale& scale) {
     return legend;
 }
 
+// Also before the table is shown: a view measures only the rows that it shows.
+int widthOfNames(const QTreeView& table) {
+    constexpr int iconAndMargins = 30, depth = 2;
+    const QFontMetrics metrics(table.font());
+    const QAbstractItemModel& model = *table.model();
+    int widest = 0;
+    for (int row = 0; row < model.rowCount(); ++row)
+        widest = std::max(widest, metrics.horizontalAdvance(model.index(row, 0).data().toString()));
+    return widest + depth * table.indentation() + iconAndMargins;
+}
+
 }  // namespace
 
 PlacesDock::PlacesDock(QWidget* parent)
@@ -269,7 +280,7 @@ void PlacesDock::fillLists() {
     for (int column = 0; column < filter_->columnCount(); ++column) table_->resizeColumnToContents(column);
     showWordsLast();
     table_->setColumnWidth(0,
-                           std::min(table_->columnWidth(0), nameLetters * fontMetrics().averageCharWidth()));
+                           std::min(widthOfNames(*table_), nameLetters * fontMetrics().averageCharWidth()));
     if (grouped_->isChecked()) table_->expandToDepth(0);
 }
 

@@ -47,7 +47,7 @@ StudyActions::StudyActions(Workbench& workbench, const ModeSwitch& mode, ResultD
     connect(&workbench_, &Workbench::answered, &panel_.messages(), &MessageBar::dismiss);
     connect(&workbench_, &Workbench::studyStopped, this, &StudyActions::showStopped);
     connect(&workbench_, &Workbench::longRun, this, &StudyActions::announceLongRun);
-    connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &StudyActions::compare);
+    connect(&workbench_.session(), &ProjectSession::comparisonWanted, this, &StudyActions::compare);
 }
 
 void StudyActions::listenTo(StudyDock& study, ProjectDock& tree, WeightsDock& weights) {

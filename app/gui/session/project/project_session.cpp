@@ -150,6 +150,12 @@ void ProjectSession::goTo(const std::string& scenario) {
 
 void ProjectSession::compareWith(const std::string& scenario) {
     if (scenario == now_.baseline) return;
+    setBaseline(scenario);
+    if (scenario == now_.baseline) Q_EMIT comparisonWanted();
+}
+
+void ProjectSession::setBaseline(const std::string& scenario) {
+    if (scenario == now_.baseline) return;
     if (!scenario.empty())
         if (const auto city = cityOf(scenario); !city) return Q_EMIT refused(city.error());
     now_.baseline = scenario;
@@ -171,7 +177,9 @@ void ProjectSession::apply(const State& state, const Renaming& renaming) {
     if (renaming.part) Q_EMIT renamed(*renaming.part, renaming.from, renaming.to);
     takeCity();
     Q_EMIT changed();
-    if (after != before) Q_EMIT baselineChanged();
+    if (after == before) return;
+    Q_EMIT baselineChanged();
+    Q_EMIT comparisonWanted();
 }
 
 void ProjectSession::takeCity() {

@@ -71,7 +71,8 @@ public:
     bool rename(ProjectPart part, const std::string& from, const std::string& to);
 
     void goTo(const std::string& scenario);         ///< no undo step; unknown names are refused
-    void compareWith(const std::string& scenario);  ///< empty: no comparison
+    void compareWith(const std::string& scenario);  ///< the user wants the comparison; empty: none
+    void setBaseline(const std::string& scenario);  ///< without asking for it; unknown names are refused
 
     /// Whether closing would lose work: changes since the last save; for a project without a file, changes of
     /// the project itself, not only of the study settings.
@@ -92,6 +93,8 @@ Q_SIGNALS:
     void unsavedChanged();   ///< hasUnsavedWork() or file() may have changed
     void cityChanged();      ///< another scenario is displayed, or its buildings changed
     void baselineChanged();  ///< another baseline, or its buildings changed
+    void
+    comparisonWanted();  ///< the user chose a baseline, or changed its buildings; after baselineChanged()
     /// Emitted on do, undo and redo, before changed().
     void renamed(noonmark::ProjectPart part, const std::string& from, const std::string& to);
     void refused(noonmark::Error error);

@@ -205,7 +205,7 @@ void LegendStrip::edit() {
         editor_ = new LegendEditor(this);
         connect(editor_, &LegendEditor::chosen, this, &LegendStrip::choose);
         connect(editor_, &LegendEditor::undoRequested, this, &LegendStrip::undoChoice);
-        connect(editor_, &LegendEditor::closed, this, &LegendStrip::takeKeys);
+        connect(editor_, &LegendEditor::closed, this, &LegendStrip::takeKeys, Qt::QueuedConnection);
     }
     tellEditor();
     editor_->adjustSize();
@@ -215,7 +215,8 @@ void LegendStrip::edit() {
     editor_->activateWindow();
 }
 
-// A tool window takes the keys with it when it closes: no window has them until one is activated.
+// A tool window takes the keys with it when it closes: no window has them until one is activated. Asked for
+// before it is gone, the window manager gives them back to it.
 void LegendStrip::takeKeys() {
     window()->activateWindow();
     setFocus(Qt::OtherFocusReason);
