@@ -2018,13 +2018,6 @@ Alle Seiten %2, Fläche %3</translation>
         <source>; area × hours a day</source>
         <translation>; Fläche × Stunden am Tag</translation>
     </message>
-    <message numerus="yes">
-        <source>%1 cell(s); in the study itself %2 min a day.</source>
-        <translation>
-            <numerusform>%1 Zelle; in der Untersuchung selbst %2 min am Tag.</numerusform>
-            <numerusform>%1 Zellen; in der Untersuchung selbst %2 min am Tag.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Attributed by: %1
 The study: %2</source>
@@ -2315,6 +2308,24 @@ Opens the panel Review.</source>
         <translation>
             <numerusform>; %1 davon war schon da und bleibt, wie er ist</numerusform>
             <numerusform>; %1 davon waren schon da und bleiben, wie sie sind</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 h of sun a day, %2 % of the sunlit time</source>
+        <translation>%1 h Sonne am Tag, %2 % der Sonnenzeit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 compared with %2: %3 min of sun a day, mean over %4 cell(s).</source>
+        <translation>
+            <numerusform>%1 verglichen mit %2: %3 min Sonne am Tag, Mittel über %4 Zelle.</numerusform>
+            <numerusform>%1 verglichen mit %2: %3 min Sonne am Tag, Mittel über %4 Zellen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s); in the study itself %2.</source>
+        <translation>
+            <numerusform>%1 Zelle; in der Untersuchung selbst %2.</numerusform>
+            <numerusform>%1 Zellen; in der Untersuchung selbst %2.</numerusform>
         </translation>
     </message>
 </context>
@@ -4613,6 +4624,58 @@ Opens the panel Review.</source>
     <message>
         <source>%1: %2 of sun a day; %3 of its area has %4 or more</source>
         <translation>%1: %2 Sonne am Tag; %3 der Fläche hat %4 oder mehr</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Latin name; its genus decides shape, density and leaves</source>
+        <translation>Lateinischer Name; die Gattung bestimmt Form, Dichte und Laub</translation>
+    </message>
+    <message>
+        <source>Height above the ground, m</source>
+        <translation>Höhe über dem Boden, m</translation>
+    </message>
+    <message>
+        <source>estimated from crown or stem</source>
+        <translation>aus Krone oder Stamm geschätzt</translation>
+    </message>
+    <message>
+        <source>Crown diameter</source>
+        <translation>Kronendurchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of the crown, m</source>
+        <translation>Durchmesser der Krone, m</translation>
+    </message>
+    <message>
+        <source>estimated from stem or height</source>
+        <translation>aus Stamm oder Höhe geschätzt</translation>
+    </message>
+    <message>
+        <source>Crown base</source>
+        <translation>Kronenansatz</translation>
+    </message>
+    <message>
+        <source>Height of the crown&apos;s lower end above the ground, m</source>
+        <translation>Höhe des unteren Kronenendes über dem Boden, m</translation>
+    </message>
+    <message>
+        <source>a share of the height</source>
+        <translation>ein Anteil der Höhe</translation>
+    </message>
+    <message>
+        <source>Stem diameter</source>
+        <translation>Stammdurchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of the stem at breast height, m</source>
+        <translation>Durchmesser des Stamms in Brusthöhe, m</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -10596,6 +10659,26 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>middle of the disc (0°)</source>
         <translation>Mitte der Scheibe (0°)</translation>
+    </message>
+    <message>
+        <source>the eastings begin with the number of their zone, which was taken off</source>
+        <translation>die Rechtswerte beginnen mit der Nummer ihrer Zone; sie wurde entfernt</translation>
+    </message>
+    <message>
+        <source>Gross, trees as evergreens</source>
+        <translation>Brutto, Bäume als immergrün</translation>
+    </message>
+    <message>
+        <source>Gross, trees with their seasons</source>
+        <translation>Brutto, Bäume mit Jahreszeiten</translation>
+    </message>
+    <message>
+        <source>Sun, trees as evergreens</source>
+        <translation>Sonne, Bäume als immergrün</translation>
+    </message>
+    <message>
+        <source>Sun, trees with their seasons</source>
+        <translation>Sonne, Bäume mit Jahreszeiten</translation>
     </message>
 </context>
 </TS>

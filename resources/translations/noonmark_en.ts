@@ -161,13 +161,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 cell(s); in the study itself %2 min a day.</source>
-        <translation>
-            <numerusform>%1 cell; in the study itself %2 min a day.</numerusform>
-            <numerusform>%1 cells; in the study itself %2 min a day.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 compared with %2: %3 min a day in shadow, mean over %4 cell(s).</source>
         <translation>
             <numerusform>%1 compared with %2: %3 min a day in shadow, mean over %4 cell.</numerusform>
@@ -186,6 +179,20 @@
         <translation>
             <numerusform>; %1 place was there before and stays as it is</numerusform>
             <numerusform>; %1 places were there before and stay as they are</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 compared with %2: %3 min of sun a day, mean over %4 cell(s).</source>
+        <translation>
+            <numerusform>%1 compared with %2: %3 min of sun a day, mean over %4 cell.</numerusform>
+            <numerusform>%1 compared with %2: %3 min of sun a day, mean over %4 cells.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s); in the study itself %2.</source>
+        <translation>
+            <numerusform>%1 cell; in the study itself %2.</numerusform>
+            <numerusform>%1 cells; in the study itself %2.</numerusform>
         </translation>
     </message>
 </context>

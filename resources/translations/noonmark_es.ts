@@ -2018,13 +2018,6 @@ Todos los lados %2, área %3</translation>
         <source>; area × hours a day</source>
         <translation>; área × horas al día</translation>
     </message>
-    <message numerus="yes">
-        <source>%1 cell(s); in the study itself %2 min a day.</source>
-        <translation>
-            <numerusform>%1 celda; en el propio estudio, %2 min al día.</numerusform>
-            <numerusform>%1 celdas; en el propio estudio, %2 min al día.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Attributed by: %1
 The study: %2</source>
@@ -2315,6 +2308,24 @@ Abre el panel Evaluación.</translation>
         <translation>
             <numerusform>; %1 de ellos ya estaba y queda como está</numerusform>
             <numerusform>; %1 de ellos ya estaban y quedan como están</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 h of sun a day, %2 % of the sunlit time</source>
+        <translation>%1 h de sol al día, %2 % del tiempo de sol</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 compared with %2: %3 min of sun a day, mean over %4 cell(s).</source>
+        <translation>
+            <numerusform>%1 comparado con %2: %3 min de sol al día, media de %4 celda.</numerusform>
+            <numerusform>%1 comparado con %2: %3 min de sol al día, media de %4 celdas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s); in the study itself %2.</source>
+        <translation>
+            <numerusform>%1 celda; en el propio estudio %2.</numerusform>
+            <numerusform>%1 celdas; en el propio estudio %2.</numerusform>
         </translation>
     </message>
 </context>
@@ -4613,6 +4624,58 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>%1: %2 of sun a day; %3 of its area has %4 or more</source>
         <translation>%1: %2 de sol al día; el %3 de su área tiene %4 o más</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Especie</translation>
+    </message>
+    <message>
+        <source>Latin name; its genus decides shape, density and leaves</source>
+        <translation>Nombre latino; su género decide forma, densidad y hojas</translation>
+    </message>
+    <message>
+        <source>Height above the ground, m</source>
+        <translation>Altura sobre el suelo, m</translation>
+    </message>
+    <message>
+        <source>estimated from crown or stem</source>
+        <translation>estimada por la copa o el tronco</translation>
+    </message>
+    <message>
+        <source>Crown diameter</source>
+        <translation>Diámetro de copa</translation>
+    </message>
+    <message>
+        <source>Diameter of the crown, m</source>
+        <translation>Diámetro de la copa, m</translation>
+    </message>
+    <message>
+        <source>estimated from stem or height</source>
+        <translation>estimado por el tronco o la altura</translation>
+    </message>
+    <message>
+        <source>Crown base</source>
+        <translation>Base de la copa</translation>
+    </message>
+    <message>
+        <source>Height of the crown&apos;s lower end above the ground, m</source>
+        <translation>Altura del extremo inferior de la copa sobre el suelo, m</translation>
+    </message>
+    <message>
+        <source>a share of the height</source>
+        <translation>una parte de la altura</translation>
+    </message>
+    <message>
+        <source>Stem diameter</source>
+        <translation>Diámetro del tronco</translation>
+    </message>
+    <message>
+        <source>Diameter of the stem at breast height, m</source>
+        <translation>Diámetro del tronco a la altura del pecho, m</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconocido</translation>
     </message>
 </context>
 <context>
@@ -10596,6 +10659,26 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>middle of the disc (0°)</source>
         <translation>centro del disco (0°)</translation>
+    </message>
+    <message>
+        <source>the eastings begin with the number of their zone, which was taken off</source>
+        <translation>las coordenadas este empiezan por el número de su huso, que se quitó</translation>
+    </message>
+    <message>
+        <source>Gross, trees as evergreens</source>
+        <translation>Bruta, árboles como perennes</translation>
+    </message>
+    <message>
+        <source>Gross, trees with their seasons</source>
+        <translation>Bruta, árboles con sus estaciones</translation>
+    </message>
+    <message>
+        <source>Sun, trees as evergreens</source>
+        <translation>Sol, árboles como perennes</translation>
+    </message>
+    <message>
+        <source>Sun, trees with their seasons</source>
+        <translation>Sol, árboles con sus estaciones</translation>
     </message>
 </context>
 </TS>

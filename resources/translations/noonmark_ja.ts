@@ -1995,12 +1995,6 @@ All sides %2, area %3</source>
         <source>; area × hours a day</source>
         <translation>。1 日の面積 × 時間</translation>
     </message>
-    <message numerus="yes">
-        <source>%1 cell(s); in the study itself %2 min a day.</source>
-        <translation>
-            <numerusform>%1 セル。検討自体では 1 日 %2 分。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Attributed by: %1
 The study: %2</source>
@@ -2288,6 +2282,22 @@ Opens the panel Review.</source>
         <source>; %1 place(s) were there before and stay as they are</source>
         <translation>
             <numerusform>; うち %1 か所は以前からあり、そのまま残ります</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 h of sun a day, %2 % of the sunlit time</source>
+        <translation>1日の日照 %1 時間、日照時間の %2 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 compared with %2: %3 min of sun a day, mean over %4 cell(s).</source>
+        <translation>
+            <numerusform>%1 と %2 の比較:1日の日照 %3 分、%4 セルの平均。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cell(s); in the study itself %2.</source>
+        <translation>
+            <numerusform>%1 セル。調査自体では %2。</numerusform>
         </translation>
     </message>
 </context>
@@ -4586,6 +4596,58 @@ Opens the panel Review.</source>
     <message>
         <source>%1: %2 of sun a day; %3 of its area has %4 or more</source>
         <translation>%1：日照は 1 日 %2。面積の %3 が %4 以上</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>樹種</translation>
+    </message>
+    <message>
+        <source>Latin name; its genus decides shape, density and leaves</source>
+        <translation>学名。属によって形、密度、葉が決まります</translation>
+    </message>
+    <message>
+        <source>Height above the ground, m</source>
+        <translation>地上からの高さ、m</translation>
+    </message>
+    <message>
+        <source>estimated from crown or stem</source>
+        <translation>樹冠または幹から推定</translation>
+    </message>
+    <message>
+        <source>Crown diameter</source>
+        <translation>樹冠直径</translation>
+    </message>
+    <message>
+        <source>Diameter of the crown, m</source>
+        <translation>樹冠の直径、m</translation>
+    </message>
+    <message>
+        <source>estimated from stem or height</source>
+        <translation>幹または高さから推定</translation>
+    </message>
+    <message>
+        <source>Crown base</source>
+        <translation>枝下高</translation>
+    </message>
+    <message>
+        <source>Height of the crown&apos;s lower end above the ground, m</source>
+        <translation>地上から樹冠下端までの高さ、m</translation>
+    </message>
+    <message>
+        <source>a share of the height</source>
+        <translation>高さに対する割合</translation>
+    </message>
+    <message>
+        <source>Stem diameter</source>
+        <translation>幹の直径</translation>
+    </message>
+    <message>
+        <source>Diameter of the stem at breast height, m</source>
+        <translation>胸高での幹の直径、m</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
     </message>
 </context>
 <context>
@@ -10547,6 +10609,26 @@ Click a building first.</source>
     <message>
         <source>middle of the disc (0°)</source>
         <translation>中心が出る時 (0°)</translation>
+    </message>
+    <message>
+        <source>the eastings begin with the number of their zone, which was taken off</source>
+        <translation>東距がゾーン番号で始まるため、番号を取り除きました</translation>
+    </message>
+    <message>
+        <source>Gross, trees as evergreens</source>
+        <translation>総日影、樹木は常緑とする</translation>
+    </message>
+    <message>
+        <source>Gross, trees with their seasons</source>
+        <translation>総日影、樹木は季節による</translation>
+    </message>
+    <message>
+        <source>Sun, trees as evergreens</source>
+        <translation>日照、樹木は常緑とする</translation>
+    </message>
+    <message>
+        <source>Sun, trees with their seasons</source>
+        <translation>日照、樹木は季節による</translation>
     </message>
 </context>
 </TS>
