@@ -90,9 +90,9 @@ Result<void> validate(const std::vector<Scenario>& scenarios) {
 
 namespace {
 
-using Place = std::vector<Scenario>::iterator;
+using ScenarioPlace = std::vector<Scenario>::iterator;
 
-Result<Place> placeOf(std::vector<Scenario>& scenarios, const std::string& name) {
+Result<ScenarioPlace> placeOf(std::vector<Scenario>& scenarios, const std::string& name) {
     if (name == existingCity)
         return failure("The existing city cannot be changed", "scenario 'Existing'",
                        "Name one of the project's scenarios");

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder scenarios/ answers "what if": edits/ holds single changes to a city, a scenario (this header) is
+// a named list of them, massing/ builds towers on lots, impact/ compares two cities, weights/ scores wanted
+// shade against unwanted shadow, and project/ stores all of it in one file. Everything here is a plain value
+// without Qt or OpenGL.
+
 #include <string>
 #include <vector>
 
@@ -17,11 +22,6 @@ std::string findFreeName(const std::string& name, IsTaken&& isTaken) {
     for (int copy = 2; isTaken(free); ++copy) free = name + " (" + std::to_string(copy) + ")";
     return free;
 }
-
-// The folder scenarios/ answers "what if": edits/ holds single changes to a city, a scenario (this header) is
-// a named list of them, massing/ builds towers on lots, impact/ compares two cities, weights/ scores wanted
-// shade against unwanted shadow, and project/ stores all of it in one file. Everything here is a plain value
-// without Qt or OpenGL.
 
 /// The name of the city without edits, from which a scenario with an empty base starts. No scenario may have
 /// this name.

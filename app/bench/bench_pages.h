@@ -1,5 +1,8 @@
 #pragma once
 
+// The folder app/bench/ writes the report of a benchmark. This file writes all files; bench_pages.cpp lays
+// out one finding on a page. Its charts and tables come from chart_painter.h.
+
 #include <filesystem>
 #include <span>
 #include <string>
@@ -10,9 +13,6 @@
 #include "core/io/files/check_output.h"
 
 namespace noonmark {
-
-// The folder app/bench/ writes the report of a benchmark. This file writes all files; finding_block.h lays
-// out one finding on a page. Its charts come from chart_painter.h, its tables from comparison_painter.h.
 
 /// Writes all files of a benchmark into a folder, which is created if missing: one CSV per experiment, named
 /// by its key; report.pdf; summary.json. `rules`: which files may be replaced. Returns the paths written. A

@@ -108,14 +108,14 @@ std::vector<double> marksOfDecade(double decades) {
 }  // namespace
 
 AxisScale::AxisScale(const bench::ChartAxis& axis, const std::vector<double>& values) : axis_(axis) {
-    double least = INFINITY, most = -INFINITY;
+    double minimum = INFINITY, maximum = -INFINITY;
     for (const double value : values) {
         if (!shows(value)) continue;
-        least = std::min(least, value);
-        most = std::max(most, value);
+        minimum = std::min(minimum, value);
+        maximum = std::max(maximum, value);
     }
-    if (least > most) least = most = 1;
-    axis.logarithmic ? setLogarithmic(least, most) : setLinear(least, most);
+    if (minimum > maximum) minimum = maximum = 1;
+    axis.logarithmic ? setLogarithmic(minimum, maximum) : setLinear(minimum, maximum);
 }
 
 double AxisScale::placeOf(double value) const { return axis_.logarithmic ? std::log10(value) : value; }
@@ -124,20 +124,20 @@ bool AxisScale::shows(double value) const {
     return std::isfinite(value) && (!axis_.logarithmic || value > 0);
 }
 
-void AxisScale::setLinear(double least, double most) {
-    if (axis_.fromZero) least = std::min(least, 0.0);
-    if (most - least < 1e-12) most = least + 1;
-    const double step = std::max(roundStep(most - least), axis_.whole ? 1.0 : 0.0), slack = 1e-9 * step;
-    low_ = std::floor((least + slack) / step) * step;
-    high_ = std::ceil((most - slack) / step) * step;
+void AxisScale::setLinear(double minimum, double maximum) {
+    if (axis_.fromZero) minimum = std::min(minimum, 0.0);
+    if (maximum - minimum < 1e-12) maximum = minimum + 1;
+    const double step = std::max(roundStep(maximum - minimum), axis_.whole ? 1.0 : 0.0), slack = 1e-9 * step;
+    low_ = std::floor((minimum + slack) / step) * step;
+    high_ = std::ceil((maximum - slack) / step) * step;
     for (double value = low_; value < high_ + step / 2; value += step)
         ticks_.push_back({value, numberText(std::abs(value) < step / 2 ? 0 : value)});
 }
 
-void AxisScale::setLogarithmic(double least, double most) {
-    const double decades = std::max(0.3, std::log10(most / least));
-    low_ = std::log10(least) - edge * decades;
-    high_ = std::max(std::log10(most), std::log10(least) + decades) + edge * decades;
+void AxisScale::setLogarithmic(double minimum, double maximum) {
+    const double decades = std::max(0.3, std::log10(maximum / minimum));
+    low_ = std::log10(minimum) - edge * decades;
+    high_ = std::max(std::log10(maximum), std::log10(minimum) + decades) + edge * decades;
     const int every = std::max(1, int(std::ceil(decades / maxTicks)));
     for (int decade = int(std::floor(low_)); decade <= int(std::ceil(high_)); ++decade)
         for (const double factor : marksOfDecade(decades)) {

@@ -1,16 +1,47 @@
 #pragma once
 
+#include <QColor>
 #include <QPainter>
 #include <QPainterPath>
 #include <QRectF>
 #include <QString>
+#include <map>
+#include <string>
 #include <vector>
 
-#include "app/bench/comparison_painter.h"
 #include "app/report/maps/style.h"
 #include "core/bench/finding.h"
 
 namespace noonmark {
+
+enum class MarkShape { circle, square, triangle, diamond, pentagon };
+
+/// Colour and mark of a series.
+struct ChartInk {
+    QColor colour;
+    MarkShape shape = MarkShape::circle;
+};
+
+/// One colour and shape per value of ChartSeries::colourOf, the same on all pages. The colours are
+/// distinguishable for colour-blind readers (Okabe and Ito, 2008, "Color Universal Design", and two of
+/// Tol's), the shapes in greyscale print.
+class ChartInks {
+public:
+    explicit ChartInks(const std::vector<bench::Finding>& findings);
+    [[nodiscard]] ChartInk of(const std::string& word) const;
+
+private:
+    std::map<std::string, ChartInk> inks_;
+};
+
+/// Height of a comparison at a font size of `points`, painter units.
+double heightOf(const Canvas& canvas, const bench::Comparison& comparison, double points);
+
+/// Paints a table from the top of `area`: header in bold, a hairline below each row, the first column
+/// left-aligned, the others right-aligned. Columns are as wide as their content, plus a share of spare width;
+/// where width is missing, the first column is cut with an ellipsis.
+void paintComparison(const Canvas& canvas, const QRectF& area, const bench::Comparison& comparison,
+                     double points);
 
 /// A tick of an axis.
 struct AxisTick {
@@ -35,8 +66,8 @@ public:
     [[nodiscard]] const std::vector<AxisTick>& ticks() const { return ticks_; }
 
 private:
-    void setLinear(double least, double most);
-    void setLogarithmic(double least, double most);
+    void setLinear(double minimum, double maximum);
+    void setLogarithmic(double minimum, double maximum);
 
     bench::ChartAxis axis_;
     double low_ = 0;
@@ -52,7 +83,7 @@ void paintMark(QPainter& painter, const QPointF& at, const ChartInk& look, bool 
                double line);
 
 /// Paints a chart with its title into `area`: axes with round numbers, thin lines, a mark per point, and
-/// labels beside points where there is room. Does not paint the legend (finding_block.cpp). Needs a
+/// labels beside points where there is room. Does not paint the legend (bench_pages.cpp). Needs a
 /// QApplication.
 void paintChart(const Canvas& canvas, const QRectF& area, const bench::Chart& chart, const ChartInks& inks);
 

@@ -1,4 +1,4 @@
-#include "app/bench/comparison_painter.h"
+#include "app/bench/chart_painter.h"
 
 #include <QFontMetricsF>
 #include <algorithm>

@@ -10,12 +10,11 @@
 
 #include "app/cli/base/command.h"
 #include "app/cli/base/command_line.h"
-#include "app/cli/commands/point_command.h"
 #include "app/cli/commands/question_commands.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/build_facts.h"
-#include "core/base/clean_text.h"
 #include "core/base/process.h"
+#include "core/base/safe_text.h"
 #include "core/simd/instruction_set.h"
 
 namespace noonmark::cli {

@@ -5,10 +5,9 @@
 #include <string_view>
 
 #include "app/gui/base/jobs/job.h"
-#include "app/gui/frame/appearance.h"
 #include "app/gui/frame/help/start_page.h"
 #include "app/gui/frame/main_window.h"
-#include "app/gui/frame/window_renewal.h"
+#include "app/gui/frame/window_start.h"
 #include "app/input/window_arguments.h"
 #include "core/base/process.h"
 #include "core/simd/instruction_set.h"

@@ -2,7 +2,7 @@
 
 // The folder app/input/ prepares input for the window and the command line. This file reads a city from files
 // or makes a sample, and reads what belongs to it: places, context and photographs. load_project.h reads a
-// city from a project or starts a project from it; all_engines.h lists the engines; output_rules.h protects
+// city from a project or starts a project from it; all_engines.h lists the engines; load_city.h protects
 // the input files from being overwritten.
 
 #include <optional>
@@ -12,11 +12,22 @@
 
 #include "core/base/progress.h"
 #include "core/io/context/read_context.h"
+#include "core/io/files/check_output.h"
 #include "core/io/places/read_places.h"
+#include "core/study/provenance/provenance.h"
 #include "core/study/study.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark {
+
+/// Which files the outputs of a city may replace. `named`: the files and the project as the user named them.
+/// `inputs`: the files from which the city was read; relative names are also looked up beside the named
+/// files, because a project may have been moved together with its inputs.
+OutputRules outputRules(const std::vector<std::string>& named, const std::vector<InputFile>& inputs,
+                        bool overwrite);
+
+/// Protects a region or lot as given on a command line (readRegion()) if it names a file.
+void addPlace(OutputRules& rules, const std::string& place);
 
 /// What those files of a city that are maps (OpenStreetMap's) draw for orientation. Nothing from samples and
 /// other formats. Error: a file cannot be read; cancelled().

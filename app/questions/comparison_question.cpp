@@ -1,6 +1,6 @@
 #include "app/input/all_engines.h"
 #include "app/questions/saved_question.h"
-#include "app/report/book/answer_book.h"
+#include "app/report/book/answer_books.h"
 #include "app/report/files/answer_files.h"
 #include "app/report/sheets/answer_reports.h"
 #include "core/base/progress.h"

@@ -6,7 +6,7 @@
 #include "core/describe/text.h"
 #include "core/study/glazing/glazing_text.h"
 #include "core/study/review_figures.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "scenarios/project/results/save_result.h"
 
 namespace noonmark {

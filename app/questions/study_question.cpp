@@ -1,7 +1,6 @@
 #include "app/input/all_engines.h"
 #include "app/questions/saved_question.h"
-#include "app/report/book/answer_book.h"
-#include "app/report/book/study_books.h"
+#include "app/report/book/answer_books.h"
 #include "app/report/files/element_files.h"
 #include "app/report/files/study_files.h"
 #include "core/describe/text.h"

@@ -185,7 +185,7 @@ public:
     int Unlink(const char* name) override { return disk_->Unlink(name); }
     int Mkdir(const char* name, long mode) override { return disk_->Mkdir(name, mode); }
     int Rmdir(const char* name) override { return disk_->Rmdir(name); }
-    char** ReadDirEx(const char* folder, int most) override { return disk_->ReadDirEx(folder, most); }
+    char** ReadDirEx(const char* folder, int maximum) override { return disk_->ReadDirEx(folder, maximum); }
     int Rename(const char* from, const char* to) override { return disk_->Rename(from, to); }
     int IsCaseSensitive(const char* name) override { return disk_->IsCaseSensitive(name); }
     GIntBig GetDiskFreeSpace(const char* folder) override { return disk_->GetDiskFreeSpace(folder); }
@@ -217,9 +217,9 @@ void confineGdalFiles() {
 }
 
 void keepComplaint(GdalCalls& calls, bool failure, const char* words) {
-    constexpr std::size_t most = 10000;
+    constexpr std::size_t maximum = 10000;
     const std::string text = words != nullptr ? words : "";
-    if (calls.complaints_.size() < most) calls.complaints_.push_back(text);
+    if (calls.complaints_.size() < maximum) calls.complaints_.push_back(text);
     if (!failure) return;
     if (calls.failures_++ == 0 && !text.empty()) calls.why_ = text;
 }

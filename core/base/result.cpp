@@ -1,6 +1,6 @@
 #include "core/base/result.h"
 
-#include "core/base/clean_text.h"
+#include "core/base/safe_text.h"
 
 namespace noonmark {
 

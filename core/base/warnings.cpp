@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "core/base/clean_text.h"
+#include "core/base/safe_text.h"
 
 namespace noonmark {
 
@@ -38,8 +38,8 @@ std::vector<WarningGroup> groupWarnings(const Warnings& warnings) {
     return groups;
 }
 
-std::string lineOf(const WarningGroup& group, std::size_t most) {
-    const std::size_t shown = std::min(most, group.where.size());
+std::string lineOf(const WarningGroup& group, std::size_t maximum) {
+    const std::size_t shown = std::min(maximum, group.where.size());
     const std::vector<std::string> places(group.where.begin(), group.where.begin() + std::ptrdiff_t(shown));
     const char* rest = shown < group.where.size() ? ", ..." : "";
     return cleanText(fmt::format("{} {}: {} ({}{})", group.where.size(), nameOf(group.kind), group.what,

@@ -37,7 +37,7 @@ struct WarningGroup {
 /// Groups in order of first appearance. O(n log n).
 std::vector<WarningGroup> groupWarnings(const Warnings& warnings);
 
-/// "28 repaired: outline crossed itself (way 264768896, way 3, ...)"; lists at most `most` locations.
-std::string lineOf(const WarningGroup& group, std::size_t most = 3);
+/// "28 repaired: outline crossed itself (way 264768896, way 3, ...)"; lists at most `maximum` locations.
+std::string lineOf(const WarningGroup& group, std::size_t maximum = 3);
 
 }  // namespace noonmark

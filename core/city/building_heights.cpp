@@ -17,9 +17,9 @@ HeightCounts countHeights(const City& city) {
                 ++assumedCm[std::lround(100 * (double(part.topM) - double(part.bottomM)))];
         }
     if (assumedCm.empty()) return counts;
-    const auto most =
+    const auto maximum =
         std::ranges::max_element(assumedCm, {}, [](const auto& height) { return height.second; });
-    counts.assumedM = double(most->first) / 100;
+    counts.assumedM = double(maximum->first) / 100;
     counts.assumedAlike = assumedCm.size() == 1;
     return counts;
 }

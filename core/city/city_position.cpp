@@ -149,14 +149,14 @@ public:
     // The first from the south-west among equals.
     [[nodiscard]] glm::vec2 densestCorner(glm::vec2 sizeM) {
         const int wide = std::min(columns_, stepsOf(sizeM.x)), high = std::min(rows_, stepsOf(sizeM.y));
-        double most = -1;
+        double maximum = -1;
         glm::vec2 corner = low_;
         for (int row = 0; row + high <= rows_; ++row)
             for (int column = 0; column + wide <= columns_; ++column) {
                 const double held = at(column + wide, row + high) - at(column, row + high) -
                                     at(column + wide, row) + at(column, row);
-                if (held <= most) continue;
-                most = held;
+                if (held <= maximum) continue;
+                maximum = held;
                 corner = low_ + glm::vec2(column, row) * stepM;
             }
         return corner;
@@ -179,10 +179,10 @@ private:
 MainPart findMainPart(const City& city) {
     const std::vector<Body> bodies = listBodies(city);
     if (bodies.empty()) return {};
-    const Box2 most = boxOfMostArea(bodies);
-    const float side = std::max(most.high.x - most.low.x, most.high.y - most.low.y);
-    const Box2 near = grown(most, std::max(cellM, besideShare * side));
-    MainPart part{most, 0};
+    const Box2 maximum = boxOfMostArea(bodies);
+    const float side = std::max(maximum.high.x - maximum.low.x, maximum.high.y - maximum.low.y);
+    const Box2 near = grown(maximum, std::max(cellM, besideShare * side));
+    MainPart part{maximum, 0};
     for (const Body& body : bodies)
         has(near, body.middle) ? part.box.add(body.box) : void(++part.farBuildings);
     return part;

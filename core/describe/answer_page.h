@@ -1,16 +1,43 @@
 #pragma once
 
 #include <chrono>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "core/describe/sentence.h"
+#include "core/base/units.h"
+#include "core/describe/figure.h"
 
 namespace noonmark {
 
-/// What bars of a single series stand for.
+/// A number as people read it.
+struct Amount {
+    double value = 0;  ///< as FigureUnit says that it is held; NaN: not counted
+    FigureUnit unit = FigureUnit::none;
+    int decimals = 1;  ///< at most; areas have none
+    bool isChange = false;
+};
+
+/// "4.3 h", "+1,204 m²", "not counted".
+std::string valueOf(const Amount& amount, UnitSystem units = UnitSystem::metric);
+
+/// A sentence about a result, which the GUI shows in the user's language.
+struct Sentence {
+    using Argument = std::variant<std::string, Amount>;  ///< a name of the user's, or a number
+
+    std::string_view source = {};  ///< NM_TEXT: "%1" to "%9" stand for the arguments. Empty: no sentence
+    std::vector<Argument> arguments{};
+};
+
+/// The sentence in English, with a capital at its beginning.
+std::string formatText(const Sentence& sentence, UnitSystem units = UnitSystem::metric);
+
+/// Replaces "%1" by the first value and so on, each where it stands in `text`; values are not searched.
+std::string fillIn(std::string_view text, std::span<const std::string> values);
+
+/// What the bars of a single series show.
 enum class BarTone {
     amount,
     sun,   ///< hours of sun, or what gets them
@@ -43,8 +70,8 @@ struct Bars {
 /// What each further series has more than the first. Without groups where there is only one.
 Bars changesOf(const Bars& bars, std::string_view title);
 
-/// The first `most` series.
-Bars firstSeries(Bars bars, std::size_t most);
+/// The first `maximum` series.
+Bars firstSeries(Bars bars, std::size_t maximum);
 
 /// "2026-01" of a month, "2 to 4" of a class.
 std::string groupKey(const Bars::Group& group);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/describe/value_text.h"
+#include "core/describe/field_values.h"
 
 namespace noonmark {
 

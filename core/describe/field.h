@@ -2,7 +2,7 @@
 
 // The folder core/describe says what the settings of the program are, each once. A Field (this file) is one
 // row for one member of a struct of settings: its key, flag, label, unit, range, default. Surfaces loop over
-// the rows: JSON (field_json.h), command lines (command_options.h), checks and comparison (field_checks.h),
+// the rows: JSON (field_json.h), command lines (command_options.h), checks and comparison (field_values.h),
 // options of the command line (app/cli/options/field_options.h) and form rows
 // (app/gui/base/widgets/field_rows.h). The tables stand beside the structs: core/sun/period_fields.h.
 
@@ -138,8 +138,8 @@ Field makeField(M S::*member, const Codec<M>& codec, FieldFacts facts) {
         static_cast<S*>(object)->*member = *std::move(read);
         return {};
     };
-    const S usual{};
-    row.standard = row.get(&usual);
+    const S standard{};
+    row.standard = row.get(&standard);
     return row;
 }
 
@@ -223,7 +223,7 @@ public:
     template <class M>
     Fields embed(M S::*member, const Fields<M>& fields, std::string_view group = {},
                  bool (*when)(const S&) = nullptr) && {
-        const S usual{};
+        const S standard{};
         for (Field row : fields.rows()) {
             row.get = [member, get = row.get](const void* object) {
                 return get(&(static_cast<const S*>(object)->*member));
@@ -236,7 +236,7 @@ public:
                 return (!when || when(whole)) && (!applies || applies(&(whole.*member)));
             };
             if (!group.empty()) row.group = group;
-            row.standard = row.get(&usual);
+            row.standard = row.get(&standard);
             rows_.push_back(std::move(row));
         }
         return std::move(*this);

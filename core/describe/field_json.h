@@ -23,7 +23,7 @@ nlohmann::ordered_json fieldsJson(const Described& settings, FieldJson form = {}
 
 /// Takes the fields that the JSON has; the others stay. Choices are read in both forms. Error, with the key:
 /// a value of another kind, or none of the choices. Ranges are not checked: see
-/// field_checks.h.
+/// field_values.h.
 Result<void> readFieldsJson(const Editable& settings, const nlohmann::ordered_json& json);
 
 }  // namespace noonmark

@@ -73,7 +73,7 @@ struct FigureFacts {
     bool isChange = false;      ///< shown with its sign
     bool whenPositive = false;  ///< shown only then
     bool byThreshold = false;   ///< counts what is over a threshold
-    Tells tells = Tells::always;
+    ShownWith shownWith = ShownWith::always;
     bool inTable = false;  ///< a column of the tables that show only some of the figures
     bool inFiles = true;   ///< false: only people read it; it follows from others
 };
@@ -87,7 +87,7 @@ struct Figure : FigureFacts {
 };
 
 /// Whether people are shown the figure where shadow or sun is shown. Files state all figures.
-inline bool isTold(const FigureFacts& figure, ShownAs show) { return isTold(figure.tells, show); }
+inline bool isShownAs(const FigureFacts& figure, ShownAs show) { return isShownAs(figure.shownWith, show); }
 
 /// A result with its figures, as surfaces take it. Refers to both: of a temporary only within its expression.
 struct DescribedFigures {

@@ -89,7 +89,7 @@ std::vector<FigureLine> listLines(const DescribedFigures& figures, FigureUse use
     std::vector<FigureLine> lines;
     for (const Figure& figure : figures.figures) {
         const double value = figures.get(figure);
-        if (figure.use != use || !isTold(figure, context.show) ||
+        if (figure.use != use || !isShownAs(figure, context.show) ||
             (context.isInstant && isTime(figure.unit)) || (figure.whenPositive && !(value > 0)))
             continue;
         lines.push_back({&figure, value, computeShare(figure, value, context)});

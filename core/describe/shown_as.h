@@ -6,7 +6,7 @@
 
 namespace noonmark {
 
-/// What is told of the time that a place spends in shadow.
+/// How the time that a place spends in shadow is shown.
 enum class ShownAs {
     shadow,  ///< minutes in shadow a day
     sun,     ///< hours of sun a day: the sunlit time minus gross shadow
@@ -15,13 +15,13 @@ enum class ShownAs {
 std::span<const Choice<ShownAs>> shownChoices();
 
 /// Which of the two complements a figure is about.
-enum class Tells {
+enum class ShownWith {
     always,
     shadow,      ///< left out where sun is shown
     sunInstead,  ///< stands for those of shadow where sun is shown; left out elsewhere
 };
-constexpr bool isTold(Tells tells, ShownAs show) {
-    return tells == Tells::always || (tells == Tells::shadow) == (show == ShownAs::shadow);
+constexpr bool isShownAs(ShownWith shownWith, ShownAs show) {
+    return shownWith == ShownWith::always || (shownWith == ShownWith::shadow) == (show == ShownAs::shadow);
 }
 
 }  // namespace noonmark

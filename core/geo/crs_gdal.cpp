@@ -80,8 +80,8 @@ bool hasGrids(std::string_view list) {
 }
 
 std::string shortened(const std::string& text) {
-    constexpr std::size_t most = 80;
-    return text.size() <= most ? text : text.substr(0, most) + "...";
+    constexpr std::size_t maximum = 80;
+    return text.size() <= maximum ? text : text.substr(0, maximum) + "...";
 }
 
 tl::unexpected<Error> unknownCrs(const std::string& text) {

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "core/io/footprints/footprint_scan.h"
-#include "core/io/footprints/list_fields.h"
 #include "core/io/formats/format.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/osm/read_osm_buildings.h"

@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/clean_text.h"
 #include "core/base/gdal_calls.h"
 #include "core/base/progress.h"
+#include "core/base/safe_text.h"
 #include "core/city/map_context.h"
 #include "core/describe/text.h"
 #include "core/io/context/read_context.h"
@@ -19,7 +19,7 @@
 #include "core/io/meshes/mesh_scene.h"
 #include "core/io/osm/read_osm_buildings.h"
 #include "core/io/pieces/read_part.h"
-#include "core/io/read_extent.h"
+#include "core/io/read_region.h"
 #include "core/io/settings/read_settings.h"
 #include "core/io/terrain/buildings_on_terrain.h"
 #include "core/io/terrain/ground_choice.h"

@@ -166,11 +166,11 @@ ColourScale makeThresholdScale(const LegendChoice& choice, double thresholdHours
     const auto isHours = choice.show == ShownAs::sun;  // else what was typed is minutes, or per cent
     std::vector<double> known;
     std::ranges::copy_if(hours, std::back_inserter(known), [](double one) { return !std::isnan(one); });
-    const double most = known.empty() ? 0 : std::ceil(std::ranges::max(known));
+    const double maximum = known.empty() ? 0 : std::ceil(std::ranges::max(known));
     ColourScale scale{.quantity = {ShownAs::sun}, .reversed = choice.reversed};
     scale.ramp = choice.ramp == LegendChoice{}.ramp ? Ramp::violetOrange : choice.ramp;
     const LegendRange range =
-        isHours && choice.range ? *choice.range : LegendRange{0, std::max(most, thresholdHours + 1)};
+        isHours && choice.range ? *choice.range : LegendRange{0, std::max(maximum, thresholdHours + 1)};
     scale.low = range.low;
     scale.high = range.high;
     if (choice.classes.kind == Kind::equal) scale.breaks = equalBreaks(scale, choice.classes.count);

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/describe/text.h"
-#include "core/measures/has_runs.h"
 #include "core/measures/statistics.h"
 
 namespace noonmark {
@@ -99,7 +98,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .unit = FigureUnit::squareMetres,
                 .whole = Whole::area,
                 .better = Better::lessShadow,
-                .tells = Tells::shadow,
+                .shownWith = ShownWith::shadow,
                 .inTable = true}),
         figure(&ShadowStatistics::meanGrossMin,
                {.key = "mean_gross_min",
@@ -110,7 +109,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .whole = Whole::sunlitTime,
                 .together = Together::mean,
                 .better = Better::lessShadow,
-                .tells = Tells::shadow,
+                .shownWith = ShownWith::shadow,
                 .inTable = true}),
         figure(&ShadowStatistics::maxGrossMin,
                {.key = "max_gross_min",
@@ -122,7 +121,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .whole = Whole::sunlitTime,
                 .together = Together::max,
                 .better = Better::lessShadow,
-                .tells = Tells::shadow}),
+                .shownWith = ShownWith::shadow}),
         figure(&ShadowStatistics::meanSunMin,
                {.key = "mean_sun_min",
                 .label = NM_TEXT("Mean sun"),
@@ -139,7 +138,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                                              "has most shadow"),
                        .unit = FigureUnit::hoursADay,
                        .whole = Whole::sunlitTime,
-                       .tells = Tells::sunInstead,
+                       .shownWith = ShownWith::sunInstead,
                        .inFiles = false}),
         derivedFigure(&sunAreaM2,
                       {.key = "sun_area_m2",
@@ -148,7 +147,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                            "sum over the receivers of (share of the sunlit time in the sun x cell area)"),
                        .unit = FigureUnit::squareMetres,
                        .whole = Whole::area,
-                       .tells = Tells::sunInstead,
+                       .shownWith = ShownWith::sunInstead,
                        .inFiles = false}),
         figure(&ShadowStatistics::meanContinuousMin,
                {.key = "mean_continuous_min",

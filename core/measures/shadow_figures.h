@@ -1,11 +1,35 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <span>
+
 #include "core/describe/answer_page.h"
 #include "core/describe/figure.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/api/tree_shade.h"
+#include "core/measures/error_sample.h"
 #include "core/measures/statistics.h"
 
 namespace noonmark {
+
+// Whether the longest runs were counted (core/engines/api/shadow_field.h). If not, minutes of continuous
+// shadow are NaN in every cell and every statistic, and nothing is displayed or written for them.
+
+/// For a map of continuous minutes, or of their change. Reads as far as the first number; reads all cells if
+/// there is none.
+inline bool hasRuns(std::span<const float> continuousMin) {
+    return std::ranges::any_of(continuousMin, [](float minutes) { return !std::isnan(minutes); });
+}
+inline bool hasRuns(const ShadowField& field) { return hasRuns(field.continuousMin); }
+
+/// Whether it is the field of one moment, which holds 0 (sunlit) or 1 (in shadow) instead of minutes.
+inline bool isInstant(const ShadowField& field) {
+    return field.days == 1 && field.stepMinutes == 1 && field.sunlitMinutesPerDay <= 1;
+}
+
+inline bool hasRuns(const ShadowStatistics& figures) { return !std::isnan(figures.meanContinuousMin); }
+inline bool hasRuns(const SampledError& error) { return !std::isnan(error.continuous.meanMin); }
 
 const Figures<ShadowStatistics>& shadowFigures();
 

@@ -50,4 +50,22 @@ Result<std::vector<ShadowOutlines>> outlineShadows(const City& baseline, const C
 /// Square metres of all polygons together.
 double area(std::span<const Footprint> polygons);
 
+/// The shadow that a proposal would cast if it stood alone, at several moments of a day.
+struct ShadowFan {
+    std::vector<std::vector<Footprint>> ofStep;  ///< one list a step
+    std::vector<Footprint> all;                  ///< their union
+    double cellM = 0;                            ///< as in ShadowOutlines
+};
+
+/// The fan of the buildings of `proposal`, which has only those, and the terrain: their shadow on open
+/// ground, whatever other buildings shade or cover there. The ground that they cover themselves is left out.
+/// On terrain, ground in the terrain's own shadow is left out too. Errors as of outlineShadows().
+Result<ShadowFan> outlineShadowFan(const City& proposal, std::span<const SunStep> steps,
+                                   const OutlineSettings& settings, Progress& progress,
+                                   const std::stop_token& stop);
+
+/// A box around all buildings of a city and their shadows, none of them taken longer than `longestM`. Empty
+/// if there is no building.
+Box2 boundShadows(const City& city, std::span<const SunStep> steps, double longestM);
+
 }  // namespace noonmark

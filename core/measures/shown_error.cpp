@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/describe/text.h"
-#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 
 namespace noonmark {
 

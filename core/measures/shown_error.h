@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/describe/answer_page.h"
 #include "core/describe/figure.h"
-#include "core/describe/sentence.h"
 #include "core/measures/error_sample.h"
 
 namespace noonmark {

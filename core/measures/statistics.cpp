@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/describe/text.h"
-#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/measures/shown_quantity.h"
 #include "core/receivers/rasterize.h"
 

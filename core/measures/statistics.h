@@ -3,7 +3,7 @@
 // The folder core/measures turns shadow fields into numbers and colours: means, largest values and shadow
 // areas (this file); the error of an engine on a sample of receivers (error_sample.h); the colours of maps
 // (palette.h, colour_scale.h) and what a user chose for their legends (legend_choice.h); and whether
-// continuous shadow was counted (has_runs.h).
+// continuous shadow was counted (shadow_figures.h).
 
 #include <span>
 #include <vector>

@@ -2,7 +2,7 @@
 #define HWY_TARGET_INCLUDE "core/measures/step_counts_hwy.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/measures/places/place_areas.h"
+#include "core/measures/places/place_sums.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,7 +1,7 @@
 #pragma once
 
 // A DXF file is text: pairs of lines, a group code and its value (Autodesk, "DXF Reference"). This file reads
-// them as entities and makes polygons from each entity; read_dxf.h joins blocks and layers.
+// them as entities and makes polygons from each entity; read_scene.h joins blocks and layers.
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>

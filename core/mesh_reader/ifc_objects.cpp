@@ -152,7 +152,7 @@ namespace {
 using Words = std::vector<std::string>;
 using Id = std::uint64_t;
 
-constexpr std::size_t mostFaces = 20'000'000;
+constexpr std::size_t maxFaces = 20'000'000;
 
 // "#12=IFCSITE('a',$)" in its parts.
 struct IfcStatement {
@@ -211,7 +211,7 @@ std::optional<glm::dvec3> pointOf(const std::string& list) {
 // The points of the arc from `a` by `b` to `c` without its ends, at most 10 degrees apart: "(1.,2.)" with as
 // many numbers as they have. Only `b` where the three lie on a line.
 std::vector<std::string> arcThrough(const std::string& a, const std::string& b, const std::string& c) {
-    constexpr double mostRad = std::numbers::pi / 18;
+    constexpr double maxRad = std::numbers::pi / 18;
     const auto start = pointOf(a), middle = pointOf(b), end = pointOf(c);
     if (!start || !middle || !end) return {b};
     const glm::dvec3 u = *middle - *start, v = *end - *start, normal = glm::cross(u, v);
@@ -223,7 +223,7 @@ std::vector<std::string> arcThrough(const std::string& a, const std::string& b, 
     const glm::dvec3 x = *start - centre, y = glm::cross(glm::normalize(normal), x);
     double angle = std::atan2(glm::dot(*end - centre, y), glm::dot(*end - centre, x));
     if (angle <= 0) angle += 2 * std::numbers::pi;
-    const int steps = int(std::ceil(angle / mostRad));
+    const int steps = int(std::ceil(angle / maxRad));
     const bool isFlat = ifcArguments(a).size() < 3;
     std::vector<std::string> points;
     for (int i = 1; i < steps; ++i) {
@@ -286,7 +286,7 @@ public:
             addCurve(*statement);
         else
             out_ += textOf(completed(*statement));
-        return faces_ <= mostFaces;
+        return faces_ <= maxFaces;
     }
     std::string take() { return std::move(out_); }
 
@@ -335,7 +335,7 @@ private:
         const std::vector<Id>* points = addPoints(set.arguments.front());
         std::string faces;
         for (const auto& loop : loops) {
-            if (points == nullptr || loop.size() < 3 || ++faces_ > mostFaces) continue;
+            if (points == nullptr || loop.size() < 3 || ++faces_ > maxFaces) continue;
             const Id ring = addNew("IFCPOLYLOOP", referencesTo(*points, loop));
             const Id bound = addNew("IFCFACEOUTERBOUND", fmt::format("#{},.T.", ring));
             const Id face = addNew("IFCFACE", fmt::format("(#{})", bound));

@@ -7,9 +7,7 @@
 #include <string>
 
 #include "core/io/meshes/mesh_reader_process.h"
-#include "core/mesh_reader/mesh_file_check.h"
 #include "core/mesh_reader/own_limits.h"
-#include "core/mesh_reader/read_dxf.h"
 #include "core/mesh_reader/read_scene.h"
 
 namespace noonmark {
@@ -29,8 +27,8 @@ void writeOut(std::FILE* out, std::string& bytes) {
 Result<void> writeScene(const std::filesystem::path& file, std::FILE* out) {
     const auto bytesBehind = checkMeshFile(file);
     if (!bytesBehind) return tl::make_unexpected(bytesBehind.error());
-    constexpr std::uintmax_t most = std::uintmax_t(1) << 40;  // keeps the product in range
-    limitMemory(memoryAnyway + memoryPerByte * std::min(*bytesBehind, most));
+    constexpr std::uintmax_t maximum = std::uintmax_t(1) << 40;  // keeps the product in range
+    limitMemory(memoryAnyway + memoryPerByte * std::min(*bytesBehind, maximum));
     const auto take = [&, bytes = std::string()](const MeshObject& object) mutable {
         appendObject(bytes, object);
         writeOut(out, bytes);

@@ -1,4 +1,4 @@
-#include "core/mesh_reader/mesh_file_check.h"
+#include "core/mesh_reader/read_scene.h"
 
 #include <cstdint>
 #include <cstring>
@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
-
-#include "core/mesh_reader/read_dxf.h"
 
 namespace noonmark {
 

@@ -1,4 +1,4 @@
-#include "core/mesh_reader/near_points.h"
+#include "core/mesh_reader/read_scene.h"
 
 #include <fmt/format.h>
 
@@ -31,8 +31,8 @@ public:
     // Whether the first points lie far from zero.
     bool decide() {
         for (int axis = 0; axis < 3; ++axis) origin_[axis] = std::round(middle(axis));
-        const double most = std::max({std::abs(origin_.x), std::abs(origin_.y), std::abs(origin_.z)});
-        return most > farFromZero && most < farthestOnMaps;
+        const double maximum = std::max({std::abs(origin_.x), std::abs(origin_.y), std::abs(origin_.z)});
+        return maximum > farFromZero && maximum < farthestOnMaps;
     }
     bool sample(glm::dvec3 point) {
         first_.push_back(point);

@@ -15,10 +15,10 @@ namespace noonmark {
 
 namespace {
 
-void limit(int resource, std::uint64_t most) {
+void limit(int resource, std::uint64_t maximum) {
     rlimit limits{};
     if (::getrlimit(resource, &limits) != 0) return;
-    limits.rlim_cur = std::min<rlim_t>(limits.rlim_cur, most);
+    limits.rlim_cur = std::min<rlim_t>(limits.rlim_cur, maximum);
     limits.rlim_max = limits.rlim_cur;
     ::setrlimit(resource, &limits);
 }

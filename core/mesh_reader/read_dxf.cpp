@@ -1,4 +1,4 @@
-#include "core/mesh_reader/read_dxf.h"
+#include "core/mesh_reader/read_scene.h"
 
 #include <fmt/format.h>
 

@@ -22,8 +22,6 @@
 #include <string_view>
 
 #include "core/mesh_reader/ifc_objects.h"
-#include "core/mesh_reader/mesh_file_check.h"
-#include "core/mesh_reader/near_points.h"
 
 namespace Assimp {
 class IOSystem;
@@ -147,11 +145,12 @@ glm::dmat4 inDouble(const aiMatrix4x4& matrix) {
 // The distance of float32 numbers at the mesh's farthest point, in its unit; 0 near its origin.
 double roundingOf(const aiMesh& mesh) {
     constexpr float farUnits = 10'000;
-    float most = 0;
+    float maximum = 0;
     for (unsigned i = 0; i < mesh.mNumVertices; ++i)
-        for (unsigned axis = 0; axis < 3; ++axis) most = std::max(most, std::abs(mesh.mVertices[i][axis]));
-    const bool isFar = most > farUnits && std::isfinite(most);
-    return isFar ? double(std::nextafter(most, std::numeric_limits<float>::max()) - most) : 0;
+        for (unsigned axis = 0; axis < 3; ++axis)
+            maximum = std::max(maximum, std::abs(mesh.mVertices[i][axis]));
+    const bool isFar = maximum > farUnits && std::isfinite(maximum);
+    return isFar ? double(std::nextafter(maximum, std::numeric_limits<float>::max()) - maximum) : 0;
 }
 
 // Polygons are not triangulated here: Assimp's own step crashes on some broken files.

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/clean_text.h"
-#include "core/sun/close_names.h"
+#include "core/base/safe_text.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 
@@ -23,13 +23,13 @@ std::string lowered(std::string_view text) {
 }
 
 std::vector<std::string> namesLike(const std::vector<Place>& places, std::string_view text) {
-    constexpr std::size_t most = 5;
+    constexpr std::size_t maximum = 5;
     std::vector<std::string> names;
     for (const Place& place : places) names.push_back(place.name);
-    std::vector<std::string> close = findCloseNames(text, names, most);
+    std::vector<std::string> close = findCloseNames(text, names, maximum);
     const std::string wanted = lowered(text);
     for (const std::string& name : names)
-        if (close.size() < most && !wanted.empty() && lowered(name).find(wanted) != std::string::npos &&
+        if (close.size() < maximum && !wanted.empty() && lowered(name).find(wanted) != std::string::npos &&
             std::ranges::find(close, name) == close.end())
             close.push_back(name);
     return close;

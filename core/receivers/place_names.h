@@ -5,7 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/receivers/place.h"
-#include "core/receivers/region.h"
+#include "core/receivers/receivers.h"
 
 namespace noonmark {
 

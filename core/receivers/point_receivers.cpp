@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/receivers/points/solid_parts.h"
-#include "core/receivers/wall_faces.h"
 
 namespace noonmark {
 

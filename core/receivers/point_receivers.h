@@ -15,7 +15,7 @@
 #include "core/city/building_heights.h"
 #include "core/city/city.h"
 #include "core/receivers/points/glazing_pane.h"
-#include "core/receivers/region.h"
+#include "core/receivers/receivers.h"
 
 namespace noonmark {
 

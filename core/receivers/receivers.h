@@ -1,20 +1,40 @@
 #pragma once
 
-// The folder core/receivers says where shadow is measured. Region (region.h) is the area of a study;
+// The folder core/receivers says where shadow is measured. Region is the area of a study;
 // Receivers (this file) are the cells of a grid over it, on the ground or on roofs (roof_receivers.h);
 // SurfacePoints (point_receivers.h) are points on any surface. rasterize.h turns polygons into cells,
 // tile_plan.h divides a large grid into tiles.
 
 #include <cstdint>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/city/footprints/footprint.h"
+#include "core/geo/frame.h"
 #include "core/geo/grid.h"
-#include "core/receivers/region.h"
 
 namespace noonmark {
+
+/// The area of a study: one or more polygons in local metres.
+struct Region {
+    std::string name;
+    std::vector<Footprint> polygons;
+    bool operator==(const Region&) const = default;
+};
+
+/// The longitude/latitude box west, south, east, north (degrees) as a polygon in local metres; its sides
+/// follow the curves of the projection. Across the antimeridian west is the larger number:
+/// 179.9,-16.9,-179.9,-16.7. Error if the box is empty, more than 180 degrees wide, or a value is out of
+/// range.
+Result<Region> makeRegionFromLonLatBox(const Frame& frame, double westDeg, double southDeg, double eastDeg,
+                                       double northDeg);
+
+Region makeRegionFromLocalBox(const Box2& box);
+
+Box2 bounds(const Region& region);
 
 enum class CellKind : std::uint8_t {
     outside,   ///< its centre is not in the region, or no shadow is measured there

@@ -2,8 +2,8 @@
 
 // The folder core/samples makes the sample cities (this file): a grid from a seed (grid_sample.cpp) and
 // Central Park's southern end (central_park_south_sample.cpp, central_park.h). Both place buildings the same
-// way: street_axes.h describes streets and blocks, lots.h divides blocks into lots and gives the same random
-// numbers on every machine, and lot_building.h makes buildings on the lots.
+// way: street_axes.h describes streets and blocks, lot_building.h divides blocks into lots, makes buildings
+// on them, and gives the same random numbers on every machine.
 
 #include <cstdint>
 #include <string>
@@ -14,7 +14,7 @@
 #include "core/city/city.h"
 #include "core/city/map_context.h"
 #include "core/receivers/place.h"
-#include "core/receivers/region.h"
+#include "core/receivers/receivers.h"
 
 namespace noonmark {
 

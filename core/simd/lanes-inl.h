@@ -17,9 +17,9 @@ namespace noonmark::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The widest vector of T with at most `most` lanes; its number of lanes is a constant.
-template <class T, std::size_t most>
-using LanesUpTo = hn::CappedTag<T, most>;
+/// The widest vector of T with at most `maximum` lanes; its number of lanes is a constant.
+template <class T, std::size_t maximum>
+using LanesUpTo = hn::CappedTag<T, maximum>;
 
 /// The lanes whose bits are set; bit 0 belongs to lane 0. Bits beyond the last lane are ignored.
 template <class D>

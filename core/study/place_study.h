@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -13,6 +14,7 @@
 #include "core/measures/places/place_sums.h"
 #include "core/measures/places/place_timeline.h"
 #include "core/receivers/place.h"
+#include "core/sun/civil_time.h"
 #include "core/sun/period.h"
 
 namespace noonmark {
@@ -47,5 +49,22 @@ struct PlaceStudy {
 Result<PlaceStudy> runPlaceStudy(const City& baseline, const City* scenario, const std::vector<Place>& places,
                                  const PlaceStudySettings& settings, const Engine& engine, Progress& progress,
                                  std::stop_token stop);
+
+/// What the timeline of a place is stated with.
+struct TimelineLabels {
+    std::string from;  ///< name of the baseline
+    std::string to;    ///< name of the scenario; empty: the baseline alone
+    Zone zone;         ///< for the times
+};
+
+/// One place as JSON (docs/user/places.md lists the keys): of one day its steps and summary, of several days
+/// a list of days and the sums by month and quarter. Scripts rely on `steps`: `at`, `baseline_m2`,
+/// `scenario_m2`, `incremental_m2`. Areas in m2, rounded to the cm2; times in ISO 8601 with offset.
+nlohmann::ordered_json timelineJson(const PlaceStudy& study, const PlaceTimeline& place,
+                                    const TimelineLabels& labels);
+
+/// All places as CSV, one row for each place and step: place, day, at, baseline_m2, scenario_m2,
+/// incremental_m2, gained_m2.
+std::string timelineCsv(const PlaceStudy& study, const TimelineLabels& labels);
 
 }  // namespace noonmark

@@ -24,12 +24,12 @@ double highestM(const City& city) {
 
 /// The least limit of the rule's criteria beyond the outer line, minutes.
 double minLimitBeyond(const Rule& rule) {
-    double least = 1440;
+    double minimum = 1440;
     for (const Criterion& criterion : rule.criteria)
         for (const Limit& limit : criterion.limits)
             if (criterion.belt == LineBelt::beyondLines && !limit.ofFormer)
-                least = std::min(least, limit.value);
-    return least;
+                minimum = std::min(minimum, limit.value);
+    return minimum;
 }
 
 /// How far from the parcel a point can be in shadow for longer than the limit. Such a point is in shadow at

@@ -8,8 +8,8 @@
 
 #include "core/base/progress.h"
 #include "core/measures/outlines/day_isochrones.h"
-#include "core/measures/outlines/shadow_fan.h"
 #include "core/measures/places/place_run.h"
+#include "core/measures/shadow_outlines.h"
 #include "core/receivers/parcels/parcel_lines.h"
 #include "core/study/prepare_review.h"
 #include "core/sun/sun_steps.h"

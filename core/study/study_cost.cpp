@@ -59,8 +59,8 @@ double gigabytes(std::uint64_t bytes) { return double(bytes) * 1e-9; }
 std::uint64_t estimateMemory(const City& city, const StudySettings& settings, const EngineList& engines) {
     const double bytes = cellCount(settings) * (bytesPerCell + engineBytesPerCell(engines, settings.engine)) +
                          countTriangles(city) * bytesPerTriangle + stepCount(settings.period) * bytesPerStep;
-    constexpr double most = double(std::numeric_limits<std::int64_t>::max());
-    return bytes < most ? std::uint64_t(bytes) : std::uint64_t(most);
+    constexpr double maximum = double(std::numeric_limits<std::int64_t>::max());
+    return bytes < maximum ? std::uint64_t(bytes) : std::uint64_t(maximum);
 }
 
 std::optional<std::uint64_t> measureAvailableMemory(const std::filesystem::path& meminfo) {

@@ -9,8 +9,7 @@
 #include <iterator>
 
 #include "core/sun/civil_time.h"
-#include "core/sun/close_names.h"
-#include "core/sun/posix_rule.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/describe/field_checks.h"
+#include "core/describe/field_values.h"
 #include "core/describe/text.h"
 #include "core/sun/period_fields.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/sun/civil_time.h"
-#include "core/sun/sun_events.h"
+#include "core/sun/sun_paths.h"
 
 namespace noonmark {
 

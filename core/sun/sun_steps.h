@@ -1,5 +1,11 @@
 #pragma once
 
+// The folder core/sun computes the sun of a study. Period (period.h) states days, hours and step; SunSteps
+// (this file) is the resulting list of sun positions, and the only thing that engines know about time.
+// Positions come from ERFA through apparent_sun.h, and are interpolated
+// by Ephemeris (solar_position.h); sunrise and sunset from sun_paths.h; civil dates and time zones from
+// civil_time.h.
+
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -9,12 +15,6 @@
 #include "core/sun/period.h"
 
 namespace noonmark {
-
-// The folder core/sun computes the sun of a study. Period (period.h) states days, hours and step; SunSteps
-// (this file) is the resulting list of sun positions, and the only thing that engines know about time.
-// Positions come from ERFA through apparent_sun.h, and are interpolated
-// by Ephemeris (solar_position.h); sunrise and sunset from sun_events.h; civil dates and time zones from
-// civil_time.h and posix_rule.h.
 
 /// The sun at one step of the period.
 struct SunStep {

@@ -49,4 +49,9 @@ std::string countryName(std::string_view code);
 /// chosen for other reasons, and for unknown zones.
 std::optional<Warning> questionZone(const Period& period, LonLat place);
 
+/// The names that a user who typed `text` may have meant: those that differ by few letters, as a whole or in
+/// their last part ("New_York"). Best first.
+std::vector<std::string> findCloseNames(std::string_view text, const std::vector<std::string>& names,
+                                        std::size_t maximum = 3);
+
 }  // namespace noonmark

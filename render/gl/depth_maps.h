@@ -9,7 +9,7 @@
 #include "core/engines/accrual/accrual_settings.h"
 #include "core/engines/accrual/caster_faces.h"
 #include "core/engines/accrual/map_frame.h"
-#include "core/engines/accrual/surface_lookup.h"
+#include "core/engines/accrual/surface_accrual.h"
 #include "core/engines/common/run_counter.h"
 #include "render/gl/gl_context.h"
 

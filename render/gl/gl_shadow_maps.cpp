@@ -134,12 +134,12 @@ Result<std::shared_ptr<const GlShadowMaps>> GlShadowMaps::make(GlPasses passes,
     if (const auto ok = check(settings); !ok) return tl::make_unexpected(ok.error());
     auto context = GlContext::make();
     if (!context) return tl::make_unexpected(context.error());
-    const int most = std::min((*context)->limits().mapSize, AccrualSettings::maxMapSize);
-    if (settings.mapSize > most)
+    const int maximum = std::min((*context)->limits().mapSize, AccrualSettings::maxMapSize);
+    if (settings.mapSize > maximum)
         return failure(
             fmt::format("A shadow map of {} texels a side is larger than the graphics device allows",
                         settings.mapSize),
-            "map size", fmt::format("Choose {} to {} texels", AccrualSettings::minMapSize, most));
+            "map size", fmt::format("Choose {} to {} texels", AccrualSettings::minMapSize, maximum));
     return std::shared_ptr<const GlShadowMaps>(new GlShadowMaps(passes, settings, std::move(*context)));
 }
 

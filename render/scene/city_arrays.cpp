@@ -138,7 +138,7 @@ ArrayDifference computeDifference(const CityArrays& drawn, const City& city) {
     const auto after = sortedAddresses(city.buildings);
     for (std::size_t i = 0; i < drawn.buildings.size(); ++i)
         if (!std::ranges::binary_search(after, drawn.buildings[i].get()))
-            difference.gone.push_back(std::uint32_t(i));
+            difference.removed.push_back(std::uint32_t(i));
     for (const Shared& building : city.buildings)
         if (!std::ranges::binary_search(before, building.get()))
             difference.added.buildings.push_back(building);

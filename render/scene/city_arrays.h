@@ -1,7 +1,7 @@
 #pragma once
 
 // The folder render/scene/ turns a city and its pictures into Qt3D nodes. This file computes arrays without
-// OpenGL; building_bodies.h draws them and overlay_bodies.h draws what the user edits; ground_picture.h and
+// OpenGL; city_bodies.h draws them and what the user edits; ground_picture.h and
 // surface_layer.h put results onto ground, roofs and facades; the other headers draw marks, names and tiles,
 // or wrap geometries, textures and shaders of Qt3D.
 
@@ -48,8 +48,8 @@ CityArrays makeBuildingArrays(const City& city, std::size_t maxEdgeTriangles = 3
 
 /// How a city differs from another city whose arrays are drawn. Buildings compare by pointer.
 struct ArrayDifference {
-    std::vector<std::uint32_t> gone;  ///< indices in CityArrays::buildings, ascending
-    City added;                       ///< its buildings only
+    std::vector<std::uint32_t> removed;  ///< indices in CityArrays::buildings, ascending
+    City added;                          ///< its buildings only
 };
 
 /// O(buildings x log buildings): about 10 ms for 43,000.

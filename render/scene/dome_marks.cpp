@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "render/scene/array_entity.h"
-#include "render/scene/outline_geometry.h"
 #include "render/scene/qt_vectors.h"
 #include "render/scene/shader_material.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "render/scene/name_labels.h"
-#include "render/scene/outline_geometry.h"
+#include "render/scene/array_entity.h"
+#include "render/scene/place_marks.h"
 #include "render/view/camera_pose.h"
 
 namespace Qt3DCore {

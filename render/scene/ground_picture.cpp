@@ -28,8 +28,8 @@ int ceilDivided(int a, int b) { return (a + b - 1) / b; }
 
 }  // namespace
 
-GroundPicture fitPicture(GroundPicture picture, int most) {
-    const int k = ceilDivided(std::max(picture.grid.columns, picture.grid.rows), most);
+GroundPicture fitPicture(GroundPicture picture, int maximum) {
+    const int k = ceilDivided(std::max(picture.grid.columns, picture.grid.rows), maximum);
     if (k <= 1) return picture;
     GroundPicture small;
     small.grid = picture.grid;

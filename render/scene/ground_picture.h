@@ -22,7 +22,7 @@ struct GroundPicture {
     static constexpr int maxPixels = 8192;
 };
 
-/// The picture itself, or one in which k x k pixels are averaged where a side is longer than `most`.
-GroundPicture fitPicture(GroundPicture picture, int most = GroundPicture::maxPixels);
+/// The picture itself, or one in which k x k pixels are averaged where a side is longer than `maximum`.
+GroundPicture fitPicture(GroundPicture picture, int maximum = GroundPicture::maxPixels);
 
 }  // namespace noonmark

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "render/scene/array_entity.h"
-#include "render/scene/outline_geometry.h"
 #include "render/scene/picture_texture.h"
 #include "render/scene/shader_material.h"
 

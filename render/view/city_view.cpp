@@ -19,7 +19,7 @@
 #include "render/scene/shader_material.h"
 #include "render/view/camera_control.h"
 #include "render/view/frame_graph.h"
-#include "render/view/software_drawing.h"
+#include "render/view/traced_city.h"
 
 namespace noonmark {
 
@@ -122,7 +122,7 @@ void CityView::showSection(const std::optional<SectionBox>& box) {
 
 void CityView::setRays(RayScene scene, const std::vector<std::shared_ptr<const Building>>& buildings) {
     displayed_.setRays(std::move(scene), buildings);
-    tellTraced();
+    reportTraced();
     refresh();
 }
 
@@ -139,10 +139,10 @@ void CityView::refresh() { isTraced() ? void(cameraMoved_ = true) : applyCamera(
 
 void CityView::clearRays() {
     for (DrawnCity* city : {&displayed_, &other_}) city->clearRays();
-    tellTraced();
+    reportTraced();
 }
 
-void CityView::tellTraced() {
+void CityView::reportTraced() {
     if (std::exchange(traced_, isTraced()) != isTraced()) Q_EMIT tracedChanged();
 }
 
@@ -160,7 +160,7 @@ void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
     other_.clear();
     setSides({});
     displayed_.showCity(std::move(arrays));
-    tellTraced();
+    reportTraced();
     setPose(wholeCity(mainBounds(), lens()));
 }
 
@@ -190,7 +190,7 @@ double CityView::sideOffset(QPointF position) const {
 void CityView::showFaces(bool shown) {
     for (DrawnCity* city : {&displayed_, &other_}) city->showFaces(shown);
     rest_->stop();
-    tellTraced();
+    reportTraced();
     cameraMoved_ = true;
 }
 

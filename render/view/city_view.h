@@ -12,9 +12,9 @@
 #include <functional>
 #include <memory>
 
+#include "render/scene/city_bodies.h"
 #include "render/scene/dome_marks.h"
 #include "render/scene/element_tiles.h"
-#include "render/scene/overlay_bodies.h"
 #include "render/scene/place_marks.h"
 #include "render/scene/view_marks.h"
 #include "render/view/camera_pose.h"
@@ -138,7 +138,7 @@ private:
     void requestPicture(std::function<void(QImage)> done);
     void makeLayers();
     void followFrames();
-    void tellTraced();
+    void reportTraced();
     void applySides();
     void refresh();
     [[nodiscard]] ViewBounds drawnBounds() const;

@@ -7,12 +7,12 @@
 
 #include "core/city/building_heights.h"
 #include "render/scene/array_entity.h"
-#include "render/scene/overlay_bodies.h"
+#include "render/scene/city_bodies.h"
 #include "render/scene/picture_texture.h"
 #include "render/scene/qt_vectors.h"
 #include "render/scene/shader_material.h"
 #include "render/view/frame_graph.h"
-#include "render/view/software_drawing.h"
+#include "render/view/traced_city.h"
 
 namespace noonmark {
 
@@ -65,7 +65,7 @@ void lay(const QString& name, const GroundPicture& given, const std::vector<Shad
 std::vector<const Building*> listShown(const CityArrays& arrays, const ArrayDifference& changes) {
     std::vector<const Building*> shown;
     for (const auto& building : arrays.buildings) shown.push_back(building.get());
-    for (const std::uint32_t gone : changes.gone) shown[gone] = nullptr;
+    for (const std::uint32_t removed : changes.removed) shown[removed] = nullptr;
     std::erase(shown, nullptr);
     for (const auto& building : changes.added.buildings) shown.push_back(building.get());
     return shown;
@@ -133,7 +133,7 @@ void DrawnCity::showCity(std::shared_ptr<const CityArrays> arrays) {
 
 void DrawnCity::showChanges(const ArrayDifference& changes) {
     if (!city_) return;
-    city_->leaveOut(changes.gone);
+    city_->leaveOut(changes.removed);
     const auto isNew = [](const auto& building) { return isProposal(*building); };
     const bool proposed = std::ranges::all_of(changes.added.buildings, isNew);
     added_ = makeBodies(std::make_shared<const CityArrays>(makeBuildingArrays(changes.added)),

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "render/scene/building_bodies.h"
+#include "render/scene/city_bodies.h"
 #include "render/scene/ground_picture.h"
 #include "render/scene/surface_layer.h"
 #include "render/view/camera_pose.h"

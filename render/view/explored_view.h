@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/engines/api/surface_engine.h"
+#include "core/engines/api/engine.h"
 #include "core/engines/ray/visible_surface.h"
 #include "render/view/camera_pose.h"
 

@@ -1,11 +1,15 @@
 #include "render/view/traced_city.h"
 
+#include <QByteArray>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QVector2D>
 #include <QVector3D>
 #include <algorithm>
+#include <array>
 
 #include "core/city/building_heights.h"
-#include "core/engines/ray/traced_view.h"
 #include "render/scene/array_entity.h"
 #include "render/scene/picture_texture.h"
 #include "render/scene/qt_vectors.h"
@@ -13,6 +17,30 @@
 #include "render/view/explored_view.h"
 
 namespace noonmark {
+
+namespace {
+
+QByteArray askRenderer() {
+    QOffscreenSurface surface;
+    surface.create();
+    QOpenGLContext context;
+    if (!context.create() || !context.makeCurrent(&surface)) return {};
+    const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
+    const QByteArray renderer(name);
+    context.doneCurrent();
+    return renderer.toLower();
+}
+
+}  // namespace
+
+bool drawsInSoftware() {
+    static const bool software = [] {
+        const QByteArray renderer = askRenderer();
+        constexpr std::array<const char*, 4> names{"llvmpipe", "softpipe", "swiftshader", "software"};
+        return std::ranges::any_of(names, [&](const char* name) { return renderer.contains(name); });
+    }();
+    return software;
+}
 
 namespace {
 

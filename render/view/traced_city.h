@@ -16,6 +16,10 @@ class QLayer;
 
 namespace noonmark {
 
+/// Whether OpenGL draws on the processor (llvmpipe, softpipe, SwiftShader), where each pixel and each core
+/// counts. Asks once, with a context of its own: about 50 ms. False without OpenGL. Needs a QGuiApplication.
+bool drawsInSoftware();
+
 class ShaderMaterial;
 
 /// Buildings and ground drawn by rays, for processors without graphics hardware: software OpenGL takes 0.2 to

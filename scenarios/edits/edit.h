@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-#include "core/city/building.h"
+#include "core/city/city.h"
 #include "core/city/trees/tree.h"
 #include "scenarios/edits/placed_building.h"
 

@@ -3,7 +3,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/base/result.h"
-#include "core/city/building.h"
+#include "core/city/city.h"
 
 namespace noonmark {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/io/files/plain_file.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 #include "core/io/terrain/standing.h"
 
 namespace noonmark {

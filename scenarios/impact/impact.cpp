@@ -80,10 +80,10 @@ bool isIndependent(const EngineList& engines, std::string_view key, bool flat) {
 }
 
 // Computes the same study for several cities.
-class Comparison {
+class ImpactRun {
 public:
-    Comparison(const ImpactSettings& settings, const EngineList& engines, Progress& progress,
-               std::stop_token stop)
+    ImpactRun(const ImpactSettings& settings, const EngineList& engines, Progress& progress,
+              std::stop_token stop)
         : settings_(settings), engines_(engines), progress_(progress), stop_(std::move(stop)) {}
 
     Result<ImpactStudy> run(const City& before, const City& after) {
@@ -298,7 +298,7 @@ Result<ImpactStudy> runImpact(const City& before, const City& after, const Impac
                               Progress& progress, std::stop_token stop, const EngineList& engines) {
     return guardMemory(
         {.what = "this comparison", .advice = "Choose larger cells, a smaller region or fewer steps"},
-        [&] { return Comparison(settings, engines, progress, std::move(stop)).run(before, after); });
+        [&] { return ImpactRun(settings, engines, progress, std::move(stop)).run(before, after); });
 }
 
 }  // namespace noonmark

@@ -2,7 +2,7 @@
 
 // The folder scenarios/impact/ compares two cities. This file computes the two fields, their difference and
 // the contribution of each new building, and measures the error against the ray reference; impact_figures.h
-// sums the difference up; impact_text.h writes JSON and CSV; impact_tiles.h compares cities tile by tile.
+// sums the difference up; impact_text.h writes JSON and CSV; tile_subjects.h compares cities tile by tile.
 
 #include <array>
 #include <optional>

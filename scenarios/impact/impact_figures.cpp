@@ -25,8 +25,8 @@ public:
         figures_.anyMoreShadowM2 += change > noChangeMin;
         figures_.anyLessShadowM2 += change < -noChangeMin;
         figures_.meanMin += change;
-        figures_.mostGainedMin = std::max(figures_.mostGainedMin, change);
-        figures_.mostLostMin = std::max(figures_.mostLostMin, -change);
+        figures_.maxGainedMin = std::max(figures_.maxGainedMin, change);
+        figures_.maxLostMin = std::max(figures_.maxLostMin, -change);
     }
 
     [[nodiscard]] ChangeFigures figures(double cellM2, double receivers) const {
@@ -95,7 +95,7 @@ namespace {
 
 // The same change told as sun: less of it where shadow grew. Not set, as the row of shadow is.
 Figure asSun(double ChangeFigures::*member, FigureFacts facts) {
-    facts.tells = Tells::sunInstead;
+    facts.shownWith = ShownWith::sunInstead;
     facts.inFiles = false;
     Figure row = figure(member, facts);
     row.set = [](void*, double) {};
@@ -115,24 +115,24 @@ const Figures<ChangeFigures>& changeFigures() {
                 .definition = NM_TEXT("area where the minutes rose by more than the threshold"),
                 .unit = FigureUnit::squareMetres,
                 .byThreshold = true,
-                .tells = Tells::shadow}),
+                .shownWith = ShownWith::shadow}),
         figure(&ChangeFigures::lostM2,
                {.key = "lost_m2",
                 .label = NM_TEXT("Less shadow"),
                 .definition = NM_TEXT("area where the minutes fell by more than the threshold"),
                 .unit = FigureUnit::squareMetres,
                 .byThreshold = true,
-                .tells = Tells::shadow}),
+                .shownWith = ShownWith::shadow}),
         figure(&ChangeFigures::anyMoreShadowM2, {.key = "touched_m2",
                                                  .label = NM_TEXT("Any more shadow"),
                                                  .definition = NM_TEXT("area where the minutes rose at all"),
                                                  .unit = FigureUnit::squareMetres,
-                                                 .tells = Tells::shadow}),
+                                                 .shownWith = ShownWith::shadow}),
         figure(&ChangeFigures::anyLessShadowM2, {.key = "eased_m2",
                                                  .label = NM_TEXT("Any less shadow"),
                                                  .definition = NM_TEXT("area where the minutes fell at all"),
                                                  .unit = FigureUnit::squareMetres,
-                                                 .tells = Tells::shadow}),
+                                                 .shownWith = ShownWith::shadow}),
         figure(&ChangeFigures::meanMin, {.key = "mean_min",
                                          .label = NM_TEXT("Mean change"),
                                          .definition = NM_TEXT("mean of the change over the receivers"),
@@ -140,19 +140,19 @@ const Figures<ChangeFigures>& changeFigures() {
                                          .unit = FigureUnit::minutesADay,
                                          .shownDecimals = 2,
                                          .isChange = true,
-                                         .tells = Tells::shadow}),
-        figure(&ChangeFigures::mostGainedMin, {.key = "most_gained_min",
-                                               .label = NM_TEXT("Largest increase"),
-                                               .definition = NM_TEXT("the largest increase of a receiver"),
-                                               .decimals = 2,
-                                               .unit = FigureUnit::minutesADay,
-                                               .tells = Tells::shadow}),
-        figure(&ChangeFigures::mostLostMin, {.key = "most_lost_min",
-                                             .label = NM_TEXT("Largest decrease"),
-                                             .definition = NM_TEXT("the largest decrease of a receiver"),
-                                             .decimals = 2,
-                                             .unit = FigureUnit::minutesADay,
-                                             .tells = Tells::shadow}),
+                                         .shownWith = ShownWith::shadow}),
+        figure(&ChangeFigures::maxGainedMin, {.key = "most_gained_min",
+                                              .label = NM_TEXT("Largest increase"),
+                                              .definition = NM_TEXT("the largest increase of a receiver"),
+                                              .decimals = 2,
+                                              .unit = FigureUnit::minutesADay,
+                                              .shownWith = ShownWith::shadow}),
+        figure(&ChangeFigures::maxLostMin, {.key = "most_lost_min",
+                                            .label = NM_TEXT("Largest decrease"),
+                                            .definition = NM_TEXT("the largest decrease of a receiver"),
+                                            .decimals = 2,
+                                            .unit = FigureUnit::minutesADay,
+                                            .shownWith = ShownWith::shadow}),
         asSun(&ChangeFigures::gainedM2,
               {.key = "sun_lost_m2",
                .label = NM_TEXT("Less sun"),
@@ -181,16 +181,16 @@ const Figures<ChangeFigures>& changeFigures() {
                        .unit = FigureUnit::minutesADay,
                        .shownDecimals = 2,
                        .isChange = true,
-                       .tells = Tells::sunInstead,
+                       .shownWith = ShownWith::sunInstead,
                        .inFiles = false}),
-        asSun(&ChangeFigures::mostGainedMin, {.key = "sun_most_lost_min",
-                                              .label = NM_TEXT("Largest loss of sun"),
-                                              .definition = NM_TEXT("the most sun that a receiver loses"),
-                                              .unit = FigureUnit::minutesADay}),
-        asSun(&ChangeFigures::mostLostMin, {.key = "sun_most_gained_min",
-                                            .label = NM_TEXT("Largest gain of sun"),
-                                            .definition = NM_TEXT("the most sun that a receiver gains"),
-                                            .unit = FigureUnit::minutesADay}),
+        asSun(&ChangeFigures::maxGainedMin, {.key = "sun_most_lost_min",
+                                             .label = NM_TEXT("Largest loss of sun"),
+                                             .definition = NM_TEXT("the most sun that a receiver loses"),
+                                             .unit = FigureUnit::minutesADay}),
+        asSun(&ChangeFigures::maxLostMin, {.key = "sun_most_gained_min",
+                                           .label = NM_TEXT("Largest gain of sun"),
+                                           .definition = NM_TEXT("the most sun that a receiver gains"),
+                                           .unit = FigureUnit::minutesADay}),
     };
     return figures;
 }
@@ -214,7 +214,7 @@ const Figures<ImpactFigures>& impactFigures() {
                 .unit = FigureUnit::squareMetres,
                 .better = Better::lessShadow,
                 .isChange = true,
-                .tells = Tells::shadow}),
+                .shownWith = ShownWith::shadow}),
         derivedFigure(&sunChangeM2,
                       {.key = "sun_area_change_m2",
                        .label = NM_TEXT("Change of the sunlit area"),
@@ -222,7 +222,7 @@ const Figures<ImpactFigures>& impactFigures() {
                                              "time in the sun x cell area)"),
                        .unit = FigureUnit::squareMetres,
                        .isChange = true,
-                       .tells = Tells::sunInstead,
+                       .shownWith = ShownWith::sunInstead,
                        .inFiles = false}),
         figure(&ImpactFigures::becameBuildingM2,
                {.key = "became_building_m2",

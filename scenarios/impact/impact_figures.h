@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/describe/figure.h"
-#include "core/measures/has_runs.h"
-#include "core/receivers/region.h"
+#include "core/measures/shadow_figures.h"
+#include "core/receivers/receivers.h"
 #include "scenarios/impact/impact.h"
 
 namespace noonmark {
@@ -15,8 +15,8 @@ struct ChangeFigures {
     double anyMoreShadowM2 = 0;  ///< area where shadow rose at all
     double anyLessShadowM2 = 0;  ///< area where shadow fell at all
     double meanMin = 0;          ///< over all receivers
-    double mostGainedMin = 0;
-    double mostLostMin = 0;  ///< >= 0
+    double maxGainedMin = 0;
+    double maxLostMin = 0;  ///< >= 0
 };
 
 /// The same with trees.
@@ -53,8 +53,8 @@ ImpactFigures computeFigures(const Impact& impact, const Region& region, double 
 ImpactFigures computeFigures(const Impact& impact, const std::vector<std::uint32_t>& cells,
                              double thresholdMin = 30);
 
-/// Whether continuous shadow was computed for both fields, as in core/measures/has_runs.h. Where it was not,
-/// files hold its change as null or an empty field.
+/// Whether continuous shadow was computed for both fields, as in core/measures/shadow_figures.h. Where it was
+/// not, files hold its change as null or an empty field.
 inline bool hasRuns(const Impact& impact) { return hasRuns(impact.continuousMin); }
 inline bool hasRuns(const ImpactFigures& figures) { return !std::isnan(figures.continuous.meanMin); }
 

@@ -14,7 +14,7 @@
 #include "core/measures/shadow_figures.h"
 #include "core/measures/statistics.h"
 #include "core/study/provenance/provenance_texts.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/settings_json.h"
 
@@ -151,7 +151,7 @@ void addChange(std::vector<FigureLine>& lines, std::string_view measure, const C
                std::optional<double> thresholdMin, ShownAs show) {
     const DescribedFigures figures = changeFigures().of(change);
     for (const Figure& figure : figures.figures)
-        if (figure.byThreshold == thresholdMin.has_value() && isTold(figure, show))
+        if (figure.byThreshold == thresholdMin.has_value() && isShownAs(figure, show))
             lines.push_back({.figure = &figure,
                              .value = figures.get(figure),
                              .measure = measure,
@@ -171,7 +171,7 @@ std::string_view measureOf(TreeColumns column, ShownAs show) {
 
 }  // namespace
 
-// Of runs in shadow nothing can be told as sun.
+// The longest run in shadow has no complement in sun, so it stays in minutes.
 std::vector<FigureLine> listLines(const ComparisonFigures& figures, ShownAs show) {
     constexpr std::string_view continuous = NM_TEXT("Continuous");
     const std::string_view gross = show == ShownAs::shadow ? NM_TEXT("Gross") : NM_TEXT("Sun");
@@ -207,23 +207,23 @@ namespace {
 
 Sentence describeChange(const std::string& scenario, const ChangeFigures& change, ShownAs show) {
     const auto minutes = [](double value) { return Amount{value, FigureUnit::minutes}; };
-    if (change.mostGainedMin == 0 && change.mostLostMin == 0)
+    if (change.maxGainedMin == 0 && change.maxLostMin == 0)
         return {show == ShownAs::shadow ? NM_TEXT("%1 changes no shadow here")
                                         : NM_TEXT("%1 changes no sun here"),
                 {scenario}};
     const auto area = [](double m2) { return Amount{m2, FigureUnit::squareMetres}; };
-    constexpr double leastMeanMin = 0.5;  // less reads "0 min": the region is large, the change small
-    if (std::abs(change.meanMin) < leastMeanMin && change.meanMin >= 0)
+    constexpr double minMeanMin = 0.5;  // less reads "0 min": the region is large, the change small
+    if (std::abs(change.meanMin) < minMeanMin && change.meanMin >= 0)
         return {NM_TEXT("%1 takes sun from %2, at most %3 a day at one spot"),
-                {scenario, area(change.anyMoreShadowM2), minutes(change.mostGainedMin)}};
-    if (std::abs(change.meanMin) < leastMeanMin)
+                {scenario, area(change.anyMoreShadowM2), minutes(change.maxGainedMin)}};
+    if (std::abs(change.meanMin) < minMeanMin)
         return {NM_TEXT("%1 gives sun to %2, at most %3 a day at one spot"),
-                {scenario, area(change.anyLessShadowM2), minutes(change.mostLostMin)}};
+                {scenario, area(change.anyLessShadowM2), minutes(change.maxLostMin)}};
     if (change.meanMin >= 0)
         return {NM_TEXT("%1 takes %2 of sun a day on average, at most %3 at one spot"),
-                {scenario, minutes(change.meanMin), minutes(change.mostGainedMin)}};
+                {scenario, minutes(change.meanMin), minutes(change.maxGainedMin)}};
     return {NM_TEXT("%1 gives %2 of sun a day on average, at most %3 at one spot"),
-            {scenario, minutes(-change.meanMin), minutes(change.mostLostMin)}};
+            {scenario, minutes(-change.meanMin), minutes(change.maxLostMin)}};
 }
 
 Sentence describeAreas(const ImpactFigures& figures, ShownAs show) {

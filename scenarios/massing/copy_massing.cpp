@@ -127,11 +127,11 @@ Result<Massing> findSameFloorArea(const Footprint& lot, const GivenMass& given, 
     const bool wider = plateFactor > 1;
     const double wanted = std::min(area(lot), computeArea(given.plate) * plateFactor);
     const int storeys = storeysFor(given.grossFloorM2, wanted, wider);
-    const int most = std::min(maxStoreys, int(tallestBuildingM / given.storeyHeightM));
-    if (storeys > most)
+    const int maximum = std::min(maxStoreys, int(tallestBuildingM / given.storeyHeightM));
+    if (storeys > maximum)
         return failure(fmt::format("The tower would have {} storeys", storeys), "variant",
                        fmt::format("Give a floor plate of {:.0f} m2 or more: {} storeys",
-                                   given.grossFloorM2 / most, most));
+                                   given.grossFloorM2 / maximum, maximum));
     const double plateM2 = std::min(given.grossFloorM2 / storeys, area(lot));
     Tier tier{.plate = resizePlate(given.plate, lot, plateM2), .topM = storeys * given.storeyHeightM};
     Massing massing = assembleMassing(lot, {std::move(tier)}, given.storeyHeightM);

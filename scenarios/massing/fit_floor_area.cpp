@@ -132,9 +132,9 @@ std::optional<NearestFit> findNearestFit(const Footprint& lot, const MassingSett
 
 namespace {
 
-constexpr int mostStoreys = 500;
+constexpr int maxStoreys = 500;
 constexpr double closeEnough = 0.0005;  // of the floor area
-constexpr double leastPlateM2 = 1;
+constexpr double minPlateM2 = 1;
 
 std::optional<double> floorAreaOf(const Footprint& lot, const MassingSettings& settings) {
     const auto massing = makeMassing(lot, settings);
@@ -167,14 +167,15 @@ tl::unexpected<Error> outOfReach(double wantedM2, const std::string& reached, co
 
 Result<MassingSettings> fitStoreys(const Footprint& lot, const MassingSettings& settings, double wantedM2) {
     int fits = findFewestStoreys(settings);
-    const auto least = floorAreaOf(lot, withStoreys(settings, fits));
-    if (!least) return tl::make_unexpected(makeMassing(lot, withStoreys(settings, fits)).error());
-    if (*least > wantedM2)
-        return outOfReach(wantedM2, fmt::format("{} storeys have {:.0f} m2 already", fits, *least),
+    const auto minimum = floorAreaOf(lot, withStoreys(settings, fits));
+    if (!minimum) return tl::make_unexpected(makeMassing(lot, withStoreys(settings, fits)).error());
+    if (*minimum > wantedM2)
+        return outOfReach(wantedM2, fmt::format("{} storeys have {:.0f} m2 already", fits, *minimum),
                           "Make the plate or the podium smaller");
-    int tooMany = std::min(mostStoreys, int(tallestBuildingM / settings.storeyHeightM)) + 1;
-    if (const auto most = floorAreaOf(lot, withStoreys(settings, tooMany - 1)); most && *most < wantedM2)
-        return outOfReach(wantedM2, fmt::format("{} storeys have {:.0f} m2", tooMany - 1, *most),
+    int tooMany = std::min(maxStoreys, int(tallestBuildingM / settings.storeyHeightM)) + 1;
+    if (const auto maximum = floorAreaOf(lot, withStoreys(settings, tooMany - 1));
+        maximum && *maximum < wantedM2)
+        return outOfReach(wantedM2, fmt::format("{} storeys have {:.0f} m2", tooMany - 1, *maximum),
                           "Make the plate larger");
     while (tooMany - fits > 1) {
         const int storeys = (fits + tooMany) / 2;
@@ -196,7 +197,7 @@ Result<MassingSettings> fitPlate(const Footprint& lot, const MassingSettings& se
         if (const auto whole = floorAreaOf(lot, withPlate(settings, tooLargeM2)); whole && *whole <= wantedM2)
             fitsM2 = tooLargeM2, fitsFloorM2 = *whole;
     while (std::abs(fitsFloorM2 - wantedM2) > closeEnough * wantedM2 &&
-           tooLargeM2 - tooSmallM2 > leastPlateM2) {
+           tooLargeM2 - tooSmallM2 > minPlateM2) {
         const double plateM2 = (tooSmallM2 + tooLargeM2) / 2;
         const auto areaM2 = floorAreaOf(lot, withPlate(settings, plateM2));
         (areaM2 ? *areaM2 < wantedM2 : plateM2 < nowM2) ? tooSmallM2 = plateM2 : tooLargeM2 = plateM2;

@@ -11,7 +11,7 @@
 #include "core/city/city.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
-#include "core/describe/field_checks.h"
+#include "core/describe/field_values.h"
 #include "scenarios/edits/placed_building.h"
 #include "scenarios/massing/massing_fields.h"
 #include "scenarios/massing/straight_skeleton.h"

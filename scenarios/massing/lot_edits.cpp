@@ -105,14 +105,14 @@ Result<Footprint> removeCorner(const Footprint& lot, std::size_t corner) {
 }
 
 std::vector<Footprint> computeOutline(const Building& building) {
-    constexpr MinPiece least{.areaM2 = 1, .widthM = 0};
+    constexpr MinPiece minimum{.areaM2 = 1, .widthM = 0};
     const auto lowest = std::ranges::min_element(building.parts, {}, &Part::bottomM);
     std::vector<Footprint> standing, all;
     for (const Part& part : building.parts) {
         all.push_back(part.footprint);
         if (reachesGround(part, lowest->bottomM)) standing.push_back(part.footprint);
     }
-    return cutPiecesOutside(standing.empty() ? all : standing, {}, least);
+    return cutPiecesOutside(standing.empty() ? all : standing, {}, minimum);
 }
 
 std::vector<Edit> clearing(const City& city, const Footprint& lot) {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/city/building.h"
 #include "core/city/building_heights.h"
+#include "core/city/city.h"
 
 namespace noonmark {
 

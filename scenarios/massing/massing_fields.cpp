@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/city/building_heights.h"
-#include "core/describe/field_checks.h"
+#include "core/describe/field_values.h"
 #include "core/describe/text.h"
 
 namespace noonmark {

@@ -3,13 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "core/base/clean_text.h"
 #include "core/base/json_number.h"
-#include "core/describe/field_checks.h"
+#include "core/base/safe_text.h"
 #include "core/describe/field_json.h"
+#include "core/describe/field_values.h"
 #include "scenarios/massing/massing_fields.h"
 #include "scenarios/massing/tower_design.h"
-#include "scenarios/project/tables/ring_json.h"
+#include "scenarios/project/tables/geometry_blob.h"
 
 namespace noonmark {
 

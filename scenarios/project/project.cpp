@@ -2,14 +2,77 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
+
+namespace {
+
+constexpr double farthestM = 1e7;
+
+bool isWithin(double value, double low, double high) { return value >= low && value <= high; }
+
+}  // namespace
+
+bool isBox(const ViewBox& box) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(box.lowM[axis] >= -farthestM && box.highM[axis] <= farthestM &&
+              box.lowM[axis] < box.highM[axis]))
+            return false;
+    return true;
+}
+
+Result<void> validate(const SavedView& view) {
+    const glm::dvec3 target = view.targetM;
+    const bool near = std::max({std::abs(target.x), std::abs(target.y), std::abs(target.z)}) <= farthestM;
+    const bool camera = near && isWithin(view.distanceM, 1e-3, farthestM) &&
+                        isWithin(view.headingDeg, 0, 360) && isWithin(view.pitchDeg, 0, 90);
+    const bool moment =
+        !view.moment || (view.moment->date.ok() && isWithin(double(view.moment->at.count()), 0, 24 * 60));
+    if (camera && moment && (!view.section || isBox(*view.section))) return {};
+    return failure("The camera, the moment or the section box of a saved view is out of range",
+                   "view '" + view.name + "'", "Delete the view and save it again");
+}
+
+std::string formatText(const GroundPictureFile& picture) {
+    return nlohmann::ordered_json{{"path", picture.path.string()},
+                                  {"sha256", picture.sha256},
+                                  {"attribution", picture.attribution},
+                                  {"opacity", picture.opacity},
+                                  {"shown", picture.shown}}
+        .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::optional<GroundPictureFile> parseGroundPicture(const std::string& text) try {
+    const auto json = nlohmann::json::parse(text);
+    GroundPictureFile picture{json.at("path").get<std::string>(), json.at("sha256"), json.at("attribution"),
+                              json.at("opacity"), json.at("shown")};
+    const bool sound = !picture.path.empty() && picture.opacity >= 0 && picture.opacity <= 1;
+    return sound ? std::optional(picture) : std::nullopt;
+} catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+}
+
+Project withGroundPicture(Project project, std::optional<GroundPictureFile> file,
+                          std::shared_ptr<const GroundRaster> raster) {
+    auto context =
+        std::make_shared<MapContext>(project.city->context ? *project.city->context : MapContext{});
+    const bool drawn = file && file->shown && raster;
+    context->picture =
+        drawn ? std::optional(ContextPicture{std::move(raster), file->opacity, file->attribution})
+              : std::nullopt;
+    City city = *project.city;
+    city.context = context->empty() ? nullptr : std::move(context);
+    project.city = std::make_shared<const City>(std::move(city));
+    project.groundPicture = std::move(file);
+    return project;
+}
 
 namespace {
 

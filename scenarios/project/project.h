@@ -5,29 +5,88 @@
 // and stores unsaved work; project_provenance.h states what a result was made from. results/ converts saved
 // results to and from their JSON, and tables/ holds the SQLite and GeoPackage layer.
 
+#include <chrono>
+#include <filesystem>
+#include <glm/vec3.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/base/units.h"
 #include "core/city/city.h"
+#include "core/city/map_context.h"
 #include "core/geo/grid.h"
 #include "core/io/heights/height_facts.h"
 #include "core/receivers/parcels/parcel_lines.h"
 #include "core/receivers/place.h"
-#include "core/receivers/region.h"
+#include "core/receivers/receivers.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/provenance/provenance.h"
+#include "core/sun/civil_time.h"
 #include "core/sun/period.h"
-#include "scenarios/project/ground_picture.h"
-#include "scenarios/project/saved_view.h"
 #include "scenarios/project/title_block.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/time_weights.h"
 
 namespace noonmark {
+
+/// A date and a time of day, in the time zone of the study.
+struct ViewMoment {
+    CivilDate date{};
+    std::chrono::minutes at{0};  ///< since midnight, 0 to 24 h
+    bool operator==(const ViewMoment&) const = default;
+};
+
+/// What a view shows of the city: a box along east, north and up, local metres.
+struct ViewBox {
+    glm::dvec3 lowM{0};   ///< west, south, bottom
+    glm::dvec3 highM{0};  ///< east, north, top; each above lowM
+    bool operator==(const ViewBox&) const = default;
+};
+
+/// Whether each side is above 0 and lies within 1e7 m.
+bool isBox(const ViewBox& box);
+
+/// A view of the city under a name: camera, projection, moment and section box.
+struct SavedView {
+    std::string name;                    ///< unique in a project
+    glm::dvec3 targetM{0};               ///< point that the camera looks at, local metres
+    double distanceM = 1000;             ///< from the eye to the target, above 0
+    double headingDeg = 0;               ///< clockwise from true north, 0 to 360
+    double pitchDeg = 45;                ///< below the horizontal, 0 to 90
+    bool parallel = false;               ///< parallel (orthographic) projection, not perspective
+    std::optional<ViewMoment> moment{};  ///< none: the view shows the whole period
+    std::optional<ViewBox> section{};    ///< none: the view shows the whole city
+    bool operator==(const SavedView&) const = default;
+};
+
+/// Error: a number out of range.
+Result<void> validate(const SavedView& view);
+
+struct Project;
+
+/// A picture of the ground that a project refers to: a file of its own, not copied into the project.
+struct GroundPictureFile {
+    std::filesystem::path path;  ///< absolute
+    std::string sha256;          ///< lower-case hex, of the file when it was chosen
+    std::string attribution;     ///< whose picture it is; printed wherever it is drawn; may be empty
+    double opacity = 1;          ///< 0 to 1
+    bool shown = true;           ///< on ground, maps and sheets
+    bool operator==(const GroundPictureFile&) const = default;
+};
+
+/// As JSON, for the project's file.
+std::string formatText(const GroundPictureFile& picture);
+/// Nothing for any text that formatText() does not write: the file may come from anywhere.
+std::optional<GroundPictureFile> parseGroundPicture(const std::string& text);
+
+/// `project` with this picture on its ground, or none. `raster`: its pixels; null: they are not at hand, and
+/// nothing is drawn.
+Project withGroundPicture(Project project, std::optional<GroundPictureFile> file,
+                          std::shared_ptr<const GroundRaster> raster);
 
 /// A lot: ground that may be built on.
 struct NamedLot {
@@ -105,7 +164,7 @@ struct Project {
 /// Finds an entry by name. Error: there is none; the Error lists the existing names.
 Result<NamedLot> findLot(const Project& project, const std::string& name);
 Result<Region> findRegion(const Project& project, const std::string& name);
-/// In any case of letters; the Error suggests names that are spelled alike.
+/// Upper and lower case are equal. The error suggests names that are spelled alike.
 Result<Place> findPlace(const Project& project, const std::string& name);
 std::vector<Place> placesOfKind(const Project& project, PlaceKind kind);
 Result<TimeWeights> findWeights(const Project& project, const std::string& name);

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/clean_text.h"
+#include "core/base/safe_text.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/project/edit_json.h"
-#include "scenarios/project/tables/checked_row.h"
+#include "scenarios/project/tables/database.h"
 #include "scenarios/project/tables/geometry_blob.h"
 #include "scenarios/project/tables/grid_tiles.h"
 #include "scenarios/project/tables/schema.h"

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "core/describe/value_text.h"
+#include "core/describe/field_values.h"
 #include "core/io/files/plain_file.h"
 #include "scenarios/project/title_fields.h"
 

@@ -333,8 +333,8 @@ void writeCity(Database& database, const City* before, const City& after) {
     if (before == nullptr || old.context != after.context) writeContext(database, after.context.get());
     if (before == nullptr || old.trees != after.trees) writeTrees(database, after.trees.get());
     BuildingWriter writer(database, after);
-    const std::size_t most = std::max(old.buildings.size(), after.buildings.size());
-    for (std::size_t i = 0; i < most; ++i) {
+    const std::size_t maximum = std::max(old.buildings.size(), after.buildings.size());
+    for (std::size_t i = 0; i < maximum; ++i) {
         const bool was = i < old.buildings.size(), is = i < after.buildings.size();
         if (was && is && old.buildings[i] == after.buildings[i]) continue;
         if (was) writer.remove(i);

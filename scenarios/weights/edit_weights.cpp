@@ -13,7 +13,7 @@ using namespace std::chrono;
 constexpr double tropicDeg = 23.44, subtropicsDeg = 40, coldDeg = 55;
 
 // Months of the northern half of the earth, and hours.
-struct Season {
+struct WeightedSeason {
     const char* name;
     unsigned firstMonth, lastMonth;
     int fromHour, toHour;
@@ -24,7 +24,7 @@ month monthAt(unsigned northern, double latitudeDeg) {
     return month(latitudeDeg < 0 ? (northern + 5) % 12 + 1 : northern);
 }
 
-WeightedInterval seasonInterval(const Season& season, double latitudeDeg) {
+WeightedInterval seasonInterval(const WeightedSeason& season, double latitudeDeg) {
     const month first = monthAt(season.firstMonth, latitudeDeg),
                 last = monthAt(season.lastMonth, latitudeDeg);
     return {.name = season.name,
@@ -35,13 +35,14 @@ WeightedInterval seasonInterval(const Season& season, double latitudeDeg) {
             .weight = season.weight};
 }
 
-TimeWeights makeSeasons(const char* name, const std::vector<Season>& seasons, double latitudeDeg) {
+TimeWeights makeSeasons(const char* name, const std::vector<WeightedSeason>& seasons, double latitudeDeg) {
     TimeWeights table{name, {}};
-    for (const Season& season : seasons) table.intervals.push_back(seasonInterval(season, latitudeDeg));
+    for (const WeightedSeason& season : seasons)
+        table.intervals.push_back(seasonInterval(season, latitudeDeg));
     return table;
 }
 
-std::vector<Season> comfortSeasons(double fromEquatorDeg) {
+std::vector<WeightedSeason> comfortSeasons(double fromEquatorDeg) {
     if (fromEquatorDeg < tropicDeg) return {{"hot all year", 1, 12, 10, 17, 1}};
     if (fromEquatorDeg < subtropicsDeg)
         return {{"hot months", 6, 8, 10, 18, 1},
@@ -57,7 +58,7 @@ std::vector<Season> comfortSeasons(double fromEquatorDeg) {
     return {{"hot month", 7, 7, 12, 16, 0.5}, {"winter", 10, 4, 9, 17, -1}};
 }
 
-Season growingSeason(double fromEquatorDeg) {
+WeightedSeason growingSeason(double fromEquatorDeg) {
     if (fromEquatorDeg < tropicDeg) return {"growing season", 1, 12, 6, 20, -1};
     if (fromEquatorDeg < subtropicsDeg) return {"growing season", 3, 10, 6, 20, -1};
     if (fromEquatorDeg < coldDeg) return {"growing season", 4, 9, 6, 20, -1};
@@ -232,18 +233,18 @@ Box takeNeighbours(TimeWeights& table, Box box, double weight) {
 
 WeightCell cellOf(const TimeWeights& table, const Box& cell) {
     int held = 0;
-    double sum = 0, least = 1, most = -1;
+    double sum = 0, minimum = 1, maximum = -1;
     for (const WeightedInterval& interval : table.intervals)
         for (const Box& box : boxesOf(interval)) {
             const int shared = minutesOf(meet(box, cell));
             if (shared == 0) continue;
             held += shared;
             sum += shared * interval.weight;
-            least = std::min(least, interval.weight);
-            most = std::max(most, interval.weight);
+            minimum = std::min(minimum, interval.weight);
+            maximum = std::max(maximum, interval.weight);
         }
     if (held == 0) return {};
-    return {true, held < minutesOf(cell) || least < most, sum / held};
+    return {true, held < minutesOf(cell) || minimum < maximum, sum / held};
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/study_cost.h"
-#include "scenarios/weights/score_sum.h"
 
 namespace noonmark {
 

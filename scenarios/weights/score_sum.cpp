@@ -1,4 +1,4 @@
-#include "scenarios/weights/score_sum.h"
+#include "scenarios/weights/score.h"
 
 #include <algorithm>
 #include <limits>

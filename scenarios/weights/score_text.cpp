@@ -10,7 +10,7 @@
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_texts.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {

@@ -12,7 +12,7 @@
 #include "core/io/files/plain_file.h"
 #include "core/io/files/readable_text.h"
 #include "core/study/provenance/provenance_texts.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 
 namespace noonmark {
 
@@ -72,7 +72,7 @@ bool WeightedInterval::holds(CivilDate date, std::chrono::minutes timeOfDay) con
 }
 
 std::optional<Warning> findSeasonMismatch(const TimeWeights& weights, double latitudeDeg) {
-    constexpr double tropicDeg = 23.44, least = 0.05;
+    constexpr double tropicDeg = 23.44, minimum = 0.05;
     const auto wantsShade = [](const WeightedInterval& one) { return one.weight > 0; };
     if (std::abs(latitudeDeg) <= tropicDeg || std::ranges::none_of(weights.intervals, wantsShade))
         return std::nullopt;
@@ -82,7 +82,7 @@ std::optional<Warning> findSeasonMismatch(const TimeWeights& weights, double lat
         meanWeight(weights, sys_days(2001y / December / 1), sys_days(2002y / March / 1));
     const double summerMinusWinter =
         latitudeDeg > 0 ? juneToAugust - decemberToFebruary : decemberToFebruary - juneToAugust;
-    if (summerMinusWinter > -least) return std::nullopt;
+    if (summerMinusWinter > -minimum) return std::nullopt;
     return Warning{
         WarningKind::assumed,
         fmt::format("the weights want more shade in {}, the winter of this place, than in its summer",
@@ -164,9 +164,9 @@ Result<std::chrono::month_day> dayOf(const Row& row, const char* column) {
                    fmt::format("{}, {}", row.where, column), "Give month and day: 12-31, or a month: June");
 }
 
-Result<std::chrono::minutes> hourOf(const Row& row, const char* column, std::chrono::minutes usual) {
+Result<std::chrono::minutes> hourOf(const Row& row, const char* column, std::chrono::minutes standard) {
     const std::string text = row[column];
-    if (text.empty()) return usual;
+    if (text.empty()) return standard;
     return parseTimeOfDay(text).map_error([&](Error error) {
         error.where = fmt::format("{}, {}", row.where, column);
         return error;

@@ -2,8 +2,8 @@
 
 // The folder scenarios/weights/ weighs wanted shade against unwanted shadow. This file defines tables of
 // weights by date and hour, reads and writes them; edit_weights.h edits their intervals and has tables to
-// begin with. score.h computes a shadow score: score_sum.h splits the steps by month and interval and adds
-// the pieces up, score_text.h writes JSON and CSV, and score_tiles.h computes scores tile by tile.
+// begin with. score.h computes a shadow score (score_sum.cpp splits the steps by month and interval and adds
+// the pieces up), score_text.h writes JSON and CSV, and tile_subjects.h computes scores tile by tile.
 
 #include <chrono>
 #include <filesystem>

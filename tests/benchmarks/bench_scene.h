@@ -10,7 +10,7 @@
 #include <string>
 
 #include "core/io/read_city.h"
-#include "core/receivers/region.h"
+#include "core/receivers/receivers.h"
 #include "core/samples/sample_city.h"
 #include "core/simd/instruction_set.h"
 

@@ -90,7 +90,7 @@ struct Errors {
 
 int main(int argc, char** argv) {
     chooseInstructionSet();
-    const auto number = [&](int at, double usual) { return argc > at ? std::stod(argv[at]) : usual; };
+    const auto number = [&](int at, double standard) { return argc > at ? std::stod(argv[at]) : standard; };
     const City city = cityFrom(argc > 1 ? argv[1] : "43000");
     const int intervals = int(number(2, 40));
     const double minutes = number(3, 60);

@@ -16,7 +16,7 @@
 #include "app/input/all_engines.h"
 #include "core/base/progress.h"
 #include "core/engines/accrual/surface_accrual.h"
-#include "core/engines/api/partial_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/ray/surface_rays.h"
 #include "tests/benchmarks/bench_scene.h"
 

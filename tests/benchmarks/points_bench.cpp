@@ -21,10 +21,10 @@ using namespace noonmark::bench;
 
 namespace {
 
-SurfacePoints facadePoints(const City& city, std::size_t most) {
+SurfacePoints facadePoints(const City& city, std::size_t maximum) {
     std::vector<std::uint32_t> buildings(city.buildings.size());
     std::iota(buildings.begin(), buildings.end(), 0U);
-    return thinOut(placeOnFacades(city, buildings, {}).value().points, most);
+    return thinOut(placeOnFacades(city, buildings, {}).value().points, maximum);
 }
 
 SunSteps yearOf(const City& city) {

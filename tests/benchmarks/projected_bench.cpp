@@ -11,7 +11,7 @@
 #include <map>
 #include <vector>
 
-#include "core/bench/horizon/horizon_edits.h"
+#include "core/bench/horizon/horizon_bench.h"
 #include "core/engines/projected/filling/bit_raster.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"

@@ -66,18 +66,18 @@ TEST_F(PlacesCommand, TheTimelineOfADayHasTheKeysThatScriptsRelyOn) {
     EXPECT_EQ(json["place"], "Pond Lawn");
     EXPECT_EQ(json["from"], "Without One57");
     ASSERT_GT(json["steps"].size(), 40U);
-    double most = 0, hours = 0;
+    double maximum = 0, hours = 0;
     for (const auto& step : json["steps"]) {
         EXPECT_THAT(step["at"].get<std::string>(), HasSubstr("2026-03-21T"));
         const double baseline = step["baseline_m2"], scenario = step["scenario_m2"],
                      incremental = step["incremental_m2"];
         EXPECT_NEAR(baseline + incremental, scenario, 2e-4);  // One57 is only added; areas are rounded
-        most = std::max(most, incremental);
+        maximum = std::max(maximum, incremental);
         hours += incremental * json["step_min"].get<double>() / 60;
     }
-    EXPECT_EQ(json["incremental"]["largest_m2"], most);
+    EXPECT_EQ(json["incremental"]["largest_m2"], maximum);
     EXPECT_NEAR(json["incremental"]["area_hours_m2h"].get<double>(), hours, 0.1);  // areas are rounded
-    EXPECT_GT(most, 0);
+    EXPECT_GT(maximum, 0);
 }
 
 TEST_F(PlacesCommand, TimelinesAreStatedInWordsAndAsCsv) {

@@ -1,5 +1,5 @@
 // The check of a mesh file before the mesh library reads it.
-#include "core/mesh_reader/mesh_file_check.h"
+#include "core/mesh_reader/read_scene.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"

@@ -1,6 +1,5 @@
 // DXF in text form, by our own reader; in the product it runs in a process of its own, too.
-#include "core/mesh_reader/mesh_file_check.h"
-#include "core/mesh_reader/read_dxf.h"
+#include "core/mesh_reader/read_scene.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/mesh_scenes.h"
 

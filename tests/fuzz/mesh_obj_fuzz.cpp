@@ -1,6 +1,5 @@
 // Wavefront OBJ, read in this process. In the product the mesh library runs in a process of its own, which
 // contains its faults.
-#include "core/mesh_reader/mesh_file_check.h"
 #include "core/mesh_reader/read_scene.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/mesh_scenes.h"

@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "core/io/meshes/mesh_buildings.h"
+#include "core/io/meshes/mesh_units.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"
 

@@ -1,6 +1,6 @@
 // How a project's city was read: the settings, the height fields, and the terrain's source.
-#include "core/io/settings/read_fields.h"
-#include "core/study/text/height_words.h"
+#include "core/io/settings/read_settings.h"
+#include "core/study/text/height_facts_text.h"
 #include "core/study/text/terrain_text.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"

@@ -1,7 +1,6 @@
 // The record of a result that a report contains, and its comparison with another one.
 #include <algorithm>
 
-#include "core/study/verification/compare_results.h"
 #include "core/study/verification/result_record.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "core/io/settings/read_fields.h"
-#include "core/study/text/height_words.h"
+#include "core/io/settings/read_settings.h"
+#include "core/study/text/height_facts_text.h"
 #include "core/study/text/terrain_text.h"
 #include "core/study/tiles/tile_journal.h"
 #include "scenarios/project/edit_json.h"

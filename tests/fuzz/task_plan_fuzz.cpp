@@ -1,7 +1,7 @@
 // The plan of a study in tiles, and the state of its tasks.
 #include <fstream>
 
-#include "core/study/tile_tasks/task_status.h"
+#include "core/study/tile_tasks/run_task.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"

@@ -1,7 +1,6 @@
 // Days, times, instants, solar windows and time-zone rules, as written by users and in files.
 #include "core/sun/civil_time.h"
 #include "core/sun/period.h"
-#include "core/sun/posix_rule.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/io/elements/model_glazing.h"
+#include "core/io/elements/read_glazing.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"

@@ -140,10 +140,10 @@ TEST_F(ShadowMapsGl, AgreesWithTheRays) {
 }
 
 TEST_F(ShadowMapsGl, RefusesMapsLargerThanTheDeviceAllowsWithTheRange) {
-    const int most = std::min(context_->limits().mapSize, AccrualSettings::maxMapSize);
-    const auto refused = GlShadowMaps::make(GlPasses::oneAStep, {.mapSize = most + 1});
+    const int maximum = std::min(context_->limits().mapSize, AccrualSettings::maxMapSize);
+    const auto refused = GlShadowMaps::make(GlPasses::oneAStep, {.mapSize = maximum + 1});
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().advice.find(std::to_string(most)), std::string::npos);
+    EXPECT_NE(refused.error().advice.find(std::to_string(maximum)), std::string::npos);
     EXPECT_FALSE(GlShadowMaps::make(GlPasses::oneAStep, {.mapSize = 0}));
     const City city = cityOf({{{0, 0, 0}, {1, 1, 1}}});
     const Receivers receivers = receiversOver(city, -2, -2, 2, 2);

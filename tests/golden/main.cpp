@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "app/gui/base/looks/language.h"
-#include "app/gui/frame/appearance.h"
+#include "app/gui/frame/window_start.h"
 #include "tests/golden/window_states.h"
 
 /// Writes what the window says in one state after another into a folder, so that two builds can be compared:

@@ -8,7 +8,7 @@
 #include <QMouseEvent>
 #include <QPushButton>
 
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/tools/editing/selection_panel.h"
 #include "tests/gui/project_window.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/gui/view/panel/ground_lines.h"
+#include "app/gui/view/panel/ground_layers.h"
 #include "render/scene/ground_picture.h"
 #include "tests/gui/small_city.h"
 
@@ -65,11 +65,11 @@ TEST(DemolishedLines, GoAroundWhatIsGoneAndNotAroundWhatChanged) {
 TEST(CityArrays, ACityThatSharesItsBuildingsDiffersByTheOthers) {
     City city = test::smallCity();
     const CityArrays arrays = makeArrays(city);
-    EXPECT_TRUE(computeDifference(arrays, city).gone.empty());
+    EXPECT_TRUE(computeDifference(arrays, city).removed.empty());
     city.buildings[1] = std::make_shared<const Building>(*city.buildings[1]);
     city.buildings.erase(city.buildings.begin());
     const ArrayDifference difference = computeDifference(arrays, city);
-    EXPECT_EQ(difference.gone, (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_EQ(difference.removed, (std::vector<std::uint32_t>{0, 1}));
     ASSERT_EQ(difference.added.buildings.size(), 1U);
     EXPECT_EQ(difference.added.buildings.front(), city.buildings.front());
 }

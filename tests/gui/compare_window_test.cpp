@@ -5,7 +5,7 @@
 #include <QTest>
 #include <utility>
 
-#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/view/compare/compare_actions.h"
 #include "tests/gui/project_window.h"
 

@@ -13,9 +13,9 @@
 #include <sstream>
 
 #include "app/gui/docks/contributions/contributions_dock.h"
-#include "app/gui/docks/study_form/run_forecast.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/docks/study_form/what_form.h"
+#include "app/gui/session/study/run_estimate.h"
 #include "app/gui/tools/editing/building_editing.h"
 #include "tests/gui/answers_window.h"
 

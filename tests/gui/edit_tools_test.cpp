@@ -467,12 +467,12 @@ TEST_F(EditToolsTest, TheWrongFieldIsMarkedAndTheNearestValueIsOffered) {
     draft.settings.plate.shareOfLot = 0.75;
     tools.tower().resume(draft);
     auto& turn = field<QDoubleSpinBox>(&panel, "towerTurn");
-    const QColor usual = turn.palette().color(QPalette::Base);
+    const QColor standard = turn.palette().color(QPalette::Base);
     turn.setValue(45);
-    EXPECT_NE(turn.palette().color(QPalette::Base), usual);
+    EXPECT_NE(turn.palette().color(QPalette::Base), standard);
     EXPECT_FALSE(field<QPushButton>(&panel, "applyMassing").isEnabled());
     field<QPushButton>(&panel, "takeNearest").click();
-    EXPECT_EQ(turn.palette().color(QPalette::Base), usual);
+    EXPECT_EQ(turn.palette().color(QPalette::Base), standard);
     // 43.3 m (cos a + sin a) <= 50 m up to 10 degrees.
     EXPECT_NEAR(turn.value(), 10, 1);
     EXPECT_TRUE(panel.message().isEmpty());

@@ -13,9 +13,9 @@
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/study_form/element_form.h"
 #include "app/gui/docks/study_form/line_form.h"
-#include "app/gui/docks/study_form/run_forecast.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/session/project/view_state.h"
+#include "app/gui/session/study/run_estimate.h"
 #include "app/gui/tools/editing/building_editing.h"
 #include "core/study/elements/element_tables.h"
 #include "tests/gui/answers_window.h"
@@ -208,12 +208,12 @@ TEST_F(ElementsWindow, TheTableSortsFiltersCopiesAndPointsAtTheView) {
     measure();
     const ElementMap& map = workbench().answerAs<ElementAnswer>()->map;
     table().sortByColumn(ElementModel::sun, Qt::DescendingOrder);
-    const double most =
+    const double maximum =
         std::ranges::max_element(map.elements, {}, &MeasuredElement::sunlitMin)->sunlitMin / 60;
-    EXPECT_EQ(rows().index(0, ElementModel::sun).data(ElementModel::valueRole).toDouble(), most);
+    EXPECT_EQ(rows().index(0, ElementModel::sun).data(ElementModel::valueRole).toDouble(), maximum);
     table().selectRow(0);
     ASSERT_EQ(tiles().highlighted().size(), 1U);
-    EXPECT_EQ(map.elements[tiles().highlighted()[0]].sunlitMin / 60, most);
+    EXPECT_EQ(map.elements[tiles().highlighted()[0]].sunlitMin / 60, maximum);
     field<QDoubleSpinBox>("elementBelow").setValue(0.5);
     const auto dark = std::ranges::count_if(map.elements, [](const auto& e) { return e.sunlitMin < 30; });
     EXPECT_EQ(rows().rowCount(), dark);

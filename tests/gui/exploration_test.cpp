@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "app/gui/view/exploration/explored_picture.h"
 #include "core/engines/accrual/surface_accrual.h"
 #include "core/engines/ray/surface_rays.h"
 #include "tests/gui/small_open_city.h"

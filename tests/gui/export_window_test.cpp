@@ -20,7 +20,7 @@
 #include <atomic>
 
 #include "app/gui/docks/export/export_dialog.h"
-#include "app/gui/docks/export/movie_dialog.h"
+#include "app/gui/docks/export/movie_actions.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/sheets/book_view.h"
 #include "app/gui/view/time/time_strip.h"

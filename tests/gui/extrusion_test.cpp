@@ -1,4 +1,4 @@
-#include "app/gui/tools/preview/extrude_handle.h"
+#include "app/gui/tools/preview/edit_context.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/gui/frame/help/field_help.h"
+#include "app/gui/frame/help/help_actions.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 #include <QWhatsThisClickedEvent>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/docks/export/movie_dialog.h"
+#include "app/gui/docks/export/movie_actions.h"
 #include "app/gui/frame/help/guide_window.h"
 #include "app/gui/frame/preferences/preferences_dialog.h"
 #include "app/gui/session/study/open_options.h"

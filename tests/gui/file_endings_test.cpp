@@ -1,4 +1,4 @@
-#include "app/gui/base/files/file_endings.h"
+#include "app/gui/base/files/file_dialogs.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/gui/base/widgets/number_words.h"
-#include "app/gui/docks/review/glazing/glazing_table.h"
+#include "app/gui/base/widgets/number_text.h"
+#include "app/gui/docks/review/glazing/glazing_panel.h"
 #include "tests/gui/glazing_review_window.h"
 
 namespace noonmark {

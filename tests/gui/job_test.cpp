@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/gui/base/jobs/job.h"
-#include "core/engines/api/partial_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {

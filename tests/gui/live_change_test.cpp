@@ -60,7 +60,7 @@ TEST(LiveChange, CountsOpenGroundAloneAndFindsTheWorstSpot) {
     EXPECT_DOUBLE_EQ(change.figures[0].gross.anyMoreShadowM2, 200);
     EXPECT_DOUBLE_EQ(change.figures[0].gross.lostM2, 100);
     EXPECT_DOUBLE_EQ(change.figures[1].gross.lostM2, 0);
-    EXPECT_DOUBLE_EQ(change.figures[0].gross.mostGainedMin, 90);
+    EXPECT_DOUBLE_EQ(change.figures[0].gross.maxGainedMin, 90);
     EXPECT_DOUBLE_EQ(change.figures[0].receiverAreaM2, 300);
     EXPECT_DOUBLE_EQ(change.figures[0].becameBuildingM2, 200) << "under the tower, and under its roof";
     EXPECT_DOUBLE_EQ(change.figures[0].becameGroundM2, 100);

@@ -1,4 +1,4 @@
-#include "app/gui/tools/live/live_follower.h"
+#include "app/gui/tools/live/live_effects.h"
 
 #include <gtest/gtest.h>
 

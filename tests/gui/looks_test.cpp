@@ -16,7 +16,7 @@
 #include <cmath>
 
 #include "app/gui/base/looks/theme.h"
-#include "app/gui/base/widgets/message_bar.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/report/maps/style.h"
 #include "tests/gui/project_window.h"
 
@@ -153,10 +153,10 @@ TEST_F(Themes, CheckBoxesHaveAnOutlineOnDarkWindows) {
         box.resize(box.sizeHint());
         const QImage image = box.grab().toImage();
         const QColor window = box.palette().color(QPalette::Window);
-        double most = 1;
+        double maximum = 1;
         for (int x = 0; x < image.width() / 2; ++x)
-            most = std::max(most, contrastOf(image.pixelColor(x, image.height() / 2), window));
-        EXPECT_GE(most, theme == Theme::dark ? 3 : 1.5) << int(theme);
+            maximum = std::max(maximum, contrastOf(image.pixelColor(x, image.height() / 2), window));
+        EXPECT_GE(maximum, theme == Theme::dark ? 3 : 1.5) << int(theme);
     }
 }
 

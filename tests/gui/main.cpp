@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "app/gui/base/looks/language.h"
-#include "app/gui/frame/appearance.h"
+#include "app/gui/frame/window_start.h"
 
 /// Widgets and the 3D view need a display; ctest runs this under Xvfb.
 int main(int argc, char** argv) {

@@ -1,13 +1,17 @@
-#include "app/gui/tools/massing/massing_form.h"
-
 #include <gtest/gtest.h>
-
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableWidget>
 
+#include "app/gui/tools/editing/selection_panel.h"
+#include "app/gui/tools/massing/massing_form.h"
+#include "scenarios/edits/apply_edits.h"
+#include "scenarios/massing/lot_edits.h"
+#include "tests/gui/small_city.h"
+
 namespace noonmark {
+
 namespace {
 
 // 152.5 m are 43 storeys of 3.5 m and 2 m more, which the last storey takes.
@@ -42,5 +46,80 @@ TEST(MassingForm, TakesFurtherTowers) {
     EXPECT_TRUE(form.settings().further.empty());
 }
 
+// Around "South House": 50 x 50 m.
+NamedLot southLot() { return {"Lot 1", test::square({-25, -65}, 50)}; }
+
+TowerDraft draftOf(int storeys) {
+    return {.lot = southLot(), .settings = {.storeyHeightM = 4, .storeys = storeys}, .tower = "Tower 1"};
+}
+
+TEST(TowerDraft, DemolishesWhatStandsOnTheLotAndAddsTheTower) {
+    const auto tower = draftTower(test::smallCity(), draftOf(10)).value();
+    ASSERT_EQ(tower.edits.size(), 2U);
+    EXPECT_EQ(std::get<Demolish>(tower.edits[0]).building, "South House");
+    EXPECT_EQ(std::get<AddBuilding>(tower.edits[1]).building->sourceId, "Tower 1");
+    EXPECT_NEAR(tower.massing.figures.grossFloorM2, 25000, 1e-3);
+    EXPECT_NEAR(tower.massing.figures.floorAreaRatio, 10, 1e-6);
+    const auto edited = applied(test::smallCity(), tower.edits).value();
+    EXPECT_EQ(edited.city.buildings.size(), 3U);
+    EXPECT_FLOAT_EQ(topM(*edited.city.buildings.back()), 40);
+}
+
+TEST(TowerDraft, TheReplacedBuildingIsNotDemolishedToo) {
+    TowerDraft draft = draftOf(10);
+    draft.replaces = "South House";
+    const auto tower = draftTower(test::smallCity(), draft).value();
+    ASSERT_EQ(tower.edits.size(), 1U);
+    EXPECT_EQ(std::get<Replace>(tower.edits[0]).building, "South House");
+    EXPECT_TRUE(applied(test::smallCity(), tower.edits));
+}
+
+TEST(TowerDraft, WhatCannotBeSaysItsLimit) {
+    TowerDraft draft = draftOf(10);
+    draft.settings.plate.areaM2 = 5000;
+    EXPECT_NE(draftTower(test::smallCity(), draft).error().advice.find("2500 m2"), std::string::npos);
+    draft = draftOf(10);
+    draft.settings.setbacks = {{.aboveM = 20, .insetM = 30}};
+    EXPECT_NE(draftTower(test::smallCity(), draft).error().advice.find("25.0 m"), std::string::npos);
+    draft = draftOf(10);
+    draft.settings.podium = Podium{.storeys = 10};
+    EXPECT_FALSE(draftTower(test::smallCity(), draft));
+}
+
+TEST(TowerDraft, AHeightIsStatedInStoreysWhereItIsWhole) {
+    MassingSettings settings{.storeyHeightM = 4, .storeys = 10};
+    settings = withHeight(settings, 48);
+    EXPECT_EQ(settings.storeys, 12);
+    EXPECT_EQ(settings.heightM, 0);
+    settings = withHeight(settings, 49.5);
+    EXPECT_EQ(settings.storeys, 0);
+    EXPECT_DOUBLE_EQ(heightOf(settings), 49.5);
+    EXPECT_TRUE(makeMassing(southLot().outline, settings));
+}
+
+TEST(TowerDraft, NamesAreFree) {
+    City city = test::smallCity();
+    EXPECT_EQ(freeTowerName(city), "Tower 1");
+    city = applied(city, draftTower(city, draftOf(3)).value().edits).value().city;
+    EXPECT_EQ(freeTowerName(city), "Tower 2");
+    EXPECT_EQ(freeLotName({southLot()}), "Lot 2");
+}
+
+TEST(BuildingFacts, OfABox) {
+    const City city = test::smallCity();
+    const BuildingFacts facts = collectFacts(*city.buildings[0], city);
+    EXPECT_EQ(facts.title, QStringLiteral("South House"));
+    EXPECT_NEAR(facts.heightM, 60, 1e-4);
+    EXPECT_EQ(facts.heightSource, QStringLiteral("measured"));
+    EXPECT_EQ(facts.storeys, 17);
+    EXPECT_NEAR(facts.planM2, 1600, 0.1);
+    EXPECT_NEAR(facts.grossFloorM2, 17 * 1600, 1);
+    EXPECT_NEAR(area(lotUnder(*city.buildings[0], city).value()), 1600, 0.1);
+    const std::vector<Edit> higher{ChangeHeight{"South House", 297.5}};
+    const City changed = applied(city, higher).value().city;
+    EXPECT_EQ(collectFacts(*changed.buildings[0], changed).heightSource, QStringLiteral("designed"));
+}
+
 }  // namespace
+
 }  // namespace noonmark

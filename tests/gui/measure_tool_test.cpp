@@ -1,4 +1,4 @@
-#include "app/gui/view/panel/measure_tool.h"
+#include "app/gui/view/panel/view_tools.h"
 
 #include <gtest/gtest.h>
 

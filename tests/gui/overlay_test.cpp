@@ -1,4 +1,4 @@
-#include "render/scene/overlay_bodies.h"
+#include "render/scene/city_bodies.h"
 
 #include <gtest/gtest.h>
 
@@ -97,7 +97,7 @@ TEST_F(OverlayTest, ABuildingIsLeftOutAndComesBack) {
     const glm::dvec3 roofPoint{0, -40, 60};
     const QColor roof = settledColourAt(roofPoint);
     ArrayDifference change;
-    change.gone = {0};
+    change.removed = {0};
     panel.view().showChanges(change);
     // The ground is visible in its place, darker than a roof.
     EXPECT_TRUE(becomes(roofPoint, [&](QColor c) { return c.lightness() < roof.lightness() - 8; }))

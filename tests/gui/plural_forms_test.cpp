@@ -2,10 +2,10 @@
 
 #include <set>
 
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/frame/actions/place_actions.h"
 #include "app/gui/session/study/run_estimate.h"
-#include "app/gui/tools/massing/figure_words.h"
+#include "app/gui/tools/massing/massing_text.h"
 #include "tests/gui/translation_messages.h"
 
 namespace noonmark {

@@ -9,7 +9,7 @@
 #include "app/gui/base/looks/language.h"
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/looks/units.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/sheets/sheet_form.h"
 #include "app/gui/frame/help/start_page.h"
 #include "app/gui/frame/preferences/preferences_dialog.h"

@@ -144,8 +144,8 @@ TEST_F(ProjectWindow, AnOpenedScenarioKnowsWhatItDemolishesAtOnce) {
     const OpenCity& shown = *workbench().city();
     ASSERT_EQ(shown.city().buildings.size(), 2U);
     const ArrayDifference changes = computeDifference(*shown.arrays, shown.city());
-    ASSERT_EQ(changes.gone.size(), 1U) << "its outline is drawn";
-    EXPECT_EQ(shown.arrays->buildings[changes.gone[0]]->sourceId, test::idOf(project, 2));
+    ASSERT_EQ(changes.removed.size(), 1U) << "its outline is drawn";
+    EXPECT_EQ(shown.arrays->buildings[changes.removed[0]]->sourceId, test::idOf(project, 2));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <QTemporaryDir>
 
 #include "app/gui/frame/actions/opening_actions.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 namespace {
@@ -28,7 +28,7 @@ TEST_F(RecentFilesTest, NewestFirstEachOnce) {
 
 TEST_F(RecentFilesTest, KeepsNoMoreThanItSays) {
     for (int i = 0; i < 30; ++i) recent.add({QStringLiteral("/%1.gpkg").arg(i)});
-    EXPECT_EQ(recent.entries().size(), RecentFiles::most);
+    EXPECT_EQ(recent.entries().size(), RecentFiles::maximum);
     EXPECT_EQ(recent.entries().front(), QStringLiteral("/29.gpkg"));
 }
 

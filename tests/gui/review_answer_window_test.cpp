@@ -5,9 +5,9 @@
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/docks/review/review_session.h"
 #include "app/gui/session/answers/answer_viewer.h"
+#include "app/report/files/answer_files.h"
 #include "app/report/files/element_files.h"
 #include "app/report/files/read_report.h"
-#include "app/report/files/review_files.h"
 #include "tests/gui/answers_window.h"
 #include "tests/gui/glazing_review_window.h"
 

@@ -15,7 +15,7 @@
 #include "app/gui/docks/review/verdict_table.h"
 #include "app/gui/docks/sheets/book_view.h"
 #include "app/gui/docks/sheets/sheet_form.h"
-#include "app/report/files/review_files.h"
+#include "app/report/files/answer_files.h"
 #include "core/engines/auto_engine.h"
 #include "tests/gui/project_window.h"
 
@@ -369,11 +369,11 @@ TEST_F(SheetsWindow, HowMuchTheyHoldIsThatChosen) {
     EXPECT_FALSE(sheets.form().settings().allPages);
     BookSettings settings = sheets.form().settings();
     settings.allPages = true;
-    settings.leastPlaceM2 = 250;
+    settings.minPlaceM2 = 250;
     sheets.form().show(settings);
     EXPECT_TRUE(sheets.findChild<QWidget*>(QStringLiteral("allPages"))->isVisible());
     EXPECT_TRUE(sheets.form().settings().allPages);
-    EXPECT_EQ(sheets.form().settings().leastPlaceM2, 250);
+    EXPECT_EQ(sheets.form().settings().minPlaceM2, 250);
 }
 
 }  // namespace

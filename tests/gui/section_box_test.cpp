@@ -5,7 +5,7 @@
 
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/session/project/view_state.h"
-#include "app/gui/view/panel/section_tool.h"
+#include "app/gui/view/panel/view_tools.h"
 #include "render/view/camera_control.h"
 #include "tests/gui/project_window.h"
 

@@ -1,4 +1,4 @@
-#include "app/gui/view/panel/snapping.h"
+#include "app/gui/view/panel/point_input.h"
 
 #include <gtest/gtest.h>
 

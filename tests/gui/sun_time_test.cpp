@@ -6,7 +6,6 @@
 
 #include "app/gui/base/widgets/marked_slider.h"
 #include "app/gui/view/time/sun_at_moment.h"
-#include "app/gui/view/time/sun_shadow.h"
 #include "app/gui/view/time/time_strip.h"
 #include "tests/gui/small_city.h"
 #include "tests/gui/wait_for.h"

@@ -11,7 +11,6 @@
 
 #include "app/gui/frame/help/start_page.h"
 #include "app/gui/frame/tour/tour.h"
-#include "app/gui/frame/tour/tour_actions.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {

@@ -5,7 +5,7 @@
 
 #include "app/gui/view/panel/view_panel.h"
 #include "render/view/scene_picker.h"
-#include "render/view/software_drawing.h"
+#include "render/view/traced_city.h"
 #include "tests/gui/small_city.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
@@ -40,12 +40,12 @@ struct TracedCityView : ::testing::Test {
         return image;
     }
 
-    /// The share of pixels whose grey differs by more than `most`.
-    static double differing(const QImage& a, const QImage& b, int most) {
+    /// The share of pixels whose grey differs by more than `maximum`.
+    static double differing(const QImage& a, const QImage& b, int maximum) {
         int count = 0;
         for (int y = 0; y < a.height(); ++y)
             for (int x = 0; x < a.width(); ++x)
-                count += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > most ? 1 : 0;
+                count += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > maximum ? 1 : 0;
         return double(count) / (a.width() * a.height());
     }
 
@@ -106,7 +106,7 @@ TEST_F(TracedCityView, IsCutBySectionsLikeTriangles) {
 TEST_F(TracedCityView, LeavesOutWhatAnEditRemoves) {
     const QImage plain = captured();
     ArrayDifference changes;
-    changes.gone = {0};
+    changes.removed = {0};
     panel.view().showChanges(changes);
     EXPECT_TRUE(panel.view().isTraced());
     const QImage without = captured();

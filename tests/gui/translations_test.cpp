@@ -13,8 +13,8 @@
 #include <map>
 
 #include "app/gui/base/looks/language.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/input/all_engines.h"
 #include "core/receivers/roof_receivers.h"
 #include "tests/gui/answers_window.h"

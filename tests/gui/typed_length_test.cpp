@@ -1,4 +1,4 @@
-#include "app/gui/view/panel/typed_length.h"
+#include "app/gui/view/panel/point_input.h"
 
 #include <gtest/gtest.h>
 

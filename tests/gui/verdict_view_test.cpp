@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "app/gui/docks/review/glazing/glazing_panel.h"
-#include "app/gui/docks/review/glazing/glazing_table.h"
 #include "app/gui/docks/review/glazing/verdict_links.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/glazing_review_window.h"

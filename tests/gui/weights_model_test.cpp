@@ -14,7 +14,6 @@
 #include <QUndoStack>
 #include <random>
 
-#include "app/gui/docks/weights/weight_calendar.h"
 #include "app/gui/docks/weights/weights_dock.h"
 #include "app/gui/session/project/project_session.h"
 #include "core/city/city.h"

@@ -1,4 +1,4 @@
-#include "app/gui/frame/window_renewal.h"
+#include "app/gui/frame/window_start.h"
 
 #include <gtest/gtest.h>
 

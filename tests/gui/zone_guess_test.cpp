@@ -1,4 +1,4 @@
-#include "app/gui/session/study/zone_guess.h"
+#include "app/gui/session/study/open_city.h"
 
 #include <gtest/gtest.h>
 

@@ -145,10 +145,10 @@ TEST(Charts, ACarpetHasTheMeanOfEachRowAndLeavesOutTheNight) {
 }
 
 TEST(Charts, CarpetsHaveTheColoursThatWereChosen) {
-    const LegendChoice usual, grey{.ramp = Ramp::grey};
-    EXPECT_EQ(carpetColour(0.5, CarpetQuantity::scenario, usual), shadowColour(0.5));
+    const LegendChoice standard, grey{.ramp = Ramp::grey};
+    EXPECT_EQ(carpetColour(0.5, CarpetQuantity::scenario, standard), shadowColour(0.5));
     EXPECT_EQ(carpetColour(0.5, CarpetQuantity::scenario, grey), toColour(rampRgb(Ramp::grey, 0.5)));
-    EXPECT_EQ(carpetColour(1, CarpetQuantity::incremental, usual), impactColour(1));
+    EXPECT_EQ(carpetColour(1, CarpetQuantity::incremental, standard), impactColour(1));
 }
 
 TEST(Charts, NothingToShowIsPainted) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/report/book/answer_book.h"
+#include "app/report/book/answer_books.h"
 #include "app/report/sheets/answer_reports.h"
 #include "core/study/review_study.h"
 #include "tests/report/book/book_texts.h"

@@ -1,4 +1,4 @@
-#include "core/io/styles/raster_style.h"
+#include "core/io/styles/qgis_style.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include "app/report/files/read_report.h"
 #include "app/report/scenarios/scenario_months.h"
-#include "app/report/scenarios/scenario_text.h"
+#include "app/report/scenarios/scenario_study.h"
 #include "app/report/sheets/study_report.h"
 #include "core/io/write_raster.h"
 #include "tests/report/book/book_texts.h"
@@ -262,17 +262,17 @@ TEST(ScenarioFiles, AreRefusedWithoutScenariosOrOnDifferentCells) {
 
 TEST(Pictures, AreAsWideAsAskedAndShowTheSameAtEverySize) {
     const Study study = tests::syntheticStudy();
-    const QImage usual = mapPicture(study, ShadowMeasure::gross);
+    const QImage standard = mapPicture(study, ShadowMeasure::gross);
     const QImage large = mapPicture(study, ShadowMeasure::gross, 2 * pictureWidth);
-    EXPECT_EQ(usual.width(), pictureWidth);
+    EXPECT_EQ(standard.width(), pictureWidth);
     EXPECT_EQ(large.width(), 2 * pictureWidth);
-    EXPECT_NEAR(large.height(), 2 * usual.height(), 2);
-    const QImage shrunk = large.scaled(usual.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    EXPECT_NEAR(large.height(), 2 * standard.height(), 2);
+    const QImage shrunk = large.scaled(standard.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     int far = 0;
-    for (int y = 0; y < usual.height(); y += 5)
-        for (int x = 0; x < usual.width(); x += 5)
-            far += std::abs(qGreen(usual.pixel(x, y)) - qGreen(shrunk.pixel(x, y))) > 60 ? 1 : 0;
-    EXPECT_LT(far, usual.width() * usual.height() / 25 / 50) << "two in a hundred: edges of letters";
+    for (int y = 0; y < standard.height(); y += 5)
+        for (int x = 0; x < standard.width(); x += 5)
+            far += std::abs(qGreen(standard.pixel(x, y)) - qGreen(shrunk.pixel(x, y))) > 60 ? 1 : 0;
+    EXPECT_LT(far, standard.width() * standard.height() / 25 / 50) << "two in a hundred: edges of letters";
     EXPECT_EQ(mapPicture(study, ShadowMeasure::gross, 1).width(), minPictureWidth);
 }
 

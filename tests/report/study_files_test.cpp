@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/report/book/answer_book.h"
+#include "app/report/book/answer_books.h"
 #include "app/report/sheets/study_report.h"
 #include "tests/report/synthetic_study.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {

@@ -113,8 +113,8 @@ TEST(Impact, FiguresOfAFieldByHand) {
     EXPECT_EQ(figures.gross.lostM2, 4);
     EXPECT_EQ(figures.gross.anyMoreShadowM2, 8);
     EXPECT_EQ(figures.gross.anyLessShadowM2, 8);
-    EXPECT_EQ(figures.gross.mostGainedMin, 40);
-    EXPECT_EQ(figures.gross.mostLostMin, 31);
+    EXPECT_EQ(figures.gross.maxGainedMin, 40);
+    EXPECT_EQ(figures.gross.maxLostMin, 31);
     EXPECT_NEAR(figures.gross.meanMin, 34.0 / 5, 1e-9);
     EXPECT_NEAR(figures.shadowAreaChangeM2, 34.0 * 4 / 340, 1e-9);
     EXPECT_EQ(figures.continuous.lostM2, 4);
@@ -213,17 +213,17 @@ TEST(Impact, StatesTheErrorOfTheChange) {
     const ImpactStudy truth = impactOf(before, after, byRays);
     EXPECT_FALSE(truth.error);
     ASSERT_TRUE(study.error);
-    double sum = 0, most = 0;
+    double sum = 0, maximum = 0;
     std::size_t cells = 0;
     for (std::size_t i = 0; i < study.total.grossMin.size(); ++i) {
         if (std::isnan(study.total.grossMin[i])) continue;
         const double off = std::abs(double(study.total.grossMin[i]) - double(truth.total.grossMin[i]));
-        sum += off, most = std::max(most, off), ++cells;
+        sum += off, maximum = std::max(maximum, off), ++cells;
     }
-    EXPECT_GT(most, 0);
+    EXPECT_GT(maximum, 0);
     EXPECT_GT(study.error->receivers, cells * 9 / 10);  // the receivers that the sample's points hit
     EXPECT_NEAR(study.error->gross.meanMin, sum / double(cells), 0.2 * sum / double(cells));
-    EXPECT_LE(study.error->gross.maxMin, most + 1e-3);
+    EXPECT_LE(study.error->gross.maxMin, maximum + 1e-3);
     const std::vector<ShownError> shown = listErrors(*study.error, true);
     ASSERT_EQ(shown.size(), 2U);
     EXPECT_EQ(shown[0].facts.key, "change_gross");

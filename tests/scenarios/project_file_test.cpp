@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "core/io/read_city.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 #include "core/study/provenance/study_hash.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/tables/database.h"

@@ -274,9 +274,9 @@ TEST(SavedAnswers, WhatChangedSinceIsSaid) {
     demolished.city = std::make_shared<const City>(city);
     EXPECT_EQ(findChangesSince(result, origin, demolished).size(), 2U)
         << "the scenario and what it starts from";
-    Project gone = project;
-    gone.scenarios.clear();
-    EXPECT_THAT(findChangesSince(result, origin, gone),
+    Project removed = project;
+    removed.scenarios.clear();
+    EXPECT_THAT(findChangesSince(result, origin, removed),
                 ElementsAre(HasSubstr("scenario 'Tower' no longer exists")));
     Project other = project;
     other.inputs[0].sha256 = "cd";

@@ -8,7 +8,6 @@
 
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/projected/projected_shadows.h"
-#include "scenarios/weights/score_sum.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {

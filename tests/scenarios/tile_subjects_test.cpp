@@ -10,10 +10,9 @@
 #include "core/study/tile_tasks/plan/make_task_plan.h"
 #include "core/study/tile_tasks/run_task.h"
 #include "scenarios/impact/impact_figures.h"
-#include "scenarios/impact/impact_tiles.h"
 #include "scenarios/scenario.h"
+#include "scenarios/tile_subjects.h"
 #include "scenarios/weights/score.h"
-#include "scenarios/weights/score_tiles.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/small_town.h"
 

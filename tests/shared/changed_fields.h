@@ -9,8 +9,8 @@
 #include <set>
 
 #include "core/describe/command_options.h"
-#include "core/describe/field_checks.h"
 #include "core/describe/field_json.h"
+#include "core/describe/field_values.h"
 
 namespace noonmark::tests {
 
@@ -69,24 +69,24 @@ inline std::set<std::string> namesOf(const std::vector<CommandOption>& options) 
     return names;
 }
 
-/// Changes each field of `usual` where it applies, and holds all surfaces against it.
+/// Changes each field of `standard` where it applies, and holds all surfaces against it.
 template <class S>
-void expectNoticed(const Fields<S>& fields, const S& usual) {
+void expectNoticed(const Fields<S>& fields, const S& standard) {
     for (const Field& field : fields.rows()) {
-        if (!fields.of(usual).applies(field)) continue;
-        S changed = usual;
-        const Value other = otherValue(field, field.get(&usual));
+        if (!fields.of(standard).applies(field)) continue;
+        S changed = standard;
+        const Value other = otherValue(field, field.get(&standard));
         ASSERT_TRUE(field.set(&changed, other)) << field.key;
         EXPECT_EQ(field.get(&changed), other) << field.key;
-        EXPECT_FALSE(changed == usual) << field.key << ": the comparison does not notice";
-        EXPECT_NE(fieldsJson(fields.of(changed)), fieldsJson(fields.of(usual))) << field.key;
-        S back = usual;
+        EXPECT_FALSE(changed == standard) << field.key << ": the comparison does not notice";
+        EXPECT_NE(fieldsJson(fields.of(changed)), fieldsJson(fields.of(standard))) << field.key;
+        S back = standard;
         ASSERT_TRUE(readFieldsJson(fields.of(back), fieldsJson(fields.of(changed)))) << field.key;
         EXPECT_TRUE(back == changed) << field.key << ": JSON loses it";
         if (!field.flag.empty()) {
-            EXPECT_NE(listOptions(fields.of(changed)), listOptions(fields.of(usual))) << field.key;
+            EXPECT_NE(listOptions(fields.of(changed)), listOptions(fields.of(standard))) << field.key;
         }
-        EXPECT_EQ(questionText(fields.of(changed)) != questionText(fields.of(usual)),
+        EXPECT_EQ(questionText(fields.of(changed)) != questionText(fields.of(standard)),
                   field.role == SettingRole::question)
             << field.key;
     }

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "app/gui/base/jobs/job.h"
-#include "app/gui/frame/appearance.h"
+#include "app/gui/frame/window_start.h"
 #include "tests/soak/window_user.h"
 
 /// Performs random actions in the window for a while and writes the memory use as CSV, one line per minute.

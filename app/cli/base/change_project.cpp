@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/input/load_city.h"
 
 namespace noonmark::cli {

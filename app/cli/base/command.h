@@ -45,4 +45,7 @@ inline CLI::Option* addJsonFlag(CLI::App& command, bool& json,
 /// cancellation.
 int fail(const Console& console, const Error& error, ExitCode code);
 
+/// As the functions above.
+void addPointCommand(CLI::App& app, Run& run);
+
 }  // namespace noonmark::cli

@@ -5,9 +5,9 @@
 #include <ostream>
 
 #include "app/cli/base/command.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "core/io/write_city.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 
 namespace noonmark::cli {
 

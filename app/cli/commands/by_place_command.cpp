@@ -8,8 +8,7 @@
 #include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
-#include "app/cli/base/progress_line.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/project_options.h"
 #include "app/cli/options/shared_options.h"
@@ -177,9 +176,9 @@ std::string describeCells(const SunByPlace& sun) {
         return of.cells > 0 && of.cellM < sun.settings.study.receivers.cellM;
     };
     const auto fine = std::size_t(std::ranges::count_if(sun.sun, isFine));
-    const std::string usual = fmt::format("{:g} m", sun.settings.study.receivers.cellM);
-    if (fine == 0) return usual;
-    return fmt::format("{}; {:g} m in {} places with fewer than {:g} of these", usual,
+    const std::string standard = fmt::format("{:g} m", sun.settings.study.receivers.cellM);
+    if (fine == 0) return standard;
+    return fmt::format("{}; {:g} m in {} places with fewer than {:g} of these", standard,
                        sun.settings.smallCellM, withCommas(fine), SunByPlaceSettings::smallPlaceCells);
 }
 

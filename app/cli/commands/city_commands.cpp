@@ -5,7 +5,6 @@
 #include "app/cli/options/shared_options.h"
 #include "app/cli/study/study_request.h"
 #include "app/input/load_city.h"
-#include "app/input/output_rules.h"
 #include "core/describe/command_options.h"
 #include "core/io/files/check_output.h"
 #include "core/samples/sample_city.h"

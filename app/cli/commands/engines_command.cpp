@@ -3,8 +3,7 @@
 
 #include "app/cli/base/command.h"
 #include "app/input/all_engines.h"
-#include "core/describe/field_checks.h"
-#include "core/describe/value_text.h"
+#include "core/describe/field_values.h"
 #include "core/engines/inverse/shadow_lines_opencl.h"
 #include "core/simd/instruction_set.h"
 

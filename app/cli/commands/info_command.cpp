@@ -6,13 +6,13 @@
 #include <ostream>
 
 #include "app/cli/base/command.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/study/study_request.h"
 #include "app/input/load_project.h"
-#include "core/io/footprints/list_fields.h"
-#include "core/study/text/error_words.h"
-#include "core/study/text/height_words.h"
-#include "core/study/text/next_steps.h"
+#include "core/io/footprints/footprint_scan.h"
+#include "core/study/provenance/command_text.h"
+#include "core/study/text/error_text.h"
+#include "core/study/text/height_facts_text.h"
 #include "core/study/text/terrain_text.h"
 
 namespace noonmark::cli {

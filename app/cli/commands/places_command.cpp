@@ -8,13 +8,12 @@
 
 #include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/progress_line.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/project_options.h"
 #include "app/cli/study/study_request.h"
 #include "app/input/load_city.h"
 #include "core/receivers/place_names.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {

@@ -10,10 +10,8 @@
 #include "app/cli/base/command_line.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
-#include "app/cli/base/progress_line.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/field_options.h"
-#include "app/cli/options/measure_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
@@ -206,6 +204,16 @@ void printScore(const Answer& weighed, std::ostream& out) {
     printWarnings(out, score.warnings);
 }
 
+// Options of questions about the cells of scenarios: what is measured, and its picture, legend and sheets.
+void addAnswerOptions(CLI::App& command, MeasureOptions& measure, SheetOptions& sheets) {
+    addMeasureOptions(command, measure);
+    addSaveOption(command, measure);
+    addPictureOption(command, measure.pictureWidth);
+    addLegendOptions(command, measure.legend);
+    addSheetSwitch(command, sheets);
+    addSheetOptions(command, sheets);
+}
+
 int runScoreCommand(const ScoreOptions& options, const Console& console) {
     const auto complete = [&](const Project& project, Asked& asked) -> Result<void> {
         auto weights = findWeights(project, options.weights);
@@ -227,12 +235,7 @@ int runScoreCommand(const ScoreOptions& options, const Console& console) {
 void addScoreCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<ScoreOptions>();
     CLI::App* command = app.add_subcommand("score", "Weigh wanted shade against unwanted shadow over a year");
-    addMeasureOptions(*command, options->measure);
-    addSaveOption(*command, options->measure);
-    addPictureOption(*command, options->measure.pictureWidth);
-    addLegendOptions(*command, options->measure.legend);
-    addSheetSwitch(*command, options->sheets);
-    addSheetOptions(*command, options->sheets);
+    addAnswerOptions(*command, options->measure, options->sheets);
     command->add_option(flags::scenario, options->scenario, "The scenario to measure")
         ->default_val(existingCity)
         ->type_name("NAME");
@@ -306,12 +309,7 @@ void addImpactCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<ImpactOptions>();
     CLI::App* command =
         app.add_subcommand("impact", "Measure how shadow changes from one scenario of a project to another");
-    addMeasureOptions(*command, options->measure);
-    addSaveOption(*command, options->measure);
-    addPictureOption(*command, options->measure.pictureWidth);
-    addLegendOptions(*command, options->measure.legend);
-    addSheetSwitch(*command, options->sheets);
-    addSheetOptions(*command, options->sheets);
+    addAnswerOptions(*command, options->measure, options->sheets);
     addErrorOptions(*command, options->measure.settings.errorSample);
     addFieldOptions(*command, treeFields().of(options->measure.settings));
     command->add_option(flags::from, options->from, "The baseline: the scenario to compare with")

@@ -7,7 +7,7 @@
 
 #include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/progress_line.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/project_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/study_options.h"
@@ -15,7 +15,7 @@
 #include "core/engines/auto_engine.h"
 #include "core/measures/places/place_run.h"
 #include "core/measures/places/place_screening.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "core/sun/sun_steps.h"
 #include "scenarios/project/project_file.h"
 

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "app/cli/base/command.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/shared_options.h"
 #include "core/sun/civil_time.h"
-#include "core/sun/sun_events.h"
+#include "core/sun/sun_paths.h"
 
 namespace noonmark::cli {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/cli/options/shared_options.h"
-#include "core/describe/value_text.h"
+#include "core/describe/field_values.h"
 
 namespace noonmark::cli {
 

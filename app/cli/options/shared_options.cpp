@@ -7,7 +7,7 @@
 #include "app/cli/options/field_options.h"
 #include "app/report/maps/style.h"
 #include "core/describe/command_options.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark::cli {
 

@@ -2,7 +2,7 @@
 
 // The folder app/cli/options/ holds the options that several commands share. Each header has structs with the
 // values as given by the user, functions that add the options to a command, and where needed functions that
-// parse them: this file for days and hours and for whole studies, measure_options.h for commands that
+// parse them: this file for days and hours and for whole studies, sheet_options.h for commands that
 // measure, the others for reading, projects, engines and outputs.
 
 #include <CLI/CLI.hpp>

@@ -4,8 +4,8 @@
 #include <ostream>
 
 #include "app/cli/base/command.h"
-#include "app/cli/base/table.h"
-#include "core/study/text/error_words.h"
+#include "app/cli/base/terminal_text.h"
+#include "core/study/text/error_text.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {

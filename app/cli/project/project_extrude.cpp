@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/project/edit_scenario.h"

@@ -4,13 +4,13 @@
 #include <sstream>
 
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
 #include "core/io/files/plain_file.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/edits/read_shape.h"
 
@@ -57,12 +57,12 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
     return shape;
 }
 
-// `usual`: position of the centre if the user gives none.
+// `standard`: position of the centre if the user gives none.
 Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, const Frame& frame,
-                              std::optional<glm::dvec2> usual) {
+                              std::optional<glm::dvec2> standard) {
     Placement placement{.scale = shape.hasPlace ? options.scale : 1, .clockwiseDeg = options.clockwiseDeg};
     if (!options.originAt) placement.about = findMiddle(*shape.import.shape);
-    std::optional<glm::dvec2> target = usual;
+    std::optional<glm::dvec2> target = standard;
     if (shape.hasPlace) target = placement.about;
     if (options.at) target = frame.localFromLonLat(*options.at);
     if (options.originAt) target = frame.localFromLonLat(*options.originAt);

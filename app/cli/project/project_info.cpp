@@ -6,9 +6,9 @@
 
 #include "app/cli/base/change_project.h"
 #include "app/cli/base/command.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/project/project_commands.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "core/study/text/terrain_text.h"
 #include "scenarios/project/project_file.h"
 

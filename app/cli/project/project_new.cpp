@@ -3,13 +3,11 @@
 #include <ostream>
 
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/progress_line.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/study/study_request.h"
 #include "app/input/load_city.h"
 #include "app/input/load_project.h"
-#include "app/input/output_rules.h"
 #include "core/city/trees/tree.h"
 #include "core/io/read_region.h"
 #include "scenarios/project/project_file.h"

@@ -3,7 +3,7 @@
 
 #include "app/cli/base/change_project.h"
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/project/project_commands.h"
 #include "app/input/load_city.h"

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/project_options.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"

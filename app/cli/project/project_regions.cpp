@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
 #include "core/io/read_region.h"

@@ -8,7 +8,7 @@
 #include "core/describe/command_options.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "core/sun/zone_country.h"
 
 namespace noonmark::cli {

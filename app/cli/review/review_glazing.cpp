@@ -5,20 +5,19 @@
 
 #include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/progress_line.h"
-#include "app/cli/base/table.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/field_options.h"
 #include "app/cli/options/project_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/study_options.h"
 #include "app/cli/review/review_source.h"
-#include "app/input/find_element_parts.h"
+#include "app/input/load_project.h"
 #include "app/questions/glazing_question.h"
 #include "app/report/files/element_files.h"
 #include "core/review/places/verdict_text.h"
 #include "core/study/elements/element_fields.h"
 #include "core/study/study_cost.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 
 namespace noonmark::cli {
 
@@ -91,8 +90,8 @@ Result<GlazingAnswer> measureGlazing(const GlazingQuestion& question, const Cons
     const Interrupt interrupt;
     ProgressLine progress(console);
     const auto announce = [&](const GlazingForecast& forecast) {
-        constexpr double worthTelling = 10;
-        if (console.watched || forecast.seconds >= worthTelling)
+        constexpr double worthReportingS = 10;
+        if (console.watched || forecast.seconds >= worthReportingS)
             console.err << (console.watched ? "\r\x1b[K" : "") << forecastText(forecast) << std::endl;
     };
     return computeGlazingReview(question, progress, interrupt.token(), announce);

@@ -5,11 +5,11 @@
 
 #include "app/cli/base/change_project.h"
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/progress_line.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/project_options.h"
 #include "app/cli/study/study_request.h"
+#include "app/input/load_city.h"
 #include "app/input/load_project.h"
-#include "app/input/output_rules.h"
 #include "core/describe/command_options.h"
 #include "scenarios/project/project_provenance.h"
 

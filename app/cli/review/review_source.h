@@ -8,7 +8,7 @@
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/review/review_command.h"
-#include "app/input/output_rules.h"
+#include "app/input/load_city.h"
 #include "app/questions/review_question.h"
 #include "core/study/elements/place_elements.h"
 #include "core/study/review_study.h"

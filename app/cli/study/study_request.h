@@ -11,7 +11,6 @@
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/study_options.h"
 #include "app/input/load_city.h"
-#include "app/input/output_rules.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {

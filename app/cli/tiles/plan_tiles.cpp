@@ -7,14 +7,13 @@
 #include <ostream>
 
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/progress_line.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/study/study_request.h"
 #include "app/cli/tiles/tile_question.h"
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/all_engines.h"
 #include "app/input/load_city.h"
-#include "app/input/output_rules.h"
 #include "app/report/files/output_folder.h"
 #include "core/describe/command_options.h"
 #include "core/io/formats/format.h"

@@ -11,9 +11,8 @@
 #include "core/receivers/place_names.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/study_hash.h"
-#include "scenarios/impact/impact_tiles.h"
 #include "scenarios/project/project_file.h"
-#include "scenarios/weights/score_tiles.h"
+#include "scenarios/tile_subjects.h"
 
 namespace noonmark::cli {
 

@@ -8,7 +8,7 @@
 #include "app/cli/options/project_options.h"
 #include "app/cli/options/study_options.h"
 #include "core/study/by_place/sun_by_place.h"
-#include "core/study/tile_tasks/plan/tile_subject.h"
+#include "core/study/tile_tasks/plan/task_plan.h"
 
 namespace noonmark::cli {
 

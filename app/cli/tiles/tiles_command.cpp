@@ -8,7 +8,7 @@
 #include <ostream>
 
 #include "app/cli/base/interrupt.h"
-#include "app/cli/base/progress_line.h"
+#include "app/cli/base/terminal_text.h"
 #include "app/cli/tiles/tile_question.h"
 #include "app/input/all_engines.h"
 #include "core/base/cgroup_limits.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "app/cli/base/table.h"
-#include "core/base/clean_text.h"
+#include "app/cli/base/terminal_text.h"
+#include "core/base/safe_text.h"
 
 namespace noonmark::cli {
 

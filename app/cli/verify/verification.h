@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/report/files/read_report.h"
-#include "core/study/verification/compare_results.h"
 #include "core/study/verification/result_record.h"
 
 namespace noonmark::cli {

@@ -22,7 +22,7 @@
 #include "core/base/version.h"
 #include "core/base/working_files.h"
 #include "core/io/files/plain_file.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "core/study/text/region_text.h"
 #include "core/study/verification/result_record.h"
 #include "scenarios/project/project_provenance.h"

@@ -12,7 +12,7 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/looks/application_theme.h"
-#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/elements/elements_dock.h"
 #include "app/gui/docks/places/places_dock.h"
@@ -30,12 +30,12 @@
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/docks/weights/weights_dock.h"
 #include "app/gui/docks/weights/weights_model.h"
-#include "app/gui/frame/window_docks.h"
+#include "app/gui/frame/window_layout.h"
 #include "app/gui/frame/window_menus.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/time/time_strip.h"
-#include "app/input/find_element_parts.h"
-#include "render/view/software_drawing.h"
+#include "app/input/load_project.h"
+#include "render/view/traced_city.h"
 #include "scenarios/scenario.h"
 
 namespace noonmark {
@@ -51,8 +51,8 @@ constexpr int cameraRestMs = 150;
 constexpr int settledMs = 2500;  // after opening, until the first picture is complete
 
 QString unsavedFolder(const QSettings& settings) {
-    const QString usual = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-    return settings.value(QStringLiteral("unsavedFolder"), usual).toString();
+    const QString standard = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    return settings.value(QStringLiteral("unsavedFolder"), standard).toString();
 }
 
 }  // namespace

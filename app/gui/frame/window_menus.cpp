@@ -19,7 +19,7 @@
 #include "app/gui/frame/actions/view_actions.h"
 #include "app/gui/frame/help/help_actions.h"
 #include "app/gui/frame/preferences/preferences_dialog.h"
-#include "app/gui/frame/tour/tour_actions.h"
+#include "app/gui/frame/tour/tour.h"
 #include "app/gui/tools/photograph/photograph_actions.h"
 #include "app/gui/view/panel/view_presets.h"
 

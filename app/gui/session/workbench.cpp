@@ -3,7 +3,7 @@
 #include <QFileInfo>
 #include <limits>
 
-#include "app/gui/base/files/file_endings.h"
+#include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/session/project/recent_files.h"
 #include "scenarios/impact/impact_text.h"
 

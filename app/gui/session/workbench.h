@@ -10,7 +10,6 @@
 #include "app/gui/base/jobs/job.h"
 #include "app/gui/session/answers/export_choice.h"
 #include "app/gui/session/answers/measured_answers.h"
-#include "app/gui/session/project/open_project.h"
 #include "app/gui/session/project/project_session.h"
 #include "app/gui/session/study/open_city.h"
 #include "app/gui/session/study/run_estimate.h"
@@ -237,7 +236,7 @@ private:
     void compute(const Question& question, Asked asked);
     void adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer);
     void measure(const QString& what, std::vector<KnownAnswer> wanted);
-    /// What came of a city that was to be measured.
+    /// The outcome of measuring one city.
     struct Measured {
         KnownAnswer study;
         std::optional<Error> error;  ///< of several: the others are measured all the same
@@ -269,7 +268,7 @@ private:
     MeasuredAnswers measured_;
     std::map<std::shared_ptr<const MeasuredAnswer>, std::string> named_;  ///< saved under these names
     std::set<std::string> outdated_;
-    /// What outdated_ was found for.
+    /// The inputs for which outdated_ was computed.
     struct Compared {
         std::shared_ptr<const City> city;
         std::vector<Scenario> scenarios;

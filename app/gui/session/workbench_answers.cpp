@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
-#include "app/input/find_element_parts.h"
+#include "app/input/load_project.h"
 #include "app/questions/saved_question.h"
 #include "core/base/progress.h"
 #include "core/receivers/place_names.h"

@@ -1,4 +1,4 @@
-#include "app/report/book/answer_book.h"
+#include "app/report/book/answer_books.h"
 
 #include <algorithm>
 
@@ -121,7 +121,7 @@ QString titleOf(const Figure& figure) { return plainText(figure.label); }
 void addCells(std::vector<QString>& row, const DescribedFigures& figures, const BookSettings& settings,
               ShownAs show) {
     for (const Figure& figure : figures.figures)
-        if (isTold(figure, show))
+        if (isShownAs(figure, show))
             row.push_back(plainText(valueOf({&figure, figures.get(figure)}, settings.units)));
 }
 
@@ -136,7 +136,7 @@ std::vector<BookPage> contributionPages(const ImpactAnswer& answer, const BookSe
                     {},
                     tablePt * textScale(settings.setup)};
     for (const Figure& figure : changeFigures().rows())
-        if (isTold(figure, show)) table.titles.push_back(titleOf(figure));
+        if (isShownAs(figure, show)) table.titles.push_back(titleOf(figure));
     for (const auto& building : figures.byBuilding) {
         table.rows.push_back({plainText(building.name), describeAmount(building.figures.thresholdMin, 2) +
                                                             QStringLiteral(" min a day")});
@@ -202,7 +202,7 @@ BookPage monthPage(const Score& score, const BookSettings& settings, ShownAs sho
 std::vector<BookPage> intervalPages(const ScoreAnswer& answer, const BookSettings& settings, ShownAs show) {
     PageTable table{{QStringLiteral("Interval")}, {}, {}, {}, tablePt * textScale(settings.setup)};
     for (const Figure& figure : scoreIntervalFigures().rows())
-        if (isTold(figure, show)) table.titles.push_back(titleOf(figure));
+        if (isShownAs(figure, show)) table.titles.push_back(titleOf(figure));
     for (const IntervalFigures& interval : answer.score.intervals) {
         table.rows.push_back({plainText(interval.name)});
         addCells(table.rows.back(), scoreIntervalFigures().of(interval), settings, show);

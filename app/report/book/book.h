@@ -3,9 +3,8 @@
 // The folder app/report/book/ makes books of sheets that a board can file. A Book (this file) is a list of
 // pages, and a page is a list of items with their places on the paper: text and tables (page_text.h, flow.h),
 // plan diagrams (diagram.h), sides of buildings (elevation.h, elevation_pages.h), charts (app/report/charts)
-// and pictures. page_painter.h paints a page on any canvas with its frame and title block; print_book.h makes
-// the PDF and adds what Qt's PDF lacks. sun_view.h draws the view from the sun. review/ makes the book of a
-// review.
+// and pictures. print_book.h paints a page on any canvas with its frame and title block, makes the PDF and
+// adds what Qt's PDF lacks. sun_view.h draws the view from the sun. review/ makes the book of a review.
 
 #include <QImage>
 #include <QRectF>
@@ -75,8 +74,8 @@ struct BookSettings {
     UnitSystem units = UnitSystem::metric;
     /// Of the book of a review: every place in all tables and timelines, on as many pages as that takes.
     bool allPages = false;
-    double leastPlaceM2 = 100;  ///< of such a book: smaller places without a name are listed together
-    LegendChoice legend{};      ///< of maps, places, points and windows
+    double minPlaceM2 = 100;  ///< of such a book: smaller places without a name are listed together
+    LegendChoice legend{};    ///< of maps, places, points and windows
     bool operator==(const BookSettings&) const = default;
 };
 

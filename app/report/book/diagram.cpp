@@ -7,10 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "app/report/book/paper.h"
-#include "app/report/book/street_name.h"
 #include "app/report/maps/city_painter.h"
 #include "app/report/maps/map_view.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 
 namespace noonmark {
 
@@ -258,10 +257,10 @@ private:
     void paintName(const QString& name, const QRectF& seen) {
         const QFont font = textFont(canvas_, nameLabelPt * diagram_.textScale, QFont::Medium);
         const double margin = 3 * canvas_.point;
-        const double most = std::min(view_.target().width() - 2 * margin,
-                                     std::max(seen.width(), 110 * diagram_.textScale * canvas_.point));
+        const double maximum = std::min(view_.target().width() - 2 * margin,
+                                        std::max(seen.width(), 110 * diagram_.textScale * canvas_.point));
         const double natural = QFontMetricsF(font, canvas_.painter.device()).horizontalAdvance(name) * 1.02;
-        const double width = std::min(most, natural);
+        const double width = std::min(maximum, natural);
         const double height = textHeight(canvas_, name, font, width);
         QRectF box(0, 0, width, height);
         for (const double shift : {0.0, 1.1, -1.1, 2.2, -2.2, 3.3, -3.3}) {

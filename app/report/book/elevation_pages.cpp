@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/report/book/elevation.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/study/elements/element_map.h"
 
 namespace noonmark {

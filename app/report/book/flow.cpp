@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/describe/text.h"
 
 namespace noonmark {
@@ -188,7 +188,7 @@ const Fields<BookSettings>& extentFields() {
                                "as that takes (default: at most 30 pages, with what the proposal changes and "
                                "timelines of what fails or is borderline)"),
                .role = SettingRole::none}),
-        field(&BookSettings::leastPlaceM2,
+        field(&BookSettings::minPlaceM2,
               {.key = "least_place_m2",
                .flag = "--least-place",
                .label = NM_TEXT("Smallest place"),
@@ -229,11 +229,11 @@ std::vector<double> fitColumns(const PageTable& table, double widthPt) {
         widths.push_back(naturalWidthPt(measure.canvas(), table, i));
     const auto total = [&] { return std::accumulate(widths.begin(), widths.end(), 0.0); };
     // The largest width that the widest columns may have.
-    double most = *std::ranges::max_element(widths);
+    double maximum = *std::ranges::max_element(widths);
     const std::vector<double> natural = widths;
-    while (total() > widthPt && most > 12) {
-        most -= 1;
-        for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::min(natural[i], most);
+    while (total() > widthPt && maximum > 12) {
+        maximum -= 1;
+        for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::min(natural[i], maximum);
     }
     if (total() > widthPt)
         for (double& width : widths) width = widthPt / double(widths.size());

@@ -108,14 +108,14 @@ double paintLines(const Canvas& canvas, const QRectF& area, const QString& text,
     return area.top() + layout.lineCount() * lineOf(font);
 }
 
-void paintFitted(const Canvas& canvas, const QRectF& area, const QString& text, double most, double least,
-                 QFont::Weight weight, const QColor& colour, Qt::Alignment alignment) {
+void paintFitted(const Canvas& canvas, const QRectF& area, const QString& text, double maximum,
+                 double minimum, QFont::Weight weight, const QColor& colour, Qt::Alignment alignment) {
     if (text.isEmpty()) return;
-    double points = most;
+    double points = maximum;
     const auto height = [&] {
         return textHeight(canvas, text, textFont(canvas, points, weight), area.width());
     };
-    while (points > least && height() > area.height()) points = std::max(least, points - 0.2);
+    while (points > minimum && height() > area.height()) points = std::max(minimum, points - 0.2);
     const QFont font = textFont(canvas, points, weight);
     const double used = height();
     if (used > area.height()) {

@@ -45,10 +45,10 @@ double textHeight(const Canvas& canvas, const QString& text, const QFont& font, 
 double paintLines(const Canvas& canvas, const QRectF& area, const QString& text, const QFont& font,
                   const QColor& colour, Qt::Alignment alignment = Qt::AlignLeft);
 
-/// Paints a text at the largest size from `most` to `least` points at which its lines fit into `area`,
-/// centred vertically. What does not fit even at `least` is cut with an ellipsis.
-void paintFitted(const Canvas& canvas, const QRectF& area, const QString& text, double most, double least,
-                 QFont::Weight weight = QFont::Normal, const QColor& colour = ink::text,
+/// Paints a text at the largest size from `maximum` to `minimum` points at which its lines fit into `area`,
+/// centred vertically. What does not fit even at `minimum` is cut with an ellipsis.
+void paintFitted(const Canvas& canvas, const QRectF& area, const QString& text, double maximum,
+                 double minimum, QFont::Weight weight = QFont::Normal, const QColor& colour = ink::text,
                  Qt::Alignment alignment = Qt::AlignLeft);
 
 /// Paints a caption from the top of `area`, captionPt(scale) high.

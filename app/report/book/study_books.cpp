@@ -1,4 +1,4 @@
-#include "app/report/book/study_books.h"
+#include "app/report/book/answer_books.h"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/maps/answer_legends.h"
 #include "app/report/sheets/report_sections.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/receivers/points/glazing_pane.h"
 #include "core/study/contributions/contributions.h"

@@ -1,4 +1,4 @@
-#include "app/report/book/sun_by_place_book.h"
+#include "app/report/book/answer_books.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@
 #include "app/report/maps/legend_painter.h"
 #include "app/report/maps/map_view.h"
 #include "app/report/sheets/report_sections.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/describe/command_options.h"
 #include "core/receivers/place_names.h"
-#include "core/study/provenance/command_words.h"
+#include "core/study/provenance/command_text.h"
 
 namespace noonmark {
 

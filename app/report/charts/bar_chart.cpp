@@ -21,15 +21,17 @@ struct BarAxes {
 
 BarAxes axesOf(const QRectF& area, double point, const BarChart& chart) {
     const AreaUnit unit = chart.unit.isEmpty() ? areaUnitOf(chart.units) : AreaUnit{1, chart.unit};
-    double least = 0, most = 0;
+    double minimum = 0, maximum = 0;
     for (const auto& group : chart.groups)
-        for (const double value : group.values) most = std::max(most, value), least = std::min(least, value);
+        for (const double value : group.values)
+            maximum = std::max(maximum, value), minimum = std::min(minimum, value);
     const QString title = unit.name + (chart.isAreaHours ? QStringLiteral(" h") : QString());
     ChartAxis across{0, double(std::max<std::size_t>(1, chart.groups.size()))};
     for (std::size_t i = 0; i < chart.groups.size(); ++i)
         across.ticks.push_back({double(i) + 0.5, chart.groups[i].name, false});
     return {plotIn(area, point), across,
-            makeAmountAxis(least / unit.squareMetres, most / unit.squareMetres, title), unit.squareMetres};
+            makeAmountAxis(minimum / unit.squareMetres, maximum / unit.squareMetres, title),
+            unit.squareMetres};
 }
 
 void paintGroup(const Canvas& canvas, const BarAxes& axes, const BarChart& chart, std::size_t index) {

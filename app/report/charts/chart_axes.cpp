@@ -57,11 +57,11 @@ AreaUnit areaUnitOf(UnitSystem units) {
     return {1, QStringLiteral("m²")};
 }
 
-double findNiceStep(double span, int most) {
-    const double least = span / most;
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
+double findNiceStep(double span, int maximum) {
+    const double minimum = span / maximum;
+    const double power = std::pow(10.0, std::floor(std::log10(minimum)));
     for (const double factor : {1.0, 2.0, 5.0})
-        if (power * factor >= least * (1 - 1e-9)) return power * factor;
+        if (power * factor >= minimum * (1 - 1e-9)) return power * factor;
     return power * 10;
 }
 

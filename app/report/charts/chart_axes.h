@@ -44,8 +44,8 @@ struct AreaUnit {
 /// Square feet for imperial, square metres for metric and for both.
 AreaUnit areaUnitOf(UnitSystem units);
 
-/// 1, 2 or 5 times a power of ten, so that at most `most` steps cover the span; span > 0.
-double findNiceStep(double span, int most);
+/// 1, 2 or 5 times a power of ten, so that at most `maximum` steps cover the span; span > 0.
+double findNiceStep(double span, int maximum);
 
 /// From the nice number at or below `lowest` (at most 0) to that at or above `highest` (at least 0), about
 /// four ticks with digits grouped; 0 to 1 for nothing.

@@ -27,10 +27,10 @@ struct TimelineAxes {
 /// The place's area, so that shares can be seen, unless little of it is ever in shadow.
 double topOf(const TimelineChart& chart) {
     constexpr double minShare = 0.2;
-    double most = 0;
+    double maximum = 0;
     for (const Sample& sample : chart.samples)
-        most = std::max({most, sample.baselineM2 + sample.incrementalM2, sample.scenarioM2});
-    return most < minShare * chart.areaM2 ? most : std::max(most, chart.areaM2);
+        maximum = std::max({maximum, sample.baselineM2 + sample.incrementalM2, sample.scenarioM2});
+    return maximum < minShare * chart.areaM2 ? maximum : std::max(maximum, chart.areaM2);
 }
 
 TimelineAxes axesOf(const QRectF& area, double point, const TimelineChart& chart) {
@@ -119,10 +119,10 @@ QString areaText(const TimelineChart& chart, double m2) {
 }  // namespace
 
 double stepMinutesOf(const DayTimeline& day, double otherwise) {
-    double least = std::numeric_limits<double>::max();
+    double minimum = std::numeric_limits<double>::max();
     for (std::size_t i = 1; i < day.steps.size(); ++i)
-        least = std::min(least, TimeSpan{day.steps[i - 1].at, day.steps[i].at}.minutes());
-    return day.steps.size() < 2 ? otherwise : least;
+        minimum = std::min(minimum, TimeSpan{day.steps[i - 1].at, day.steps[i].at}.minutes());
+    return day.steps.size() < 2 ? otherwise : minimum;
 }
 
 TimelineChart makeTimelineChart(const DayTimeline& day, double stepMinutes, const DayClock& clock,

@@ -1,13 +1,12 @@
 #include "app/report/files/element_files.h"
 
+#include "app/report/book/answer_books.h"
 #include "app/report/book/print_book.h"
-#include "app/report/book/study_books.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/answer_legends.h"
-#include "core/study/elements/element_cityjson.h"
-#include "core/study/elements/element_gltf.h"
+#include "core/study/elements/element_models.h"
 #include "core/study/elements/element_tables.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "core/study/text/region_text.h"
 
 namespace noonmark {

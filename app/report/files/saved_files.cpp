@@ -5,17 +5,16 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/report/book/answer_book.h"
+#include "app/report/book/answer_books.h"
 #include "app/report/book/print_book.h"
-#include "app/report/book/sun_by_place_book.h"
 #include "app/report/maps/answer_legends.h"
 #include "app/report/maps/write_png.h"
 #include "core/describe/text.h"
-#include "core/io/styles/raster_style.h"
+#include "core/io/styles/qgis_style.h"
 #include "core/io/write_raster.h"
 #include "core/receivers/place_names.h"
 #include "core/receivers/rasterize.h"
-#include "core/study/elements/element_gltf.h"
+#include "core/study/elements/element_models.h"
 
 namespace noonmark {
 

@@ -3,19 +3,18 @@
 #include <QGuiApplication>
 #include <cmath>
 
-#include "app/report/book/answer_book.h"
+#include "app/report/book/answer_books.h"
 #include "app/report/book/print_book.h"
-#include "app/report/book/study_books.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/write_png.h"
 #include "app/report/sheets/study_report.h"
 #include "core/base/csv_text.h"
 #include "core/engines/api/tree_shade.h"
-#include "core/io/styles/raster_style.h"
+#include "core/io/styles/qgis_style.h"
 #include "core/io/write_city.h"
-#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/contributions/contributions.h"
-#include "core/study/provenance/command_words.h"
+#include "core/study/provenance/command_text.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/repeat_command.h"
 #include "core/study/study_json.h"

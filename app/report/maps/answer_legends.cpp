@@ -71,8 +71,9 @@ Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale
                                 QStringLiteral("±%1 min").arg(QString::fromStdString(formatText(scale)))});
     else if (!legend.instant)
         legend.notes.push_back({QStringLiteral(NM_TEXT("scale fitted to this difference"))});
-    if (spread.most > legend.scale.top)
-        legend.notes.push_back({QStringLiteral(NM_TEXT("largest %1")), QString::number(spread.most, 'f', 0)});
+    if (spread.maximum > legend.scale.top)
+        legend.notes.push_back(
+            {QStringLiteral(NM_TEXT("largest %1")), QString::number(spread.maximum, 'f', 0)});
     addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding,
              QStringLiteral(NM_TEXT("built over")));
     addPatch(legend, impact, CellChange::becameGround, ground::becameGround,
@@ -101,12 +102,12 @@ Legend makeLegend(const Score& score, const LegendChoice& choice) {
                   true,
                   {}};
     const ChangeSpread found = changeSpreadOf(score.score, noScore);
-    legend.scale = legendScale(std::max(found.usual, 0.01));
+    legend.scale = legendScale(std::max(found.percentile98, 0.01));
     legend.colours =
         makeSignedScale(choice, ColourScale::Of::wanted, {}, legend.scale, double(noScore), score.score);
-    if (found.most > legend.scale.top)
+    if (found.maximum > legend.scale.top)
         legend.notes.push_back(
-            {QStringLiteral(NM_TEXT("largest %1")), QStringLiteral("±%1").arg(found.most, 0, 'g', 3)});
+            {QStringLiteral(NM_TEXT("largest %1")), QStringLiteral("±%1").arg(found.maximum, 0, 'g', 3)});
     return legend;
 }
 
@@ -123,6 +124,39 @@ QColor verdictMark(Verdict verdict) {
             break;
     }
     return {0xd5, 0xd7, 0xda};
+}
+
+std::span<const HeightSourceColour, heightSources.size()> heightSourceColours() {
+    static const std::array<HeightSourceColour, heightSources.size()> colours{{
+        {HeightSource::measured, {0x00, 0x72, 0xb2}, NM_TEXT("measured")},
+        {HeightSource::levels, {0xf0, 0xe4, 0x42}, NM_TEXT("from storeys")},
+        {HeightSource::assumed, {0xd5, 0x5e, 0x00}, NM_TEXT("assumed")},
+        {HeightSource::mesh, {0x56, 0xb4, 0xe9}, NM_TEXT("of a 3D model")},
+        {HeightSource::designed, {0x4f, 0xc2, 0xa4}, NM_TEXT("designed")},
+        {HeightSource::madeUp, {0x99, 0x99, 0x99}, NM_TEXT("made up")},
+    }};
+    return colours;
+}
+
+const HeightSourceColour& colourOf(HeightSource source) { return heightSourceColours()[std::size_t(source)]; }
+
+HeightSource sourceOfHeight(const Building& building) {
+    if (building.parts.empty()) return HeightSource::assumed;
+    return std::ranges::max_element(building.parts, {}, &Part::topM)->heightSource;
+}
+
+SourceCounts countSources(const City& city) {
+    SourceCounts counts{};
+    for (const auto& building : city.buildings) ++counts[std::size_t(sourceOfHeight(*building))];
+    return counts;
+}
+
+std::vector<LegendPatch> sourcePatches(const SourceCounts& counts) {
+    std::vector<LegendPatch> patches;
+    for (const HeightSourceColour& one : heightSourceColours())
+        if (counts[std::size_t(one.source)] > 0)
+            patches.push_back({one.colour, QString::fromUtf8(one.label.data(), qsizetype(one.label.size()))});
+    return patches;
 }
 
 }  // namespace noonmark

@@ -21,10 +21,10 @@ std::optional<double> minutesIn(const std::string& text) {
 
 }  // namespace
 
-ChangeSpread changeSpreadOf(const std::vector<float>& values, float least) {
+ChangeSpread changeSpreadOf(const std::vector<float>& values, float minimum) {
     std::vector<float> amounts;
     for (const float value : values)
-        if (std::abs(value) > least) amounts.push_back(std::abs(value));  // false for NaN
+        if (std::abs(value) > minimum) amounts.push_back(std::abs(value));  // false for NaN
     if (amounts.empty()) return {};
     std::ranges::sort(amounts);
     return {double(amounts[(amounts.size() - 1) * 98 / 100]), double(amounts.back())};
@@ -48,7 +48,7 @@ ChangeScale changeScaleIn(const std::map<std::string, std::string>& view) {
 }
 
 LegendScale legendScaleOf(const ChangeScale& scale, const ChangeSpread& spread) {
-    if (!scale.lockedMin) return legendScale(std::max(spread.usual, 1.0));
+    if (!scale.lockedMin) return legendScale(std::max(spread.percentile98, 1.0));
     const LegendScale round = legendScale(*scale.lockedMin);
     // The scale ends exactly at lockedMin: with four fields on each side if round fields end elsewhere.
     if (round.top == *scale.lockedMin) return round;

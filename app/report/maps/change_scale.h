@@ -11,12 +11,12 @@ namespace noonmark {
 
 /// Magnitudes of values around zero.
 struct ChangeSpread {
-    double usual = 0;  ///< 98 % of the nonzero values are no larger
-    double most = 0;
+    double percentile98 = 0;  ///< 98 % of the nonzero values are no larger
+    double maximum = 0;
 };
 
-/// Values up to `least` count as zero, as does NaN. O(n log n).
-ChangeSpread changeSpreadOf(const std::vector<float>& values, float least);
+/// Values up to `minimum` count as zero, as does NaN. O(n log n).
+ChangeSpread changeSpreadOf(const std::vector<float>& values, float minimum);
 
 /// The range of colours of a difference in minutes. A locked scale is the same for every proposal, so that
 /// pictures can be compared; otherwise the scale is fitted to each difference.

@@ -247,12 +247,12 @@ Box2 shownGround(const MapScene& scene) {
 }
 
 std::optional<Box2> zoomOn(const Box2& changed, const MapScene& scene) {
-    constexpr float leastM = 60, aroundM = 15;
+    constexpr float minM = 60, aroundM = 15;
     constexpr double mostOfMap = 0.6;  // a larger change needs no closer view
     if (changed.empty()) return std::nullopt;
     const Box2 all = shownGround(scene);
     const glm::vec2 middle = (changed.low + changed.high) / 2.0F;
-    const glm::vec2 half = glm::max((changed.high - changed.low) / 2.0F + aroundM, glm::vec2(leastM / 2));
+    const glm::vec2 half = glm::max((changed.high - changed.low) / 2.0F + aroundM, glm::vec2(minM / 2));
     const Box2 zoom{glm::max(middle - half, all.low), glm::min(middle + half, all.high)};
     const glm::vec2 part = zoom.high - zoom.low, whole = all.high - all.low;
     if (zoom.empty() || double(part.x * part.y) > mostOfMap * double(whole.x * whole.y)) return std::nullopt;

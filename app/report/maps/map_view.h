@@ -8,7 +8,7 @@
 #include "core/base/units.h"
 #include "core/city/footprints/footprint.h"
 #include "core/geo/grid.h"
-#include "core/receivers/region.h"
+#include "core/receivers/receivers.h"
 
 namespace noonmark {
 

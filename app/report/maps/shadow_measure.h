@@ -3,7 +3,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 
 namespace noonmark {
 

@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder app/report/movie makes moving pictures. shadow_movie.h paints the frames of a day, of a year or
+// of the change from one scenario to another; movie_writer.h (this file) writes frames as MP4 or GIF, with
+// the library that encoder/ makes.
+
 #include <QImage>
 #include <filesystem>
 #include <memory>
@@ -12,10 +16,6 @@ namespace noonmark {
 /// colours, 96 that are spread evenly. All others become the nearest of them; areas of maps stay flat.
 /// O(pixels).
 QImage reduceColours(const QImage& image);
-
-// The folder app/report/movie makes moving pictures. shadow_movie.h paints the frames of a day, of a year or
-// of the change from one scenario to another; movie_writer.h (this file) writes frames as MP4 or GIF, with
-// the library that encoder/ makes.
 
 struct MovieFormat {
     QSize size{1280, 720};       ///< pixels; even, 64 to 4096 each

@@ -8,7 +8,7 @@
 
 #include "app/report/book/diagram.h"
 #include "app/report/book/paper.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/base/progress.h"
 #include "core/io/files/write_text.h"
 #include "core/measures/shadow_outlines.h"

@@ -11,9 +11,9 @@
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/style.h"
 #include "app/report/scenarios/scenario_months.h"
-#include "app/report/scenarios/scenario_text.h"
-#include "app/report/sheets/study_words.h"
-#include "core/io/styles/raster_style.h"
+#include "app/report/scenarios/scenario_study.h"
+#include "app/report/sheets/study_text.h"
+#include "core/io/styles/qgis_style.h"
 #include "core/io/write_raster.h"
 #include "core/measures/shadow_figures.h"
 #include "core/receivers/rasterize.h"
@@ -73,9 +73,9 @@ std::vector<BookPage> tablePages(const ScenarioStudies& scenarios, const BookSet
 }  // namespace
 
 Legend commonLegend(const ScenarioStudies& scenarios, const LegendChoice& choice) {
-    const auto most = std::ranges::max_element(
+    const auto maximum = std::ranges::max_element(
         scenarios, {}, [](const ScenarioStudy& scenario) { return scenario.study->statistics.maxGrossMin; });
-    return makeLegend(most->study->field, ShadowMeasure::gross, choice);
+    return makeLegend(maximum->study->field, ShadowMeasure::gross, choice);
 }
 
 namespace {
@@ -121,10 +121,10 @@ Box2 findDifference(const ScenarioStudies& scenarios) {
     for (const ScenarioStudy& scenario : scenarios) {
         const ShadowField& field = scenario.study->field;
         if (field.grossMin.size() != first.grossMin.size()) continue;
-        const double leastMin = largestDifferenceMin(first.grossMin, field.grossMin) / 10;
+        const double minMin = largestDifferenceMin(first.grossMin, field.grossMin) / 10;
         for (std::size_t cell = 0; cell < field.grossMin.size(); ++cell) {
             const float a = first.grossMin[cell], b = field.grossMin[cell];
-            if (std::isnan(a) != std::isnan(b) || std::abs(double(a) - double(b)) > leastMin)
+            if (std::isnan(a) != std::isnan(b) || std::abs(double(a) - double(b)) > minMin)
                 box.add(cellBox(field.grid, cell));
         }
     }

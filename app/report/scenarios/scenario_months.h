@@ -46,7 +46,7 @@ std::string monthsCsv(const std::vector<MonthChart>& charts);
 /// The same of one scenario: an object for each month; what it lacks is null.
 nlohmann::ordered_json monthsJson(const std::vector<MonthChart>& charts, const std::string& scenario);
 
-/// What the charts' keys mean.
+/// Definitions of the charts' keys.
 nlohmann::ordered_json definitionsJson(const std::vector<MonthChart>& charts);
 
 }  // namespace noonmark

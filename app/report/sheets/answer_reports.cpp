@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "app/report/sheets/report_sections.h"
-#include "core/base/clean_text.h"
+#include "core/base/safe_text.h"
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/study/provenance/command_words.h"
+#include "core/study/provenance/command_text.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/settings_json.h"
 
@@ -101,8 +101,8 @@ void zoomOnChange(const ImpactAnswer& answer, SheetMap& map) {
 
 /// Rows for the new buildings: "New building", "Mill Tower, 62 m high".
 void addNewBuildings(std::vector<FigureText>& figures, const City& proposal) {
-    constexpr std::size_t most = 3;
-    for (std::size_t i = 0; i < std::min(most, proposal.buildings.size()); ++i) {
+    constexpr std::size_t maximum = 3;
+    for (std::size_t i = 0; i < std::min(maximum, proposal.buildings.size()); ++i) {
         const Building& building = *proposal.buildings[i];
         const Box2 box = bounds(building);
         const double height =
@@ -112,9 +112,9 @@ void addNewBuildings(std::vector<FigureText>& figures, const City& proposal) {
                            QStringLiteral("%1, %2 m high")
                                .arg(QString::fromStdString(cleanText(name)), describeAmount(height, 1))});
     }
-    if (proposal.buildings.size() > most)
+    if (proposal.buildings.size() > maximum)
         figures.push_back(
-            {QStringLiteral("Further new buildings"), describeCount(proposal.buildings.size() - most)});
+            {QStringLiteral("Further new buildings"), describeCount(proposal.buildings.size() - maximum)});
 }
 
 }  // namespace

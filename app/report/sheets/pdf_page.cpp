@@ -3,7 +3,7 @@
 #include <QPageSize>
 #include <QPdfWriter>
 
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 
 namespace noonmark {
 

@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "app/report/maps/shadow_measure.h"
-#include "app/report/sheets/study_words.h"
-#include "core/measures/has_runs.h"
+#include "app/report/sheets/study_text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/study/text/error_words.h"
-#include "core/study/text/height_words.h"
+#include "core/study/text/error_text.h"
+#include "core/study/text/height_facts_text.h"
 #include "core/study/text/terrain_text.h"
 
 namespace noonmark {

@@ -2,7 +2,7 @@
 
 // The folder app/report/sheets/ lays out one-page reports. A Sheet (this file) is the content of a page,
 // which is painted as PDF or picture; study_report.h and answer_reports.h make one from a result.
-// report_sections.h and study_words.h write the text, text_column.h sets it in columns; pdf_page.h is the A4
+// report_sections.h and study_text.h write the text, text_column.h sets it in columns; pdf_page.h is the A4
 // page.
 
 #include <QIODevice>
@@ -12,7 +12,7 @@
 
 #include "app/report/maps/map_painter.h"
 #include "app/report/maps/style.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "app/report/sheets/text_column.h"
 #include "core/study/study.h"
 

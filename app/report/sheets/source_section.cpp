@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "app/report/sheets/report_sections.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/study/provenance/repeat_command.h"
-#include "core/study/text/height_words.h"
+#include "core/study/text/height_facts_text.h"
 #include "core/study/text/region_text.h"
 
 namespace noonmark {

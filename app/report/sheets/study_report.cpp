@@ -7,9 +7,8 @@
 #include "app/report/maps/style.h"
 #include "app/report/sheets/answer_reports.h"
 #include "app/report/sheets/report_sections.h"
-#include "core/measures/has_runs.h"
 #include "core/measures/shadow_figures.h"
-#include "core/study/provenance/command_words.h"
+#include "core/study/provenance/command_text.h"
 #include "core/study/text/region_text.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/weights/score_text.h"
@@ -116,17 +115,17 @@ std::string textIn(const SavedJson& object, const char* member) {
 
 // Files without a hash are samples, which are generated.
 TextBlocks inputsSection(const SavedResult& result) {
-    constexpr std::size_t most = 8;
+    constexpr std::size_t maximum = 8;
     TextBlocks blocks{heading(QStringLiteral("Inputs"))};
     const SavedJson inputs = SavedJson::parse(result.inputs, nullptr, false);
     const std::size_t count = inputs.is_array() ? inputs.size() : 0;
-    for (std::size_t i = 0; i < std::min(most, count); ++i) {
+    for (std::size_t i = 0; i < std::min(maximum, count); ++i) {
         if (!inputs[i].is_object()) continue;
         blocks.push_back(body(plainText(textIn(inputs[i], "path"))));
         if (const std::string hash = textIn(inputs[i], "sha256"); !hash.empty())
             blocks.push_back({TextKind::code, plainText(hash)});
     }
-    if (count > most) blocks.push_back(body(QStringLiteral("and %1 more").arg(count - most)));
+    if (count > maximum) blocks.push_back(body(QStringLiteral("and %1 more").arg(count - maximum)));
     if (count == 0) blocks.push_back(body(QStringLiteral("No file: the city was not read from a file.")));
     return blocks;
 }

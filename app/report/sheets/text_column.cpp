@@ -111,11 +111,11 @@ double heightOf(const Canvas& canvas, const TextBlocks& blocks, double width, do
     return heightOf(broken(canvas, blocks, width, points));
 }
 
-double fittingPoints(const Canvas& canvas, const TextBlocks& blocks, const QSizeF& size, double most,
-                     double least) {
-    for (double points = most; points > least; points -= sizeStepPt)
+double fittingPoints(const Canvas& canvas, const TextBlocks& blocks, const QSizeF& size, double maximum,
+                     double minimum) {
+    for (double points = maximum; points > minimum; points -= sizeStepPt)
         if (heightOf(canvas, blocks, size.width(), points) <= size.height()) return points;
-    return least;
+    return minimum;
 }
 
 double paintBlocks(const Canvas& canvas, const TextBlocks& blocks, const QRectF& area, double points) {

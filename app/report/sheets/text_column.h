@@ -28,10 +28,10 @@ TextBlock body(QString text);  ///< numbers and units stay together: "10 min" is
 /// inside a word that is longer than a line, so nothing exceeds the column.
 double heightOf(const Canvas& canvas, const TextBlocks& blocks, double width, double points);
 
-/// The largest body size from `most` down to `least` points, in steps of 0.2, at which the blocks fit into
-/// `size`; `least` if none does.
-double fittingPoints(const Canvas& canvas, const TextBlocks& blocks, const QSizeF& size, double most,
-                     double least);
+/// The largest body size from `maximum` down to `minimum` points, in steps of 0.2, at which the blocks fit
+/// into `size`; `minimum` if none does.
+double fittingPoints(const Canvas& canvas, const TextBlocks& blocks, const QSizeF& size, double maximum,
+                     double minimum);
 
 /// Paints the blocks from the top of `area`. Lines that would pass its lower edge are dropped, and the last
 /// line states that the JSON file contains the rest. Returns the y below the last line.

@@ -1,4 +1,4 @@
-#include "app/report/skyline/sky_drawing.h"
+#include "app/report/skyline/skyline_svg.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -17,9 +17,9 @@ std::uint32_t buildingAt(const PointView& view, double azimuthDeg) {
     return SkyObstacles::terrain;
 }
 
-std::string fillOf(std::uint32_t building, const BuildingColours& colours, const char* usual) {
+std::string fillOf(std::uint32_t building, const BuildingColours& colours, const char* standard) {
     const auto found = colours.find(building);
-    return found == colours.end() ? usual : found->second;
+    return found == colours.end() ? standard : found->second;
 }
 
 }  // namespace

@@ -8,8 +8,7 @@
 #include <functional>
 #include <iterator>
 
-#include "app/report/skyline/sky_drawing.h"
-#include "core/base/escaped_text.h"
+#include "core/base/safe_text.h"
 #include "core/study/text/point_text.h"
 
 namespace noonmark {
@@ -22,7 +21,7 @@ constexpr std::array colours{"#4e79a7", "#f28e2b", "#59a14f", "#b07aa1", "#76b7b
 constexpr const char* otherBuildings = "#a3a9b0";
 constexpr const char* addedByScenario = "#d62728";
 
-/// What a building takes of the skyline.
+/// The part of the skyline that a building hides.
 struct Obstacle {
     std::uint32_t building = 0;
     double widthDeg = 0;

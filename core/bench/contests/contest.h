@@ -2,7 +2,7 @@
 
 // The folder core/bench/contests runs engines against each other. A Contestant is an engine with settings; a
 // contest checks each against the ray reference and then times it in rounds (both in this file). moments.h
-// has the statistics of the times, site.h says where and when. contest_runs.h and core/bench/paper run
+// has the statistics of the times, site.h says where and when. contest_runs.cpp and core/bench/paper run
 // contests over periods, resolutions and random positions. Allowance (core/bench/work.h), Deadline and
 // Forecast (this file) limit the time; contest_runs.cpp predicts the time of longer periods. ray_masks.h
 // traces directions that belong to no period.
@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/bench/contests/site.h"
 #include "core/bench/work.h"
 #include "core/engines/api/engine_registry.h"
 #include "core/engines/api/shadow_field.h"
@@ -173,5 +174,43 @@ Result<Truth> computeTruth(const Scene& scene, const Receivers& receivers, const
 /// The ray reference's time for all of `receivers`, extrapolated from `truth` of a sample: its stage "trace"
 /// is proportional to them, its other stages do not change.
 double secondsForAll(const Truth& truth, const Receivers& receivers);
+
+/// Name of the inverse accrual map's setting without the direction graph: every hour of every day is
+/// computed.
+inline constexpr const char* withoutGraph = "no graph";
+
+/// The contest of all engines and settings over one period, in the middle of the city.
+struct PeriodRun {
+    std::string name;  ///< "a day"; empty if only the number of days matters
+    int days = 1;
+    double hours = 6;  ///< per day
+    std::vector<Contestant> contestants;
+    std::vector<Placing> placings;  ///< in the order of the contestants
+};
+
+/// Runs contests over the hour from noon, then over Extent::dayCounts days of 6 h from 9:00; the first day is
+/// the site's date. The hour and the periods of 1, 30 and 365 days have a name and run every setting; the
+/// other periods run the default settings, and the inverse accrual map without its direction graph.
+///
+/// Over more than a day the truth is a sample of receivers, and the ray reference's time is extrapolated from
+/// it. A contestant that was too slow over one period, or is predicted to be, is left out of longer ones.
+/// Settings other than the defaults run after those, as many as fit into the allowance, in each period
+/// those of the fastest engines first.
+Result<std::vector<PeriodRun>> benchPeriods(const BenchSite& site, const Extent& extent,
+                                            const EngineList& engines, const Work& work);
+
+/// The contest of all engines at one resolution of the square in the middle of the city.
+struct ResolutionRun {
+    int cellsASide = 0;
+    std::vector<Placing> placings;  ///< in the order of the engines
+};
+
+/// Runs the hour from noon of the site's date at each of Extent::resolutions, coarsest first. All engines run
+/// at the first two; at finer ones as many as time allows. Error if no resolution is possible.
+Result<std::vector<ResolutionRun>> benchResolutions(const BenchSite& site, const Extent& extent,
+                                                    const StartList& engines, const Work& work);
+
+/// For pages: " at 1024" if the finest resolution measured is not the finest requested; else nothing.
+std::string unlessAt(int finest, double cellsASide);
 
 }  // namespace noonmark::bench

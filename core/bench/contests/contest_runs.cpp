@@ -1,4 +1,4 @@
-#include "core/bench/contests/contest_runs.h"
+#include "core/bench/contests/contest.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -47,10 +47,10 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// Adds the inverse accrual map as the paper's brute force: every hour of every day is computed.
 void addWithoutGraph(StartList& list) {
-    const auto usual = std::ranges::find(list.contestants, "iam", &Contestant::engine);
+    const auto standard = std::ranges::find(list.contestants, "iam", &Contestant::engine);
     const auto map = InverseAccrualMap::make({});
-    if (usual == list.contestants.end() || !map) return;
-    list.contestants.push_back({"iam", usual->name, withoutGraph,
+    if (standard == list.contestants.end() || !map) return;
+    list.contestants.push_back({"iam", standard->name, withoutGraph,
                                 std::make_shared<GraphEngine>(*map, DirectionGraphSettings{.merge = false})});
 }
 
@@ -98,9 +98,9 @@ public:
         std::vector<double> costs;
         for (std::size_t i = 0; i < period.contestants.size(); ++i) {
             if (isDefault(period.contestants[i])) continue;
-            if (const Placing* usual = defaultOf(period, i); usual && usual->timed()) {
+            if (const Placing* standard = defaultOf(period, i); standard && standard->timed()) {
                 places.push_back(i);
-                costs.push_back(expected(*usual));
+                costs.push_back(expected(*standard));
             } else {
                 period.placings[i] = {.refusal = "left out: the usual settings take too long, or are refused",
                                       .tooSlow = true};
@@ -139,8 +139,8 @@ private:
     }
 
     /// Expected time of the check and runs of a setting, from the time of the defaults.
-    [[nodiscard]] double expected(const Placing& usual) const {
-        return usual.medianS * (usual.medianS > extent_.onceAboveS ? 1 : 1 + extent_.runs);
+    [[nodiscard]] double expected(const Placing& standard) const {
+        return standard.medianS * (standard.medianS > extent_.onceAboveS ? 1 : 1 + extent_.runs);
     }
 
     Placing noted(Placing placing, const Contestant& contestant, const PeriodRun& period) {
@@ -199,10 +199,10 @@ Result<std::vector<PeriodRun>> benchPeriods(const BenchSite& site, const Extent&
                                             const EngineList& engines, const Work& work) {
     const auto receivers = pickMiddleReceivers(site, work.stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
-    StartList usual = listDefaultEngines(engines), varied = listVariedEngines(engines, extent.factors);
-    addWithoutGraph(usual);
+    StartList standard = listDefaultEngines(engines), varied = listVariedEngines(engines, extent.factors);
+    addWithoutGraph(standard);
     addWithoutGraph(varied);
-    for (StartList* list : {&usual, &varied})
+    for (StartList* list : {&standard, &varied})
         for (Contestant& contestant : list->contestants)
             contestant.needed = makeTitle(contestant) == neededTitle;
     Series series(site, *receivers, extent, work);
@@ -211,7 +211,7 @@ Result<std::vector<PeriodRun>> benchPeriods(const BenchSite& site, const Extent&
     Pieces pieces(work, "periods from an hour to a year", periods.size());
     for (const PeriodRun& period : periods) {
         pieces.next();
-        auto arena = arenaOf(period, site, *receivers, extent, period.name.empty() ? usual : varied, work);
+        auto arena = arenaOf(period, site, *receivers, extent, period.name.empty() ? standard : varied, work);
         if (!arena) return tl::make_unexpected(arena.error());
         if (const auto done = series.competeDefaults(*arena); !done) return tl::make_unexpected(done.error());
         arenas.push_back(std::move(*arena));
@@ -227,8 +227,8 @@ namespace {
 constexpr double growth = 3;  // four times the cells, but part of the work does not grow with them
 constexpr std::size_t inAnyCase = 2;
 
-// The share of the next run in the remaining time: the last of `toCome` runs takes more than all before it.
-double shareOfNext(std::size_t toCome) { return (growth - 1) / (std::pow(growth, double(toCome)) - 1); }
+// The share of the next run in the remaining time: the last of `runsLeft` runs takes more than all before it.
+double shareOfNext(std::size_t runsLeft) { return (growth - 1) / (std::pow(growth, double(runsLeft)) - 1); }
 
 Result<ResolutionRun> runAt(int resolution, const std::vector<double>& costs, double seconds,
                             const BenchSite& site, const Extent& extent, const StartList& engines,

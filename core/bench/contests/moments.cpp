@@ -17,8 +17,8 @@ Moments computeMoments(std::vector<double> values) {
         moments.deviation += (value - moments.mean) * (value - moments.mean) / double(count);
     moments.deviation = std::sqrt(moments.deviation);
     moments.median = (values[count / 2] + values[(count - 1) / 2]) / 2;
-    moments.least = values.front();
-    moments.most = values.back();
+    moments.minimum = values.front();
+    moments.maximum = values.back();
     return moments;
 }
 

@@ -10,8 +10,8 @@ struct Moments {
     double mean = 0;
     double deviation = 0;  ///< standard deviation of the values themselves
     double median = 0;     ///< for an even number of values, the mean of the two in the middle
-    double least = 0;
-    double most = 0;
+    double minimum = 0;
+    double maximum = 0;
 };
 
 /// Three significant digits, without an exponent: "0.0123", "12.3", "12345".

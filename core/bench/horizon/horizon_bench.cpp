@@ -8,8 +8,6 @@
 #include "core/bench/contests/moments.h"
 #include "core/bench/contests/ray_masks.h"
 #include "core/bench/finding.h"
-#include "core/bench/horizon/horizon_edits.h"
-#include "core/bench/horizon/horizon_year.h"
 #include "core/bench/paper/paper_bench.h"
 #include "core/engines/projected/filling/bit_raster.h"
 #include "core/engines/projected/projected_shadows.h"

@@ -1,4 +1,4 @@
-#include "core/bench/horizon/horizon_edits.h"
+#include "core/bench/horizon/horizon_bench.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -143,7 +143,7 @@ Result<void> addEdits(Times& times, SavedStudy& study, const TowerPlace& here, c
     return state;
 }
 
-// As while a slider of hours is dragged; changes back each time.
+// Times a change of hours, as while a slider is dragged; each run changes back.
 Result<void> addRetimes(Times& times, SavedStudy& study, const SunSteps& year, const SunSteps& shorter,
                         int runs) {
     Result<void> state;
@@ -180,8 +180,8 @@ void addRows(Finding& finding, const char* what, const std::vector<double>& seco
     for (const double one : seconds) finding.table.rows.push_back({std::string(what), one});
     const Moments moments = computeMoments(seconds);
     finding.comparisons[0].rows.push_back({what, fmt::format("{:.1f}", 1e3 * moments.median),
-                                           fmt::format("{:.1f}", 1e3 * moments.least),
-                                           fmt::format("{:.1f}", 1e3 * moments.most)});
+                                           fmt::format("{:.1f}", 1e3 * moments.minimum),
+                                           fmt::format("{:.1f}", 1e3 * moments.maximum)});
     ChartSeries series{.name = what, .colourOf = what, .joined = false};
     for (std::size_t i = 0; i < seconds.size(); ++i)
         series.points.push_back({double(i + 1), 1e3 * seconds[i], {}});
@@ -285,8 +285,8 @@ void addDayRows(Finding& finding, const char* what, const std::vector<double>& s
     for (const double one : seconds) finding.table.rows.push_back({std::string(what), one});
     const Moments moments = computeMoments(seconds);
     finding.comparisons[0].rows.push_back({what, fmt::format("{:.2f}", 1e3 * moments.median),
-                                           fmt::format("{:.2f}", 1e3 * moments.least),
-                                           fmt::format("{:.2f}", 1e3 * moments.most)});
+                                           fmt::format("{:.2f}", 1e3 * moments.minimum),
+                                           fmt::format("{:.2f}", 1e3 * moments.maximum)});
     ChartSeries series{.name = what, .colourOf = what, .joined = false};
     for (std::size_t i = 0; i < seconds.size(); ++i)
         series.points.push_back({double(i + 1), 1e3 * seconds[i], {}});

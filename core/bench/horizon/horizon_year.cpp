@@ -1,4 +1,4 @@
-#include "core/bench/horizon/horizon_year.h"
+#include "core/bench/horizon/horizon_bench.h"
 
 #include <fmt/format.h>
 #include <algorithm>

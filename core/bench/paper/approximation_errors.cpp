@@ -1,4 +1,4 @@
-#include "core/bench/paper/approximation_errors.h"
+#include "core/bench/paper/paper_bench.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -88,7 +88,7 @@ Straightness straightness(const SunOfYear& sun, int minutes, const BenchSite& si
 
 void addTo(Finding& finding, const PaperColumn& paper, const Straightness& ours) {
     finding.table.rows.push_back({double(paper.minutes), ours.cosine.mean, ours.cosine.deviation,
-                                  ours.cosine.median, ours.angleDeg.mean, ours.angleDeg.most, paper.mean,
+                                  ours.cosine.median, ours.angleDeg.mean, ours.angleDeg.maximum, paper.mean,
                                   paper.deviation, paper.median});
     finding.comparisons[0].rows.push_back(
         {fmt::format("{} min", paper.minutes), fmt::format("{:.5f}", ours.cosine.mean),
@@ -97,7 +97,7 @@ void addTo(Finding& finding, const PaperColumn& paper, const Straightness& ours)
          fmt::format("{:.5f}", paper.median)});
     const double x = paper.minutes;
     finding.charts[0].series[0].points.push_back({x, ours.angleDeg.mean, {}});
-    finding.charts[0].series[1].points.push_back({x, ours.angleDeg.most, {}});
+    finding.charts[0].series[1].points.push_back({x, ours.angleDeg.maximum, {}});
     finding.charts[1].series[0].points.push_back({x, ours.cosine.deviation, {}});
     finding.charts[1].series[1].points.push_back({x, paper.deviation, {}});
 }
@@ -223,14 +223,15 @@ void addLevels(Finding& finding, const std::vector<LevelErrors>& hours) {
         const double x = double(level + 1);
         series[0].points.push_back({x, area.mean, {}});
         series[1].points.push_back({x, area.median, {}});
-        series[2].points.push_back({x, area.most, {}});
+        series[2].points.push_back({x, area.maximum, {}});
         const bool papers = level + 1 == levelsOfPaper;
         finding.comparisons[0].rows.push_back({fmt::format("{}", level + 1), fmt::format("{:.2f}", area.mean),
                                                papers ? "< 1" : "", fmt::format("{:.2f}", area.median),
-                                               papers ? "0.7" : "", fmt::format("{:.2f}", area.most),
+                                               papers ? "0.7" : "", fmt::format("{:.2f}", area.maximum),
                                                papers ? "2.6" : ""});
         if (papers)
-            finding.summary = {{"iam_area_error_mean_pct", area.mean}, {"iam_area_error_max_pct", area.most}};
+            finding.summary = {{"iam_area_error_mean_pct", area.mean},
+                               {"iam_area_error_max_pct", area.maximum}};
     }
 }
 

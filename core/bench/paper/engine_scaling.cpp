@@ -1,4 +1,4 @@
-#include "core/bench/paper/engine_scaling.h"
+#include "core/bench/paper/paper_bench.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "core/bench/paper/graph_errors.h"
+#include "core/bench/paper/paper_bench.h"
 
 #include <fmt/format.h>
 #include <array>
@@ -279,7 +279,7 @@ void addComparison(Finding& finding, const std::vector<Hour>& hours) {
     row("area error, mean", areas.mean, "0.47 %");
     row("area error, median", areas.median, "0.35 %");
     row("area error, sd", areas.deviation, "0.37 %");
-    row("area error, largest", areas.most, "");
+    row("area error, largest", areas.maximum, "");
     row("mistagged, mean", tags.mean, "0.8 %");
     row("mistagged, sd", tags.deviation, "0.5 %");
     finding.summary = {{"graph_area_error_mean_pct", areas.mean}, {"graph_mistagged_pct", tags.mean}};
@@ -300,16 +300,16 @@ Finding findingOf(const std::vector<Hour>& hours) {
     finding.comparisons[0].header = {"", "ours", "paper"};
     ChartSeries points{.name = "one hour at one place", .colourOf = "ours", .joined = false};
     ChartSeries errors{.name = "area error", .colourOf = "ours", .joined = false};
-    double most = 0;
+    double maximum = 0;
     for (const Hour& hour : hours) {
         finding.table.rows.push_back({double(hour.position), formatText(hour.date), hour.begin, hour.truePct,
                                       hour.graphPct, std::abs(hour.graphPct - hour.truePct),
                                       hour.mistaggedPct});
         points.points.push_back({hour.truePct, hour.graphPct, {}});
         errors.points.push_back({hour.mistaggedPct, std::abs(hour.graphPct - hour.truePct), {}});
-        most = std::max({most, hour.truePct, hour.graphPct});
+        maximum = std::max({maximum, hour.truePct, hour.graphPct});
     }
-    const ChartSeries same{.name = "equal", .points = {{0, 0, {}}, {most, most, {}}}, .marked = false};
+    const ChartSeries same{.name = "equal", .points = {{0, 0, {}}, {maximum, maximum, {}}}, .marked = false};
     finding.charts = {
         {"Shadow area", {"with the sun, %", false, true}, {"with the edge, %", false, true}, {points, same}},
         {"Errors of the hours", {"mistagged, %", false, true}, {"area error, %", false, true}, {errors}}};

@@ -8,9 +8,6 @@
 #include "core/bench/contests/contest.h"
 #include "core/bench/contests/moments.h"
 #include "core/bench/finding.h"
-#include "core/bench/paper/approximation_errors.h"
-#include "core/bench/paper/engine_scaling.h"
-#include "core/bench/paper/graph_errors.h"
 
 namespace noonmark::bench {
 
@@ -58,9 +55,10 @@ Result<std::vector<Meeting>> meetings(const BenchSite& site, const Extent& exten
         if (!receivers) return tl::make_unexpected(receivers.error());
         for (std::size_t day = 0; day < days.size(); ++day) {
             pieces.next();
-            const std::size_t toCome = std::size_t(extent.positions) * days.size() - all.size();
-            auto one = meeting(site, *receivers, days[day], costs,
-                               std::max(0.0, work.allowance.leftS()) / double(toCome), extent, engines, work);
+            const std::size_t runsLeft = std::size_t(extent.positions) * days.size() - all.size();
+            auto one =
+                meeting(site, *receivers, days[day], costs,
+                        std::max(0.0, work.allowance.leftS()) / double(runsLeft), extent, engines, work);
             if (!one) return tl::make_unexpected(one.error());
             note(costs, *one);
             one->position = int(all.size() / days.size()) + 1;
@@ -269,12 +267,12 @@ void addResolutions(Experiments& experiments, const BenchSite& site, const Exten
 
 void addAll(Experiments& experiments, const BenchSite& site, const Extent& extent,
             const EngineList& engines) {
-    const StartList usual = listDefaultEngines(engines);
+    const StartList standard = listDefaultEngines(engines);
     addPeriods(experiments, site, extent, engines);
     experiments.add(
         "All engines over places and days",
-        [&](const Work& work) { return benchEngineTimes(site, extent, usual, work); }, 0.25);
-    addResolutions(experiments, site, extent, usual);
+        [&](const Work& work) { return benchEngineTimes(site, extent, standard, work); }, 0.25);
+    addResolutions(experiments, site, extent, standard);
     experiments.add(
         "Inverse accrual map: error by source level",
         [&](const Work& work) { return benchLevelError(site, extent, engines, work); }, 0.07);
@@ -285,7 +283,7 @@ void addAll(Experiments& experiments, const BenchSite& site, const Extent& exten
                     [&](const Work& work) { return benchGraphBound(site, extent, work); });
     experiments.add("How straight the sun's path is",
                     [&](const Work& work) { return benchSunLinearity(site, extent, work); });
-    for (const std::string& absent : usual.absent) experiments.remark(absent);
+    for (const std::string& absent : standard.absent) experiments.remark(absent);
 }
 
 }  // namespace

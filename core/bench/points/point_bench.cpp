@@ -122,7 +122,7 @@ Result<Finding> benchFacadeYear(const BenchSite& site, const Extent& extent, con
     const double rays = contest->raySeconds();
     const std::vector<double> errors = contest->errorsPct();
     const double mean = std::accumulate(errors.begin(), errors.end(), 0.0) / double(errors.size());
-    const double most = *std::ranges::max_element(errors);
+    const double maximum = *std::ranges::max_element(errors);
     Finding finding;
     finding.key = "facade_year";
     finding.title = "A year on facades";
@@ -131,7 +131,7 @@ Result<Finding> benchFacadeYear(const BenchSite& site, const Extent& extent, con
         "them, their time extrapolated to all; rays from points that face away are left out. The sunlit time "
         "differs by {:.3f} % of the year in the mean and {:.3f} % at most. Each time is of one run, with "
         "building the scene.",
-        points, contest->sun.steps.size(), contest->sample.size(), mean, most);
+        points, contest->sun.steps.size(), contest->sample.size(), mean, maximum);
     finding.table.columns = {"method", "points", "time_s", "time_per_point_ms", "vs_ray"};
     finding.comparisons[0].header = {"", "time, s", "times as fast as rays"};
     addRow(finding, "sweep", points, contest->gross.seconds, rays);
@@ -141,7 +141,7 @@ Result<Finding> benchFacadeYear(const BenchSite& site, const Extent& extent, con
                        {"points_vs_ray", rays / contest->gross.seconds},
                        {"points_with_runs_vs_ray", rays / contest->runs.seconds},
                        {"points_error_mean_pct", mean},
-                       {"points_error_max_pct", most}};
+                       {"points_error_max_pct", maximum}};
     return finding;
 }
 

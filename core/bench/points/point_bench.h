@@ -1,5 +1,8 @@
 #pragma once
 
+// The folder core/bench/points measures the sweep of point receivers. runPointBench() (this file) runs its
+// experiment, point_bench.h.
+
 #include <array>
 
 #include "core/bench/bench_report.h"
@@ -19,9 +22,6 @@ Result<Finding> benchFacadeYear(const BenchSite& site, const Extent& extent, con
 
 /// `count` of the points, or all, at equal distances in the list: neighbours stay neighbours.
 SurfacePoints thinOut(const SurfacePoints& all, std::size_t count);
-
-// The folder core/bench/points measures the sweep of point receivers. runPointBench() (this file) runs its
-// experiment, point_bench.h.
 
 /// Horizons of points on facades over a year, against rays. `engines` is not used. Errors as in
 /// runPaperBench.

@@ -164,9 +164,9 @@ bool arePrisms(const std::vector<const Part*>& parts) {
 }
 
 int storeysOf(const Building& building, double groundM, double storeyHeightM) {
-    constexpr double most = 10'000;
+    constexpr double maximum = 10'000;
     const double storeys = (double(topM(building)) - groundM) / storeyHeightM;
-    return storeys > 0 ? int(std::min(most, std::ceil(storeys))) : 0;
+    return storeys > 0 ? int(std::min(maximum, std::ceil(storeys))) : 0;
 }
 
 }  // namespace

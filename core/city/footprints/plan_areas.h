@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/city/building.h"
+#include "core/city/city.h"
 #include "core/city/footprints/footprint.h"
 
 namespace noonmark {

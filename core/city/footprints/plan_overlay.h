@@ -54,10 +54,10 @@ struct MinPiece {
 };
 
 /// The parts of `footprints` that none of `others` covers, without pieces that are smaller, or everywhere
-/// narrower, than `least`. Simple and oriented. Empty also if the overlay fails. O(n log n). Backend of this
-/// whole file: plan_overlay_geos.cpp.
+/// narrower, than `minimum`. Simple and oriented. Empty also if the overlay fails. O(n log n). Backend of
+/// this whole file: plan_overlay_geos.cpp.
 std::vector<Footprint> cutPiecesOutside(const std::vector<Footprint>& footprints,
-                                        const std::vector<Footprint>& others, MinPiece least);
+                                        const std::vector<Footprint>& others, MinPiece minimum);
 
 /// Those of `others` that meet one of the footprints; all where GEOS fails. Much cheaper than cutting.
 std::vector<Footprint> keepMeeting(const std::vector<Footprint>& footprints, std::vector<Footprint> others);

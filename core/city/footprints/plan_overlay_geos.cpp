@@ -152,14 +152,14 @@ Geometry sharedGeometry(const Geos& geos, const std::vector<Footprint>& a, const
 }  // namespace
 
 std::vector<Footprint> cutPiecesOutside(const std::vector<Footprint>& footprints,
-                                        const std::vector<Footprint>& others, MinPiece least) {
-    if (!others.empty() && boundAreaOutside(footprints, others).maxM2 < least.areaM2 / 2) return {};
+                                        const std::vector<Footprint>& others, MinPiece minimum) {
+    if (!others.empty() && boundAreaOutside(footprints, others).maxM2 < minimum.areaM2 / 2) return {};
     const Geos geos;
     const Geometry whole = uniteGeometry(geos, collection(geos, footprints));
     const Geometry cover = uniteGeometry(geos, collection(geos, others));
     auto pieces = toPolygons(geos, subtractGeometry(geos, whole, cover));
     std::erase_if(pieces, [&](const Footprint& piece) {
-        return area(piece) < least.areaM2 || !isWide(geos, piece, least.widthM);
+        return area(piece) < minimum.areaM2 || !isWide(geos, piece, minimum.widthM);
     });
     return pieces;
 }

@@ -1,10 +1,10 @@
 #pragma once
 
 // The folder core/city/meshes handles triangle meshes. TriangleMesh (this file) is the plain data. Making
-// meshes: extrude.cpp from prisms, surface_mesher.h from polygons in space. Turning a mesh as read into parts
-// of a building: mesh_parts.h, which also cuts off eaves, with weld and orientation in mesh_topology.h, the
-// outline seen from above in mesh_outline.h, and surfaces without thickness in mesh_sheets.h. mesh_section.h
-// cuts a mesh horizontally, extrude.h counts triangles without making them.
+// meshes: surface_mesher.h, from prisms and from polygons in space. Turning a mesh as read into parts
+// of a building: mesh_parts.h, which also cuts off eaves, with weld, orientation and surfaces without
+// thickness in mesh_topology.h, and the outline seen from above in mesh_outline.h. mesh_section.h cuts a mesh
+// horizontally.
 
 #include <cstdint>
 #include <glm/vec3.hpp>

@@ -9,7 +9,6 @@
 
 #include "core/base/stop_scope.h"
 #include "core/city/meshes/mesh_outline.h"
-#include "core/city/meshes/mesh_sheets.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/describe/text.h"
 
@@ -25,15 +24,15 @@ constexpr const char* turnedText = NM_TEXT("its faces pointed inward and were tu
 constexpr const char* withoutOutlineText = NM_TEXT("its outline could not be determined");
 
 double distanceTo(const Ring& ring, glm::dvec2 point) {
-    double least = 1e30;
+    double minimum = 1e30;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const glm::dvec2 a(ring[i]);
         const glm::dvec2 along = glm::dvec2(ring[(i + 1) % ring.size()]) - a;
         const double share =
             std::clamp(glm::dot(point - a, along) / std::max(1e-12, glm::dot(along, along)), 0.0, 1.0);
-        least = std::min(least, glm::distance(point, a + share * along));
+        minimum = std::min(minimum, glm::distance(point, a + share * along));
     }
-    return least;
+    return minimum;
 }
 
 double distanceTo(const Footprint& footprint, glm::dvec2 point) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/warnings.h"
-#include "core/city/building.h"
+#include "core/city/city.h"
 #include "core/city/meshes/mesh.h"
 
 namespace noonmark {
@@ -31,7 +31,7 @@ inline constexpr float openAirM = 2;
 /// Whether a mesh has open air under some of its faces, so that it is neither a prism nor a heightfield. True
 /// if downward faces that are not the walls of a cavity cover more than 0.1 m2 in plan and are more than
 /// openAirM above the mesh's bottom: flat faces (within 45 degrees of level) with all their points, steep
-/// faces (more than 6 degrees from vertical) with their centre. A sheet (mesh_sheets.h) of the mesh counts
+/// faces (more than 6 degrees from vertical) with their centre. A sheet (mesh_topology.h) of the mesh counts
 /// whichever way it faces, unless there are walls under walledEnough of its outline: then it is their roof.
 bool hasOpenAirBelow(const TriangleMesh& mesh);
 

@@ -11,7 +11,6 @@
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/footprints/triangulate.h"
 #include "core/city/meshes/mesh_outline.h"
-#include "core/city/meshes/mesh_sheets.h"
 #include "core/city/meshes/mesh_topology.h"
 
 namespace noonmark {

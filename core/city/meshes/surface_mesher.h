@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
+#include "core/city/city.h"
 #include "core/city/meshes/mesh.h"
 
 namespace noonmark {
@@ -44,5 +46,9 @@ private:
     TriangleMesh mesh_;
     std::unordered_map<std::uint32_t, std::uint32_t> indexOfPoint_;
 };
+
+/// The number of triangles of meshOf(part), without making them if the outline has no holes: a simple polygon
+/// of v points has v - 2 triangles; a prism has two such polygons and 2 v triangles in its walls.
+std::size_t countTriangles(const Part& part);
 
 }  // namespace noonmark

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "core/city/building.h"
 #include "core/city/city.h"
 
 namespace noonmark {

@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder core/city/trees is the model of trees: a Tree (this file) is a crown on a trunk. tree_facts.h is
+// what data state of one and what is taken where they state nothing, Crown how much of a ray
+// a crown takes.
+
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -13,10 +17,6 @@
 #include "core/base/warnings.h"
 
 namespace noonmark {
-
-// The folder core/city/trees is the model of trees: a Tree (this file) is a crown on a trunk. tree_facts.h is
-// what data state of one and what is taken where they state nothing, Crown how much of a ray
-// a crown takes.
 
 enum class CrownShape : std::uint8_t { ellipsoid, cone, cylinder };
 /// "ellipsoid", "cone", "cylinder": the names used in files.

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/describe/field_checks.h"
+#include "core/describe/field_values.h"
 #include "core/describe/text.h"
 #include "core/engines/common/run_counter.h"
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/engines/accrual/depth_slice.h"
-#include "core/engines/projected/filling/convex_spans.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

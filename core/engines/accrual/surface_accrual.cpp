@@ -9,7 +9,6 @@
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
 #include "core/engines/accrual/slice_stack.h"
-#include "core/engines/accrual/surface_lookup.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/graph/graph_engine.h"
 

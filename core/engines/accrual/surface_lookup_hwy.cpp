@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/engines/accrual/surface_lookup.h"
+#include "core/engines/accrual/surface_accrual.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

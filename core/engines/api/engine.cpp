@@ -1,6 +1,7 @@
 #include "core/engines/api/engine.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include "core/base/memory_guard.h"
 #include "core/describe/text.h"
@@ -99,6 +100,19 @@ Result<void> checkGround(const City& city, const Receivers& receivers, const Eng
     return unsupported(fmt::format("{} works on flat ground only, and {}", name,
                                    hasTerrain ? "this city has terrain" : "the receivers lie on roofs"),
                        "engine", NM_TEXT("Choose the horizon sweep or the ray reference"));
+}
+
+Result<SurfaceShadow> makeBlankSurfaceShadow(const SurfacePoints& points, const SunSteps& sun) {
+    if (points.positions.size() != points.normals.size())
+        return failure(
+            fmt::format("{} places have {} normals", points.positions.size(), points.normals.size()),
+            "surface points", "Give each place the direction that its surface faces");
+    SurfaceShadow shadow;
+    shadow.grossMin.assign(points.size(), 0);
+    shadow.continuousMin.assign(points.size(), 0);
+    shadow.sunlitMinutesPerDay = sun.sunlitMinutes() / std::max(1.0, double(sun.dayCount()));
+    shadow.cost.skipped["steps with the sun below the horizon"] = sun.belowHorizon;
+    return shadow;
 }
 
 }  // namespace noonmark

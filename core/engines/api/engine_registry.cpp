@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/describe/field_checks.h"
+#include "core/describe/field_values.h"
 
 namespace noonmark {
 

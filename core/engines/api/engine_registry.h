@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/describe/named_fields.h"
+#include "core/describe/field_values.h"
 #include "core/engines/api/engine.h"
 
 namespace noonmark {

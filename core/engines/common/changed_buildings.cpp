@@ -70,13 +70,13 @@ ChangedBuildings outOfStep(const Buildings& before, const Buildings& after) {
     while (a != before.end() && b != after.end()) {
         const bool same = *a == *b, left = !same && a + 1 != before.end() && *(a + 1) == *b,
                    put = !same && !left && b + 1 != after.end() && *a == *(b + 1);
-        if (!same && !put) changed.gone.push_back(*a);
-        if (!same && !left) changed.come.push_back(*b);
+        if (!same && !put) changed.removed.push_back(*a);
+        if (!same && !left) changed.added.push_back(*b);
         if (!put) ++a;
         if (!left) ++b;
     }
-    changed.gone.insert(changed.gone.end(), a, before.end());
-    changed.come.insert(changed.come.end(), b, after.end());
+    changed.removed.insert(changed.removed.end(), a, before.end());
+    changed.added.insert(changed.added.end(), b, after.end());
     return changed;
 }
 
@@ -84,7 +84,7 @@ ChangedBuildings outOfStep(const Buildings& before, const Buildings& after) {
 
 ChangedBuildings findChangedBuildings(const Buildings& before, const Buildings& after) {
     const ChangedBuildings changed = outOfStep(before, after);
-    return {lacking(changed.gone, changed.come), lacking(changed.come, changed.gone), changed.first};
+    return {lacking(changed.removed, changed.added), lacking(changed.added, changed.removed), changed.first};
 }
 
 // Copying a shared_ptr (atomic reference counting) costs more than the rest of this loop, so equal entries

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "core/city/building.h"
 #include "core/city/city.h"
 
 namespace noonmark {
@@ -25,7 +24,8 @@ using Buildings = std::vector<std::shared_ptr<const Building>>;
 /// The difference between the buildings of two cities. Buildings are compared by address: an edited city
 /// shares the unchanged buildings with the city it was made from.
 struct ChangedBuildings {
-    Buildings gone, come;  ///< removed and added buildings, with multiplicity, in the order of their own city
+    Buildings removed,
+        added;  ///< removed and added buildings, with multiplicity, in the order of their own city
     std::size_t first = 0;  ///< all buildings before this index are the same
 };
 

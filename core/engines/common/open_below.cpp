@@ -16,8 +16,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr float touchM = 0.05F;        // a carrier may end so far below
-constexpr MinPiece least{0.01, 0.01};  // smaller pieces are drawing inaccuracies
+constexpr float touchM = 0.05F;          // a carrier may end so far below
+constexpr MinPiece minimum{0.01, 0.01};  // smaller pieces are drawing inaccuracies
 
 bool meet(const Box2& a, const Box2& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
@@ -40,25 +40,25 @@ std::vector<Footprint> findCarriers(const Building& building, const Part& part) 
 void addOpen(const Building& building, const Part& part, std::vector<OpenBelow>& open) {
     const std::vector<Footprint> carriers = findCarriers(building, part);
     if (carriers.empty()) return;
-    const double closed = area(part.footprint) - least.areaM2;
+    const double closed = area(part.footprint) - minimum.areaM2;
     const auto carriesAll = [&](const Footprint& carrier) {
         return computeSharedArea(part.footprint, carrier) > closed;
     };
     if (std::ranges::any_of(carriers, carriesAll)) return;
-    if (boundAreaOutside({part.footprint}, carriers).maxM2 < least.areaM2) return;
-    for (const Footprint& piece : cutPiecesOutside({part.footprint}, carriers, least))
+    if (boundAreaOutside({part.footprint}, carriers).maxM2 < minimum.areaM2) return;
+    for (const Footprint& piece : cutPiecesOutside({part.footprint}, carriers, minimum))
         open.push_back({piece, bounds(piece), part.bottomM, part.topM});
 }
 
 double distanceTo(const Ring& ring, glm::dvec2 place) {
-    double least = 1e30;
+    double minimum = 1e30;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const glm::dvec2 a(ring[i]), along = glm::dvec2(ring[(i + 1) % ring.size()]) - a;
         const double share =
             std::clamp(glm::dot(place - a, along) / std::max(1e-12, glm::dot(along, along)), 0.0, 1.0);
-        least = std::min(least, glm::distance(place, a + share * along));
+        minimum = std::min(minimum, glm::distance(place, a + share * along));
     }
-    return least;
+    return minimum;
 }
 
 /// Azimuths from `low` to `high`, radians.

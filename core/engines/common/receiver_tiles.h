@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/engines/api/partial_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/receivers/receivers.h"
 
 namespace noonmark {

@@ -6,7 +6,6 @@
 
 #include "core/base/progress.h"
 #include "core/describe/text.h"
-#include "core/engines/api/partial_field.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/common/run_counter.h"
 
@@ -58,19 +57,19 @@ public:
 
     void keep(std::uint32_t edge, std::vector<MaskRuns> runs) {
         maps_[edge] = std::move(runs);
-        most_ = std::max(most_, maps_.size());
+        maximum_ = std::max(maximum_, maps_.size());
     }
 
     void dropAfter(std::size_t path) {
         std::erase_if(maps_, [&](const auto& map) { return lastPath_[map.first] <= path; });
     }
 
-    [[nodiscard]] std::size_t most() const { return most_; }
+    [[nodiscard]] std::size_t maximum() const { return maximum_; }
 
 private:
     std::vector<std::size_t> lastPath_;
     std::map<std::uint32_t, std::vector<MaskRuns>> maps_;
-    std::size_t most_ = 0;
+    std::size_t maximum_ = 0;
 };
 
 /// One pass over the graph that fills a blank field.
@@ -100,7 +99,7 @@ public:
         return {};
     }
 
-    [[nodiscard]] std::size_t maxLiveMaps() const { return maps_.most(); }
+    [[nodiscard]] std::size_t maxLiveMaps() const { return maps_.maximum(); }
 
 private:
     Result<void> addPath(const DirectionGraph::Path& path) {

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "core/base/progress.h"
-#include "core/describe/field_checks.h"
+#include "core/describe/field_values.h"
 #include "core/describe/text.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/horizon/attribution/horizon_breakdown.h"
-#include "core/engines/horizon/counting/run_search.h"
+#include "core/engines/horizon/counting/longest_runs.h"
 #include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/sweep/period_sweep.h"
 #include "core/engines/horizon/trees/crown_sweep.h"

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <cmath>
 
-#include "core/describe/field_checks.h"
+#include "core/describe/field_values.h"
 #include "core/describe/text.h"
 #include "core/engines/common/shadow_reach.h"
-#include "core/engines/inverse/inverse_accrual_scene.h"
 #include "core/engines/inverse/shadow_lines_opencl.h"
 #include "core/engines/inverse/sources/projected_source_finder.h"
 #include "core/engines/inverse/sources/source_finder.h"

@@ -1,20 +1,21 @@
 #pragma once
 
-// Inverse accrual maps (paper, section 5): find the occluders of each cell at both ends of an interval and
-// move their shadows along straight lines between. The grid's cells are grouped into lanes (lanes.h, also for
-// their sources and masks). sources/ finds the occluders, per block of lanes. source_runs.h joins
-// neighbouring sources to runs and line_cells.h gives the steps at which a run shades a cell; shadow_lines.h
-// draws these into masks, on the processor or with OpenCL. inverse_accrual_scene.h draws an interval in parts
-// for the receivers, combines the parts and uses rays for a low sun.
-
 #include <memory>
 #include <optional>
 
 #include "core/describe/field.h"
 #include "core/engines/common/interval_engine.h"
 #include "core/engines/inverse/shadow_lines.h"
+#include "core/engines/inverse/sources/source_finder.h"
 
 namespace noonmark {
+
+// Inverse accrual maps (paper, section 5): find the occluders of each cell at both ends of an interval and
+// move their shadows along straight lines between. The grid's cells are grouped into lanes (lanes.h, also for
+// their sources and masks). sources/ finds the occluders, per block of lanes. lanes.h also joins neighbouring
+// sources to runs; shadow_lines.h gives the steps at which a run shades a cell and draws these into masks, on
+// the processor or with OpenCL. InverseAccrualScene draws an interval in parts for the receivers, combines
+// the parts and uses rays for a low sun.
 
 /// How the shadow sources at an interval's ends are found. Both ways find the same sources, except for
 /// rounding at edges.
@@ -65,5 +66,54 @@ private:
     InverseAccrualSettings settings_;
     std::shared_ptr<ShadowLineDrawer> drawer_;
 };
+
+/// Steps [first, end) of an interval.
+struct StepRange {
+    int first = 0;
+    int end = 0;
+    [[nodiscard]] bool empty() const { return first >= end; }
+};
+
+/// Those steps as an interval of their own; `part` must not be empty.
+SunInterval cutInterval(const SunInterval& interval, StepRange part);
+
+/// Distinguishes sun positions below a limit of altitude.
+class LowSun {
+public:
+    explicit LowSun(double limitDeg);
+
+    [[nodiscard]] bool is(glm::vec3 towardsSun) const { return towardsSun.z < limitZ_; }
+
+    /// The steps with the sun at or above the limit. They are contiguous, because the sun's altitude has a
+    /// single maximum on its path.
+    [[nodiscard]] StepRange stepsAbove(const SunInterval& interval) const;
+
+    /// The directions below the limit, or those that are not.
+    [[nodiscard]] SunSteps of(const SunSteps& directions, bool low) const;
+
+private:
+    float limitZ_;
+};
+
+/// The parts of an inverse accrual map.
+struct InverseAccrualParts {
+    std::unique_ptr<SourceFinder> finder;  ///< for the grid of the receivers, padded by `marginCells`
+    std::shared_ptr<ShadowLineDrawer> drawer;
+    std::unique_ptr<IntervalScene> rays;  ///< for steps with a low sun; null if there are none
+    LowSun lowSun;
+    int marginCells = 0;
+    std::uint32_t buildingsUsed = 0;
+};
+
+/// Limit for the share of a block's receivers that are in shadow at an interval's middle step although no
+/// line reaches them. If it is exceeded, the block is drawn in two halves. Only checked if most receivers
+/// have a full list at both ends.
+constexpr double maxMissedShare = 0.01;
+
+/// `grid` extended by this many cells on each side.
+Grid padGrid(const Grid& grid, int cells);
+
+/// The receivers must outlive the scene.
+std::unique_ptr<IntervalScene> makeInverseAccrualScene(InverseAccrualParts parts, const Receivers& receivers);
 
 }  // namespace noonmark

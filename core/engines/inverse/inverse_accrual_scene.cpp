@@ -1,4 +1,4 @@
-#include "core/engines/inverse/inverse_accrual_scene.h"
+#include "core/engines/inverse/inverse_accrual_map.h"
 
 #include <tbb/combinable.h>
 #include <tbb/enumerable_thread_specific.h>

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/engines/inverse/line_cells.h"
+#include "core/engines/inverse/shadow_lines.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

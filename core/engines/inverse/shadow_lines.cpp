@@ -5,8 +5,6 @@
 #include <bit>
 #include <cmath>
 
-#include "core/engines/inverse/line_cells.h"
-
 namespace noonmark {
 
 namespace {

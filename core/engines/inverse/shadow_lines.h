@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -7,8 +10,8 @@
 
 #include "core/base/result.h"
 #include "core/engines/common/interval_engine.h"
+#include "core/engines/common/run_counter.h"
 #include "core/engines/inverse/lanes.h"
-#include "core/engines/inverse/source_runs.h"
 
 namespace noonmark {
 
@@ -65,5 +68,117 @@ public:
 
 /// Draws on the processor.
 std::unique_ptr<ShadowLineDrawer> makeShadowLineDrawer();
+
+/// Position of one end of a run on its way, as an entry of the step table: `start` as seen from the first of
+/// some cells, and `perCell` more for each following cell.
+struct RunEnd {
+    float start = 0;
+    float perCell = 0;
+    /// `length`: cells moved during the whole interval; the first cell is `ahead` cells before the end's
+    /// start.
+    static RunEnd over(float length, float ahead) {
+        const float perCell = float(StepTable::size) / std::max(length, 1e-6F);
+        return {ahead * perCell, perCell};
+    }
+    [[nodiscard]] int entry(int cell) const {
+        constexpr float beyondTable = StepTable::size + 1;
+        const float at = start + float(cell) * perCell;
+        return int((at < 0 ? -1 : at < beyondTable ? at : beyondTable) + 1);
+    }
+};
+
+/// Some cells of a run, counted from its first. Each is shaded at the steps that `rear` has reached and
+/// `front` has not passed.
+struct SweepPart {
+    RunEnd rear, front;
+    int first = 0, end = 0;  ///< cells that may be shaded
+    /// From cell rearBehindFrom on, `rear` is behind at all steps; before cell frontAheadTo, `front` is ahead
+    /// at all steps.
+    int rearBehindFrom = 0, frontAheadTo = 0;
+
+    [[nodiscard]] ShadowMask steps(int i, const StepTable& table) const {
+        if (i < first || i >= end) return 0;
+        return table.before[std::size_t(rear.entry(i))] & ~table.before[std::size_t(front.entry(i))];
+    }
+};
+
+/// The cells that a run shades during an interval: `count` cells from its first on. Each end of the run
+/// reaches `reach` beyond its cell's centre. If the surface folds over, the steps between the ends in reverse
+/// order are shaded too, whichever end is ahead.
+struct RunSweep {
+    /// How far each end reaches beyond its cell's centre, cells. The edge may lie anywhere up to the next
+    /// centre, on average halfway. But each line is drawn twice, from the first step and from the last, and
+    /// the farther of two such guesses is on average a sixth of a cell too far.
+    static constexpr float reach = 0.5F - 1.0F / 6;
+
+    int count = 0;
+    bool folds = false;
+    SweepPart plain, folded;
+
+    /// `cells`: number of cells of the lane.
+    RunSweep(const SourceRun& run, const RunRule& rule, int cells) {
+        const float first = run.firstM * rule.cellsPerMetre, last = run.lastM * rule.cellsPerMetre;
+        folds = run.first < run.last && rule.folds(run.firstM, run.lastM);
+        count =
+            std::max(endOf(run.last, last, cells), folds ? endOf(run.first, first, cells) : 0) - run.first;
+        const int width = run.last - run.first;
+        plain = {RunEnd::over(first, reach),
+                 RunEnd::over(last, -float(width) - reach),
+                 0,
+                 count,
+                 cellsIn(first) + 2,
+                 width + 1};
+        if (folds) fold(first, last, float(width));
+    }
+
+    /// Steps at which cell i of `count` is shaded.
+    [[nodiscard]] ShadowMask steps(int i, const StepTable& table) const {
+        return plain.steps(i, table) | (folds ? folded.steps(i, table) : 0);
+    }
+
+private:
+    // The first end moves farther than the last and overtakes it: from some cell on nothing is left between
+    // them, and the part in reverse order begins near that cell. The limits allow for one uncertain cell.
+    void fold(float first, float last, float width) {
+        const float parts = first - last;
+        plain.end = std::min(count, cellsIn((reach * last + (width + reach) * first) / parts) + 2);
+        folded = {RunEnd::over(last, reach - width),
+                  RunEnd::over(first, -reach),
+                  0,
+                  count,
+                  cellsIn(last + width) + 2,
+                  1};
+        folded.first = std::max(0, cellsIn(((width - reach) * first - reach * last) / parts) - 1);
+    }
+
+    // Lines of a low sun may be longer than any int.
+    static int cellsIn(float length) { return int(std::min(length, 1e6F)); }
+    static int endOf(int cell, float length, int cells) {
+        return std::min(cell + 1 + cellsIn(length + 0.5F), cells);
+    }
+};
+
+/// Cells of a run, counted from its first.
+struct CellRange {
+    int first = 0;
+    int end = 0;
+};
+
+/// Sets in `row` the steps at which a part of a run shades its cells, for those in `cells`. `before`: that of
+/// the StepTable. Cost: some 2 ns per cell.
+void shadeCells(const ShadowMask* before, const SweepPart& part, const CellRange& cells, ShadowMask* row);
+
+/// A block's sources in the order in which shadows move.
+struct SourceLines {
+    const CacheLine<float>* heightM;
+    const CacheLine<std::uint32_t>* building;
+    std::ptrdiff_t step;  ///< Lines from one position to the next; negative if shadows move against the lanes
+    int levels;
+};
+
+/// changed[at], for `at` from 1 to places - 1: a bit for each lane on which the sources of a position do not
+/// simply continue those of the previous one. Extra bits do no harm; changes slightly below the folding limit
+/// are marked too.
+void markChanges(const SourceLines& lines, int places, const RunRule& rule, std::uint16_t* changed);
 
 }  // namespace noonmark

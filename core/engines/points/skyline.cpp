@@ -18,13 +18,13 @@ namespace {
 class PieceList {
 public:
     void add(const SeenEdge& edge, double from, double to) {
-        constexpr double least = 1e-12;  // radians: rounding of an azimuth
-        if (to - from < least) return;
+        constexpr double minimum = 1e-12;  // radians: rounding of an azimuth
+        if (to - from < minimum) return;
         if (!pieces_.empty()) {
             SeenEdge& last = pieces_.back();
             const bool same =
                 last.east == edge.east && last.north == edge.north && last.building == edge.building;
-            if (same && from - last.to < least) {
+            if (same && from - last.to < minimum) {
                 last.to = to;
                 return;
             }

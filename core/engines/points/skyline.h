@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/engines/points/seen_edge.h"
 #include "core/engines/points/sky_obstacles.h"
 
 namespace noonmark {

@@ -11,11 +11,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "core/engines/api/partial_field.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/common/receiver_tiles.h"
 #include "core/engines/common/shadow_reach.h"
-#include "core/engines/projected/counting/cell_runs.h"
 #include "core/engines/projected/counting/shadow_events.h"
 #include "core/engines/projected/filling/step_filler.h"
 #include "core/engines/projected/masks/projected_masks.h"

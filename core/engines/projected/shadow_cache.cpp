@@ -79,7 +79,7 @@ struct ShadowCache::State {
           reach(steps),
           kinds(receivers.kind),
           field(makeBlankField(receivers, steps)) {
-        memory.most = chosen.memoryBytes;
+        memory.maximum = chosen.memoryBytes;
         field.engine =
             "Cached shadows: each building's shadow filled as polygons at every step and cached, exact on "
             "flat "
@@ -139,22 +139,22 @@ struct ShadowCache::State {
     Result<void> changeTo(const Buildings& now, Progress& progress, const std::stop_token& stop) {
         const Stopwatch watch;
         const ChangedBuildings changed = findChangedBuildings(buildings, now);
-        const BuildingCasters gone(reaching(changed.gone), field.grid),
-            come(reaching(changed.come), field.grid);
-        if (const auto done = change(gone, come, progress, stop); !done) return done;
+        const BuildingCasters removed(reaching(changed.removed), field.grid),
+            added(reaching(changed.added), field.grid);
+        if (const auto done = change(removed, added, progress, stop); !done) return done;
         updateBuildings(buildings, now, changed.first);
         field.cost.seconds["fill and count"] = watch.seconds();
-        field.cost.buildingsUsed += std::uint32_t(come.buildings()) - std::uint32_t(gone.buildings());
+        field.cost.buildingsUsed += std::uint32_t(added.buildings()) - std::uint32_t(removed.buildings());
         return {};
     }
 
     // A partial result is invalid.
-    Result<void> change(const BuildingCasters& gone, const BuildingCasters& come, Progress& progress,
+    Result<void> change(const BuildingCasters& removed, const BuildingCasters& added, Progress& progress,
                         const std::stop_token& stop) {
         whole = false;
         std::atomic<std::size_t> done{0};
         tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t i) {
-            bands[i].change(gone, come, period, memory, stop);
+            bands[i].change(removed, added, period, memory, stop);
             if (stop.stop_requested() || memory.exceeded()) return;
             bands[i].recount(period, kinds, field);
             progress.report(double(++done) / double(bands.size()), "filling shadows");

@@ -18,7 +18,6 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/city/city.h"
-#include "core/engines/api/partial_field.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/receiver_tiles.h"

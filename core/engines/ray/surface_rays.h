@@ -8,7 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/engines/api/surface_engine.h"
+#include "core/engines/api/engine.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/sun/sun_steps.h"
 

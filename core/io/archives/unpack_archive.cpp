@@ -6,8 +6,8 @@
 #include <iterator>
 #include <optional>
 
-#include "core/base/clean_text.h"
 #include "core/base/progress.h"
+#include "core/base/safe_text.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/pieces/read_part.h"
 

@@ -1,5 +1,8 @@
 #pragma once
 
+// The folder core/io/archives reads cities in .zip, .kmz and .gz: unpack_archive.h (this file) unpacks them
+// into a private folder, and finds the files in them that hold a city.
+
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -13,10 +16,7 @@
 
 namespace noonmark {
 
-// The folder core/io/archives reads cities in .zip, .kmz and .gz: unpack_archive.h (this file) unpacks them
-// into a private folder, and finds the files in them that hold a city.
-
-/// What an untrusted archive may grow to.
+/// Limits on what an untrusted archive unpacks to.
 struct UnpackLimits {
     std::uintmax_t bytes = std::uintmax_t(8) << 30U;      ///< of all files together
     std::uintmax_t anyRatio = std::uintmax_t(64) << 20U;  ///< bytes up to which the ratio is not looked at

@@ -4,7 +4,7 @@
 #include <array>
 #include <memory>
 
-#include "core/base/clean_text.h"
+#include "core/base/safe_text.h"
 #include "core/io/archives/unpack_archive.h"
 
 namespace noonmark {

@@ -7,11 +7,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "core/io/citygml/citygml_reference.h"
-#include "core/io/citygml/gml_geometry.h"
 #include "core/io/citygml/gml_object.h"
-#include "core/io/cityjson/cityjson_buildings.h"
-#include "core/io/cityjson/cityjson_place.h"
+#include "core/io/cityjson/cityjson_load.h"
 #include "core/io/files/xml_stream.h"
 #include "core/io/pieces/read_part.h"
 
@@ -19,7 +16,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostCorners = 40'000'000;
+constexpr std::size_t maxCorners = 40'000'000;
 constexpr std::size_t mostShared = 200'000;  // ids that objects take from others
 
 bool isBlankText(std::string_view text) { return text.find_first_not_of(" \t\r\n") == text.npos; }
@@ -228,8 +225,8 @@ private:
         const std::string id = objects_.front().object.id;
         CityJsonBlock block = makeBlock(objects_, reader_, choice_, areDegrees_, file_, data.city.warnings);
         corners_ += block.vertices.size();
-        if (corners_ > mostCorners)
-            return limitReached(fmt::format("The file has more than {} corners", mostCorners), id,
+        if (corners_ > maxCorners)
+            return limitReached(fmt::format("The file has more than {} corners", maxCorners), id,
                                 "Divide it");
         data.city.blocks.push_back(std::move(block));
         warnOf(id);

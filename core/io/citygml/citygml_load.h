@@ -2,14 +2,15 @@
 
 // The folder core/io/citygml reads CityGML 1.0, 2.0 and 3.0. loadCityGml() (this file) reads the file as a
 // stream, one top-level object at a time, into the plain values of CityJSON
-// (core/io/cityjson/cityjson_model.h); citygml_reference.h settles reference system and order of the axes;
-// the rest is that of CityJSON. gml_geometry.h collects geometries; gml_object.h knows the names of elements
-// and chooses among the geometries of an object.
+// (core/io/cityjson/cityjson_model.h); citygml_reference_gdal.cpp settles reference system and order of the
+// axes; the rest is that of CityJSON. gml_object.h collects geometries, knows the names of elements and
+// chooses among the geometries of an object.
 
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -38,5 +39,20 @@ enum class GmlContent { buildings, openings };
 Result<CityGmlData> loadCityGml(const std::filesystem::path& file, const ReadSettings& settings,
                                 Progress& progress, const std::stop_token& stop,
                                 GmlContent wanted = GmlContent::buildings);
+
+/// A reference system as CityGML names it, as parseCrs() (core/geo/crs.h) takes it: the names of
+/// the German surveys ("urn:adv:crs:ETRS89_UTM33*DE_DHHN2016_NH") become EPSG's; others are unchanged.
+std::string translateReference(const std::string& stated);
+
+/// Whether its coordinates are degrees. False for unknown systems.
+bool isGeographicReference(const std::string& stated);
+
+/// Brings the vertices into the order easting or longitude first, and `city.crs` into the form that
+/// parseCrs() takes; empty if the one of `settings` is to be used. The order is that of the system's
+/// authority if it is named by a URN or address, else easting or longitude first, unless only the other order
+/// puts the buildings into the system's area, or into the model's envelope. Error: no system is stated, or it
+/// is unknown and the settings have none.
+Result<void> settleReference(CityGmlData& data, const ReadSettings& settings,
+                             const std::filesystem::path& file);
 
 }  // namespace noonmark

@@ -9,7 +9,7 @@
 #include "core/base/gdal_calls.h"
 #include "core/describe/text.h"
 #include "core/geo/crs.h"
-#include "core/io/citygml/citygml_reference.h"
+#include "core/io/citygml/citygml_load.h"
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "core/io/citygml/gml_geometry.h"
+#include "core/io/citygml/gml_object.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -308,9 +308,9 @@ std::vector<Surface> GmlGeometryReader::surfacesOf(const GmlShell& shell, GmlRef
 void GmlGeometryReader::expand(const GmlRange& range, bool flipped, int depth, std::vector<Surface>& surfaces,
                                GmlReferences& references) const {
     constexpr int deepest = 8;
-    const std::size_t mostSteps = 8 * members_.size() + 64;
+    const std::size_t maxSteps = 8 * members_.size() + 64;
     for (std::size_t i = range.first; i < range.end; ++i) {
-        if (++references.steps > mostSteps) return void(++references.missing);
+        if (++references.steps > maxSteps) return void(++references.missing);
         const Member& member = members_[i];
         const bool turned = member.flipped != flipped;
         if (!member.isReference) {

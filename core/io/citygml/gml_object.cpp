@@ -285,9 +285,9 @@ void GmlObject::add(const LodProperty& property, Owner owner, GmlGeometry geomet
 }
 
 void GmlObject::add(std::string name, std::string_view text, std::string_view unit) {
-    constexpr std::size_t longest = 256, most = 200;
+    constexpr std::size_t longest = 256, maximum = 200;
     const bool isThere = std::ranges::find(attributes, name, &ObjectAttribute::name) != attributes.end();
-    if (isThere || text.size() > longest || attributes.size() >= most) return;
+    if (isThere || text.size() > longest || attributes.size() >= maximum) return;
     attributes.push_back({std::move(name), std::string(text), wholeNumber(text), unitOf(unit)});
 }
 

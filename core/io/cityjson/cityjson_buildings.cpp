@@ -1,4 +1,4 @@
-#include "core/io/cityjson/cityjson_buildings.h"
+#include "core/io/cityjson/cityjson_load.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -17,9 +17,6 @@
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/terrain/tin_terrain.h"
 #include "core/geo/frame.h"
-#include "core/io/cityjson/cityjson_load.h"
-#include "core/io/cityjson/cityjson_place.h"
-#include "core/io/heights/height_origins.h"
 #include "core/io/heights/height_reading.h"
 #include "core/io/pieces/read_part.h"
 

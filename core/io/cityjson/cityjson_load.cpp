@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/io/files/stoppable_stream.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/heights/tree_fields.h"
 
 namespace noonmark {

@@ -5,7 +5,9 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/geo/frame.h"
 #include "core/io/cityjson/cityjson_model.h"
+#include "core/io/pieces/read_part.h"
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {
@@ -15,5 +17,24 @@ namespace noonmark {
 /// empty; a feature that cannot be read gives a warning.
 Result<CityJsonData> loadCityJson(const std::filesystem::path& file, const ReadSettings& settings,
                                   Progress& progress, const std::stop_token& stop);
+
+/// Makes the terrain of the piece from the TIN of the data, if it has one. The vertices are in local metres
+/// (placeCity).
+void addTin(const CityJsonData& data, const std::string& file, FilePiece& piece);
+
+/// Adds the buildings of the data to a piece. An object without a parent and all objects below it are one
+/// building; its solids are parts. An object without a solid or surface is extruded from its footprint of
+/// level of detail 0, by its measured height, else its storeys, else the default. On all cores. False when
+/// stopped.
+bool addBuildings(const CityJsonData& data, const ReadSettings& settings, const std::string& file,
+                  FilePiece& piece, Progress& progress, const std::stop_token& stop);
+
+/// Transforms the vertices of all blocks to local metres, in place, and removes objects farther than
+/// `settings.farAwayM` from the middle of the data (the median of the objects), with a warning. Returns the
+/// frame: the given one, or one with its origin in the middle of the remaining objects and z = 0 at the level
+/// below which 5 % of the buildings begin (for terrain alone: its lowest point). Error: no coordinate
+/// reference system, or coordinates that cannot belong to it; cancelled().
+Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const std::string& file,
+                        const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -1,5 +1,11 @@
 #pragma once
 
+// The folder core/io/cityjson reads CityJSON and CityJSONSeq. cityjson_buildings.cpp runs the steps:
+// cityjson_load.cpp parses the file into the plain values of this file and chooses the level of detail;
+// cityjson_place.cpp transforms them to local metres; cityjson_buildings.cpp makes buildings and terrain.
+// cityjson_load.h declares these steps. CityGML (core/io/citygml) is another notation of the same model, and
+// uses the same values.
+
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -40,11 +46,6 @@ struct LodRank {
 /// Whether `a` is the better choice: of the levels of detail the highest that does not exceed the wanted one,
 /// else the lowest; solids before surfaces.
 bool isBetter(const LodRank& a, const LodRank& b, const LodChoice& choice);
-
-// The folder core/io/cityjson reads CityJSON and CityJSONSeq. cityjson_buildings.cpp runs the steps:
-// cityjson_load.h parses the file into the plain values of this file, with cityjson_load.cpp choosing the
-// level of detail; cityjson_place.h transforms them to local metres; cityjson_buildings.h makes buildings and
-// terrain. CityGML (core/io/citygml) is another notation of the same model, and uses the same values.
 
 /// CityJSON as plain values, still in the file's coordinates.
 

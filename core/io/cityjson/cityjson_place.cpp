@@ -1,4 +1,4 @@
-#include "core/io/cityjson/cityjson_place.h"
+#include "core/io/cityjson/cityjson_load.h"
 
 #include <fmt/format.h>
 

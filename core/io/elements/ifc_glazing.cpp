@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "core/geo/lon_lat.h"
-#include "core/io/elements/model_glazing.h"
+#include "core/io/elements/read_glazing.h"
 #include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/mesh_placement.h"
 #include "core/io/meshes/mesh_reader_process.h"
@@ -117,7 +117,7 @@ std::pair<double, double> rangeAlong(const IfcBody& body, glm::dvec3 direction) 
 std::optional<glm::dvec3> thinnestDirection(const IfcBody& body) {
     constexpr std::size_t mostTried = 200;
     std::optional<glm::dvec3> thinnest;
-    double leastM = nowhereM;
+    double minM = nowhereM;
     const std::size_t step = body.triangles.size() / mostTried + 1;
     for (std::size_t i = 0; i < body.triangles.size(); i += step) {
         const auto& [a, b, c] = body.triangles[i];
@@ -125,7 +125,7 @@ std::optional<glm::dvec3> thinnestDirection(const IfcBody& body) {
         if (glm::length(area) < 1e-9) continue;
         const glm::dvec3 normal = glm::normalize(area);
         const auto [low, high] = rangeAlong(body, normal);
-        if (high - low < leastM - 1e-6) leastM = high - low, thinnest = normal;
+        if (high - low < minM - 1e-6) minM = high - low, thinnest = normal;
     }
     return thinnest;
 }

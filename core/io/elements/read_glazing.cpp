@@ -13,11 +13,8 @@
 #include "core/geo/frame.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/citygml/citygml_load.h"
-#include "core/io/citygml/citygml_reference.h"
 #include "core/io/cityjson/cityjson_model.h"
-#include "core/io/elements/model_glazing.h"
 #include "core/io/files/plain_file.h"
-#include "core/io/files/stoppable_stream.h"
 #include "core/io/settings/read_settings.h"
 #include "core/receivers/place_names.h"
 

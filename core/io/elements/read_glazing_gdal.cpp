@@ -11,7 +11,6 @@
 #include "core/base/gdal_calls.h"
 #include "core/geo/frame.h"
 #include "core/geo/lon_lat.h"
-#include "core/io/elements/model_glazing.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/layers/feature_stream.h"

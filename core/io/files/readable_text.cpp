@@ -139,8 +139,8 @@ char32_t nextCodePoint(std::string_view text, std::size_t& at) {
         if ((byte & 0xC0U) != 0x80U) return notText;
         point = (point << 6U) | (byte & 0x3FU);
     }
-    constexpr char32_t least[] = {0, 0x80, 0x800, 0x10000};  // a form longer than necessary is not UTF-8
-    if (point < least[more]) return notText;
+    constexpr char32_t minimum[] = {0, 0x80, 0x800, 0x10000};  // a form longer than necessary is not UTF-8
+    if (point < minimum[more]) return notText;
     at += more;
     return point;
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/io/files/stoppable_stream.h"
+#include "core/io/files/plain_file.h"
 #include "core/io/files/xml_stream.h"
 
 namespace noonmark {

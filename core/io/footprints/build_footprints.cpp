@@ -252,9 +252,9 @@ Result<void> buildFootprints(FilePiece& piece, std::vector<UnplacedFeature> feat
 
 std::string findCommonest(const Warnings& warnings) {
     const auto groups = groupWarnings(warnings);
-    const auto most =
+    const auto maximum =
         std::ranges::max_element(groups, {}, [](const WarningGroup& group) { return group.where.size(); });
-    return most == groups.end() ? "" : lineOf(*most);
+    return maximum == groups.end() ? "" : lineOf(*maximum);
 }
 
 namespace {

@@ -12,8 +12,7 @@
 #include <vector>
 
 #include "core/base/warnings.h"
-#include "core/city/building.h"
-#include "core/io/footprints/part_grouping.h"
+#include "core/city/city.h"
 #include "core/io/footprints/place_features.h"
 #include "core/io/pieces/read_part.h"
 

@@ -8,7 +8,7 @@
 #include "core/base/units.h"
 #include "core/io/heights/height_text.h"
 #include "core/io/heights/name_words.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 
@@ -70,7 +70,7 @@ const KnownField* fieldOfRole(const std::vector<KnownField>& fields, FieldRole r
     return found == fields.end() ? nullptr : &*found;
 }
 
-bool isBetween(double value, double least, double most) { return value >= least && value <= most; }
+bool isBetween(double value, double minimum, double maximum) { return value >= minimum && value <= maximum; }
 
 struct Finding {
     LengthUnit unit;

@@ -11,7 +11,7 @@
 #include "core/describe/text.h"
 #include "core/io/heights/height_text.h"
 #include "core/io/heights/name_words.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

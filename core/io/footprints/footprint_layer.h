@@ -12,7 +12,7 @@
 #include "core/io/footprints/ogr_polygons.h"
 #include "core/io/footprints/place_features.h"
 #include "core/io/heights/field_roles.h"
-#include "core/io/heights/height_origins.h"
+#include "core/io/heights/height_reading.h"
 
 class OGRFeature;
 class OGRGeometry;

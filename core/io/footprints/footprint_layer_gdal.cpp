@@ -25,20 +25,20 @@ std::string aliasAt(const LayerSource& source, int index) {
 }
 
 // The alias of a field is its name if only the alias says what it holds.
-std::vector<std::string> tellingNames(const OGRFeatureDefn& definition, const LayerSource& source) {
+std::vector<std::string> knownNames(const OGRFeatureDefn& definition, const LayerSource& source) {
     std::vector<std::string> names;
     for (int i = 0; i < definition.GetFieldCount(); ++i) {
         const OGRFieldDefn& field = *definition.GetFieldDefn(i);
         const std::string alias = aliasAt(source, i);
-        const bool aliasTells = !findMeaning(nameOf(field), source.shapefile) && findMeaning(alias);
-        names.push_back(aliasTells ? alias : nameOf(field));
+        const bool aliasIsKnown = !findMeaning(nameOf(field), source.shapefile) && findMeaning(alias);
+        names.push_back(aliasIsKnown ? alias : nameOf(field));
     }
     return names;
 }
 
 // The field that the user chose by its name or its alias, as it is called here; unchanged if there is none.
-std::string tellingName(const OGRFeatureDefn& definition, const LayerSource& source,
-                        const std::vector<std::string>& names, const std::string& chosen) {
+std::string knownName(const OGRFeatureDefn& definition, const LayerSource& source,
+                      const std::vector<std::string>& names, const std::string& chosen) {
     for (int i = 0; i < definition.GetFieldCount() && !chosen.empty(); ++i)
         if (const OGRFieldDefn& field = *definition.GetFieldDefn(i);
             isSameField(nameOf(field), chosen) || isSameField(aliasAt(source, i), chosen))
@@ -181,10 +181,10 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
     if (!transform) return tl::make_unexpected(transform.error());
     FootprintLayer made(layer, *std::move(transform), settings, source);
     const OGRFeatureDefn& definition = *layer.GetLayerDefn();
-    made.names_ = tellingNames(definition, source);
-    const FieldChoice choice{tellingName(definition, source, made.names_, settings.heightField),
-                             tellingName(definition, source, made.names_, settings.levelsField),
-                             tellingName(definition, source, made.names_, settings.nameField)};
+    made.names_ = knownNames(definition, source);
+    const FieldChoice choice{knownName(definition, source, made.names_, settings.heightField),
+                             knownName(definition, source, made.names_, settings.levelsField),
+                             knownName(definition, source, made.names_, settings.nameField)};
     const LayerSample sample = sampleLayer(layer);
     for (const std::string& chosen : {choice.height, choice.levels, choice.name})
         if (!chosen.empty() && !hasField(made.names_, chosen) && !isOutlineZ(chosen, definition, sample))
@@ -383,14 +383,14 @@ void FootprintLayer::moveStored(std::vector<UnplacedFeature>& features, Warnings
 }
 
 Result<void> FootprintLayer::checkPlace(Warnings& warnings) const {
-    const auto most = [&](std::size_t count) { return count > 0 && 2 * count > polygonFeatures_; };
-    if (most(broken_))
+    const auto maximum = [&](std::size_t count) { return count > 0 && 2 * count > polygonFeatures_; };
+    if (maximum(broken_))
         return failure(fmt::format("Its coordinates cannot belong to {}", toLonLat_.name()), source_.file,
                        crsAdvice());
-    if (publishedPlane_ && most(nearZero_))
+    if (publishedPlane_ && maximum(nearZero_))
         return failure(fmt::format("Its coordinates look like degrees, not like {}", toLonLat_.name()),
                        source_.file, crsAdvice() + ", perhaps EPSG:4326");
-    if (most(implausible_))
+    if (maximum(implausible_))
         warnings.push_back(
             {WarningKind::assumed,
              fmt::format("its position is far outside the area of use of {}", toLonLat_.name()),

@@ -16,11 +16,9 @@
 #include "core/io/footprints/building_layers.h"
 #include "core/io/footprints/footprint_layer.h"
 #include "core/io/footprints/footprint_scan.h"
-#include "core/io/footprints/list_fields.h"
 #include "core/io/formats/format.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/io/pieces/read_part.h"
-#include "core/io/settings/read_fields.h"
 #include "core/io/settings/read_settings.h"
 
 class OGRLayer;

@@ -9,7 +9,7 @@
 #include "core/base/result.h"
 #include "core/city/footprints/footprint.h"
 #include "core/geo/frame.h"
-#include "core/receivers/region.h"
+#include "core/receivers/receivers.h"
 
 namespace noonmark {
 

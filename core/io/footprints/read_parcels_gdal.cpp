@@ -30,8 +30,8 @@ std::vector<std::string> fieldsOf(OGRLayer& layer) {
 // -1 if the layer has none of the default name fields.
 Result<int> nameFieldOf(OGRLayer& layer, const std::string& wanted, const std::string& where) {
     if (wanted.empty()) {
-        for (const char* usual : defaultNameFields)
-            if (const int field = layer.FindFieldIndex(usual, 0); field >= 0) return field;
+        for (const char* standard : defaultNameFields)
+            if (const int field = layer.FindFieldIndex(standard, 0); field >= 0) return field;
         return -1;
     }
     if (const int field = layer.FindFieldIndex(wanted.c_str(), 0); field >= 0) return field;

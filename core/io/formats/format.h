@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/io/formats says which formats are read, and which are recognised only to say what to do
+// instead. A Format (this file) is one row; coreFormats() lists them (core/io/core_formats.cpp). Detection
+// (core/io/files/plain_file.h), GDAL's drivers (core/io/files/open_dataset.h), readers (core/io/read_city.h),
+// file dialogs, help, messages, hashes of inputs and plans of tiles loop over them.
+
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
@@ -24,11 +29,6 @@ enum class JsonKind {
 /// What kind of JSON a stream holds, from the keys of its outermost object. Reads as far as the first key
 /// that identifies the kind; keys may come in any order, and the rest may be broken.
 JsonKind detectJsonKind(std::istream& stream);
-
-// The folder core/io/formats says which formats are read, and which are recognised only to say what to do
-// instead. A Format (this file) is one row; coreFormats() lists them (core/io/core_formats.cpp). Detection
-// (core/io/files/plain_file.h), GDAL's drivers (core/io/files/open_dataset.h), readers (core/io/read_city.h),
-// file dialogs, help, messages, hashes of inputs and plans of tiles loop over them.
 
 class Progress;
 struct FilePiece;

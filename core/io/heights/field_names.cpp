@@ -1,4 +1,4 @@
-#include "core/io/heights/field_names.h"
+#include "core/io/heights/field_roles.h"
 
 #include <array>
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/io/heights/field_names.h"
 #include "core/io/heights/height_reading.h"
 #include "core/io/heights/height_text.h"
 
@@ -99,7 +98,7 @@ FieldMeaning lengthOfWords(const NameWords& words, FieldRole role) {
 }
 
 std::optional<FieldMeaning> heightOfWords(const NameWords& words) {
-    if (words.has(NameWord::below) || words.has(NameWord::least)) return std::nullopt;
+    if (words.has(NameWord::below) || words.has(NameWord::minimum)) return std::nullopt;
     const bool overGround = words.has(NameWord::above);
     if (words.has(NameWord::elevation))
         return lengthOfWords(words, words.has(NameWord::ground) ? groundElevation : topElevation);
@@ -120,7 +119,7 @@ std::optional<FieldMeaning> groundHeightOfWords(std::string_view name) {
 std::optional<FieldMeaning> storeysOfWords(const NameWords& words) {
     const bool groundFloor = words.has(NameWord::ground) && !words.has(NameWord::above);
     const bool other = words.has(NameWord::below) || words.has(NameWord::roof) ||
-                       words.has(NameWord::least) || words.has(NameWord::elevation) || unitOfWords(words);
+                       words.has(NameWord::minimum) || words.has(NameWord::elevation) || unitOfWords(words);
     if (groundFloor || other) return std::nullopt;
     return FieldMeaning{levels, int(listFieldNames().size()), {}, "", ""};
 }
@@ -171,9 +170,9 @@ std::optional<FieldMeaning> findTagMeaning(std::string_view key) {
     constexpr std::array<std::string_view, 4> tags{"height", "buildingheight", "buildinglevels", "levels"};
     const auto meaning = findMeaning(key);
     if (!meaning) return meaning;
-    const bool tells = meaning->role == height || meaning->role == levels || meaning->role == topElevation ||
-                       meaning->role == groundElevation;
-    if (tells && std::ranges::find(tags, foldName(key)) == tags.end()) return std::nullopt;
+    const bool shownWith = meaning->role == height || meaning->role == levels ||
+                           meaning->role == topElevation || meaning->role == groundElevation;
+    if (shownWith && std::ranges::find(tags, foldName(key)) == tags.end()) return std::nullopt;
     return meaning;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,7 +72,7 @@ std::optional<LengthUnit> unitOfWords(const NameWords& words);
 /// Names are compared without case, blanks and punctuation, so "building:levels" equals "BUILDING_LEVELS".
 /// `cutShort`: the format truncates names to ten letters (Shapefile), so that "ground_ele" is recognised too,
 /// unless fields of several roles or units begin with these letters. Nothing for an unknown name. Names:
-/// field_names.h.
+/// field_roles.h.
 std::optional<FieldMeaning> findMeaning(std::string_view fieldName, bool cutShort = false);
 
 /// The same for an OpenStreetMap tag. Few tags are heights or storeys there: "maxheight", for instance, is
@@ -123,5 +124,22 @@ bool hasRole(const std::vector<KnownField>& fields, FieldRole role);
 
 /// The HeightField of an `origin` (as in HeightReading::origin). Nothing if there is no field of that name.
 std::optional<HeightField> findHeightField(const std::vector<KnownField>& fields, const std::string& origin);
+
+/// A field name that published datasets of buildings use, and its meaning there.
+struct FieldName {
+    std::string_view name;  ///< lower-case letters and digits only: "buildinglevels"
+    /// Nothing: the name looks like one of the others but means something else. Such an entry prevents a
+    /// truncated name from being mistaken for another.
+    std::optional<FieldRole> role;
+    std::string_view meaning;  ///< for a height: the part of the building that it refers to; may be empty
+    std::optional<LengthUnit> unit;  ///< if the dataset fixes it
+    /// A city whose field of this name is in feet, while others use metres: the program does not assume a
+    /// unit silently.
+    std::string_view inFeetIn;
+};
+
+/// All field names. If a file has several fields of one role, the first in this list has priority: a typical
+/// height of the roof before its base, and both before its highest point.
+std::span<const FieldName> listFieldNames();
 
 }  // namespace noonmark

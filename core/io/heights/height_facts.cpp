@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/escaped_text.h"
-#include "core/io/settings/read_fields.h"
+#include "core/base/safe_text.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

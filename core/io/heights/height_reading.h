@@ -1,17 +1,21 @@
 #pragma once
 
 // The folder core/io/heights turns attributes into heights, for all readers. height_text.h parses a length or
-// a number of storeys; height_reading.h (this file) decides on one height from all fields of a feature;
-// height_origins.h and height_facts.h record which fields were used, for reports. read_part.h
-// removes meshes with impossible sizes. read_fields.h stores ReadSettings as text.
+// a number of storeys; height_reading.h (this file) decides on one height from all fields of a feature, and
+// with height_facts.h records which fields were used, for reports. read_part.h removes meshes with impossible
+// sizes. read_settings.h stores ReadSettings as text.
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/warnings.h"
-#include "core/city/building.h"
+#include "core/city/city.h"
 #include "core/io/heights/field_roles.h"
+#include "core/io/heights/unknown_fields.h"
 
 namespace noonmark {
 
@@ -60,5 +64,14 @@ constexpr double canopyThicknessM = 0.5;
 /// Every value that was not taken as written gives a warning (except see byDefault).
 HeightReading readHeights(const FeatureValues& values, const HeightRules& rules, bool canopy,
                           const std::string& featureId, Warnings& warnings);
+
+/// Number of features by HeightReading::origin; "" is the default height.
+using HeightOrigins = std::map<std::string, std::size_t>;
+
+/// Adds the fields that the heights of `file` came from. If more than a tenth of its features have none, adds
+/// the unknown fields that could hold them; warns if no field of heights or storeys is known.
+void addHeightFacts(const HeightOrigins& origins, const std::vector<KnownField>& fields,
+                    const UnknownFields& unknown, const std::string& file, HeightFacts& facts,
+                    Warnings& warnings);
 
 }  // namespace noonmark

@@ -9,7 +9,7 @@
 
 #include "core/base/units.h"
 #include "core/io/files/readable_text.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double minTypicalM = 2.5, maxTypicalM = 60;
 
 struct PerStorey {
-    double least, most;
+    double minimum, maximum;
     LengthUnit unit;
 };
 // 2.2 m in centimetres are more than most storeys in inches: there a storey is at most 5.5 m high.
@@ -43,7 +43,7 @@ std::vector<LengthUnit> findTypicalUnits(double median, LengthUnit readIn) {
 
 std::optional<LengthUnit> unitPerStorey(double perStorey) {
     for (const PerStorey& one : perStoreys)
-        if (perStorey >= one.least && perStorey <= one.most) return one.unit;
+        if (perStorey >= one.minimum && perStorey <= one.maximum) return one.unit;
     return std::nullopt;
 }
 

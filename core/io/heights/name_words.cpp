@@ -78,7 +78,7 @@ constexpr std::array vocabularies{
         NameWord::greatest,
         "max maximum highest tallest ridge top maximale maximal maxima maximo massima massimo maks najwyzsza "
         "максимальная 最大 最高 최고 최대"},
-    Vocabulary{NameWord::least, "min minimum lowest minimale minimal minima minimo minim 最小 最低 최저"},
+    Vocabulary{NameWord::minimum, "min minimum lowest minimale minimal minima minimo minim 最小 最低 최저"},
     Vocabulary{NameWord::feet, "ft feet foot pies"},
     Vocabulary{NameWord::usSurveyFeet, "usft"},
     Vocabulary{NameWord::metres,

@@ -21,7 +21,7 @@ enum class NameWord {
     below,      ///< below the ground
     typical,    ///< mean or median
     greatest,
-    least,
+    minimum,
     feet,
     usSurveyFeet,
     metres,

@@ -14,7 +14,7 @@
 
 #include "core/geo/crs.h"
 #include "core/io/meshes/stated_axes.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

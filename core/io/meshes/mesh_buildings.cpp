@@ -1,4 +1,4 @@
-#include "core/io/meshes/mesh_buildings.h"
+#include "core/io/meshes/mesh_units.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -12,7 +12,6 @@
 
 #include "core/base/stop_scope.h"
 #include "core/city/meshes/mesh_parts.h"
-#include "core/city/meshes/mesh_sheets.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/city/meshes/surface_mesher.h"
 #include "core/geo/lon_lat.h"
@@ -22,10 +21,8 @@
 #include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/mesh_placement.h"
 #include "core/io/meshes/mesh_reader_process.h"
-#include "core/io/meshes/mesh_units.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/pieces/read_part.h"
-#include "core/io/settings/read_fields.h"
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {
@@ -245,7 +242,7 @@ void dropFarTriangles(SceneReader& reader) {
     }
 }
 
-// By content, whatever the file is called.
+// Decided by the content, whatever the file's name.
 std::string formatOf(const std::filesystem::path& file) {
     const auto format = detectFormat(file);
     const bool isMesh = format && (*format)->reader.kind == FileKind::mesh;

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/io/pieces/read_part.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 
@@ -128,21 +128,21 @@ std::optional<UpAxisGuess> guessLower(const MeshPoints&, const MeshExtent& exten
 UpAxisGuess guessUpAxis(const MeshScene& scene, double metresPerUnit) {
     const MeshPoints points{scene, metresPerUnit};
     const MeshExtent extent = measureExtent(points);
-    const UpAxisGuess usual{UpAxis::y, "nothing in its shape says otherwise"};
-    if (extent.points == 0) return usual;
+    const UpAxisGuess standard{UpAxis::y, "nothing in its shape says otherwise"};
+    if (extent.points == 0) return standard;
     for (const auto guess : {guessCity, guessTower})
         for (const UpAxis axis : {UpAxis::y, UpAxis::z})
             if (auto found = guess(sizesFor(axis, extent.size()))) return *std::move(found);
     for (const auto guess : {guessByFeet, guessByZero, guessLower})
         if (auto found = guess(points, extent)) return *std::move(found);
-    return usual;
+    return standard;
 }
 
 std::optional<UpAxisGuess> guessUpAxisOnMap(const MeshScene& scene, double metresPerUnit) {
-    constexpr float leastOnMap = 10'000;  // metres
+    constexpr float minOnMap = 10'000;  // metres
     const MeshExtent extent = measureExtent({scene, metresPerUnit});
     if (extent.points == 0) return std::nullopt;
-    const auto isHeight = [&](float low, float high) { return std::max(-low, high) < leastOnMap; };
+    const auto isHeight = [&](float low, float high) { return std::max(-low, high) < minOnMap; };
     const bool y = isHeight(extent.low.y, extent.high.y), z = isHeight(extent.low.z, extent.high.z);
     if (y == z) return std::nullopt;
     return UpAxisGuess{z ? UpAxis::z : UpAxis::y,
@@ -207,10 +207,9 @@ UpAxis decideUpAxis(const MeshScene& scene, const MeshFile& file, const ReadSett
 }
 
 bool isNearOrigin(const std::vector<glm::dvec3>& points, double metresPerUnit) {
-    double mostM = 0;
-    for (const int axis : {0, 1, 2})
-        mostM = std::max(mostM, std::abs(middleOf(points, axis)) * metresPerUnit);
-    return mostM < nearOriginM;
+    double maxM = 0;
+    for (const int axis : {0, 1, 2}) maxM = std::max(maxM, std::abs(middleOf(points, axis)) * metresPerUnit);
+    return maxM < nearOriginM;
 }
 
 void warnOfRounding(const MeshScene& scene, double metresPerUnit, const MeshFile& file, Warnings& warnings) {

@@ -124,9 +124,9 @@ Error takeError(SceneBytes& bytes) {
 
 // Whole, so that adding it again loses nothing.
 glm::dvec3 originNear(glm::dvec3 point) {
-    constexpr double farUnits = 10'000, mostUnits = 1e12;
-    const double most = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-    return most > farUnits && most < mostUnits ? glm::round(point) : glm::dvec3(0);
+    constexpr double farUnits = 10'000, maxUnits = 1e12;
+    const double maximum = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+    return maximum > farUnits && maximum < maxUnits ? glm::round(point) : glm::dvec3(0);
 }
 
 }  // namespace

@@ -13,11 +13,8 @@
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_parts.h"
-#include "core/city/meshes/mesh_sheets.h"
 #include "core/city/meshes/mesh_topology.h"
 #include "core/describe/text.h"
-#include "core/io/meshes/separate_roofs.h"
-#include "core/io/meshes/unit_joins.h"
 
 namespace noonmark {
 

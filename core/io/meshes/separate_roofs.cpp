@@ -1,4 +1,4 @@
-#include "core/io/meshes/separate_roofs.h"
+#include "core/io/meshes/mesh_units.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <unordered_set>
 
 #include "core/city/footprints/plan_overlay.h"
-#include "core/city/meshes/mesh_sheets.h"
+#include "core/city/meshes/mesh_topology.h"
 
 namespace noonmark {
 

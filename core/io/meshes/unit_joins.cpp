@@ -1,4 +1,4 @@
-#include "core/io/meshes/unit_joins.h"
+#include "core/io/meshes/mesh_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_parts.h"
-#include "core/city/meshes/mesh_sheets.h"
+#include "core/city/meshes/mesh_topology.h"
 
 namespace noonmark {
 
@@ -78,9 +78,9 @@ private:
                 if (lowM_[other] < lowM_[unit] - lowerM) ++edges[other];
             }
         std::size_t best = unit;
-        int most = 0;
+        int maximum = 0;
         for (const auto& [other, count] : edges)
-            if (count > most) best = other, most = count;
+            if (count > maximum) best = other, maximum = count;
         return best;
     }
 
@@ -110,12 +110,12 @@ private:
     void joinSurrounded(std::size_t unit, const Indices& around,
                         const std::vector<std::vector<Footprint>>& outlines) {
         constexpr double surrounded = 0.5;
-        double all = 0, most = 0;
+        double all = 0, maximum = 0;
         std::size_t carrier = unit;
         for (const std::size_t other : around) {
             const double share = computeShareBeside(outlines[unit], outlines[other], double(besideM));
             all += share;
-            if (share > most) most = share, carrier = other;
+            if (share > maximum) maximum = share, carrier = other;
         }
         if (all >= surrounded) sets_.join(unit, carrier);
     }
@@ -168,21 +168,21 @@ void joinFloors(std::vector<MeshUnit>& units) {
 namespace {
 
 double distanceFrom(const Ring& ring, glm::dvec2 point) {
-    double least = std::numeric_limits<double>::max();
+    double minimum = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const glm::dvec2 a(ring[i]), along = glm::dvec2(ring[(i + 1) % ring.size()]) - a;
         const double share =
             std::clamp(glm::dot(point - a, along) / std::max(1e-12, glm::dot(along, along)), 0.0, 1.0);
-        least = std::min(least, glm::distance(point, a + share * along));
+        minimum = std::min(minimum, glm::distance(point, a + share * along));
     }
-    return least;
+    return minimum;
 }
 
 double distanceFrom(const std::vector<Footprint>& outline, glm::dvec2 point) {
-    double least = std::numeric_limits<double>::max();
+    double minimum = std::numeric_limits<double>::max();
     for (const Footprint& piece : outline)
-        least = contains(piece, point) ? 0 : std::min(least, distanceFrom(piece.outer, point));
-    return least;
+        minimum = contains(piece, point) ? 0 : std::min(minimum, distanceFrom(piece.outer, point));
+    return minimum;
 }
 
 // Assigns the faces of walls to the units above them.
@@ -262,24 +262,24 @@ private:
 
     [[nodiscard]] std::size_t unitOver(const TriangleMesh& mesh, glm::uvec3 face, const Indices& near) const {
         std::size_t best = none;
-        double leastM = besideM, leastToTopM = 0;
+        double minM = besideM, minToTopM = 0;
         const glm::dvec2 middle = findMiddle(mesh, face);
         for (const std::size_t unit : near) {
             const double awayM = distanceFrom(outlines_[unit], middle);
-            if (awayM > leastM + double(touchM)) continue;
+            if (awayM > minM + double(touchM)) continue;
             const double toTopM = distanceToPoints(units_[unit].mesh, topOf(mesh, face));
-            const bool nearer = awayM < leastM - double(touchM);
-            if (best != none && !nearer && toTopM >= leastToTopM) continue;
-            best = unit, leastM = awayM, leastToTopM = toTopM;
+            const bool nearer = awayM < minM - double(touchM);
+            if (best != none && !nearer && toTopM >= minToTopM) continue;
+            best = unit, minM = awayM, minToTopM = toTopM;
         }
         return best;
     }
 
     static double distanceToPoints(const TriangleMesh& mesh, glm::vec3 point) {
-        double least = std::numeric_limits<double>::max();
+        double minimum = std::numeric_limits<double>::max();
         for (const glm::vec3 vertex : mesh.vertices)
-            least = std::min(least, double(glm::distance(vertex, point)));
-        return least;
+            minimum = std::min(minimum, double(glm::distance(vertex, point)));
+        return minimum;
     }
 
     static void addFace(TriangleMesh& to, const TriangleMesh& from, glm::uvec3 face) {

@@ -3,7 +3,7 @@
 #include <protozero/pbf_reader.hpp>
 #include <stdexcept>
 
-#include "core/io/osm/pbf_pieces.h"
+#include "core/io/osm/osm_map.h"
 
 namespace noonmark {
 

@@ -11,7 +11,7 @@
 #include "core/io/files/plain_file.h"
 #include "core/io/footprints/build_footprints.h"
 #include "core/io/formats/format.h"
-#include "core/io/heights/height_origins.h"
+#include "core/io/heights/height_reading.h"
 #include "core/io/heights/tree_fields.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/io/osm/osm_layers.h"

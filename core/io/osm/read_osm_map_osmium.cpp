@@ -15,7 +15,6 @@
 #include <string_view>
 
 #include "core/io/osm/osm_map.h"
-#include "core/io/osm/pbf_pieces.h"
 
 namespace noonmark {
 
@@ -317,9 +316,9 @@ private:
     }
 
     [[nodiscard]] Taken tooLarge(const char* what, std::int64_t id, std::size_t count, const char* parts,
-                                 std::size_t most) const {
+                                 std::size_t maximum) const {
         return limitReached(
-            fmt::format("The {} {} has {} {}; OpenStreetMap has at most {}", what, id, count, parts, most),
+            fmt::format("The {} {} has {} {}; OpenStreetMap has at most {}", what, id, count, parts, maximum),
             path_.string(), "Download it again, or divide the way");
     }
 

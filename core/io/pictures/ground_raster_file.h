@@ -1,5 +1,7 @@
 #pragma once
 
+// The folder core/io/pictures reads pictures of the ground: rasters of colours with a position.
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -14,8 +16,6 @@
 #include "core/geo/frame.h"
 
 namespace noonmark {
-
-// The folder core/io/pictures reads pictures of the ground: rasters of colours with a position.
 
 struct GroundRasterSettings {
     int maxPixels = 4096;  ///< longest side of what is read, 1 to 8192: 64 MB at 4096

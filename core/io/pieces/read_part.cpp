@@ -8,7 +8,7 @@
 #include "core/city/building_heights.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

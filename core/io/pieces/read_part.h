@@ -12,7 +12,6 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/warnings.h"
-#include "core/city/building.h"
 #include "core/city/city.h"
 #include "core/city/trees/tree_facts.h"
 #include "core/describe/text.h"

@@ -65,9 +65,9 @@ bool isUsable(const StreetPiece& piece, Warnings& warnings) {
 // The strips beside `street` that no carriageway covers.
 std::vector<Footprint> cutSidewalks(StreetBlock street, double sidewalkM,
                                     const std::vector<Footprint>& carriageways) {
-    constexpr MinPiece least{.areaM2 = 1, .widthM = 0.2};
+    constexpr MinPiece minimum{.areaM2 = 1, .widthM = 0.2};
     for (StreetLine& line : street.lines) line.widthM += 2 * sidewalkM;
-    return cutPiecesOutside(widenStreet(street.lines), carriageways, least);
+    return cutPiecesOutside(widenStreet(street.lines), carriageways, minimum);
 }
 
 // `carriageways`: those of `streets`. A street between carriageways has no sidewalk and is left out.

@@ -22,8 +22,8 @@ constexpr std::array nameFields{"name",  "park_name", "parkname", "signname",  "
 
 Result<int> findNameField(OGRLayer& layer, const std::string& asked, const std::string& file) {
     if (asked.empty()) {
-        for (const char* usual : nameFields)
-            if (const int field = layer.FindFieldIndex(usual, 0); field >= 0) return field;
+        for (const char* standard : nameFields)
+            if (const int field = layer.FindFieldIndex(standard, 0); field >= 0) return field;
         return -1;
     }
     return findNamedField(layer, asked, file);

@@ -1,7 +1,7 @@
 #pragma once
 
 // The folder core/io/places reads places: place_tags.h (this file) holds the rules of OpenStreetMap's tags,
-// street_blocks.h turns street lines into polygons, place_assembly.h joins features of one name, and
+// place_assembly.h turns street lines into polygons and joins features of one name, and
 // read_places.h reads files.
 
 #include <array>

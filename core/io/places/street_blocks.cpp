@@ -1,4 +1,4 @@
-#include "core/io/places/street_blocks.h"
+#include "core/io/places/place_assembly.h"
 
 #include <fmt/format.h>
 
@@ -216,12 +216,12 @@ private:
         for (const auto& [node, name] : run.ends) names.insert(name);
         if (names.size() <= 2) return {names.begin(), names.end()};
         std::vector<std::string> farthest;
-        double mostCm = -1;
+        double maxCm = -1;
         for (const auto& [a, nameA] : run.ends)
             for (const auto& [b, nameB] : run.ends) {
                 const double cm = std::hypot(double(a.first - b.first), double(a.second - b.second));
-                if (nameA == nameB || cm <= mostCm) continue;
-                mostCm = cm;
+                if (nameA == nameB || cm <= maxCm) continue;
+                maxCm = cm;
                 farthest = {nameA, nameB};
             }
         return farthest;

@@ -1,4 +1,4 @@
-#include "core/io/places/street_blocks.h"
+#include "core/io/places/place_assembly.h"
 
 #include <geos_c.h>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 #include <cmath>
 #include <vector>

@@ -4,7 +4,6 @@
 
 #include "core/base/units.h"
 #include "core/describe/text.h"
-#include "core/io/settings/read_fields.h"
 
 namespace noonmark {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // The folder core/io/settings says how files are read: ReadSettings and advice that names a setting (this
-// file); the table of its fields and its text in projects (read_fields.h).
+// file); the table of its fields and its text in projects.
 
 #include <optional>
 #include <span>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/describe/field.h"
 #include "core/geo/frame.h"
 
 namespace noonmark {
@@ -42,7 +43,7 @@ enum class TerrainFromBases { automatic, always, never };
 enum class Stand { automatic, terrain, absolute };
 
 /// What a terrain raster shows: found by whether it jumps at the outlines of buildings
-/// (core/io/terrain/surface_model.h), the bare ground, or a surface with the buildings on it.
+/// (core/io/terrain/ground_choice.h), the bare ground, or a surface with the buildings on it.
 enum class TerrainShows { automatic, ground, surface };
 
 /// Settings for what a file does not state itself. Every field has a default that is right for well-made
@@ -84,5 +85,24 @@ std::string anchorAdvice();
 /// Whether stating ReadSettings::crs or ReadSettings::meshAnchor could resolve the error: its advice is, or
 /// begins with, one of the two above.
 [[nodiscard]] bool asksForPlace(const Error& error);
+
+/// All settings of reading a city but the frame, which no user sets; the two tables below are part of it.
+const Fields<ReadSettings>& readSettingsFields();
+
+/// Where buildings stand: also of a proposal being read.
+const Fields<ReadSettings>& standFields();
+
+/// The axis and the unit of a mesh's coordinates: also of a proposal being read.
+const Fields<ReadSettings>& meshAxesFields();
+
+/// How a user states the field with this key on the command line, for messages: "--stand absolute".
+std::string readOption(std::string_view key, std::string_view value = {});
+
+/// The settings that differ from the defaults of ReadSettings, as JSON on one line; empty if none do. `frame`
+/// is omitted: it belongs to the open city.
+std::string formatText(const ReadSettings& reading);
+
+/// Parses the output of formatText(); nothing for other text.
+std::optional<ReadSettings> readSettingsFrom(const std::string& text);
 
 }  // namespace noonmark

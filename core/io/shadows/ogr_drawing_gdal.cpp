@@ -14,7 +14,7 @@
 #include "core/base/gdal_calls.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/footprints/ogr_polygons.h"
-#include "core/io/shadows/drawing_tables.h"
+#include "core/io/shadows/shadow_drawing.h"
 #include "core/io/shadows/write_shadows.h"
 #include "core/io/styles/qgis_style.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/base/escaped_text.h"
-#include "core/io/shadows/drawing_tables.h"
+#include "core/base/safe_text.h"
+#include "core/io/shadows/shadow_drawing.h"
 
 namespace noonmark {
 

@@ -12,8 +12,8 @@
 #include <regex>
 
 #include "core/base/gdal_calls.h"
-#include "core/io/shadows/drawing_tables.h"
 #include "core/io/shadows/ogr_drawing.h"
+#include "core/io/shadows/shadow_drawing.h"
 #include "core/io/shadows/write_shadows.h"
 
 namespace noonmark {

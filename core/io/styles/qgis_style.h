@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder core/io/styles writes styles of QGIS (QML): qgis_style.h (this file) those of the layers of a
+// GeoPackage, with the SQL of the table that QGIS takes them from by itself, puts one into a file that GDAL
+// writes, and makes those of rasters.
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,10 +15,6 @@ class GDALDataset;
 class OGRLayer;
 
 namespace noonmark {
-
-// The folder core/io/styles writes styles of QGIS (QML): qgis_style.h (this file) those of the layers of a
-// GeoPackage, with the SQL of the table that QGIS takes them from by itself, and puts one into
-// a file that GDAL writes; raster_style.h those of rasters.
 
 /// A style of QGIS for a layer.
 struct LayerStyle {
@@ -56,5 +56,10 @@ std::string addStyleSql(std::string_view layer, std::string_view geometryColumn,
 /// Puts the style of a layer into the GeoPackage that is being written; nothing where it has no QML. Errors
 /// are GDAL's: see GdalCalls.
 void writeLayerStyle(GDALDataset& geoPackage, OGRLayer& layer, const LayerStyle& style);
+
+/// The colours of a map as a style of QGIS (QML) for the first band of a raster, which QGIS takes by itself
+/// if the file lies beside the raster under its name. The values are those of the file, minutes of shadow (of
+/// a score, the score); the labels are in the unit shown. What the scale leaves free is transparent.
+std::string rasterStyle(const ColourScale& scale);
 
 }  // namespace noonmark

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "core/city/building.h"
+#include "core/city/city.h"
 #include "core/city/terrain/terrain.h"
 
 namespace noonmark {

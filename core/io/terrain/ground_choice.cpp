@@ -10,9 +10,8 @@
 #include "core/city/building_heights.h"
 #include "core/geo/frame.h"
 #include "core/io/heights/unknown_fields.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 #include "core/io/terrain/buildings_on_terrain.h"
-#include "core/io/terrain/surface_model.h"
 
 namespace noonmark {
 

@@ -16,7 +16,7 @@
 #include "core/io/heights/height_text.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/settings/read_settings.h"
-#include "core/io/terrain/terrain_grid.h"
+#include "core/io/terrain/raster_place.h"
 
 namespace noonmark {
 
@@ -274,15 +274,15 @@ std::vector<float> savedElevations(Source& source, const TerrainGrid& place, con
 // Measures how far the resampled surface deviates from the raster's own posts, at up to 200 x 200 of them.
 bool measureResampling(Source& source, const PixelPlaces& places, const Frame& frame,
                        const PixelExtent& window, Terrain& terrain) {
-    constexpr int most = 200;
+    constexpr int maximum = 200;
     RowReader reader(source);
     std::vector<float> values(std::size_t(window.columns));
     double squares = 0, count = 0;
-    for (int row = 0; row < window.rows; row += std::max(1, window.rows / most)) {
+    for (int row = 0; row < window.rows; row += std::max(1, window.rows / maximum)) {
         const PixelExtent one{window.column, window.row + row, window.columns, 1};
         if (!reader.read(one, values.data())) return false;
         std::vector<glm::dvec2> pixels;
-        for (int column = 0; column < window.columns; column += std::max(1, window.columns / most))
+        for (int column = 0; column < window.columns; column += std::max(1, window.columns / maximum))
             pixels.emplace_back(one.column + column + 0.5, one.row + 0.5);
         const std::vector<glm::dvec2> local = places.local(pixels);
         for (std::size_t i = 0; i < local.size(); ++i) {

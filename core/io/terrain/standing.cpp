@@ -10,7 +10,7 @@
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_parts.h"
 #include "core/geo/frame.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 #include "core/io/terrain/buildings_on_terrain.h"
 
 namespace noonmark {
@@ -128,9 +128,9 @@ float findBottom(const Building& building) {
 void markOnTerrain(Building& building, const Terrain* terrain) {
     const float bottom = findBottom(building);
     const float highest = terrain != nullptr ? findHighestGround(building, *terrain) : 0;
-    const float least = bottom > highest + openAirM ? -1e30F : bottom;
+    const float minimum = bottom > highest + openAirM ? -1e30F : bottom;
     markOverhangsAgain(building, [&](glm::dvec2 at) {
-        return std::max(least, terrain != nullptr ? elevationAt(*terrain, at) : 0);
+        return std::max(minimum, terrain != nullptr ? elevationAt(*terrain, at) : 0);
     });
 }
 
@@ -266,11 +266,11 @@ void Standing::follow(float shiftM) {
 }
 
 void Standing::setApart() {
-    const double most = std::max(apartM, 3 * fit_->spreadM);
+    const double maximum = std::max(apartM, 3 * fit_->spreadM);
     for (std::size_t i = 0; i < footings_.size(); ++i) {
         if (!hasBase(i) || isCarried(i)) continue;
         const double off = gapOf(i) - fit_->gapM;
-        if (std::abs(off) <= most) continue;
+        if (std::abs(off) <= maximum) continue;
         const bool stays = off > 0 && isMesh(*piece_.buildings[i]);
         ++(stays ? fit_->aloft : fit_->apart);
         if (!stays) footings_[i] = {lowestM_[i] - *piece_.groundM[i], std::nullopt};

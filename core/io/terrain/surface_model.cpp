@@ -1,4 +1,4 @@
-#include "core/io/terrain/surface_model.h"
+#include "core/io/terrain/ground_choice.h"
 
 #include <tbb/parallel_for.h>
 #include <algorithm>
@@ -161,8 +161,8 @@ public:
         std::vector<double> steps;
         for (const Part& part : building.parts)
             if (!part.isOverhanging) addSteps(part.footprint.outer, steps);
-        constexpr std::size_t least = 4;
-        if (steps.size() < least) return std::nullopt;
+        constexpr std::size_t minimum = 4;
+        if (steps.size() < minimum) return std::nullopt;
         return medianOf(steps);
     }
 

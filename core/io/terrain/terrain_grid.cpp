@@ -1,4 +1,4 @@
-#include "core/io/terrain/terrain_grid.h"
+#include "core/io/terrain/raster_place.h"
 
 #include <fmt/format.h>
 

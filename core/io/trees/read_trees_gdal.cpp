@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/clean_text.h"
 #include "core/base/gdal_calls.h"
+#include "core/base/safe_text.h"
 #include "core/geo/crs.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
@@ -25,7 +25,7 @@ namespace noonmark {
 namespace {
 
 constexpr std::size_t maxCanopyCells = 2'000'000;
-constexpr double leastCanopyM = 2, highestCanopyM = 120;  // lower growth shades no one who stands
+constexpr double minCanopyM = 2, highestCanopyM = 120;  // lower growth shades no one who stands
 
 using Placing = std::array<double, 6>;
 
@@ -50,7 +50,7 @@ Result<CanopyCells> readCells(GDALRasterBand& band, const Placing& placing, cons
                           0) != CE_None)
             return failure("It is incomplete or damaged", file, "Download or export it again");
         for (std::size_t x = 0; x < row.size(); ++x) {
-            if (!(row[x] >= leastCanopyM && row[x] <= highestCanopyM)) continue;
+            if (!(row[x] >= minCanopyM && row[x] <= highestCanopyM)) continue;
             cells.places.push_back(placeInRaster(placing, double(x) + 0.5, y + 0.5));
             cells.heightsM.push_back(row[x]);
         }

@@ -15,7 +15,7 @@
 #include "core/city/terrain/building_ground.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
-#include "core/engines/projected/casters/convex_pieces.h"
+#include "core/engines/projected/casters/shadow_casters.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/measures/places/place_receivers.h"
 #include "core/receivers/band_polygons.h"

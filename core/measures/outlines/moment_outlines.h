@@ -2,7 +2,7 @@
 
 // The folder core/measures/outlines makes polygons of shadows. This file projects buildings onto level
 // ground and joins their polygons to the outlines of a moment, for all buildings near an area; on terrain it
-// makes the outlines of traced cells. shadow_fan.h puts the moments of a day into one picture,
+// makes the outlines of traced cells. shadow_outlines.h puts the moments of a day into one picture,
 // day_isochrones.h draws lines of equal values.
 
 #include <glm/vec2.hpp>
@@ -13,7 +13,6 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/city/building.h"
 #include "core/city/city.h"
 #include "core/city/footprints/footprint.h"
 #include "core/measures/shadow_outlines.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/city/city.h"
-#include "core/engines/api/step_masks.h"
+#include "core/engines/api/step_sets.h"
 #include "core/geo/grid.h"
 #include "core/receivers/place.h"
 #include "core/sun/sun_steps.h"

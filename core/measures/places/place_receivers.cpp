@@ -9,7 +9,7 @@
 
 #include "core/base/stop_scope.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
-#include "core/measures/places/place_areas.h"
+#include "core/measures/places/place_sums.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -39,9 +39,9 @@ Grid alignToBlocks(const Grid& grid) {
 // Leaves out the cells of `from` that are no receivers in `other`.
 void keepCommon(Receivers& from, const Receivers& other) {
     std::erase_if(from.cells, [&](std::uint32_t cell) {
-        const bool gone = !isReceiver(other.kind[cell]);
-        if (gone) from.kind[cell] = other.kind[cell];
-        return gone;
+        const bool removed = !isReceiver(other.kind[cell]);
+        if (removed) from.kind[cell] = other.kind[cell];
+        return removed;
     });
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/city/city.h"
-#include "core/engines/api/step_masks.h"
+#include "core/engines/api/step_sets.h"
 #include "core/measures/places/place_cells.h"
 #include "core/receivers/place.h"
 #include "core/receivers/receivers.h"

@@ -65,10 +65,10 @@ double between(const Footprint& a, const Footprint& b, double atMost) {
 }  // namespace
 
 double measureDistanceM(const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const Footprint& one : a)
-        for (const Footprint& other : b) least = between(one, other, least);
-    return least;
+        for (const Footprint& other : b) minimum = between(one, other, minimum);
+    return minimum;
 }
 
 namespace {
@@ -220,11 +220,11 @@ Result<std::vector<ScreenedPlace>> screenPlaces(const City& baseline, const City
                                                 std::span<const Place> places, const SunSteps& sun,
                                                 const ScreeningSettings& settings, const Engine& engine,
                                                 Progress& progress, std::stop_token stop) {
-    Buildings come = findChangedBuildings(baseline.buildings, scenario.buildings).come;
-    if (come.empty())
+    Buildings added = findChangedBuildings(baseline.buildings, scenario.buildings).added;
+    if (added.empty())
         return failure("The scenario adds no building, so it casts no new shadow", "screening",
                        "Choose a scenario with a proposal");
-    const Proposal proposal(scenario, std::move(come), settings.lengthFactor.value_or(findLengthFactor(sun)),
+    const Proposal proposal(scenario, std::move(added), settings.lengthFactor.value_or(findLengthFactor(sun)),
                             settings.noShadow ? settings.noShadow : findNoShadowSector(sun));
     std::vector<ScreenedPlace> screened;
     std::vector<std::size_t> open;

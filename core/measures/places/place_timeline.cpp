@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/measures/places/place_areas.h"
+#include "core/measures/places/place_sums.h"
 
 namespace noonmark {
 
@@ -172,19 +172,19 @@ bool isBesidePlace(const PlaceShadow& shadow, std::size_t cell) {
 /// the place.
 std::size_t findStepsBeside(const PlaceShadow& shadow, const std::vector<BitRow>& rows, std::size_t cell,
                             std::size_t steps) {
-    std::size_t most = 0;
+    std::size_t maximum = 0;
     const auto compare = [&](std::size_t from, std::size_t to, std::size_t count) {
         if (cell < from || cell >= from + count) return;
         const std::size_t other = to + (cell - from);
         if (isBesidePlace(shadow, other)) return;
         const std::size_t beside = findLongestRunOf(rows, other);
-        most = std::max(most, steps - std::min(steps, beside));
+        maximum = std::max(maximum, steps - std::min(steps, beside));
     };
     for (const NeighbourCells& pairs : shadow.neighbours) {
         compare(pairs.first, pairs.second, pairs.count);
         compare(pairs.second, pairs.first, pairs.count);
     }
-    return most;
+    return maximum;
 }
 
 // The steps' rows, with an empty row where steps do not follow each other.

@@ -66,14 +66,14 @@ public:
                 add(place, fmt::format("{:g} m, {}", offsetM, ++number));
     }
 
-    void tellLeftOut(Warnings& warnings) const {
-        const auto tell = [&](std::size_t points, const char* why) {
+    void warnOfLeftOut(Warnings& warnings) const {
+        const auto warn = [&](std::size_t points, const char* why) {
             if (points > 0)
                 warnings.push_back(
                     {WarningKind::leftOut, why, fmt::format("{} points of the lines", points)});
         };
-        tell(inside_, "the line is inside a building there");
-        tell(below_, "the ground rises above the plane there");
+        warn(inside_, "the line is inside a building there");
+        warn(below_, "the ground rises above the plane there");
     }
     PointReceivers take() { return std::move(placed_); }
 
@@ -113,7 +113,7 @@ Result<PointReceivers> placeOnLines(const City& city, const std::vector<Footprin
             return limitReached("The lines have too many points", "lines", "Give a larger spacing");
         placer.addLine(*rings, offset);
     }
-    placer.tellLeftOut(warnings);
+    placer.warnOfLeftOut(warnings);
     return placer.take();
 }
 

@@ -66,11 +66,11 @@ double shiftAlong(glm::dvec2 outward, const std::vector<RoadFront>& roads, const
     constexpr double widestDeg = 45, equalDeg = 0.1;
     double nearest = widestDeg;
     for (const RoadFront& road : roads) nearest = std::min(nearest, awayFrom(road.side, outward));
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const RoadFront& road : roads)
         if (awayFrom(road.side, outward) <= nearest + equalDeg)
-            least = std::min(least, shiftOf(rule, road.widthM));
-    return std::isinf(least) ? 0 : least;
+            minimum = std::min(minimum, shiftOf(rule, road.widthM));
+    return std::isinf(minimum) ? 0 : minimum;
 }
 
 /// Whether an edge lies on the parcel's convex hull, or hardly behind it.

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/receivers/wall_faces.h"
+#include "core/receivers/points/solid_parts.h"
 
 namespace noonmark {
 
@@ -182,9 +182,9 @@ glm::dvec2 commonDirection(std::span<const ElevationPane> panes, const std::vect
         const long degree = std::lround(azimuthDegOf(levelNormal(panes[index]))) % 360;
         ++counts.try_emplace(degree, 0, index).first->second.first;
     }
-    const auto most =
+    const auto maximum =
         std::ranges::max_element(counts, {}, [](const auto& count) { return count.second.first; });
-    return levelNormal(panes[most->second.second]);
+    return levelNormal(panes[maximum->second.second]);
 }
 
 }  // namespace

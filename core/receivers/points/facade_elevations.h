@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/city/building.h"
+#include "core/city/city.h"
 #include "core/receivers/points/glazing_pane.h"
 
 namespace noonmark {

@@ -14,8 +14,8 @@
 #include "core/city/city.h"
 #include "core/receivers/point_receivers.h"
 #include "core/receivers/points/glazing_pane.h"
-#include "core/receivers/region.h"
-#include "core/receivers/wall_faces.h"
+#include "core/receivers/points/solid_parts.h"
+#include "core/receivers/receivers.h"
 
 namespace noonmark {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/measures/places/place_areas.h"
+#include "core/measures/places/place_sums.h"
 #include "core/review/criteria/worst_spots.h"
 
 namespace noonmark {
@@ -147,9 +147,9 @@ std::vector<std::uint32_t> takeWorse(const Criterion& criterion, const PlaceShad
     std::vector<std::uint32_t> steps = all;
     leaveOutBeside(shadow, criterion.quantity, steps);
     if (steps.empty()) return all;
-    const bool least = criterion.quantity == Quantity::sun;
-    const auto found = least ? std::ranges::min_element(steps) : std::ranges::max_element(steps);
-    if (worst && (least ? *found >= worst->steps : *found <= worst->steps)) return all;
+    const bool minimum = criterion.quantity == Quantity::sun;
+    const auto found = minimum ? std::ranges::min_element(steps) : std::ranges::max_element(steps);
+    if (worst && (minimum ? *found >= worst->steps : *found <= worst->steps)) return all;
     worst = WorstSpot{*found, runsOf(runs, std::size_t(found - steps.begin()))};
     return all;
 }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "core/measures/places/place_areas.h"
+#include "core/measures/places/place_sums.h"
 #include "core/review/criteria/spot_runs.h"
 
 namespace noonmark {
@@ -67,8 +67,8 @@ bool isInSeason(const Criterion& criterion, CivilDate date);
 /// Combines the days of one criterion. Takes days in any order.
 class CriterionDays {
 public:
-    CriterionDays(const Criterion& criterion, DayCombination usual)
-        : criterion_(&criterion), combination_(criterion.combination.value_or(usual)) {}
+    CriterionDays(const Criterion& criterion, DayCombination standard)
+        : criterion_(&criterion), combination_(criterion.combination.value_or(standard)) {}
 
     /// `weight`: days that this day stands for. Returns the day's value; none if the day is out of season.
     std::optional<double> add(const DayShadow& day, double weight);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/measures/places/place_areas.h"
+#include "core/measures/places/place_sums.h"
 
 namespace noonmark {
 

@@ -27,10 +27,10 @@ struct Measured {
 /// spot is within the error is at least 1.
 Verdict compareWith(Comparison comparison, double limit, const Measured& measured);
 
-/// The value as a ratio to the former one. Nothing of nothing is 1; something of nothing is infinite.
+/// The value as a ratio to the former one. 0 / 0 counts as 1, any other value / 0 as infinite.
 Measured ratioOf(const Measured& value, const Measured& former);
 
-/// What the former value has more.
+/// The former value minus this one.
 Measured lossOf(const Measured& value, const Measured& former);
 
 /// pass, borderline or fail: the first of these that is worse, or better.

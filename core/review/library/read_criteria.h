@@ -4,6 +4,17 @@
 
 namespace noonmark {
 
+// The parts of a rule; each reads the field of its name (docs/rules.md).
+
+RuleDays readDays(RuleFields& rule, const std::string& ruleSource);
+CountedHours readRuleHours(RuleFields& rule, const std::string& ruleSource);
+RuleClock readClock(RuleFields& rule, const std::string& ruleSource);
+RuleSampling readSampling(RuleFields& rule, const std::string& ruleSource);
+RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource);
+RuleOccluders readOccluders(RuleFields& rule, const std::string& ruleSource);
+RuleBaseline readBaseline(RuleFields& rule, const std::string& ruleSource);
+Deliverables readDeliverables(RuleFields& rule, const std::string& ruleSource);
+
 /// Status and source of a part of a rule; the source of the rule where the part states none.
 Evidence readEvidence(RuleFields& fields, const std::string& ruleSource);
 

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "core/review/library/read_criteria.h"
-#include "core/review/library/read_rule_parts.h"
 #include "core/review/places/review_columns.h"
 
 namespace noonmark {

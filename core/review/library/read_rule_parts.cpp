@@ -1,6 +1,5 @@
-#include "core/review/library/read_rule_parts.h"
-
 #include "core/review/library/read_criteria.h"
+
 #include "core/review/rule/rule_names.h"
 
 namespace noonmark {
@@ -32,13 +31,14 @@ std::vector<double> timesFrom(RuleFields& fields, const char* key) {
 }
 
 /// "03-21", or an object with day, label, same_as, status and source.
-RuleDay readDay(const RuleJson& json, const std::string& path, RuleTrouble& trouble, const Evidence& usual) {
-    if (json.is_string()) return {dayFrom(json.get<std::string>(), path, trouble), {}, {}, usual};
+RuleDay readDay(const RuleJson& json, const std::string& path, RuleTrouble& trouble,
+                const Evidence& standard) {
+    if (json.is_string()) return {dayFrom(json.get<std::string>(), path, trouble), {}, {}, standard};
     RuleFields fields(json, path, trouble);
-    RuleDay day{dayFrom(fields.text("day"), path, trouble), {}, fields.textOr("label", {}), usual};
+    RuleDay day{dayFrom(fields.text("day"), path, trouble), {}, fields.textOr("label", {}), standard};
     for (const std::string& text : fields.texts("same_as"))
         day.sameAs.push_back(dayFrom(text, path, trouble));
-    if (fields.has("status")) day.evidence = readEvidence(fields, usual.source);
+    if (fields.has("status")) day.evidence = readEvidence(fields, standard.source);
     fields.finish();
     return day;
 }

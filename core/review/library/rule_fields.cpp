@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/sun/close_names.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "core/sun/close_names.h"
 #include "core/sun/zone_country.h"
 #include "generated/shipped_rules.h"
 

@@ -162,15 +162,15 @@ std::string partsText(const Rule& rule) {
 }  // namespace
 
 FigureStatus leastSure(const Rule& rule) {
-    FigureStatus least =
+    FigureStatus minimum =
         std::max({rule.days.evidence.status, rule.window.evidence.status, rule.clock.evidence.status});
-    for (const RuleDay& day : rule.days.fixed) least = std::max(least, day.evidence.status);
+    for (const RuleDay& day : rule.days.fixed) minimum = std::max(minimum, day.evidence.status);
     for (const Criterion& criterion : rule.criteria)
         for (const Limit& limit : criterion.limits)
-            if (!criterion.advisory) least = std::max(least, limit.evidence.status);
-    for (const UnitShare& share : rule.shares) least = std::max(least, share.evidence.status);
-    if (rule.sunshine) least = std::max(least, rule.sunshine->evidence.status);
-    return least;
+            if (!criterion.advisory) minimum = std::max(minimum, limit.evidence.status);
+    for (const UnitShare& share : rule.shares) minimum = std::max(minimum, share.evidence.status);
+    if (rule.sunshine) minimum = std::max(minimum, rule.sunshine->evidence.status);
+    return minimum;
 }
 
 std::string describeRule(const Rule& rule) {

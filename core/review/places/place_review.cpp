@@ -33,20 +33,20 @@ struct LeastSun {
 };
 
 /// Takes the spots with least sun of these if they have less than those so far.
-void takeLeastSun(ReviewRow& row, const PlaceShadow& spots, LeastSun& least) {
+void takeLeastSun(ReviewRow& row, const PlaceShadow& spots, LeastSun& minimum) {
     SpotRuns sun = countRuns(spots, Quantity::sun, false);
     leaveOutBeside(spots, Quantity::sun, sun.total);
     if (sun.total.empty()) return;
     std::vector<std::uint32_t> longest = sun.longest;
     leaveOutBeside(spots, Quantity::sun, longest);
     const std::uint32_t shortest = *std::ranges::min_element(longest);
-    if (shortest < least.longest) {
-        least.longest = shortest;
+    if (shortest < minimum.longest) {
+        minimum.longest = shortest;
         row.leastLongestSunMin = shortest * spots.stepMinutes;
     }
     const auto spot = std::size_t(std::ranges::min_element(sun.total) - sun.total.begin());
-    if (least.total && sun.total[spot] >= *least.total) return;
-    least.total = sun.total[spot];
+    if (minimum.total && sun.total[spot] >= *minimum.total) return;
+    minimum.total = sun.total[spot];
     row.leastSunMin = sun.total[spot] * spots.stepMinutes;
     row.leastSunRunMin = sun.longest[spot] * spots.stepMinutes;
     row.leastSunIntervals = int(sun.count[spot]);
@@ -68,12 +68,12 @@ void addTimes(ReviewRow& row, const DayTimeline& timeline, const DayClock& clock
 }
 
 void addSpots(ReviewRow& row, const DayShadow& day) {
-    LeastSun least;
+    LeastSun minimum;
     takeMostShadow(row, day.shadow());
-    takeLeastSun(row, day.shadow(), least);
+    takeLeastSun(row, day.shadow(), minimum);
     for (const PlaceShadow& spots : day.spots()) {
         takeMostShadow(row, spots);
-        takeLeastSun(row, spots, least);
+        takeLeastSun(row, spots, minimum);
     }
 }
 

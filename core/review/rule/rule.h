@@ -19,7 +19,7 @@
 #include "core/receivers/place.h"
 #include "core/review/rule/glazing_rule.h"
 #include "core/sun/day_clock.h"
-#include "core/sun/sun_events.h"
+#include "core/sun/sun_paths.h"
 
 namespace noonmark {
 

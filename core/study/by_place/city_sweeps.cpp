@@ -1,4 +1,4 @@
-#include "core/study/by_place/city_sweeps.h"
+#include "core/study/by_place/group_measure.h"
 
 #include <tbb/task_arena.h>
 
@@ -25,8 +25,8 @@ double areaOfReceiver(const Receivers& receivers) {
 
 Buildings listChanged(const City& before, const City& after) {
     ChangedBuildings changed = findChangedBuildings(before.buildings, after.buildings);
-    changed.gone.insert(changed.gone.end(), changed.come.begin(), changed.come.end());
-    return changed.gone;
+    changed.removed.insert(changed.removed.end(), changed.added.begin(), changed.added.end());
+    return changed.removed;
 }
 
 // The receivers that were not swept have the minutes of the first city.

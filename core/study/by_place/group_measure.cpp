@@ -30,10 +30,11 @@ bool wantsErrors(const Measuring& m) {
 }
 
 ErrorSampleSettings sampleOf(const Measuring& m, bool isMain) {
-    constexpr int least = 8;  // cells
+    constexpr int minimum = 8;  // cells
     ErrorSampleSettings sample = m.settings().study.errorSample;
     if (!isMain)
-        sample.receivers = std::max<decltype(sample.receivers)>(least, sample.receivers / sampledSmallGroups);
+        sample.receivers =
+            std::max<decltype(sample.receivers)>(minimum, sample.receivers / sampledSmallGroups);
     return sample;
 }
 

@@ -21,7 +21,7 @@ struct SampledPlaces {
 /// than too small. Half as many cells as the sample of the study has.
 SampledPlaces samplePlaces(const CellGroup& group, const ErrorSampleSettings& settings, std::size_t steps);
 
-/// What hours follow from.
+/// What hours of sun are computed from.
 struct SunlitTime {
     double minutes = 0;        ///< of the period, with the sun above the horizon
     std::vector<double> days;  ///< of each set of steps

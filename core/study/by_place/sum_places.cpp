@@ -46,13 +46,13 @@ std::vector<std::optional<std::size_t>> findWholes(const std::vector<Place>& pla
         (isNamed ? boxes : wide).push_back(isNamed ? box : Box2{box.low - margin, box.high + margin});
     }
     std::vector<std::optional<std::size_t>> found(places.size());
-    std::vector<double> most(places.size(), 0);
+    std::vector<double> maximum(places.size(), 0);
     for (const auto& [a, b] : findMeetingBoxes(wide, boxes)) {
         if (stop.stop_requested()) break;
         const std::size_t part = parts[a], whole = wholes[b];
         const double weight = weigh(places[part], places[whole]);
-        if (weight <= most[part]) continue;
-        most[part] = weight;
+        if (weight <= maximum[part]) continue;
+        maximum[part] = weight;
         found[part] = whole;
     }
     return found;

@@ -57,11 +57,11 @@ std::optional<Sentence> describeExtremes(const SunByPlace& sun) {
     for (std::size_t i = 0; i < sun.sun.size(); ++i)
         if (hasOwnName(sun.places[i]) && !std::isnan(sun.sun[i].meanHours)) named.push_back(i);
     if (named.size() < 2) return std::nullopt;
-    const auto [least, most] =
+    const auto [minimum, maximum] =
         std::ranges::minmax(named, {}, [&](std::size_t i) { return sun.sun[i].meanHours; });
     return Sentence{NM_TEXT("%1 has the least sun, %2 a day, and %3 the most, %4."),
-                    {sun.places[least].name, hoursOf(sun.sun[least].meanHours), sun.places[most].name,
-                     hoursOf(sun.sun[most].meanHours)}};
+                    {sun.places[minimum].name, hoursOf(sun.sun[minimum].meanHours), sun.places[maximum].name,
+                     hoursOf(sun.sun[maximum].meanHours)}};
 }
 
 Sentence describeMean(const SunByPlace& sun) {
@@ -180,13 +180,13 @@ Amount inMinutes(double minutes) { return {minutes, FigureUnit::minutes}; }
 // Of several scenarios, which takes less: the one with the smallest mean loss against that with the largest.
 std::vector<Sentence> judgeCities(const SunOfCities& sun) {
     if (sun.compared.size() < 2) return {};
-    const auto [least, most] = std::ranges::minmax_element(sun.compared, {}, meanLossMin);
-    if (meanLossMin(*least) == meanLossMin(*most))
+    const auto [minimum, maximum] = std::ranges::minmax_element(sun.compared, {}, meanLossMin);
+    if (meanLossMin(*minimum) == meanLossMin(*maximum))
         return {{NM_TEXT("%1 and %2 take the same sun: %3 a day on average over the places."),
-                 {least->sun.name, most->sun.name, inMinutes(meanLossMin(*least))}}};
-    return {
-        {NM_TEXT("%1 takes less sun than %2: %3 against %4 a day on average over the places."),
-         {least->sun.name, most->sun.name, inMinutes(meanLossMin(*least)), inMinutes(meanLossMin(*most))}}};
+                 {minimum->sun.name, maximum->sun.name, inMinutes(meanLossMin(*minimum))}}};
+    return {{NM_TEXT("%1 takes less sun than %2: %3 against %4 a day on average over the places."),
+             {minimum->sun.name, maximum->sun.name, inMinutes(meanLossMin(*minimum)),
+              inMinutes(meanLossMin(*maximum))}}};
 }
 
 Sentence headlineOf(const std::string& name, const SunOfPlace& of, double enoughHours) {

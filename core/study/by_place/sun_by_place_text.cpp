@@ -12,8 +12,8 @@
 #include "core/receivers/place_names.h"
 #include "core/study/by_place/sun_by_place.h"
 #include "core/study/provenance/provenance_texts.h"
-#include "core/study/text/error_words.h"
-#include "core/study/text/period_json.h"
+#include "core/study/study_json.h"
+#include "core/study/text/error_text.h"
 
 namespace noonmark {
 

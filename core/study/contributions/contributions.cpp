@@ -11,7 +11,7 @@
 #include "core/study/contributions/place_contributions.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/text/breakdown_text.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 
 namespace noonmark {
 

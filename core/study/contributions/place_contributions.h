@@ -46,7 +46,7 @@ struct KeptContributions {
     std::vector<Contribution> rows;  ///< read back: without indices of buildings and sets of steps
 };
 KeptContributions keepContributions(const PlaceContributions& of, double sunlitMinutesPerDay);
-/// In place of an earlier one of the same place.
+/// Replaces an earlier one of the same place.
 std::vector<KeptContributions> withContributions(std::vector<KeptContributions> all, KeptContributions more);
 
 /// The JSON of an answer with a member `contributions_of_places`; without any it stays as it is.

@@ -1,4 +1,4 @@
-#include "core/study/elements/element_cityjson.h"
+#include "core/study/elements/element_models.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,6 @@
 #include "core/geo/crs.h"
 #include "core/geo/frame.h"
 #include "core/io/files/plain_file.h"
-#include "core/io/files/stoppable_stream.h"
 #include "core/io/formats/format.h"
 #include "core/io/settings/read_settings.h"
 
@@ -26,7 +25,7 @@ namespace {
 /// Hours of sun of the points on a surface.
 struct SurfaceHours {
     std::size_t points = 0;
-    double mean = 0, least = 0, most = 0;  ///< hours a day
+    double mean = 0, minimum = 0, maximum = 0;  ///< hours a day
 };
 
 /// Finds the points of a map that lie on a flat polygon.
@@ -124,12 +123,12 @@ std::vector<std::size_t> PointsOnSurfaces::find(const Rings& rings) const {
 SurfaceHours sumHours(const ElementMap& map, const std::vector<std::size_t>& points) {
     SurfaceHours hours{.points = points.size()};
     if (points.empty()) return hours;
-    hours.least = std::numeric_limits<double>::max();
+    hours.minimum = std::numeric_limits<double>::max();
     for (const std::size_t i : points) {
         const double sun = map.elements[i].sunlitMin / 60;
         hours.mean += sun / double(points.size());
-        hours.least = std::min(hours.least, sun);
-        hours.most = std::max(hours.most, sun);
+        hours.minimum = std::min(hours.minimum, sun);
+        hours.maximum = std::max(hours.maximum, sun);
     }
     return hours;
 }
@@ -266,8 +265,8 @@ private:
     static void writeHours(CityJson& semantic, const SurfaceHours& hours) {
         const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
         semantic["sunlight_hours_per_day_mean"] = rounded(hours.mean);
-        semantic["sunlight_hours_per_day_min"] = rounded(hours.least);
-        semantic["sunlight_hours_per_day_max"] = rounded(hours.most);
+        semantic["sunlight_hours_per_day_min"] = rounded(hours.minimum);
+        semantic["sunlight_hours_per_day_max"] = rounded(hours.maximum);
         semantic["sunlight_points"] = hours.points;
     }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/describe/text.h"
-#include "core/receivers/points/plane_points.h"
+#include "core/receivers/points/point_list.h"
 
 namespace noonmark {
 

@@ -9,9 +9,9 @@
 #include "core/study/elements/element_tables.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/repeat_command.h"
-#include "core/study/text/error_words.h"
-#include "core/study/text/height_words.h"
-#include "core/study/text/period_json.h"
+#include "core/study/study_json.h"
+#include "core/study/text/error_text.h"
+#include "core/study/text/height_facts_text.h"
 #include "core/study/text/region_text.h"
 #include "core/study/text/terrain_text.h"
 

@@ -1,18 +1,126 @@
 #include "core/study/elements/element_study.h"
 
 #include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
 #include "core/city/trees/tree.h"
 #include "core/describe/command_options.h"
-#include "core/study/elements/element_forecast.h"
 #include "core/study/study_fields.h"
 
 namespace noonmark {
+
+namespace {
+
+// `off`: minutes of each point.
+QuantityError quantityError(std::vector<double> off, double wholeMin) {
+    QuantityError error;
+    if (off.empty() || wholeMin <= 0) return error;
+    std::ranges::sort(off);
+    const double percent = 100 / wholeMin;
+    const auto rank = std::size_t(std::ceil(0.99 * double(off.size()))) - 1;  // nearest rank
+    error.meanPct = percent * std::accumulate(off.begin(), off.end(), 0.0) / double(off.size());
+    error.p99Pct = percent * off[rank];
+    error.largestPct = percent * off.back();
+    return error;
+}
+
+}  // namespace
+
+// The seed is spread over the fractions 0 to 1 by the golden ratio.
+std::vector<std::size_t> choosePoints(std::size_t all, std::size_t count, std::uint32_t seed) {
+    count = std::min(count, all);
+    const double start = std::fmod(seed * 0.6180339887498949, 1.0);
+    std::vector<std::size_t> chosen(count);
+    for (std::size_t i = 0; i < count; ++i)
+        chosen[i] = std::min(all - 1, std::size_t((double(i) + start) * double(all) / double(count)));
+    return chosen;
+}
+
+SurfacePoints pointsAt(const SurfacePoints& all, const std::vector<std::size_t>& chosen) {
+    SurfacePoints points;
+    for (const std::size_t i : chosen) {
+        points.positions.push_back(all.positions[i]);
+        points.normals.push_back(all.normals[i]);
+    }
+    return points;
+}
+
+Result<ElementError> sampleElementError(const ElementStudy& study, const std::optional<RayScene>& scene,
+                                        Progress& progress, const std::stop_token& stop) {
+    const auto& sample = study.settings.errorSample;
+    const auto chosen =
+        choosePoints(study.receivers.size(), sampleSize(sample, study.sun.steps.size()), sample.seed);
+    const auto truth =
+        tracePoints(study.city, pointsAt(study.receivers.points, chosen), study.sun, progress, stop, scene);
+    if (!truth) return tl::make_unexpected(truth.error());
+    const double whole = study.minutes.possibleMin, longest = longestDayMinutes(study.sun);
+    const PointMonths& swept = study.minutes;
+    const auto compare = [&](double wholeMin, const auto& minutesOf) {
+        std::vector<double> off;
+        for (std::size_t i = 0; i < chosen.size(); ++i)
+            off.push_back(std::abs(minutesOf(swept, chosen[i]) - minutesOf(*truth, i)));
+        return quantityError(std::move(off), wholeMin);
+    };
+    ElementError error{.points = chosen.size(), .rays = truth->cost.rays};
+    error.gross = compare(whole, [](const PointMonths& of, std::size_t point) { return of.sunlitOf(point); });
+    error.continuous = compare(
+        longest, [](const PointMonths& of, std::size_t point) { return double(of.longestShadowMin[point]); });
+    error.longestSun = compare(
+        longest, [](const PointMonths& of, std::size_t point) { return double(of.longestSunMin[point]); });
+    return error;
+}
+
+namespace {
+
+constexpr std::size_t sweptProbes = 256;  // enough for all cores: the sweep takes 64 points at a time
+constexpr std::size_t tracedProbes = 16;
+
+/// The time of work that has a part of its own and one for each point.
+struct PointCost {
+    double once = 0, each = 0;
+    [[nodiscard]] double of(std::size_t points) const { return once + double(points) * each; }
+};
+
+PointCost costOf(const PointMonths& probe, const char* stage, std::size_t points) {
+    return {probe.cost.seconds.at("build"),
+            probe.cost.seconds.at(stage) / double(std::max<std::size_t>(points, 1))};
+}
+
+SurfacePoints chooseProbes(const SurfacePoints& all, std::size_t count) {
+    return pointsAt(all, choosePoints(all.size(), count, 0));
+}
+
+}  // namespace
+
+Result<ElementForecast> forecastElementStudy(const City& city, const StudySettings& settings,
+                                             const ElementSettings& elements, Progress& progress,
+                                             const std::stop_token& stop) {
+    const Stopwatch watch;
+    const auto placed = placeElements(city, settings, elements, progress, stop);
+    if (!placed) return tl::make_unexpected(placed.error());
+    const auto sun = computeDaylightSteps(settings.period, makeObserver(city, settings), stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    const auto scene = RayScene::over(city, stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    const double prepared = watch.seconds();
+    const SurfacePoints& all = placed->receivers.points;
+    const SurfacePoints swept = chooseProbes(all, sweptProbes), traced = chooseProbes(all, tracedProbes);
+    const auto horizons = sweepPoints(city, swept, *sun, progress, stop, {.runs = true, .scene = *scene});
+    if (!horizons) return tl::make_unexpected(horizons.error());
+    const auto rays = tracePoints(city, traced, *sun, progress, stop, *scene);
+    if (!rays) return tl::make_unexpected(rays.error());
+    const PointCost ofSweep = costOf(*horizons, "sweep", swept.size());
+    const PointCost ofRays = costOf(*rays, "trace", traced.size());
+    const std::size_t sample = std::min(all.size(), sampleSize(settings.errorSample, sun->steps.size()));
+    return ElementForecast{all.size(), sun->steps.size(),
+                           prepared + ofSweep.of(all.size()) + (sample > 0 ? ofRays.of(sample) : 0),
+                           prepared + ofRays.of(all.size())};
+}
 
 namespace {
 

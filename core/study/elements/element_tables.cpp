@@ -134,17 +134,17 @@ std::string toCsv(const ElementTable& table) {
 }
 
 ElementFigures computeFigures(const ElementStudy& study) {
-    ElementFigures figures{.points = study.receivers.size(), .leastSunlitMin = 1e30};
+    ElementFigures figures{.points = study.receivers.size(), .minSunlitMin = 1e30};
     figures.possibleMin = study.minutes.possibleMin / double(study.sun.dayCount());
     const auto count = double(study.receivers.size());
     for (std::size_t point = 0; point < study.receivers.size(); ++point) {
         const double sunlit = study.minutes.sunlitOf(point) / double(study.sun.dayCount());
         const auto run = double(study.minutes.longestShadowMin[point]);
         figures.meanSunlitMin += sunlit / count;
-        figures.leastSunlitMin = std::min(figures.leastSunlitMin, sunlit);
-        figures.mostSunlitMin = std::max(figures.mostSunlitMin, sunlit);
+        figures.minSunlitMin = std::min(figures.minSunlitMin, sunlit);
+        figures.maxSunlitMin = std::max(figures.maxSunlitMin, sunlit);
         figures.meanContinuousMin += run / count;
-        figures.mostContinuousMin = std::max(figures.mostContinuousMin, run);
+        figures.maxContinuousMin = std::max(figures.maxContinuousMin, run);
     }
     figures.meanGrossMin = figures.possibleMin - figures.meanSunlitMin;
     return figures;
@@ -157,7 +157,7 @@ AnswerPage makePage(const ElementMap& map, const ElementFigures& figures) {
     return {{NM_TEXT("%1 of sun a day on average at %2 points"),
              {hours(figures.meanSunlitMin), Amount{double(figures.points), FigureUnit::none, 0}}},
             {{NM_TEXT("The darkest point gets %1, the sunniest %2, of %3 a day with the sun up."),
-              {hours(figures.leastSunlitMin), hours(figures.mostSunlitMin), hours(figures.possibleMin)}}},
+              {hours(figures.minSunlitMin), hours(figures.maxSunlitMin), hours(figures.possibleMin)}}},
             {makeSunHistogram(sunMin, map.possibleMin, NM_TEXT("Share of the points, %"))}};
 }
 
@@ -180,14 +180,14 @@ const Figures<ElementFigures>& elementFigures() {
                 .unit = FigureUnit::hoursADay,
                 .whole = Whole::sunlitTime,
                 .shownDecimals = 2}),
-        figure(&ElementFigures::leastSunlitMin,
+        figure(&ElementFigures::minSunlitMin,
                {.key = "min_sunlit_min",
                 .label = NM_TEXT("Least sun"),
                 .definition = NM_TEXT("time in the sun per day at the darkest point"),
                 .unit = FigureUnit::hoursADay,
                 .whole = Whole::sunlitTime,
                 .shownDecimals = 2}),
-        figure(&ElementFigures::mostSunlitMin,
+        figure(&ElementFigures::maxSunlitMin,
                {.key = "max_sunlit_min",
                 .label = NM_TEXT("Most sun"),
                 .definition = NM_TEXT("time in the sun per day at the sunniest point"),
@@ -202,13 +202,13 @@ const Figures<ElementFigures>& elementFigures() {
                 .whenMissing = std::nan(""),
                 .unit = FigureUnit::minutesADay,
                 .whole = Whole::sunlitTime,
-                .tells = Tells::shadow}),
+                .shownWith = ShownWith::shadow}),
         figure(&ElementFigures::meanContinuousMin,
                {.key = "mean_continuous_min",
                 .label = NM_TEXT("Mean continuous"),
                 .definition = NM_TEXT("longest unbroken run in shadow on any day, mean over the points"),
                 .unit = FigureUnit::minutes}),
-        figure(&ElementFigures::mostContinuousMin,
+        figure(&ElementFigures::maxContinuousMin,
                {.key = "max_continuous_min",
                 .label = NM_TEXT("Max continuous"),
                 .definition = NM_TEXT("longest unbroken run in shadow at any point on any day"),

@@ -7,7 +7,7 @@
 #include "core/describe/figure.h"
 #include "core/io/elements/write_elements.h"
 #include "core/study/elements/element_map.h"
-#include "core/study/provenance/command_words.h"
+#include "core/study/provenance/command_text.h"
 #include "core/study/provenance/provenance_texts.h"
 
 namespace noonmark {
@@ -38,10 +38,10 @@ std::string elementStudyJson(const ElementStudy& study, const std::map<std::stri
 /// Figures of all points together.
 struct ElementFigures {
     std::size_t points = 0;
-    double possibleMin = 0;                                           ///< minutes a day with the sun up
-    double meanSunlitMin = 0, leastSunlitMin = 0, mostSunlitMin = 0;  ///< a day
-    double meanGrossMin = 0;                                          ///< a day
-    double meanContinuousMin = 0, mostContinuousMin = 0;
+    double possibleMin = 0;                                        ///< minutes a day with the sun up
+    double meanSunlitMin = 0, minSunlitMin = 0, maxSunlitMin = 0;  ///< a day
+    double meanGrossMin = 0;                                       ///< a day
+    double meanContinuousMin = 0, maxContinuousMin = 0;
 };
 ElementFigures computeFigures(const ElementStudy& study);
 const Figures<ElementFigures>& elementFigures();

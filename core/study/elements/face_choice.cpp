@@ -8,7 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/receivers/wall_faces.h"
+#include "core/receivers/points/solid_parts.h"
 #include "core/study/elements/element_map.h"
 
 namespace noonmark {

@@ -8,7 +8,7 @@
 #include "core/base/warnings.h"
 #include "core/city/city.h"
 #include "core/io/files/readable_text.h"
-#include "core/receivers/points/plane_points.h"
+#include "core/receivers/points/point_list.h"
 #include "core/study/point_cases.h"
 
 namespace noonmark {

@@ -32,7 +32,7 @@ inline std::string_view nameOf(ElementPlaces places) {
 }
 
 /// What the names in ElementSettings mean in a project and its city. The caller looks it up before the points
-/// are placed (app/input/find_element_parts.h). All are equal, since the names are compared.
+/// are placed (app/input/load_project.h). All are equal, since the names are compared.
 struct ElementParts {
     std::vector<Footprint> facedPlace;  ///< the polygons of FaceChoice::place
     std::vector<Footprint> parcel;      ///< the polygons of ElementSettings::parcel

@@ -1,4 +1,4 @@
-#include "core/study/glazing/glazing_scene.h"
+#include "core/study/glazing/glazing_study.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

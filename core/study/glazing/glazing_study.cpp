@@ -11,7 +11,6 @@
 #include "core/city/trees/tree.h"
 #include "core/geo/frame.h"
 #include "core/review/glazing/glazing_review.h"
-#include "core/study/glazing/glazing_scene.h"
 #include "core/study/review_study.h"
 
 namespace noonmark {

@@ -1,17 +1,20 @@
 #pragma once
 
 // The folder core/study/glazing evaluates rules about windows. runGlazingReview() (this file) returns a
-// GlazingStudy, prepared by a GlazingScene (glazing_scene.h); window_text.h turns it into tables and JSON,
+// GlazingStudy, prepared by a GlazingScene; window_text.h turns it into tables and JSON,
 // and glazing_text.h says which of its values elevations show.
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <vector>
 
-#include "core/engines/points/shaded_step_finder.h"
+#include "core/engines/points/point_sunlight.h"
+#include "core/engines/points/sky_obstacles.h"
 #include "core/receivers/points/facade_elevations.h"
 #include "core/review/glazing/building_review.h"
 #include "core/study/elements/place_elements.h"
@@ -81,5 +84,39 @@ Result<GlazingForecast> forecastGlazingReview(const Rule& rule, const City& base
 Result<GlazingStudy> runGlazingReview(const Rule& rule, const City& baseline, const City& scenario,
                                       const GlazingReviewSettings& settings, Progress& progress,
                                       const std::stop_token& stop, const AnnounceGlazing& announce = {});
+
+/// The windows that are judged together, as indices of receivers.
+using GlazingGroup = std::vector<std::uint32_t>;
+
+/// What a review of windows evaluates: everything that does not depend on a single window.
+struct GlazingScene {
+    Rule rule;         ///< its opening is no wider than a bay
+    const City& city;  ///< the scenario
+    PlacedElements placed;
+    RuleSun days;
+    ShadedStepFinder::By by = ShadedStepFinder::By::rays;
+    std::string engine;  ///< in words, with why it was chosen where a sample decided it
+    std::optional<ShadedStepFinder> after;
+    std::optional<ShadedStepFinder> before;  ///< none: the baseline is the scenario
+    std::optional<SkyTrees> sky, formerSky;  ///< where the rule asks for the sky component
+    std::set<std::uint32_t> fresh;           ///< buildings without former values, by index
+    std::vector<GlazingGroup> groups;
+    double prepareSeconds = 0, buildSeconds = 0;
+
+    [[nodiscard]] PaneSize paneOf(std::uint32_t window) const {
+        return placed.facts.empty() ? PaneSize{} : placed.facts[window].pane;
+    }
+};
+
+/// Cities must outlive the scene, which stays where it is: its parts refer to each other. Errors as of
+/// runGlazingReview(). In Midtown some 0.5 s a city.
+Result<std::unique_ptr<const GlazingScene>> prepareGlazingScene(const Rule& rule, const City& baseline,
+                                                                const City& scenario,
+                                                                const GlazingReviewSettings& settings,
+                                                                Progress& progress,
+                                                                const std::stop_token& stop);
+
+/// Evaluates the rule on a group of windows. Safe on several threads.
+GlazingReview reviewGroup(const GlazingScene& scene, const GlazingGroup& group);
 
 }  // namespace noonmark

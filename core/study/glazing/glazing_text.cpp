@@ -13,7 +13,7 @@
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/repeat_command.h"
 #include "core/study/review_study.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "core/study/text/review_text.h"
 
 namespace noonmark {

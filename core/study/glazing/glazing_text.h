@@ -8,7 +8,7 @@
 #include "core/io/elements/write_elements.h"
 #include "core/measures/palette.h"
 #include "core/study/glazing/glazing_study.h"
-#include "core/study/provenance/repeat_review.h"
+#include "core/study/provenance/repeat_command.h"
 
 namespace noonmark {
 

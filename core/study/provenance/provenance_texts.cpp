@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "core/base/version.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 #include "core/simd/instruction_set.h"
 
 namespace noonmark {

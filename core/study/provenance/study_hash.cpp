@@ -6,7 +6,7 @@
 #include "core/city/footprints/repair_footprint.h"
 #include "core/city/map_context.h"
 #include "core/city/trees/tree.h"
-#include "core/describe/field_checks.h"
+#include "core/describe/field_values.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/sha256.h"
 #include "core/study/study_fields.h"

@@ -1,15 +1,15 @@
 #pragma once
 
-// The folder core/study/text turns results into text: JSON for study.json and info (error_words.h,
-// height_words.h, terrain_text.h), CSV (breakdown_text.h), sentences for people (in the same files), and a
-// region as a command line or GeoJSON (this file).
+// The folder core/study/text turns results into text: JSON for study.json and info (error_text.h,
+// height_facts_text.h, terrain_text.h), CSV (breakdown_text.h), sentences for people (in the same files), and
+// a region as a command line or GeoJSON (this file).
 
 #include <optional>
 #include <string>
 
 #include "core/city/city.h"
 #include "core/geo/frame.h"
-#include "core/receivers/region.h"
+#include "core/receivers/receivers.h"
 
 namespace noonmark {
 

@@ -15,7 +15,7 @@
 #include "core/review/places/verdict_text.h"
 #include "core/review/rule/rule_names.h"
 #include "core/study/provenance/provenance_texts.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 
 namespace noonmark {
 

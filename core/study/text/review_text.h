@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/review/criteria/criterion_days.h"
-#include "core/study/provenance/repeat_review.h"
+#include "core/study/provenance/repeat_command.h"
 #include "core/study/review_study.h"
 
 namespace noonmark {

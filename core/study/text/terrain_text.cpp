@@ -14,7 +14,7 @@
 #include "core/engines/api/tree_shade.h"
 #include "core/io/heights/height_facts.h"
 #include "core/measures/statistics.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 
 namespace noonmark {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/describe/field_checks.h"
+#include "core/describe/field_values.h"
 
 namespace noonmark {
 

@@ -14,7 +14,7 @@
 #include "core/io/files/write_text.h"
 #include "core/io/write_raster.h"
 #include "core/measures/colour_scale.h"
-#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/tile_plan.h"
 #include "core/study/study.h"
 #include "core/study/tiles/tile_journal.h"

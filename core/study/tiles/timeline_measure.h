@@ -6,7 +6,7 @@
 
 #include "core/io/places/read_places.h"
 #include "core/receivers/tile_plan.h"
-#include "core/study/text/timeline_text.h"
+#include "core/study/place_study.h"
 #include "core/study/tiles/tile_runner.h"
 
 namespace noonmark {

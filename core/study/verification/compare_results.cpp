@@ -1,4 +1,4 @@
-#include "core/study/verification/compare_results.h"
+#include "core/study/verification/result_record.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -187,9 +187,9 @@ Words wordsOf(const std::string& text) {
 
 bool matches(const Words& a, std::size_t i, const Words& b, std::size_t j) {
     if (i == a.size() && j == b.size()) return true;
-    const std::size_t most = std::min({matchWords, a.size() - i, b.size() - j});
-    return most > 0 && std::equal(a.begin() + std::ptrdiff_t(i), a.begin() + std::ptrdiff_t(i + most),
-                                  b.begin() + std::ptrdiff_t(j));
+    const std::size_t maximum = std::min({matchWords, a.size() - i, b.size() - j});
+    return maximum > 0 && std::equal(a.begin() + std::ptrdiff_t(i), a.begin() + std::ptrdiff_t(i + maximum),
+                                     b.begin() + std::ptrdiff_t(j));
 }
 
 // The nearest place at which both texts go on alike; their ends if there is none.

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "core/describe/command_options.h"
-#include "core/study/provenance/command_words.h"
+#include "core/study/provenance/command_text.h"
 #include "core/study/provenance/provenance.h"
 #include "core/sun/period_fields.h"
 

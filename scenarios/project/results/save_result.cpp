@@ -9,7 +9,7 @@
 #include "core/study/elements/element_tables.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/study_hash.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/project/results/saved_figures_json.h"
 #include "scenarios/project/tables/geopackage.h"

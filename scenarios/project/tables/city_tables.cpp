@@ -8,14 +8,14 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/base/clean_text.h"
+#include "core/base/safe_text.h"
 #include "core/city/map_context.h"
 #include "core/city/trees/tree_facts.h"
-#include "core/io/settings/read_fields.h"
-#include "core/study/text/height_words.h"
+#include "core/io/settings/read_settings.h"
+#include "core/study/text/height_facts_text.h"
 #include "core/study/text/terrain_text.h"
 #include "scenarios/project/read_project.h"
-#include "scenarios/project/tables/checked_row.h"
+#include "scenarios/project/tables/database.h"
 #include "scenarios/project/tables/geometry_blob.h"
 #include "scenarios/project/tables/geopackage.h"
 #include "scenarios/project/write_project.h"

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/base/clean_text.h"
+#include "core/base/safe_text.h"
 #include "scenarios/project/read_project.h"
-#include "scenarios/project/tables/checked_row.h"
+#include "scenarios/project/tables/database.h"
 #include "scenarios/project/tables/geometry_blob.h"
 #include "scenarios/project/tables/geopackage.h"
 #include "scenarios/project/write_project.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -27,5 +28,15 @@ Bytes multiPointBlob(const std::vector<glm::vec2>& points);
 std::optional<std::vector<Footprint>> toPolygons(std::string_view blob);
 /// The points of a LINESTRING, a POINT or a MULTIPOINT. Empty where the bytes are no such geometry.
 std::optional<std::vector<glm::vec2>> toPoints(std::string_view blob);
+
+/// A ring as [[x, y], ...] in local metres; it round-trips exactly.
+nlohmann::ordered_json ringJson(const Ring& ring);
+
+/// Throws nlohmann's exceptions, or std::invalid_argument for fewer than three points.
+Ring parseRing(const nlohmann::ordered_json& json);
+
+/// Throws nlohmann's exceptions where the value is not a number, std::invalid_argument where it is out of
+/// range.
+double numberFrom(const nlohmann::ordered_json& json, const NumberLimits& limits);
 
 }  // namespace noonmark

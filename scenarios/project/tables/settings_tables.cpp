@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/base/clean_text.h"
-#include "core/describe/field_checks.h"
+#include "core/base/safe_text.h"
 #include "core/describe/field_json.h"
-#include "core/describe/value_text.h"
+#include "core/describe/field_values.h"
 #include "core/sun/period_fields.h"
 #include "scenarios/project/read_project.h"
-#include "scenarios/project/tables/checked_row.h"
+#include "scenarios/project/tables/database.h"
 #include "scenarios/project/tables/schema.h"
 #include "scenarios/project/title_fields.h"
 #include "scenarios/project/write_project.h"

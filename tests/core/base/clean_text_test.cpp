@@ -1,4 +1,4 @@
-#include "core/base/clean_text.h"
+#include "core/base/safe_text.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,7 @@
 #include <set>
 #include <tuple>
 
-#include "core/bench/paper/approximation_errors.h"
-#include "core/bench/paper/graph_errors.h"
+#include "core/bench/paper/paper_bench.h"
 #include "core/engines/graph/direction_graph.h"
 #include "tests/core/bench/tiny_site.h"
 

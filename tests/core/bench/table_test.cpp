@@ -30,8 +30,8 @@ TEST(BenchMoments, OfKnownValues) {
     EXPECT_DOUBLE_EQ(moments.mean, 2.5);
     EXPECT_DOUBLE_EQ(moments.median, 2.5);
     EXPECT_DOUBLE_EQ(moments.deviation, std::sqrt(1.25));
-    EXPECT_EQ(moments.least, 1);
-    EXPECT_EQ(moments.most, 4);
+    EXPECT_EQ(moments.minimum, 1);
+    EXPECT_EQ(moments.maximum, 4);
     EXPECT_EQ(computeMoments({5, 9, 1}).median, 5);
     EXPECT_EQ(computeMoments({}).mean, 0);
 }

@@ -6,9 +6,8 @@
 #include <limits>
 
 #include "core/describe/command_options.h"
-#include "core/describe/field_checks.h"
 #include "core/describe/field_json.h"
-#include "core/describe/value_text.h"
+#include "core/describe/field_values.h"
 
 namespace noonmark {
 namespace {

@@ -1,10 +1,9 @@
-#include "core/describe/named_fields.h"
+#include "core/describe/field_values.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "core/describe/field_checks.h"
 #include "core/describe/field_json.h"
 
 namespace noonmark::tests {

@@ -40,7 +40,7 @@ TEST(AzimuthBatch, BatchesHoldEachBinOnceInOrder) {
     for (const BatchRange& batch : groupIntoBatches(bins)) {
         EXPECT_EQ(batch.first, next);
         EXPECT_GE(batch.size(), 1U);
-        EXPECT_LE(batch.size(), std::size_t(BatchLanes::most));
+        EXPECT_LE(batch.size(), std::size_t(BatchLanes::maximum));
         const ShadowAxes first(bins[batch.first].away), last(bins[batch.end - 1].away);
         EXPECT_EQ(first.swapped, last.swapped);
         EXPECT_EQ(first.sign, last.sign);
@@ -121,13 +121,13 @@ void expectSameGross(const City& city, const Receivers& receivers) {
     const SunSteps sun = threeDays();
     const ShadowField both = counted(city, receivers, sun, ShadowCounts::grossAndRuns),
                       gross = counted(city, receivers, sun, ShadowCounts::gross);
-    double most = 0;
+    double maximum = 0;
     for (const std::uint32_t cell : receivers.cells) {
         EXPECT_EQ(gross.grossMin[cell], both.grossMin[cell]) << cell;
         EXPECT_TRUE(std::isnan(gross.continuousMin[cell])) << cell;
-        most = std::max(most, double(both.continuousMin[cell]));
+        maximum = std::max(maximum, double(both.continuousMin[cell]));
     }
-    EXPECT_GT(most, 0);
+    EXPECT_GT(maximum, 0);
 }
 
 TEST(GrossAlone, IsThatOfASweepWithRuns) {

@@ -1,4 +1,4 @@
-#include "core/engines/projected/casters/convex_pieces.h"
+#include "core/engines/projected/casters/shadow_casters.h"
 
 #include <gtest/gtest.h>
 
@@ -28,10 +28,10 @@ Edges edgesOf(const Footprint& footprint) {
 }
 
 // Pieces are convex and inside the footprint, and all their edges except the last belong to the footprint.
-void expectSound(const Footprint& footprint, const std::vector<Ring>& pieces, std::size_t most) {
+void expectSound(const Footprint& footprint, const std::vector<Ring>& pieces, std::size_t maximum) {
     Edges edges;
     for (const Ring& piece : pieces) {
-        ASSERT_LE(piece.size(), most);
+        ASSERT_LE(piece.size(), maximum);
         glm::vec2 middle(0);
         for (std::size_t i = 0; i < piece.size(); ++i) {
             if (i + 1 < piece.size()) count(edges, piece[i], piece[i + 1]);
@@ -83,9 +83,9 @@ TEST(ConvexPieces, OfRandomStarsTakeEveryEdgeOnceAndStayInside) {
             star.outer.emplace_back(float(radius * std::cos(angle)), float(radius * std::sin(angle)));
         }
         if (round % 2 == 0) star.holes.push_back({{-3, -3}, {-3, 4}, {5, 4}, {5, -3}});
-        const std::size_t most = round % 5 == 0 ? 7 : 60;
-        const auto pieces = splitIntoConvexPieces(star, most);
-        expectSound(star, pieces, most);
+        const std::size_t maximum = round % 5 == 0 ? 7 : 60;
+        const auto pieces = splitIntoConvexPieces(star, maximum);
+        expectSound(star, pieces, maximum);
         EXPECT_LT(pieces.size(), std::size_t(points) + 4);
     }
 }

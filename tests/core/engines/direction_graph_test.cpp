@@ -81,8 +81,8 @@ TEST(ShadowMask, RunsAgreeWithCounting) {
     std::mt19937_64 random(3);
     for (int round = 0; round < 2000; ++round) {
         const int steps = 1 + int(random() % 64);
-        const ShadowMask half = random(), most = random() | half;
-        const ShadowMask mask = random() & most & fullMask(steps);
+        const ShadowMask half = random(), maximum = random() | half;
+        const ShadowMask mask = random() & maximum & fullMask(steps);
         MaskRuns expected;
         int run = 0;
         for (int k = 0; k < steps; ++k) {

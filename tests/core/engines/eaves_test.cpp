@@ -9,7 +9,7 @@
 #include "core/engines/horizon/attribution/horizon_breakdown.h"
 #include "core/engines/horizon/cache/horizon_cache.h"
 #include "core/engines/points/point_horizons.h"
-#include "core/engines/points/shaded_step_finder.h"
+#include "core/engines/points/point_sunlight.h"
 #include "core/engines/points/sky_obstacles.h"
 #include "core/engines/projected/shadow_cache.h"
 #include "core/receivers/point_receivers.h"

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "core/describe/field_checks.h"
+#include "core/describe/field_values.h"
 #include "tests/core/engines/terrain_scenes.h"
 
 namespace noonmark::tests {

@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <numbers>
 
-#include "core/engines/api/partial_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/io/read_city.h"
 #include "tests/core/engines/scenes.h"

@@ -8,8 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "core/engines/horizon/counting/run_search.h"
-
 namespace noonmark {
 namespace {
 

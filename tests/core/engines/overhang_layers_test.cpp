@@ -8,9 +8,9 @@
 namespace noonmark {
 namespace {
 
-std::vector<glm::dvec2> starAround(glm::dvec2 middle, int corners, double least, double most,
+std::vector<glm::dvec2> starAround(glm::dvec2 middle, int corners, double minimum, double maximum,
                                    std::mt19937& random) {
-    std::uniform_real_distribution<double> reach(least, most);
+    std::uniform_real_distribution<double> reach(minimum, maximum);
     std::vector<glm::dvec2> ring;
     for (int i = 0; i < corners; ++i) {
         const double angle = 2 * std::numbers::pi * i / corners;

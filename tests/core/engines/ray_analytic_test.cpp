@@ -53,12 +53,12 @@ Comparison compare(const std::vector<Box3>& boxes, const Receivers& receivers, c
             return minutesOf(sun,
                              [&](glm::dvec3 direction) { return inShadow(boxes, origin, direction, growM); });
         };
-        const Minutes least = grownBy(-1e-4), exact = grownBy(0), most = grownBy(1e-4);
+        const Minutes minimum = grownBy(-1e-4), exact = grownBy(0), maximum = grownBy(1e-4);
         const float tolerance = 1e-4F;
-        EXPECT_GE(field.grossMin[cell], float(least.gross) - tolerance) << origin.x << ' ' << origin.y;
-        EXPECT_LE(field.grossMin[cell], float(most.gross) + tolerance) << origin.x << ' ' << origin.y;
-        EXPECT_GE(field.continuousMin[cell], float(least.continuous) - tolerance);
-        EXPECT_LE(field.continuousMin[cell], float(most.continuous) + tolerance);
+        EXPECT_GE(field.grossMin[cell], float(minimum.gross) - tolerance) << origin.x << ' ' << origin.y;
+        EXPECT_LE(field.grossMin[cell], float(maximum.gross) + tolerance) << origin.x << ' ' << origin.y;
+        EXPECT_GE(field.continuousMin[cell], float(minimum.continuous) - tolerance);
+        EXPECT_LE(field.continuousMin[cell], float(maximum.continuous) + tolerance);
         ++comparison.cells;
         comparison.shaded += exact.gross > 0;
         comparison.different += std::abs(field.grossMin[cell] - float(exact.gross)) > tolerance;

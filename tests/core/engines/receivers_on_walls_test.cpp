@@ -40,7 +40,7 @@ bool isOnAWall(const std::vector<Box3>& boxes, glm::dvec2 place) {
 
 struct OnWalls {
     std::size_t cells = 0, off = 0;  ///< off: by any step
-    double mostMin = 0;
+    double maxMin = 0;
 };
 
 OnWalls comparedOnWalls(const std::vector<Box3>& boxes, const Receivers& receivers, const ShadowField& field,
@@ -51,7 +51,7 @@ OnWalls comparedOnWalls(const std::vector<Box3>& boxes, const Receivers& receive
         const double off = std::abs(double(field.grossMin[cell]) - double(truth.grossMin[cell]));
         ++found.cells;
         found.off += off > 1e-3;
-        found.mostMin = std::max(found.mostMin, off);
+        found.maxMin = std::max(found.maxMin, off);
     }
     return found;
 }
@@ -74,7 +74,7 @@ TEST(ReceiversOnWalls, SeeTheSunAsThoseOfRaysDo) {
             const OnWalls found = comparedOnWalls(boxes, receivers, field, truth);
             EXPECT_GT(found.cells, 300U);
             EXPECT_LE(found.off, found.cells / 40) << field.engine;
-            EXPECT_LE(found.mostMin, 1.001) << field.engine;
+            EXPECT_LE(found.maxMin, 1.001) << field.engine;
         }
     }
 }

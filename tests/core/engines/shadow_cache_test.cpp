@@ -237,17 +237,17 @@ TEST(ChangedBuildings, AreThoseThatTheOtherCityLacks) {
         return some;
     };
     const ChangedBuildings none = findChangedBuildings(pick({0, 1, 2}), pick({2, 0, 1}));
-    EXPECT_TRUE(none.gone.empty() && none.come.empty());
+    EXPECT_TRUE(none.removed.empty() && none.added.empty());
     const ChangedBuildings shifted = findChangedBuildings(pick({0, 1, 2, 3, 5}), pick({0, 2, 3, 4, 5, 1}));
-    EXPECT_TRUE(shifted.gone.empty());
-    EXPECT_EQ(shifted.come, pick({4}));
+    EXPECT_TRUE(shifted.removed.empty());
+    EXPECT_EQ(shifted.added, pick({4}));
     EXPECT_EQ(shifted.first, 1U);
     Buildings taken = pick({0, 1, 2, 3, 5});
     updateBuildings(taken, pick({0, 2, 3, 4, 5, 1}), shifted.first);
     EXPECT_EQ(taken, pick({0, 2, 3, 4, 5, 1}));
     const ChangedBuildings some = findChangedBuildings(pick({0, 1, 1, 2, 5}), pick({0, 3, 1, 4, 4, 5}));
-    EXPECT_EQ(some.gone, pick({1, 2}));
-    EXPECT_EQ(some.come, pick({3, 4, 4}));
+    EXPECT_EQ(some.removed, pick({1, 2}));
+    EXPECT_EQ(some.added, pick({3, 4, 4}));
 }
 
 }  // namespace

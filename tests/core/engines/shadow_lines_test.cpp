@@ -8,7 +8,6 @@
 #include <random>
 
 #include "core/base/units.h"
-#include "core/engines/inverse/line_cells.h"
 #include "core/engines/inverse/shadow_lines_opencl.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "core/engines/api/step_masks.h"
+#include "core/engines/api/step_sets.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "core/city/city_position.h"
 #include "core/engines/auto_engine.h"
 #include "core/engines/horizon/horizon_sweep.h"
-#include "core/engines/projected/masks/block_filler.h"
+#include "core/engines/projected/masks/projected_masks.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/samples/sample_city.h"

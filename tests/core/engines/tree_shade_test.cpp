@@ -72,7 +72,7 @@ TEST(TreeShade, OfOneCrownAndOneSunFollowsThePathThroughIt) {
     const ShadowField field = traced(city, receivers, sun);
     ASSERT_TRUE(field.trees);
     const glm::dvec3 direction(towardsSun(180, 45));
-    double most = 0;
+    double maximum = 0;
     for (const std::uint32_t cell : receivers.cells) {
         const double expected =
             1 - passes(city.trees->trees[0], glm::dvec3(receivers.position(cell)), direction, true);
@@ -81,9 +81,9 @@ TEST(TreeShade, OfOneCrownAndOneSunFollowsThePathThroughIt) {
         EXPECT_EQ(field.trees->evergreen->continuousMin[cell] > 0,
                   field.trees->evergreen->grossMin[cell] >= 0.5F);
         EXPECT_EQ(field.grossMin[cell], 0);
-        most = std::max(most, expected);
+        maximum = std::max(maximum, expected);
     }
-    EXPECT_GT(most, 0.9);
+    EXPECT_GT(maximum, 0.9);
 }
 
 TEST(TreeShade, IsThatOfBareCrownsOutOfSeason) {

@@ -11,14 +11,14 @@ namespace noonmark {
 namespace {
 
 double farthest(const Ring& one, const Ring& other) {
-    double most = 0;
+    double maximum = 0;
     for (std::size_t i = 0; i < one.size(); ++i) {
         double nearest = 1e9;
         for (const glm::vec2 point : other)
             nearest = std::min(nearest, std::hypot(double(point.x) - one[i].x, double(point.y) - one[i].y));
-        most = std::max(most, nearest);
+        maximum = std::max(maximum, nearest);
     }
-    return most;
+    return maximum;
 }
 
 void expectSame(const Part& seen, const Part& meant) {

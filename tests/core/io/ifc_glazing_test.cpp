@@ -9,7 +9,7 @@
 #include "core/io/pieces/read_part.h"
 #include "core/io/read_city.h"
 #include "core/receivers/points/glazing_receivers.h"
-#include "core/receivers/region.h"
+#include "core/receivers/receivers.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"
 

@@ -1,4 +1,4 @@
-#include "core/io/footprints/list_fields.h"
+#include "core/io/footprints/footprint_scan.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

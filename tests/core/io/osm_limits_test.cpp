@@ -6,7 +6,6 @@
 #include "core/base/gdal_calls.h"
 #include "core/io/osm/osm_layers.h"
 #include "core/io/osm/osm_map.h"
-#include "core/io/osm/pbf_pieces.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {

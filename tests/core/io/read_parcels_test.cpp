@@ -46,10 +46,10 @@ protected:
 
 TEST_F(ReadParcels, NamesComeFromAUsualFieldOrTheOneAsked) {
     const Region here = makeRegionFromLocalBox({{-1000, -1000}, {1000, 1000}});
-    const auto usual = read({.within = here}).value();
-    ASSERT_EQ(usual.size(), 2U);  // the third is in another city
-    EXPECT_EQ(usual[0].name, "7");
-    EXPECT_NEAR(area(usual[0].polygons[0]), 84.45 * 111.04, 20);
+    const auto standard = read({.within = here}).value();
+    ASSERT_EQ(standard.size(), 2U);  // the third is in another city
+    EXPECT_EQ(standard[0].name, "7");
+    EXPECT_NEAR(area(standard[0].polygons[0]), 84.45 * 111.04, 20);
     EXPECT_EQ(read({.nameField = "OWNER", .within = here}).value()[1].name, "b");
 }
 

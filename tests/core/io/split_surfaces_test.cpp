@@ -9,8 +9,7 @@
 
 #include "core/city/meshes/mesh_topology.h"
 #include "core/engines/api/engine_registry.h"
-#include "core/io/meshes/mesh_buildings.h"
-#include "core/io/meshes/separate_roofs.h"
+#include "core/io/meshes/mesh_units.h"
 #include "core/io/read_city.h"
 #include "core/receivers/roof_receivers.h"
 #include "tests/core/city/mesh_fixtures.h"

@@ -1,4 +1,4 @@
-#include "core/io/terrain/surface_model.h"
+#include "core/io/terrain/ground_choice.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

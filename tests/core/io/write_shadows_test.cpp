@@ -11,7 +11,7 @@
 #include <set>
 
 #include "core/base/gdal_calls.h"
-#include "core/io/shadows/drawing_tables.h"
+#include "core/io/shadows/shadow_drawing.h"
 #include "tests/core/engines/scenes.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/city/map_context.h"
 #include "core/engines/ray/ray_reference.h"
-#include "core/measures/places/place_areas.h"
 #include "core/measures/places/place_run.h"
+#include "core/measures/places/place_sums.h"
 #include "core/measures/places/place_timeline.h"
 #include "tests/core/engines/scenes.h"
 

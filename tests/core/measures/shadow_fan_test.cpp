@@ -1,4 +1,4 @@
-#include "core/measures/outlines/shadow_fan.h"
+#include "core/measures/shadow_outlines.h"
 
 #include <gtest/gtest.h>
 

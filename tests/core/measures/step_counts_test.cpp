@@ -1,4 +1,4 @@
-#include "core/measures/places/place_areas.h"
+#include "core/measures/places/place_sums.h"
 
 #include <gtest/gtest.h>
 

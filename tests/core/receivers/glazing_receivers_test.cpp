@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/receivers/points/plane_points.h"
+#include "core/receivers/points/point_list.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/receivers/place_kinds.h"
+#include "core/receivers/place.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {

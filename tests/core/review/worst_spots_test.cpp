@@ -45,11 +45,11 @@ TEST(WorstSpots, AreFoundBetweenTheCentresOfCells) {
     for (std::size_t cell = 0; cell < masks.receivers; ++cell) masks.shade(0, cell);
     const PlaceShadow shadow{on(2026, 3, 21), sun.steps, 1, 1, masks, masks};
     const std::vector<SpotSearch> searches{{Quantity::shadow, Measure::spotTotal, {}, false}};
-    std::uint32_t most = 0;
+    std::uint32_t maximum = 0;
     for (const PlaceShadow& near : refineWorstSpots(0, shadow, points, searches))
         for (const std::uint32_t steps : countRuns(near, Quantity::shadow, false).total)
-            most = std::max(most, steps);
-    EXPECT_EQ(most, 2);
+            maximum = std::max(maximum, steps);
+    EXPECT_EQ(maximum, 2);
 }
 
 // In the west a slab in the air shades all centres for the first two of five steps. In the east a wall of
@@ -78,11 +78,11 @@ TEST(WorstSpots, AreFoundInANookWhoseCentreIsNoWorseThanMany) {
     shadow.uneven = cells.unevenOf[0];
     shadow.neighbours = cells.neighboursOf[0];
     const std::vector<SpotSearch> searches{{Quantity::shadow, Measure::spotTotal, {}, false}};
-    std::uint32_t most = 0;
+    std::uint32_t maximum = 0;
     for (const PlaceShadow& near : refineWorstSpots(0, shadow, points, searches))
         for (const std::uint32_t steps : countRuns(near, Quantity::shadow, false).total)
-            most = std::max(most, steps);
-    EXPECT_EQ(most, 5);
+            maximum = std::max(maximum, steps);
+    EXPECT_EQ(maximum, 5);
 }
 
 // A hundred pairs of cells beside each other with 2 and 1 steps of shadow, and a cell by itself with 3: a
@@ -118,9 +118,9 @@ TEST(WorstSpots, HaveAnErrorThatIncludesTheCellsWithoutPoints) {
     const std::vector<NeighbourCells> beside{{0, pairs, pairs}};
     PlaceShadow shadow = day.shadow;
     shadow.neighbours = beside;
-    const Criterion most{.quantity = Quantity::shadow, .measure = Measure::spotTotal};
+    const Criterion maximum{.quantity = Quantity::shadow, .measure = Measure::spotTotal};
     const std::vector<PlaceShadow> points{day.shadow};
-    EXPECT_EQ(measureDay(most, DayShadow(shadow, 0, points), false).high, 30 + 1 + 10);
+    EXPECT_EQ(measureDay(maximum, DayShadow(shadow, 0, points), false).high, 30 + 1 + 10);
 }
 
 TEST(WorstSpots, LieInThePlaceAndOutsideBuildings) {
@@ -183,15 +183,15 @@ TEST(WorstSpots, WithoutPointsHaveAnErrorThatIncludesTheirCell) {
     const std::vector<NeighbourCells> row{{0, 1, 2}};
     PlaceShadow shadow = day.shadow;
     shadow.neighbours = row;
-    const Criterion most{.quantity = Quantity::shadow, .measure = Measure::spotTotal};
-    const Measured measured = measureDay(most, DayShadow(shadow, 0), false);
+    const Criterion maximum{.quantity = Quantity::shadow, .measure = Measure::spotTotal};
+    const Measured measured = measureDay(maximum, DayShadow(shadow, 0), false);
     EXPECT_EQ(measured.value, 30);
     EXPECT_EQ(measured.low, 29);
     EXPECT_EQ(measured.high, 30 + 1 + 20);
-    const Criterion least{.quantity = Quantity::sun, .measure = Measure::spotTotal};
-    EXPECT_EQ(measureDay(least, DayShadow(shadow, 0), false).low, 30 - 1 - 20);
+    const Criterion minimum{.quantity = Quantity::sun, .measure = Measure::spotTotal};
+    EXPECT_EQ(measureDay(minimum, DayShadow(shadow, 0), false).low, 30 - 1 - 20);
     const std::vector<PlaceShadow> points{day.shadow};
-    EXPECT_EQ(measureDay(most, DayShadow(shadow, 0, points), false).high, 31);
+    EXPECT_EQ(measureDay(maximum, DayShadow(shadow, 0, points), false).high, 31);
 }
 
 }  // namespace

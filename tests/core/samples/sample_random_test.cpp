@@ -1,4 +1,4 @@
-#include "core/samples/lots.h"
+#include "core/samples/lot_building.h"
 
 #include <gtest/gtest.h>
 

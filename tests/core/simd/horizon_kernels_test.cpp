@@ -190,19 +190,20 @@ TEST(HorizonKernels, NeedOfABlockIsThatOfItsLowestCells) {
     for (auto& row : horizons.grounds)
         for (float& ground : row.values) ground = anyFrom(random, -5, 100);
     const BlockRows rows(0.3, 1);
-    float least = 1e30F;
+    float minimum = 1e30F;
     for (int row = 0; row < side; ++row) {
         const float behind = 50 + rows.alongs[std::size_t(row)], surely = behind * (1 - 1e-5F) - 1e-2F;
         for (int place = 0; place < side; ++place) {
             const float cot = std::min(horizons.rows[row].values[place], 3.0F);
             if (cot < 0) continue;
-            least = std::min(least, horizons.grounds[row].values[place] + 1 / std::max(cot, 1e-7F) * surely);
+            minimum =
+                std::min(minimum, horizons.grounds[row].values[place] + 1 / std::max(cot, 1e-7F) * surely);
         }
     }
     forEachInstructionSet([&] {
         BlockNeed need;
         findNeed(horizons.rows, horizons.grounds, 3, need);
-        EXPECT_EQ(findLeastRise(need, rows, 50), least - 1e-3F);
+        EXPECT_EQ(findLeastRise(need, rows, 50), minimum - 1e-3F);
     });
 }
 

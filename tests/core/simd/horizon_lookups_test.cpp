@@ -35,11 +35,11 @@ TEST(HorizonLookups, CodesOfABlockAreComparedCellByCell) {
     BlockCodes b = anyCodes(random);
     for (int i = 0; i < ReceiverBlocks::cells; i += 3) b.values[i] = a.values[i];
     const ReceiverBlocks::Masks masks = anyMasks(random);
-    HorizonCode least = HorizonCode(steepnessLevels / 2);
+    HorizonCode minimum = HorizonCode(steepnessLevels / 2);
     for (int i = 0; i < ReceiverBlocks::cells; ++i)
-        if (isIn(masks, i)) least = std::min(least, a.values[i]);
+        if (isIn(masks, i)) minimum = std::min(minimum, a.values[i]);
     forEachInstructionSet([&] {
-        EXPECT_EQ(findLowest(a.values, masks), least);
+        EXPECT_EQ(findLowest(a.values, masks), minimum);
         BlockCodes turned, raised = a, others = a;
         transpose(a.values, turned);
         raise(b.values, raised);
@@ -213,7 +213,7 @@ TEST(HorizonLookups, IntervalsOfVisibleCellsAreThoseOfTheDefinition) {
     }
     for (const bool solid : {false, true})
         forEachInstructionSet([&] {
-            alignas(64) HorizonCode low[VisibleCells::most], high[VisibleCells::most];
+            alignas(64) HorizonCode low[VisibleCells::maximum], high[VisibleCells::maximum];
             findIntervals(seen, solid, low, high);
             for (int i = 0; i < seen.count; ++i) {
                 const float over = solid

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/engines/accrual/depth_slice.h"
-#include "core/engines/inverse/line_cells.h"
+#include "core/engines/inverse/shadow_lines.h"
 #include "core/engines/inverse/sources/projected_source_finder.h"
 #include "core/engines/projected/counting/cached_band.h"
 #include "core/engines/projected/masks/caster_reach.h"
@@ -67,21 +67,21 @@ TEST_P(Kernels, RunsOfAWordAreThoseOfItsCells) {
 }
 
 TEST_P(Kernels, CountsOfBuildingsComeAndGo) {
-    std::array<StepWords, CountTile::rows> gone{}, come{};
+    std::array<StepWords, CountTile::rows> removed{}, added{};
     std::vector<std::array<StepWords, CountTile::rows>> standing;
     CountTile tile;
     for (int round = 0; round < 60; ++round) {
         const bool removes = !standing.empty() && number(0, 2) == 0;
-        gone = removes ? standing.front() : decltype(gone){};
+        removed = removes ? standing.front() : decltype(removed){};
         if (removes) standing.erase(standing.begin());
-        for (StepWords& row : come)
+        for (StepWords& row : added)
             for (std::uint64_t& word : row.words)
                 word = number(0, 1) == 0 ? 0 : ~std::uint64_t{0} << number(0, 63) >> number(0, 63);
         std::array<StepWords, CountTile::rows> before;
         for (int row = 0; row < CountTile::rows; ++row) before[std::size_t(row)] = tile.shaded(row);
         std::array<std::uint64_t, CountTile::rows> changed{};
-        tile.change(0, CountTile::rows, gone.data(), come.data(), changed.data());
-        standing.push_back(come);
+        tile.change(0, CountTile::rows, removed.data(), added.data(), changed.data());
+        standing.push_back(added);
         for (std::size_t row = 0; row < std::size_t(CountTile::rows); ++row) {
             std::uint64_t different = 0;
             for (std::size_t step = 0; step < stepsTogether; ++step) {
@@ -169,8 +169,8 @@ TEST_P(Kernels, CastersThatTouchAreThoseOfThePlainTest) {
         for (ReachLimits::Axis* axis : {&limits.x, &limits.y, &limits.across}) {
             axis->low = number(-100.0, 100.0);
             axis->high = axis->low + number(0.0, 50.0);
-            axis->least = number(-3.0, 0.0);
-            axis->most = number(0.0, 3.0);
+            axis->minimum = number(-3.0, 0.0);
+            axis->maximum = number(0.0, 3.0);
         }
         CasterExtents extents;
         for (int i = 0; i < 80; ++i) {
@@ -181,21 +181,21 @@ TEST_P(Kernels, CastersThatTouchAreThoseOfThePlainTest) {
             extents.add(caster);
         }
         const auto meets = [&](const ReachLimits::Axis& axis, double low, double high, std::size_t at) {
-            return low + axis.least * extents.topM[at] <= axis.high &&
-                   high + axis.most * extents.topM[at] >= axis.low;
+            return low + axis.minimum * extents.topM[at] <= axis.high &&
+                   high + axis.maximum * extents.topM[at] >= axis.low;
         };
         const auto first = std::size_t(number(0, 16)), count = std::size_t(number(0, 64));
         std::uint64_t expected = 0;
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t at = first + i;
-            double least = 1e30, most = -1e30;  // across: of the four corners
+            double minimum = 1e30, maximum = -1e30;  // across: of the four corners
             for (const double x : {extents.lowX[at], extents.highX[at]})
                 for (const double y : {extents.lowY[at], extents.highY[at]}) {
                     const double across = x * limits.acrossUnit.x + y * limits.acrossUnit.y;
-                    least = std::min(least, across);
-                    most = std::max(most, across);
+                    minimum = std::min(minimum, across);
+                    maximum = std::max(maximum, across);
                 }
-            if (meets(limits.across, least, most, at) &&
+            if (meets(limits.across, minimum, maximum, at) &&
                 meets(limits.x, extents.lowX[at], extents.highX[at], at) &&
                 meets(limits.y, extents.lowY[at], extents.highY[at], at))
                 expected |= std::uint64_t{1} << i;

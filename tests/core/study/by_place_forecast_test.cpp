@@ -7,7 +7,7 @@
 #include "core/city/city_position.h"
 #include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/horizon_sweep.h"
-#include "core/study/by_place/city_sweeps.h"
+#include "core/study/by_place/group_measure.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {
@@ -51,16 +51,16 @@ Work workOf(int days, double stepMinutes, float sideM, std::size_t sample) {
 // depend on the step.
 TEST(ByPlaceForecast, GrowsAsTheCountedWork) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    double least = infinite, most = 0, leastOfRay = infinite, mostOfRay = 0;
+    double minimum = infinite, maximum = 0, leastOfRay = infinite, mostOfRay = 0;
     for (const auto& [days, step, side] :
          {std::tuple{30, 10.0, 100.0F}, {365, 30.0, 100.0F}, {365, 10.0, 400.0F}, {90, 1.0, 200.0F}}) {
         const Work work = workOf(days, step, side, 200);
-        least = std::min(least, work.sweepSeconds / work.cellBins);
-        most = std::max(most, work.sweepSeconds / work.cellBins);
+        minimum = std::min(minimum, work.sweepSeconds / work.cellBins);
+        maximum = std::max(maximum, work.sweepSeconds / work.cellBins);
         leastOfRay = std::min(leastOfRay, work.raySeconds / work.rays);
         mostOfRay = std::max(mostOfRay, work.raySeconds / work.rays);
     }
-    EXPECT_LT(most, 2 * least);
+    EXPECT_LT(maximum, 2 * minimum);
     EXPECT_NEAR(mostOfRay / leastOfRay, 1, 1e-6);
 }
 

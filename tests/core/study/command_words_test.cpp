@@ -1,4 +1,4 @@
-#include "core/study/provenance/command_words.h"
+#include "core/study/provenance/command_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/study/elements/element_cityjson.h"
+#include "core/study/elements/element_models.h"
 
 #include <gtest/gtest.h>
 

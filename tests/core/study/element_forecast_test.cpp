@@ -1,4 +1,4 @@
-#include "core/study/elements/element_forecast.h"
+#include "core/study/elements/element_study.h"
 
 #include <gtest/gtest.h>
 

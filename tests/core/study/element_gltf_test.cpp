@@ -1,4 +1,4 @@
-#include "core/study/elements/element_gltf.h"
+#include "core/study/elements/element_models.h"
 
 #include <gtest/gtest.h>
 

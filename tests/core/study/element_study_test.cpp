@@ -105,11 +105,11 @@ TEST(ElementStudy, RaysAndHorizonsAgree) {
     EXPECT_FALSE(traced.error);
     ASSERT_TRUE(swept.error);
     EXPECT_EQ(swept.error->points, 192U);
-    double most = 0;
+    double maximum = 0;
     for (std::size_t i = 0; i < swept.receivers.size(); ++i)
-        most = std::max(most, std::abs(swept.minutes.sunlitOf(i) - traced.minutes.sunlitOf(i)));
-    EXPECT_NEAR(swept.error->gross.largestPct, 100 * most / swept.minutes.possibleMin, 1e-6);
-    EXPECT_LT(most, 5);  // of some four edges a day, up to an eighth of a degree each
+        maximum = std::max(maximum, std::abs(swept.minutes.sunlitOf(i) - traced.minutes.sunlitOf(i)));
+    EXPECT_NEAR(swept.error->gross.largestPct, 100 * maximum / swept.minutes.possibleMin, 1e-6);
+    EXPECT_LT(maximum, 5);  // of some four edges a day, up to an eighth of a degree each
 }
 
 TEST(ElementStudy, PlanesAndRefusals) {

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/study/provenance/command_text.h"
 #include "core/study/study.h"
-#include "core/study/text/height_words.h"
-#include "core/study/text/next_steps.h"
+#include "core/study/text/height_facts_text.h"
 
 namespace noonmark {
 namespace {

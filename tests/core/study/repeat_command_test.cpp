@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/read_region.h"
-#include "core/study/provenance/repeat_review.h"
 #include "core/study/text/region_text.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "core/describe/command_options.h"
-#include "core/describe/field_checks.h"
 #include "core/describe/field_json.h"
-#include "core/io/settings/read_fields.h"
+#include "core/describe/field_values.h"
+#include "core/io/settings/read_settings.h"
 #include "core/study/elements/element_fields.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/review_study.h"
@@ -28,13 +28,13 @@ static_assert(countMembers<ReadSettings>() == 21);
 static_assert(countMembers<ElementSettings>() == 13);
 
 TEST(SettingsFields, NoneOfAReviewIsForgotten) {
-    const ReviewSettings usual{2, "Europe/Paris", 2026};
+    const ReviewSettings standard{2, "Europe/Paris", 2026};
     for (const Field& field : reviewFields().rows()) {
-        ReviewSettings changed = usual;
-        ASSERT_TRUE(field.set(&changed, otherValue(field, field.get(&usual)))) << field.key;
-        EXPECT_NE(questionText(reviewFields().of(changed)), questionText(reviewFields().of(usual)))
+        ReviewSettings changed = standard;
+        ASSERT_TRUE(field.set(&changed, otherValue(field, field.get(&standard)))) << field.key;
+        EXPECT_NE(questionText(reviewFields().of(changed)), questionText(reviewFields().of(standard)))
             << field.key;
-        EXPECT_NE(listOptions(reviewFields().of(changed)), listOptions(reviewFields().of(usual)))
+        EXPECT_NE(listOptions(reviewFields().of(changed)), listOptions(reviewFields().of(standard)))
             << field.key;
     }
     EXPECT_EQ(namesOf(listOptions(reviewFields().of(ReviewSettings{1, "UTC", 2026}))),
@@ -55,7 +55,7 @@ TEST(SettingsFields, NoneOfAPeriodIsForgotten) {
 }
 
 TEST(SettingsFields, NoneOfReadingIsForgotten) {
-    ReadSettings usual;
+    ReadSettings standard;
     for (const Field& field : readSettingsFields().rows()) {
         ReadSettings changed;
         ASSERT_TRUE(field.set(&changed, otherValue(field, field.standard))) << field.key;
@@ -81,10 +81,10 @@ TEST(SettingsFields, NoneOfAStudyIsForgotten) {
 
 TEST(SettingsFields, NoneOfPointsIsForgotten) {
     for (const auto& choice : elementPlaceChoices) {
-        ElementSettings usual;
-        usual.places = choice.value;
-        usual.faces.place = "Park";
-        expectNoticed(elementFields(), usual);
+        ElementSettings standard;
+        standard.places = choice.value;
+        standard.faces.place = "Park";
+        expectNoticed(elementFields(), standard);
     }
 }
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/city/map_context.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 
 namespace noonmark {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "core/city/map_context.h"
 #include "core/io/write_raster.h"
-#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/study_cost.h"
 #include "tests/core/engines/scenes.h"

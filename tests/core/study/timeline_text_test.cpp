@@ -1,4 +1,4 @@
-#include "core/study/text/timeline_text.h"
+#include "core/study/place_study.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 
 #include <fstream>
 
-#include "core/study/verification/compare_results.h"
 #include "core/study/verification/result_record.h"
 #include "tests/core/io/temporary_folder.h"
 

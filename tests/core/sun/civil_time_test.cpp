@@ -6,7 +6,6 @@
 #include <fstream>
 #include <random>
 
-#include "core/sun/posix_rule.h"
 #include "tests/core/sun/sun_near.h"
 
 namespace noonmark {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/sun/solar_position.h"
-#include "core/sun/sun_events.h"
+#include "core/sun/sun_paths.h"
 #include "tests/core/sun/sun_near.h"
 #include "tests/shared/shared_data.h"
 

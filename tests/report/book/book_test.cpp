@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "app/report/book/flow.h"
-#include "app/report/book/page_painter.h"
 #include "app/report/book/print_book.h"
 #include "app/report/maps/answer_legends.h"
 #include "core/engines/auto_engine.h"

@@ -1,7 +1,7 @@
 #include "tests/report/book/book_texts.h"
 
 #include "app/report/book/flow.h"
-#include "app/report/book/page_painter.h"
+#include "app/report/book/print_book.h"
 
 namespace noonmark::tests {
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "app/report/book/flow.h"
-#include "app/report/book/page_painter.h"
+#include "app/report/book/print_book.h"
 #include "app/report/maps/style.h"
 #include "core/review/library/rule_library.h"
 #include "core/study/glazing/glazing_text.h"

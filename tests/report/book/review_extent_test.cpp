@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/report/book/review/place_rows.h"
+#include "app/report/book/review/review_pages.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/library/rule_library.h"
 #include "core/review/places/verdict_text.h"
@@ -68,7 +68,7 @@ TEST(ReviewBook, ListsSmallPiecesUnderThePlaceThatTheyLieIn) {
     EXPECT_THAT(namesOf(list.rows), testing::Contains("Elm Park: pieces of less than 100 m²"));
     EXPECT_THAT(namesOf(list.rows), testing::Not(testing::Contains(testing::HasSubstr("greenstreet"))));
     BookSettings settings;
-    settings.leastPlaceM2 = 10;
+    settings.minPlaceM2 = 10;
     EXPECT_THAT(namesOf(listPlaces(park.source(), settings, true).rows),
                 testing::Contains("greenstreet (OSM way 0)"));
 }
@@ -134,7 +134,7 @@ TEST(ReviewBook, SaysFiguresOnlyOfARuleWithoutALimit) {
 TEST(ReviewBook, RepeatsHowMuchItHolds) {
     BookSettings settings;
     settings.allPages = true;
-    settings.leastPlaceM2 = 250;
+    settings.minPlaceM2 = 250;
     const auto options = makeRepeatOptions(settings);
     const auto find = [&](std::string_view flag) {
         return std::ranges::find(options, flag, &CommandOption::name);

@@ -1,4 +1,4 @@
-#include "app/report/book/street_name.h"
+#include "app/report/book/diagram.h"
 
 #include <gtest/gtest.h>
 

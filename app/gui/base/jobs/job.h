@@ -10,7 +10,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/engines/api/partial_field.h"
+#include "core/engines/api/shadow_field.h"
 
 namespace noonmark {
 

@@ -5,9 +5,9 @@
 
 #include "app/gui/base/layers/field_picture.h"
 #include "app/gui/base/layers/hover_text.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/report/maps/answer_legends.h"
-#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "scenarios/impact/impact.h"
 
 namespace noonmark {

@@ -8,7 +8,7 @@
 #include "app/report/maps/change_scale.h"
 #include "app/report/maps/legend_painter.h"
 #include "app/report/maps/shadow_measure.h"
-#include "core/engines/api/partial_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/measures/colour_scale.h"
 #include "core/measures/shown_quantity.h"
 #include "core/study/elements/element_study.h"

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "app/gui/base/looks/units.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/report/maps/shadow_measure.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/city/terrain/building_ground.h"
 
 namespace noonmark {
@@ -57,12 +57,12 @@ QString formatMinutes(float gross, float continuous, bool instant) {
 
 QString formatShown(float gross, float continuous, const ShownQuantity& quantity) {
     if (!quantity.isSun() || std::isnan(gross)) return formatMinutes(gross, continuous, false);
-    const auto told = [&](ShownAs as) {
+    const auto formatted = [&](ShownAs as) {
         return groupDigits(ShownQuantity{as, quantity.sunlitMin}.of(double(gross)),
                            as == ShownAs::sun ? 2 : 1);
     };
     const QString text = QObject::tr("%1 h of sun a day (%2 % of the sunlit time)")
-                             .arg(told(ShownAs::sun), told(ShownAs::share));
+                             .arg(formatted(ShownAs::sun), formatted(ShownAs::share));
     if (std::isnan(continuous)) return text;
     return text + QObject::tr(", continuous shadow %1 min").arg(groupDigits(double(continuous), 1));
 }

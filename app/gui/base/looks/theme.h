@@ -25,7 +25,7 @@ enum class ThemeChoice { system, light, dark };
 
 /// The theme of a palette: dark where its text is lighter than its windows.
 Theme themeOf(const QPalette& palette);
-/// That of the application now.
+/// The theme that the application shows now.
 Theme themeInUse();
 
 QPalette makePalette(Theme theme);

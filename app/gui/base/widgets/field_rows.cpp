@@ -18,9 +18,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "core/describe/value_text.h"
+#include "core/describe/field_values.h"
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
@@ -52,8 +52,8 @@ bool canBeNone(const Field& field) {
 // A tenth of the default's power of ten: 0.1 for 3.2, 1000 for 60000.
 double stepOf(const Field& field) {
     if (canBeNone(field)) return field.range->max * field.shownTimes / 20;
-    const double usual = std::abs(numberOf(field.standard));
-    return usual > 0 ? std::pow(10.0, std::floor(std::log10(usual)) - 1) : 1;
+    const double standard = std::abs(numberOf(field.standard));
+    return standard > 0 ? std::pow(10.0, std::floor(std::log10(standard)) - 1) : 1;
 }
 
 // At most 4; none for numbers that need more: 3 for 0.005.

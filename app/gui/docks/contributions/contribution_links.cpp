@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"

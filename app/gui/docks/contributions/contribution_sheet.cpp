@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/gui/base/looks/units.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "core/describe/figure_text.h"
 #include "core/receivers/rasterize.h"

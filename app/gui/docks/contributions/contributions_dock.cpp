@@ -18,8 +18,8 @@
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/base/widgets/number_text.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/session/answers/bar_charts.h"
 #include "app/report/maps/style.h"
 

@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/point/point_inspector.h"
 #include "app/gui/docks/study_form/element_form.h"
 #include "app/gui/docks/study_form/face_form.h"

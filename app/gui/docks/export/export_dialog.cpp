@@ -17,8 +17,8 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/docks/sheets/book_view.h"
 #include "app/gui/docks/sheets/sheet_form.h"
 #include "app/gui/session/project/project_session.h"

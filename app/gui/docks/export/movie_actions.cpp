@@ -5,8 +5,8 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/time_display.h"
 #include "app/gui/view/time/time_strip.h"
@@ -224,12 +224,12 @@ void MovieActions::askToStop() {
 }
 
 void MovieActions::finish(const Result<MovieFacts>& facts, const QString& file) {
-    if (facts) return tellSaved(*facts, file);
+    if (facts) return showSaved(*facts, file);
     if (!isCancelled(facts.error())) panel_.messages().showError(facts.error());
 }
 
 // Times without a frame are listed below the number of frames.
-void MovieActions::tellSaved(const MovieFacts& facts, const QString& file) {
+void MovieActions::showSaved(const MovieFacts& facts, const QString& file) {
     QStringList lines{tr("Movie of %1 frame(s) saved as %2", "", pluralNumber(quint64(facts.frames)))
                           .arg(formatCount(quint64(facts.frames)), file)};
     for (const WarningGroup& group : groupWarnings(facts.warnings)) lines << describeWarningWithPlaces(group);

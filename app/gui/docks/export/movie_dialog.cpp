@@ -1,4 +1,4 @@
-#include "app/gui/docks/export/movie_dialog.h"
+#include "app/gui/docks/export/movie_actions.h"
 
 #include <QComboBox>
 #include <QDateEdit>
@@ -11,7 +11,7 @@
 #include <QTimeEdit>
 
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 
 namespace noonmark {
 
@@ -26,10 +26,10 @@ QComboBox* makeList(const char* name, const QString& tip) {
     return list;
 }
 
-QSpinBox* makeNumber(const char* name, int least, int most, int value, const QString& suffix) {
+QSpinBox* makeNumber(const char* name, int minimum, int maximum, int value, const QString& suffix) {
     auto* field = new QSpinBox;
     field->setObjectName(QString::fromLatin1(name));
-    field->setRange(least, most);
+    field->setRange(minimum, maximum);
     field->setValue(value);
     field->setSuffix(suffix);
     return field;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
-#include "app/gui/session/study/region_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
+#include "app/gui/session/study/region_text.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -26,7 +26,7 @@ QString nameOf(const CivilDate& date) {
 PlaceSunModel::FigureColumn::Above summaryOf(const Figure& figure) {
     using Above = PlaceSunModel::FigureColumn::Above;
     if (figure.use == FigureUse::basis) return Above::sum;
-    return figure.key == minKey ? Above::least : figure.key == maxKey ? Above::most : Above::mean;
+    return figure.key == minKey ? Above::minimum : figure.key == maxKey ? Above::maximum : Above::mean;
 }
 
 QString describeRemarks(const SunOfPlace& of) {
@@ -258,23 +258,23 @@ void PlaceSunModel::summarize(int node) {
 double PlaceSunModel::valueAbove(int node, const FigureColumn& column) const {
     using Above = FigureColumn::Above;
     const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
-    double sum = 0, weighted = 0, areas = 0, least = std::nan(""), most = std::nan("");
+    double sum = 0, weighted = 0, areas = 0, minimum = std::nan(""), maximum = std::nan("");
     for (const std::size_t place : placesBelow(node)) {
         const double value = column.values[place], area = sun[place].areaM2;
         if (std::isnan(value)) continue;
         sum += value;
         weighted += value * area;
         areas += area;
-        least = std::fmin(least, value);
-        most = std::fmax(most, value);
+        minimum = std::fmin(minimum, value);
+        maximum = std::fmax(maximum, value);
     }
     switch (column.above) {
         case Above::sum:
             return sum;
-        case Above::least:
-            return least;
-        case Above::most:
-            return most;
+        case Above::minimum:
+            return minimum;
+        case Above::maximum:
+            return maximum;
         case Above::mean:
             break;
     }

@@ -34,7 +34,7 @@ public:
     struct FigureColumn {
         QString heading, tip;
         int decimals = 2;
-        enum class Above { mean, sum, least, most };
+        enum class Above { mean, sum, minimum, maximum };
         Above above = Above::mean;  ///< of rows above places
         std::vector<double> values;
     };

@@ -21,9 +21,9 @@
 #include "app/gui/base/layers/field_picture.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/result_rows.h"
-#include "app/gui/session/study/region_words.h"
+#include "app/gui/session/study/region_text.h"
 #include "app/report/maps/style.h"
 #include "core/describe/text.h"
 

@@ -17,8 +17,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/point/point_inspector.h"
 #include "app/report/skyline/skyline_svg.h"
 #include "core/io/files/write_text.h"
@@ -98,10 +98,11 @@ QComboBox* scenarioList(const char* name, const QString& tip) {
     return list;
 }
 
-void fillScenarios(QComboBox& list, const QString& usual, const QStringList& names, const std::string& now) {
+void fillScenarios(QComboBox& list, const QString& standard, const QStringList& names,
+                   const std::string& now) {
     const QSignalBlocker quiet(list);
     list.clear();
-    list.addItem(usual);
+    list.addItem(standard);
     list.addItems(names);
     const qsizetype chosen = now.empty() ? -1 : names.indexOf(QString::fromStdString(now));
     list.setCurrentIndex(int(chosen) + 1);

@@ -14,7 +14,7 @@
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/docks/project/project_model.h"
 #include "app/gui/session/project/project_session.h"
-#include "app/gui/session/study/region_words.h"
+#include "app/gui/session/study/region_text.h"
 
 namespace noonmark {
 

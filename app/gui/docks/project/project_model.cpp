@@ -4,10 +4,10 @@
 #include <QObject>
 #include <algorithm>
 
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/project/project_session.h"
-#include "app/gui/session/study/region_words.h"
-#include "app/report/sheets/study_words.h"
+#include "app/gui/session/study/region_text.h"
+#include "app/report/sheets/study_text.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {

@@ -5,7 +5,7 @@
 #include "app/gui/view/time/moment_preview.h"
 #include "render/view/camera_pose.h"
 #include "render/view/section_box.h"
-#include "scenarios/project/saved_view.h"
+#include "scenarios/project/project.h"
 
 class QAction;
 class QMenu;

@@ -14,8 +14,8 @@
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/bar_charts.h"
 
 namespace noonmark {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "app/gui/base/looks/theme.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/report/charts/chart_axes.h"
 
 namespace noonmark {

@@ -12,10 +12,10 @@
 #include <array>
 #include <set>
 
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/review/glazing/verdict_links.h"
 #include "app/gui/docks/review/verdict_table.h"
-#include "app/gui/session/study/region_words.h"
+#include "app/gui/session/study/region_text.h"
 #include "core/describe/text.h"
 #include "core/receivers/place_names.h"
 
@@ -110,7 +110,7 @@ void PlaceList::count() {
                         .arg(formatCount(quint64(checked)), formatCount(quint64(list_->count()))));
 }
 
-void PlaceList::tellScreening(std::size_t reached, std::size_t of) {
+void PlaceList::showScreening(std::size_t reached, std::size_t of) {
     count_->setText(
         tr("%1 of %2 place(s) can be reached; the others' tooltips say why not", "", pluralNumber(of))
             .arg(formatCount(reached), formatCount(of)));

@@ -26,7 +26,7 @@ public:
     /// `reasons`: what screening found about a place, by name.
     void show(const std::vector<Place>& places, bool all, const std::vector<std::string>& chosen,
               const std::map<std::string, QString>& reasons);
-    void tellScreening(std::size_t reached, std::size_t of);
+    void showScreening(std::size_t reached, std::size_t of);
 
 Q_SIGNALS:
     void chosen(bool all, std::vector<std::string> names);

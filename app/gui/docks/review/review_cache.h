@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/questions/review_question.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -17,7 +17,7 @@ namespace noonmark {
 /// The latest answers of reviews: one for each rule, baseline and scenario. `Answer` has a `question` with
 /// its rule and its cities, before and after. An answer whose city is gone stays until newer ones push it
 /// out, since undo brings the city back.
-template <class Answer, std::size_t most>
+template <class Answer, std::size_t maximum>
 class ReviewCache {
 public:
     using Shared = std::shared_ptr<const Answer>;
@@ -25,7 +25,7 @@ public:
     void add(const Shared& answer) {
         std::erase_if(all_, [&](const Shared& old) { return isOfSameCase(old->question, answer->question); });
         all_.push_back(answer);
-        if (all_.size() > most) all_.erase(all_.begin());
+        if (all_.size() > maximum) all_.erase(all_.begin());
     }
     void clear() { all_.clear(); }
     [[nodiscard]] bool empty() const { return all_.empty(); }

@@ -15,13 +15,12 @@
 #include <utility>
 
 #include "app/gui/base/looks/theme.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
-#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/docks/review/chart_panels.h"
 #include "app/gui/docks/review/glazing/glazing_panel.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
-#include "app/gui/docks/review/glazing/glazing_table.h"
 #include "app/gui/docks/review/place_list.h"
 #include "app/gui/docks/review/rule_form.h"
 #include "app/gui/docks/review/verdict_table.h"
@@ -179,7 +178,7 @@ void ReviewDock::connectSession() {
             [this](const QString& words) { showEstimate(words, false); });
     connect(&windows_, &GlazingSession::estimated, this,
             [this](const QString& words) { showEstimate(words, true); });
-    connect(&review_, &ReviewSession::screeningDone, places_, &PlaceList::tellScreening);
+    connect(&review_, &ReviewSession::screeningDone, places_, &PlaceList::showScreening);
     connect(run_, &QPushButton::clicked, this,
             [this] { windows_.applies() ? windows_.run() : review_.run(); });
     progress_->follow(windows_.running());

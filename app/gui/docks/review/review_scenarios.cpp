@@ -81,7 +81,7 @@ void ReviewSession::runAll() {
             return computeEach<Shared>(asked.questions, reviewQuestion().compute, progress, stop);
         },
         [this, asked](Result<Made> answers) {
-            if (!answers) return tell(answers.error());
+            if (!answers) return report(answers.error());
             const ScenarioErrors errors =
                 adoptEach(*std::move(answers), asked, [this](const Shared& answer, std::size_t) {
                     const auto review = contentOf<ReviewAnswer>(answer);
@@ -97,7 +97,7 @@ void ReviewSession::runAll() {
 
 void ReviewSession::reportAll(const ScenarioErrors& errors, std::size_t asked) {
     for (const auto& [scenario, error] : errors) Q_EMIT scenarioFailed(scenario, error);
-    if (!errors.empty()) tell(sumUp(errors, asked));
+    if (!errors.empty()) report(sumUp(errors, asked));
 }
 
 }  // namespace noonmark

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/docks/review/review_cache.h"
 #include "app/gui/session/workbench.h"
 #include "core/receivers/place_names.h"
@@ -136,14 +136,14 @@ Asked ReviewSession::makeAsked(ReviewQuestion question) const {
 // Without being asked by the user, its answer takes the place of an earlier review only.
 void ReviewSession::ask(bool byUser) {
     const auto question = this->question();
-    if (!question) return tell(question.error());
+    if (!question) return report(question.error());
     running_.start<std::shared_ptr<const Answer>>(
         tr("Review"),
         [asked = makeAsked(*question)](Progress& progress, const std::stop_token& stop) {
             return reviewQuestion().compute(asked, progress, stop);
         },
         [this, byUser](Result<std::shared_ptr<const Answer>> answer) {
-            if (!answer) return tell(answer.error());
+            if (!answer) return report(answer.error());
             answer_ = contentOf<ReviewAnswer>(*answer);
             cached_.add(answer_);
             if (!proposed_) live_.reset();
@@ -186,8 +186,8 @@ void ReviewSession::screen() {
         question = this->question();
         std::swap(all, choice_);
     }
-    if (!question) return tell(question.error());
-    if (question->before == question->after) return tell(proposesNothing(question->to));
+    if (!question) return report(question.error());
+    if (question->before == question->after) return report(proposesNothing(question->to));
     question->places = candidates();
     running_.start<std::vector<ScreenedPlace>>(
         tr("Screening"),
@@ -197,7 +197,7 @@ void ReviewSession::screen() {
             return noonmark::screen(thinned, progress, std::move(stop));
         },
         [this, question = *question](Result<std::vector<ScreenedPlace>> screened) {
-            screened ? takeScreening(question, *screened) : tell(screened.error());
+            screened ? takeScreening(question, *screened) : report(screened.error());
         });
 }
 
@@ -319,7 +319,7 @@ QString ReviewSession::whyOutdated() {
                      : tr("Not up to date: rule, places, time zone or year have changed. Run again.");
 }
 
-void ReviewSession::tell(const Error& error) {
+void ReviewSession::report(const Error& error) {
     if (!isCancelled(error)) Q_EMIT failed(error);
 }
 

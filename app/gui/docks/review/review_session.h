@@ -107,7 +107,7 @@ private:
     void takeScreening(const ReviewQuestion& question, const std::vector<ScreenedPlace>& screened);
     void rename(ProjectPart part, const std::string& from, const std::string& to);
     void cityChanged();
-    void tell(const Error& error);
+    void report(const Error& error);
     [[nodiscard]] std::string scenarioName() const;
     [[nodiscard]] Result<ReviewQuestion> questionOf(const std::string& scenario);
     std::map<std::string, std::shared_ptr<const ReviewAnswer>> findLatest(const Rule& rule,

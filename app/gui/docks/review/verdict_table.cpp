@@ -10,7 +10,7 @@
 #include <map>
 #include <numeric>
 
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/review/review_cache.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/review_columns.h"

@@ -1,4 +1,4 @@
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/docks/review/review_cache.h"
 #include "app/gui/docks/scenarios/latest_answers.h"
 #include "app/gui/docks/scenarios/scenario_table.h"

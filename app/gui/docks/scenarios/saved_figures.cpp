@@ -1,4 +1,4 @@
-#include "app/gui/docks/scenarios/saved_figures.h"
+#include "app/gui/docks/scenarios/latest_answers.h"
 
 #include <algorithm>
 #include <array>
@@ -130,10 +130,10 @@ std::string formatText(const std::vector<ViewFigures>& saved) {
 }
 
 std::vector<ViewFigures> parseViewFigures(const std::string& text) {
-    constexpr std::size_t most = 1000;  // far more than the window keeps
+    constexpr std::size_t maximum = 1000;  // far more than the window keeps
     std::vector<ViewFigures> saved;
     const Json json = Json::parse(text, nullptr, false);
-    if (!json.is_array() || json.size() > most) return saved;
+    if (!json.is_array() || json.size() > maximum) return saved;
     for (const Json& one : json)
         if (auto figures = viewFiguresFrom(one)) saved.push_back(*std::move(figures));
     return saved;

@@ -1,15 +1,13 @@
-#include "app/gui/docks/scenarios/scenario_columns.h"
+#include "app/gui/docks/scenarios/scenario_table.h"
 
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
-#include "app/gui/docks/scenarios/scenario_table.h"
-#include "app/gui/tools/massing/figure_words.h"
-#include "core/measures/has_runs.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
+#include "app/gui/tools/massing/massing_text.h"
 #include "core/measures/shadow_figures.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/weights/score_text.h"

@@ -10,9 +10,8 @@
 #include <numbers>
 
 #include "app/gui/base/looks/theme.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/review/verdict_table.h"
-#include "app/gui/docks/scenarios/scenario_columns.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/project/project_session.h"
 #include "core/base/csv_text.h"
@@ -325,20 +324,21 @@ QString ScenarioTable::impactVerdict() const {
         return (changeM2 > 0 ? QStringLiteral("+") : QString()) + describeSmallArea(changeM2);
     };
     const auto ground = [](const Impact& one) { return describeSmallArea(one.second.gross.gainedM2); };
-    const auto [least, most] = std::ranges::minmax_element(
+    const auto [minimum, maximum] = std::ranges::minmax_element(
         impacts, {}, [](const Impact& one) { return one.second.shadowAreaChangeM2; });
-    const double minutes = least->second.thresholdMin;
+    const double minutes = minimum->second.thresholdMin;
     if (impacts.size() == 1)
         return tr("%1 changes the shadow area by %2: area times its share of the sunlit time. Ground with "
                   "over %3 min more shadow a day: %4.")
-            .arg(least->first, area(*least))
+            .arg(minimum->first, area(*minimum))
             .arg(minutes)
-            .arg(ground(*least));
-    if (least->second.shadowAreaChangeM2 == most->second.shadowAreaChangeM2)
-        return tr("All scenarios change the shadow area by %1.").arg(area(*least));
+            .arg(ground(*minimum));
+    if (minimum->second.shadowAreaChangeM2 == maximum->second.shadowAreaChangeM2)
+        return tr("All scenarios change the shadow area by %1.").arg(area(*minimum));
     return tr("%1 adds less shadow than %2: %3 of shadow area against %4 (area times its share of the sunlit "
               "time), and %5 against %6 of ground with over %7 min more a day.")
-        .arg(least->first, most->first, area(*least), area(*most), ground(*least), ground(*most))
+        .arg(minimum->first, maximum->first, area(*minimum), area(*maximum), ground(*minimum),
+             ground(*maximum))
         .arg(minutes);
 }
 
@@ -348,12 +348,12 @@ QString ScenarioTable::scoreVerdict() const {
     for (const Row& row : rows_)
         if (const auto score = answersOf(row).score) scores.emplace_back(named(row.scenario), score->totals);
     if (scores.size() < 2) return {};
-    const auto [least, most] =
+    const auto [minimum, maximum] =
         std::ranges::minmax_element(scores, {}, [](const Scored& one) { return one.second.scoreM2; });
-    if (least->second.scoreM2 == most->second.scoreM2) return {};
+    if (minimum->second.scoreM2 == maximum->second.scoreM2) return {};
     return tr("By the weights %1, %2 scores best (%3) and %4 worst (%5).")
-        .arg(named(basis_.weights), most->first, formatAmount(most->second.scoreM2, 0), least->first,
-             formatAmount(least->second.scoreM2, 0));
+        .arg(named(basis_.weights), maximum->first, formatAmount(maximum->second.scoreM2, 0), minimum->first,
+             formatAmount(minimum->second.scoreM2, 0));
 }
 
 std::string ScenarioTable::csv() const {

@@ -15,8 +15,8 @@
 #include <algorithm>
 
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/base/widgets/table_columns.h"
 #include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/session/answers/bar_charts.h"

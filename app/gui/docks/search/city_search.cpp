@@ -10,7 +10,7 @@
 #include <map>
 #include <utility>
 
-#include "app/gui/session/study/region_words.h"
+#include "app/gui/session/study/region_text.h"
 #include "core/city/map_context.h"
 #include "core/geo/lon_lat.h"
 
@@ -85,7 +85,7 @@ void CitySearch::add(Found found, const QString& id) {
     entries_.push_back({std::move(found), std::move(folded), fold(id)});
 }
 
-std::vector<Found> CitySearch::find(const QString& text, std::size_t most) const {
+std::vector<Found> CitySearch::find(const QString& text, std::size_t maximum) const {
     const QString wanted = fold(text);
     if (wanted.isEmpty()) return {};
     std::vector<Found> found;
@@ -106,7 +106,7 @@ std::vector<Found> CitySearch::find(const QString& text, std::size_t most) const
     };
     std::ranges::stable_sort(ranked, {}, order);
     for (const auto& [how, entry] : ranked)
-        if (found.size() < most) found.push_back(entry->found);
+        if (found.size() < maximum) found.push_back(entry->found);
     return found;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+// The folder app/gui/docks/search finds things of the open project by name: CitySearch is the index and its
+// query, SearchField the field in the menu bar.
+
 #include <QLineEdit>
 #include <QString>
 #include <functional>
@@ -14,9 +17,6 @@ class QCompleter;
 class QStandardItemModel;
 
 namespace noonmark {
-
-// The folder app/gui/docks/search finds things of the open project by name: CitySearch is the index and its
-// query, SearchField the field in the menu bar.
 
 enum class FoundKind { building, place, street, lot, coordinates };
 
@@ -36,11 +36,11 @@ public:
     /// O(buildings + streets): 20 ms for 43,000 buildings.
     CitySearch(const City& city, const std::vector<Place>& places, const std::vector<NamedLot>& lots);
 
-    /// At most `most`, the best first: equal names, then names that begin with the text, names in which a
+    /// At most `maximum`, the best first: equal names, then names that begin with the text, names in which a
     /// word begins with it, and those that contain it; shorter names first. Upper and lower case and accents
     /// make no difference. A text of two numbers is a position: latitude and longitude in either order,
     /// whichever is nearer to the city. Nothing for an empty text. O(entries).
-    [[nodiscard]] std::vector<Found> find(const QString& text, std::size_t most = 20) const;
+    [[nodiscard]] std::vector<Found> find(const QString& text, std::size_t maximum = 20) const;
 
 private:
     struct Entry {

@@ -8,7 +8,7 @@
 #include <QSpinBox>
 #include <QToolButton>
 
-#include "app/report/book/page_painter.h"
+#include "app/report/book/print_book.h"
 
 namespace noonmark {
 

@@ -17,7 +17,7 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/field_rows.h"
 #include "scenarios/project/title_fields.h"
 

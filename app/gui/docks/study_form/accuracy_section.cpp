@@ -10,12 +10,12 @@
 #include <algorithm>
 
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/field_rows.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/input/all_engines.h"
-#include "core/describe/value_text.h"
+#include "core/describe/field_values.h"
 
 namespace noonmark {
 

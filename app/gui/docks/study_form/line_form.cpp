@@ -19,7 +19,7 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "core/base/units.h"
 #include "core/io/elements/read_point_file.h"
@@ -180,10 +180,10 @@ void PointListForm::take() {
     std::vector<ListedPoint> points;
     if (!text.trimmed().isEmpty()) {
         auto parsed = parsePointList(text.toStdString(), tr("points").toStdString());
-        if (!parsed) return tell(describeError(parsed.error()));
+        if (!parsed) return report(describeError(parsed.error()));
         points = *std::move(parsed);
     }
-    tell({});
+    report({});
     if (points == points_) return;
     points_ = std::move(points);
     Q_EMIT edited(points_, tr("points"));
@@ -193,12 +193,12 @@ void PointListForm::readFile() {
     const QString file = askForPoints(this);
     if (file.isEmpty()) return;
     auto points = readPointFile(file.toStdString());
-    if (!points) return tell(describeError(points.error()));
+    if (!points) return report(describeError(points.error()));
     show(*points);
     Q_EMIT edited(points_, tr("points"));
 }
 
-void PointListForm::tell(const QString& problem) {
+void PointListForm::report(const QString& problem) {
     problem_->setText(problem);
     problem_->setVisible(!problem.isEmpty());
 }
@@ -207,7 +207,7 @@ void PointListForm::show(const std::vector<ListedPoint>& points) {
     if (points == points_ && !text_->toPlainText().isEmpty()) return;
     points_ = points;
     text_->setPlainText(points.empty() ? QString() : QString::fromStdString(toCsv(points)));
-    tell({});
+    report({});
 }
 
 void PointListForm::add(ListedPoint point) {

@@ -57,7 +57,7 @@ private:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void take();
     void readFile();
-    void tell(const QString& problem);
+    void report(const QString& problem);
 
     std::vector<ListedPoint> points_;
     QPlainTextEdit* text_;

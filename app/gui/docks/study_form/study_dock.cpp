@@ -10,13 +10,12 @@
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/progress_strip.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/docks/study_form/accuracy_section.h"
-#include "app/gui/docks/study_form/places_form.h"
-#include "app/gui/docks/study_form/run_forecast.h"
 #include "app/gui/docks/study_form/what_form.h"
 #include "app/gui/docks/study_form/when_form.h"
 #include "app/gui/docks/study_form/where_form.h"
+#include "app/gui/session/study/run_estimate.h"
 #include "app/gui/session/study/study_document.h"
 #include "app/input/all_engines.h"
 

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/docks/study_form/element_form.h"
 #include "app/input/all_engines.h"
 #include "core/receivers/roof_receivers.h"

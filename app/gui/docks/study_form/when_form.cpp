@@ -16,14 +16,14 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 
 namespace noonmark {
 
 PeriodForm::PeriodForm(QWidget* parent)
     : QWidget(parent), window_(new QCheckBox(tr("From sunrise to sunset"))) {
     placeFields();
-    tell();
+    explainFields();
     show(Period{});
 }
 
@@ -44,7 +44,7 @@ void PeriodForm::placeFields() {
     form->addRow(new FoldedSection(tr("Time zone and sun"), "periodDetails", details));
 }
 
-void PeriodForm::tell() {
+void PeriodForm::explainFields() {
     const auto explain = [this](std::string_view flag, const QString& tip) {
         rows_.widget(flag)->setToolTip(tip);
     };

@@ -31,7 +31,7 @@ Q_SIGNALS:
 
 private:
     void placeFields();
-    void tell();
+    void explainFields();
     void enableFields();
 
     FieldRows rows_{periodFields().rows()};

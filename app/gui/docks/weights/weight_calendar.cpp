@@ -1,4 +1,4 @@
-#include "app/gui/docks/weights/weight_calendar.h"
+#include "app/gui/docks/weights/weights_dock.h"
 
 #include <QHelpEvent>
 #include <QLocale>
@@ -19,7 +19,7 @@ namespace {
 constexpr int months = 12, hoursADay = 24;
 constexpr double brushStep = 0.25;
 constexpr int swatches = 9;  // -1 to 1
-constexpr int cellHeightPx = 13, leastCellPx = 8, gapPx = 8;
+constexpr int cellHeightPx = 13, minCellPx = 8, gapPx = 8;
 
 double weightOfSwatch(int swatch) { return -1 + brushStep * swatch; }
 
@@ -80,7 +80,7 @@ QRectF WeightCalendar::swatchOf(double weight) const {
 
 QSize WeightCalendar::sizeHint() const {
     const int height = int(swatchTop()) + 2 * lineHeight() + gapPx;
-    return {labelWidth() + hoursADay * leastCellPx, height};
+    return {labelWidth() + hoursADay * minCellPx, height};
 }
 
 QSize WeightCalendar::minimumSizeHint() const { return sizeHint(); }

@@ -14,8 +14,7 @@
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/docks/weights/weight_calendar.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/docks/weights/weights_model.h"
 #include "app/gui/session/project/project_session.h"
 #include "app/report/maps/style.h"
@@ -66,10 +65,11 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
     connect(tables_, &QComboBox::currentTextChanged, this,
             [this](const QString& name) { choose(name.toStdString()); });
     connect(score_, &QPushButton::clicked, this, &WeightsDock::score);
-    connect(model_, &WeightsModel::refused, this, [this](const Error& error) { tell(describeError(error)); });
-    connect(model_, &WeightsModel::edited, this, [this] { tell({}); });
+    connect(model_, &WeightsModel::refused, this,
+            [this](const Error& error) { report(describeError(error)); });
+    connect(model_, &WeightsModel::edited, this, [this] { report({}); });
     connect(&session_, &ProjectSession::changed, this, &WeightsDock::follow);
-    tell({});
+    report({});
     follow();
 }
 
@@ -139,7 +139,7 @@ QWidget* WeightsDock::makeButtons() {
 }
 
 void WeightsDock::choose(const std::string& table) {
-    if (table != model_->table().name) tell({});
+    if (table != model_->table().name) report({});
     model_->setTable(table);
     follow();
 }
@@ -203,7 +203,7 @@ void WeightsDock::removeInterval() {
     if (view_->currentIndex().isValid()) model_->removeRows(view_->currentIndex().row(), 1);
 }
 
-void WeightsDock::tell(const QString& text) {
+void WeightsDock::report(const QString& text) {
     refusal_->setText(text);
     refusal_->setVisible(!text.isEmpty());
 }

@@ -6,14 +6,14 @@
 #include <algorithm>
 
 #include "app/gui/base/looks/theme.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/point/point_inspector.h"
 #include "app/gui/frame/actions/place_actions.h"
 #include "app/gui/frame/actions/region_actions.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/panel/view_panel.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 
 namespace noonmark {
 

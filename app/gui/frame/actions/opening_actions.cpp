@@ -7,10 +7,9 @@
 #include <algorithm>
 
 #include "app/gui/base/files/file_dialogs.h"
-#include "app/gui/base/files/file_endings.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/message_bar.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/frame/actions/place_actions.h"
 #include "app/gui/frame/actions/saving_actions.h"
 #include "app/gui/session/study/open_options.h"
@@ -19,7 +18,7 @@
 #include "app/input/load_city.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/settings/read_settings.h"
-#include "core/study/text/height_words.h"
+#include "core/study/text/height_facts_text.h"
 
 namespace noonmark {
 

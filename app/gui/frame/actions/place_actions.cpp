@@ -7,8 +7,8 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/frame/actions/opening_actions.h"
 #include "app/gui/session/workbench.h"
@@ -16,7 +16,7 @@
 #include "app/gui/tools/photograph/photograph_actions.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/input/load_city.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/formats/format.h"
 #include "core/receivers/place_names.h"
@@ -66,11 +66,11 @@ QString describePlacesRead(std::size_t places, const PlacesAdded& added, const W
             QObject::tr("; %1 place(s) were there before and stay as they are", "", pluralNumber(added.same))
                 .arg(formatCount(added.same));
     text += u'.';
-    constexpr std::size_t most = 3;
+    constexpr std::size_t maximum = 3;
     const auto groups = groupWarnings(warnings);
-    for (std::size_t i = 0; i < std::min(most, groups.size()); ++i)
+    for (std::size_t i = 0; i < std::min(maximum, groups.size()); ++i)
         text += u'\n' + describeWarningWithPlaces(groups[i]);
-    if (groups.size() > most) text += u'\n' + describeMoreKinds(groups.size() - most);
+    if (groups.size() > maximum) text += u'\n' + describeMoreKinds(groups.size() - maximum);
     return text;
 }
 

@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "core/receivers/region.h"
+#include "core/receivers/receivers.h"
 
 class QAction;
 class QWidget;

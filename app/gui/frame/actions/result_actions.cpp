@@ -6,7 +6,7 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/session/answers/answer_viewer.h"
@@ -15,7 +15,7 @@
 #include "app/gui/view/panel/view_presets.h"
 #include "app/gui/view/time/time_strip.h"
 #include "app/questions/review_question.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/study/contributions/place_contributions.h"
 
 namespace noonmark {

@@ -6,7 +6,7 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/message_bar.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/session/workbench.h"
 
 namespace noonmark {
@@ -27,9 +27,9 @@ void RecoveryOffers::offerNewest(const std::filesystem::path& project, const Rec
     messages_.showHelp(tr("Noonmark closed before %1 was saved. Unsaved changes can be recovered.")
                            .arg(workbench_.projectName()));
     messages_.offer(tr("Recover"), [this, project, found] {
-        std::error_code gone;
-        const bool moved = std::filesystem::last_write_time(found.path, gone) != found.at;
-        workbench_.recover(moved || gone ? ProjectSaving::olderRecovery(project) : found.path);
+        std::error_code removed;
+        const bool moved = std::filesystem::last_write_time(found.path, removed) != found.at;
+        workbench_.recover(moved || removed ? ProjectSaving::olderRecovery(project) : found.path);
     });
     if (std::filesystem::exists(ProjectSaving::olderRecovery(project)))
         messages_.offerToo(tr("Older changes..."), [this] { offerOlder(); });

@@ -6,7 +6,7 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/scenarios/latest_answers.h"

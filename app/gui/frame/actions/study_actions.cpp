@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/docks/results/result_display.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
@@ -198,11 +198,11 @@ ReviewActions::ReviewActions(ReviewSession& review, GlazingSession& windows, Rev
     connect(&windows_, &GlazingSession::failed, &panel_.messages(), &MessageBar::showError);
     connect(&review_, &ReviewSession::noted, &panel_.messages(), &MessageBar::showNote);
     connect(&preview, &EditPreview::shapeChanged, &review_, &ReviewSession::shape);
-    connect(&review_, &ReviewSession::answered, this, [this, &preview] { tellVerdicts(preview); });
+    connect(&review_, &ReviewSession::answered, this, [this, &preview] { showVerdicts(preview); });
 }
 
 // On the building that is being shaped.
-void ReviewActions::tellVerdicts(EditPreview& preview) const {
+void ReviewActions::showVerdicts(EditPreview& preview) const {
     if (!review_.isLive()) return preview.setVerdicts({});
     const ReviewStudy& study = review_.shown()->study;
     preview.setVerdicts(tr("%1: %2").arg(QString::fromStdString(study.rule.name), describeVerdicts(study)));

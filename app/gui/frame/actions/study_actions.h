@@ -81,7 +81,7 @@ Q_SIGNALS:
     void exportWanted();  ///< of the review, which is displayed
 
 private:
-    void tellVerdicts(EditPreview& preview) const;
+    void showVerdicts(EditPreview& preview) const;
     void exportReview();
 
     ReviewSession& review_;

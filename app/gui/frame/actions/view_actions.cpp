@@ -6,16 +6,16 @@
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/view/exploration/exploration.h"
-#include "app/gui/view/panel/section_tool.h"
 #include "app/gui/view/panel/view_panel.h"
-#include "app/report/maps/height_source_colours.h"
-#include "render/view/software_drawing.h"
+#include "app/gui/view/panel/view_tools.h"
+#include "app/report/maps/answer_legends.h"
+#include "render/view/traced_city.h"
 
 namespace noonmark {
 

@@ -1,4 +1,4 @@
-#include "app/gui/frame/help/field_help.h"
+#include "app/gui/frame/help/help_actions.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -18,7 +18,7 @@
 #include <QWidget>
 
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 
 class QWidget;
 

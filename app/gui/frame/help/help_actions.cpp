@@ -16,7 +16,7 @@
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/frame/actions/opening_actions.h"
 #include "app/input/build_facts.h"
-#include "render/view/software_drawing.h"
+#include "render/view/traced_city.h"
 
 namespace noonmark {
 

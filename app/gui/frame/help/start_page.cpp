@@ -19,7 +19,7 @@
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/frame/tour/tour_actions.h"
+#include "app/gui/frame/tour/tour.h"
 #include "app/gui/view/panel/view_panel.h"
 
 namespace noonmark {

@@ -80,7 +80,7 @@ TourBubble::TourBubble(QMainWindow& window)
     connect(end_, &QPushButton::clicked, this, &TourBubble::ended);
 }
 
-void TourBubble::tell(const QString& title, const QString& text, Onward onward) {
+void TourBubble::present(const QString& title, const QString& text, Onward onward) {
     const bool last = onward == Onward::finish;
     title_->setText(title);
     text_->setText(text);
@@ -147,7 +147,7 @@ void Tour::enter(std::size_t step) {
     control_->reveal();
     const QString title =
         tr("%1 (%2 of %3)").arg(translateTour(plan_.title)).arg(step + 1).arg(plan_.steps.size());
-    bubble_->tell(title, translateTour(current().text), onward());
+    bubble_->present(title, translateTour(current().text), onward());
     follow();
 }
 
@@ -243,8 +243,8 @@ TourControl::TourControl(QMainWindow& window, const TourStep& step, std::functio
 }
 
 void TourControl::watch() {
-    const auto tell = [this] { Q_EMIT done(); };
-    if (action_ != nullptr) connect(action_, &QAction::triggered, this, tell, Qt::QueuedConnection);
+    const auto emitDone = [this] { Q_EMIT done(); };
+    if (action_ != nullptr) connect(action_, &QAction::triggered, this, emitDone, Qt::QueuedConnection);
     if (auto* dock = qobject_cast<QDockWidget*>(widget_))
         connect(
             dock, &QDockWidget::visibilityChanged, this,
@@ -253,11 +253,11 @@ void TourControl::watch() {
             },
             Qt::QueuedConnection);
     if (auto* button = qobject_cast<QAbstractButton*>(widget_))
-        connect(button, &QAbstractButton::clicked, this, tell, Qt::QueuedConnection);
+        connect(button, &QAbstractButton::clicked, this, emitDone, Qt::QueuedConnection);
     if (auto* whole = qobject_cast<QSpinBox*>(widget_))
-        connect(whole, &QSpinBox::valueChanged, this, tell, Qt::QueuedConnection);
+        connect(whole, &QSpinBox::valueChanged, this, emitDone, Qt::QueuedConnection);
     if (auto* number = qobject_cast<QDoubleSpinBox*>(widget_))
-        connect(number, &QDoubleSpinBox::valueChanged, this, tell, Qt::QueuedConnection);
+        connect(number, &QDoubleSpinBox::valueChanged, this, emitDone, Qt::QueuedConnection);
     watchList();
 }
 

@@ -7,16 +7,80 @@
 #include <QRect>
 #include <QTimer>
 #include <QWidget>
+#include <cstddef>
 #include <functional>
 #include <memory>
-
-#include "app/gui/frame/tour/tour_step.h"
+#include <span>
+#include <vector>
 
 class QLabel;
 class QMainWindow;
 class QPushButton;
+class QAction;
 
 namespace noonmark {
+
+// Guided tours. This file has the steps as data and tells when a step is done. Tour walks through the steps
+// of one tour, TourControl finds and uses the control of a step in the window, TourBubble shows the text
+// beside it.
+
+/// What the user does in a step, and "Show me" does for them.
+enum class TourDeed {
+    none,     ///< only reads
+    show,     ///< brings a dock to the front
+    click,    ///< a button
+    choose,   ///< an entry of a list: by its data, else by its index
+    set,      ///< a number
+    trigger,  ///< an entry of a menu
+    draw,     ///< a polygon on the ground
+};
+
+/// When the step is done.
+enum class TourGoal {
+    deed,  ///< as soon as the user did it
+    tower,
+    study,
+    comparison,
+    score,
+    place,
+    review,  ///< when the window has a new one
+};
+
+struct TourStep {
+    const char* control;  ///< object name of the widget, dock or action
+    TourDeed deed;
+    const char* value;  ///< of choose and set; otherwise null
+    TourGoal goal;
+    const char* text;  ///< English, in the translation context "Tour"
+};
+
+struct TourPlan {
+    const char* key;  ///< "architect"
+    const char* title;
+    const char* about;
+    std::vector<TourStep> steps;
+};
+
+/// One for each user: architect, planner, review board. All start from the sample Central Park South.
+std::span<const TourPlan> listTours();
+
+class ReviewSession;
+class Workbench;
+
+/// What the window had when a step began.
+struct TourBefore {
+    const void* study = nullptr;
+    const void* comparison = nullptr;
+    const void* score = nullptr;
+    const void* review = nullptr;
+    std::size_t places = 0;
+    std::size_t edits = 0;  ///< of all scenarios
+};
+
+TourBefore lookBefore(Workbench& workbench, ReviewSession& review);
+
+/// Whether the window has something new of that kind. Never for TourGoal::deed.
+bool isReached(TourGoal goal, const TourBefore& before, const TourBefore& now);
 
 /// A frame around the control of a step. The mouse goes through it.
 class TourFrame final : public QWidget {
@@ -38,7 +102,7 @@ public:
 
     /// What the button does that takes the user on.
     enum class Onward { showMe, next, finish };
-    void tell(const QString& title, const QString& text, Onward onward);
+    void present(const QString& title, const QString& text, Onward onward);
     void put(const QRect& control);  ///< beside it, in the window; empty: in the middle
 
 Q_SIGNALS:
@@ -128,5 +192,32 @@ private:
     QTimer watch_;
     std::size_t step_ = 0;
 };
+
+class OpeningActions;
+
+/// The guided tours of the menu Help. Each opens the sample Central Park South first, and asks before if
+/// there is unsaved work.
+class TourActions final : public QObject {
+    Q_OBJECT
+public:
+    TourActions(OpeningActions& opening, TourStage stage);
+
+    [[nodiscard]] QList<QAction*> actions() const { return actions_; }
+    void start(std::size_t tour);                          ///< an index of listTours()
+    [[nodiscard]] Tour* running() const { return tour_; }  ///< null: none
+
+private:
+    void begin(std::size_t tour);
+
+    OpeningActions& opening_;
+    TourStage stage_;
+    QList<QAction*> actions_;
+    QPointer<Tour> tour_;
+    QMetaObject::Connection waiting_;
+};
+
+/// Its title or description in the language of the window.
+QString titleOf(const TourPlan& plan);
+QString aboutOf(const TourPlan& plan);
 
 }  // namespace noonmark

@@ -1,4 +1,4 @@
-#include "app/gui/frame/tour/tour_actions.h"
+#include "app/gui/frame/tour/tour.h"
 
 #include <QCoreApplication>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/gui/frame/tour/tour_step.h"
+#include "app/gui/frame/tour/tour.h"
 
 #include <QtGlobal>
 

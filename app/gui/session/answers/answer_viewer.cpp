@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/questions/glazing_question.h"
 #include "app/questions/saved_question.h"

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "app/gui/base/layers/element_picture.h"
+#include "app/gui/base/layers/field_picture.h"
 #include "app/gui/base/layers/ground_answer.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/questions/saved_question.h"

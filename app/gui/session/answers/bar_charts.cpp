@@ -20,8 +20,8 @@
 #include <cmath>
 
 #include "app/gui/base/looks/theme.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "app/report/maps/style.h"
 
@@ -171,8 +171,8 @@ void addAxes(QChart& chart, QAbstractBarSeries& series, const Bars& bars, const 
 int roomForLongerNames(const QStringList& names, const QFont& font) {
     const QFontMetrics metrics(smallFont(font));
     const auto widthOf = [&](const QString& name) { return metrics.horizontalAdvance(name); };
-    const auto [least, most] = std::ranges::minmax(names, {}, widthOf);
-    return widthOf(most) - widthOf(least) + marginPx + nameBorderPx;
+    const auto [minimum, maximum] = std::ranges::minmax(names, {}, widthOf);
+    return widthOf(maximum) - widthOf(minimum) + marginPx + nameBorderPx;
 }
 
 // What the groups are stands below the title: as the title of their axis it would lie on the longest names.

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "app/gui/base/looks/units.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/answers/result_rows.h"
-#include "app/gui/session/study/region_words.h"
+#include "app/gui/session/study/region_text.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -51,13 +51,13 @@ QString titleOfPlaces(const Answer& answer) {
 QString hoursText(double hours) { return QObject::tr("%1 h of sun a day").arg(groupDigits(hours, 2)); }
 
 // Of the place with least, or with most. Those without a name of their own only where no other has one.
-ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPlace& sun, bool most) {
+ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPlace& sun, bool maximum) {
     std::optional<std::size_t> found;
     const bool anyNamed = std::ranges::any_of(sun.places, hasOwnName);
     for (std::size_t i = 0; i < sun.sun.size(); ++i) {
         const double hours = sun.sun[i].meanHours;
         if (std::isnan(hours) || (anyNamed && !hasOwnName(sun.places[i]))) continue;
-        if (!found || (most ? hours > sun.sun[*found].meanHours : hours < sun.sun[*found].meanHours))
+        if (!found || (maximum ? hours > sun.sun[*found].meanHours : hours < sun.sun[*found].meanHours))
             found = i;
     }
     if (!found) return {name, QObject::tr("none"), meaning};
@@ -109,8 +109,8 @@ std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place,
     if (!std::isnan(of.meanHours))
         for (const Figure& figure : sunOfPlaceFigures().rows()) rows.push_back(figureRow(figure, of));
     if (contributions == nullptr) return rows;
-    constexpr std::size_t most = 8;  // the panel Contributions lists all
-    for (std::size_t i = 0; i < std::min(most, contributions->rows.size()); ++i)
+    constexpr std::size_t maximum = 8;  // the panel Contributions lists all
+    for (std::size_t i = 0; i < std::min(maximum, contributions->rows.size()); ++i)
         rows.push_back(contributorRow(contributions->rows[i]));
     return rows;
 }

@@ -1,10 +1,10 @@
 #include <QLocale>
 #include <QObject>
 
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/answers/result_rows.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "scenarios/weights/score_text.h"
 
 namespace noonmark {

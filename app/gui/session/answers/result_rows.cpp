@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/gui/base/looks/units.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 
 namespace noonmark {
 

@@ -3,13 +3,13 @@
 #include <QString>
 #include <vector>
 
+#include "core/describe/answer_page.h"
 #include "core/describe/figure_text.h"
-#include "core/describe/sentence.h"
 #include "core/study/by_place/sun_by_place.h"
 #include "core/study/contributions/place_contributions.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/elements/element_tables.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score.h"
 

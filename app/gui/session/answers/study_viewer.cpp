@@ -1,7 +1,7 @@
 #include <QObject>
 
 #include "app/gui/base/layers/ground_answer.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "core/measures/shadow_figures.h"

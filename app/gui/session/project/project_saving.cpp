@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/gui/session/project/project_session.h"
-#include "app/input/output_rules.h"
+#include "app/input/load_city.h"
 
 namespace noonmark {
 

@@ -6,7 +6,7 @@
 #include <QVariantMap>
 #include <algorithm>
 
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 
@@ -45,7 +45,7 @@ void RecentFiles::add(const QStringList& files, const ReadSettings& reading) {
     QStringList list = entries();
     list.removeAll(entry);
     list.prepend(entry);
-    list = list.mid(0, most);
+    list = list.mid(0, maximum);
     settings_.setValue(key, list);
     keepReading(list, entry, reading);
     keepPictures(list);

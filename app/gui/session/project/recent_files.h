@@ -13,7 +13,7 @@ namespace noonmark {
 /// were opened together, with the reading settings used last.
 class RecentFiles {
 public:
-    static constexpr int most = 10;
+    static constexpr int maximum = 10;
     explicit RecentFiles(QSettings& settings);
 
     [[nodiscard]] QStringList entries() const;

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/city/footprints/repair_footprint.h"
-#include "core/describe/field_checks.h"
 #include "core/describe/field_json.h"
+#include "core/describe/field_values.h"
 #include "core/study/elements/element_fields.h"
 #include "core/study/study_fields.h"
-#include "scenarios/project/tables/ring_json.h"
+#include "scenarios/project/tables/geometry_blob.h"
 
 namespace noonmark {
 

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/report/maps/height_source_colours.h"
+#include "app/report/maps/answer_legends.h"
 #include "core/base/result.h"
 
 namespace noonmark {

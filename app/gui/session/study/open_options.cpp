@@ -22,10 +22,10 @@
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/field_rows.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/study/massing_preview.h"
 #include "core/io/formats/format.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 
 namespace noonmark {
 

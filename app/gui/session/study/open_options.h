@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/gui/base/jobs/job.h"
-#include "core/io/footprints/list_fields.h"
+#include "core/io/footprints/footprint_scan.h"
 #include "core/io/read_city.h"
 
 class QLineEdit;

@@ -6,10 +6,10 @@
 #include <unordered_set>
 #include <utility>
 
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/tools/editing/selection_panel.h"
-#include "app/gui/tools/massing/figure_words.h"
+#include "app/gui/tools/massing/massing_text.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
@@ -91,7 +91,7 @@ City only(const City& city, const std::vector<std::uint32_t>& buildings) {
     return some;
 }
 
-// Those that are still there.
+// Indices of those ids that the city still has.
 std::vector<std::uint32_t> findIds(const City& city, const std::vector<std::string>& ids) {
     const std::unordered_set<std::string_view> wanted(ids.begin(), ids.end());
     std::vector<std::uint32_t> found;
@@ -279,10 +279,10 @@ void BuildingEditing::previewHeight(double heightM) {
     const glm::dvec2 middle = findMiddle(building());
     context_.handle.stand(
         {{middle.x, middle.y, ground}, facts.heightM, defaultStoreyM, facts.groundElevationM});
-    context_.handle.tell(tr("%1, %2\n%3 floor area")
-                             .arg(describeHeight(facts.heightM, facts.groundElevationM),
-                                  describeAssumedStoreys(facts.storeys),
-                                  describeSmallArea(facts.grossFloorM2)));
+    context_.handle.showFigures(tr("%1, %2\n%3 floor area")
+                                    .arg(describeHeight(facts.heightM, facts.groundElevationM),
+                                         describeAssumedStoreys(facts.storeys),
+                                         describeSmallArea(facts.grossFloorM2)));
 }
 
 void BuildingEditing::takeHeight(double heightM) {

@@ -8,10 +8,10 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/tools/editing/mesh_placing.h"
 #include "app/gui/tools/editing/selection_panel.h"
-#include "app/gui/tools/massing/figure_words.h"
 #include "app/gui/tools/massing/massing_panel.h"
+#include "app/gui/tools/massing/massing_text.h"
 #include "app/gui/tools/massing/storey_lines.h"
-#include "app/gui/view/panel/ground_lines.h"
+#include "app/gui/view/panel/ground_layers.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/copy_massing.h"
 
@@ -422,7 +422,7 @@ void EditTools::takeLot(const std::vector<Footprint>& pieces) {
 void EditTools::designOn(const NamedLot& lot) {
     const CopiedMassing start = tower_.lastValuesOn(lot.outline);
     tower_.begin(lot, {}, start.settings);
-    tellOfDesign();
+    emitDesign();
     if (const QString changes = describeCopy(start); !changes.isEmpty()) Q_EMIT hinted(changes);
 }
 
@@ -431,7 +431,7 @@ void EditTools::editTower(const NamedLot& lot) {
     for (const auto& building : context_.city->city().buildings)
         if (const auto design = tower_.designOf(*building); design && design->lot.name == lot.name) {
             tower_.resume(*design);
-            return tellOfDesign();
+            return emitDesign();
         }
 }
 
@@ -452,7 +452,7 @@ void EditTools::replace() {
         tower_.resume(*design);
     else
         tower_.begin(*lot, building_.id(), {.storeys = std::clamp(building_.storeys(), 1, 500)});
-    tellOfDesign();
+    emitDesign();
 }
 
 void EditTools::copyTower(const NamedLot& lot) {
@@ -472,11 +472,11 @@ void EditTools::copyTower(const NamedLot& lot) {
     if (!copy) return Q_EMIT failed(copy.error());
     tower_.cancel();
     tower_.resume({lot, copy->settings, freeTowerName(context_.city->city()), {}});
-    tellOfDesign();
+    emitDesign();
     if (const QString changes = describeCopy(*copy); !changes.isEmpty()) Q_EMIT hinted(changes);
 }
 
-void EditTools::tellOfDesign() {
+void EditTools::emitDesign() {
     context_.panel.view().requestActivate();  // the view receives a typed height
     Q_EMIT designBegan();
     Q_EMIT hinted(

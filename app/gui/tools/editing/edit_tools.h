@@ -113,7 +113,7 @@ private:
     void extrude(double heightM);
     void extruded(double heightM);
     void takeLot(const std::vector<Footprint>& pieces);
-    void tellOfDesign();
+    void emitDesign();
     void importMesh();
     void showLots();
     void showStoreys();

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "scenarios/massing/lot_edits.h"
 
 namespace noonmark {
@@ -195,7 +195,7 @@ void LotEditing::follow() {
     if (outline && selected_)
         selected_ = findCornerAt(*outline, glm::vec2(snap ? snap->point : glm::dvec2(*ground)));
     show();
-    tell(snap);
+    showSnap(snap);
 }
 
 // A snapped point is one that the edge then leads through; else the edge moves as the cursor did.
@@ -207,7 +207,7 @@ Result<Footprint> LotEditing::dragged(const Drag& drag, glm::dvec2 to, bool snap
     return moveEdge(outline, index, glm::dot(to - from, outwardOf(outline, index)));
 }
 
-void LotEditing::tell(const std::optional<Snap>& snap) {
+void LotEditing::showSnap(const std::optional<Snap>& snap) {
     QString words = drag_->error ? describeError(*drag_->error) : describeArea(area(lot_->outline));
     if (snap && !drag_->error) words += QLatin1Char('\n') + describeSnap(snap->kind);
     context_.panel.cursorLabel().show(pixel_, words);

@@ -77,7 +77,7 @@ private:
     void removeSelected();
     void show();
     [[nodiscard]] std::optional<LotHandle> handleAt(QPointF pixel) const;
-    void tell(const std::optional<Snap>& snap);
+    void showSnap(const std::optional<Snap>& snap);
 
     EditContext& context_;
     std::optional<NamedLot> lot_;

@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/field_rows.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "core/city/terrain/building_ground.h"
 #include "core/io/meshes/stated_axes.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 #include "scenarios/edits/read_shape.h"
 #include "scenarios/scenario.h"
 

@@ -17,9 +17,9 @@
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/number_words.h"
-#include "app/gui/session/study/region_words.h"
-#include "app/gui/tools/massing/figure_words.h"
+#include "app/gui/base/widgets/number_text.h"
+#include "app/gui/session/study/region_text.h"
+#include "app/gui/tools/massing/massing_text.h"
 #include "core/city/terrain/building_ground.h"
 #include "core/io/formats/format.h"
 #include "scenarios/massing/copy_massing.h"
@@ -251,9 +251,9 @@ QWidget* SelectionPanel::makeVariants() {
 glm::dvec2 SelectionPanel::move() const { return {east_->value(), north_->value()}; }
 
 void SelectionPanel::connectFields() {
-    const auto changed = [this](auto* field, auto tell) {
-        connect(field, &QDoubleSpinBox::valueChanged, this, [this, tell] {
-            if (!showing_) tell();
+    const auto changed = [this](auto* field, auto notify) {
+        connect(field, &QDoubleSpinBox::valueChanged, this, [this, notify] {
+            if (!showing_) notify();
         });
     };
     changed(height_, [this] { Q_EMIT heightChanged(height_->value()); });

@@ -23,10 +23,10 @@ void keepOpenGround(const Receivers& before, const Receivers& after, Impact& imp
 
 std::optional<std::uint32_t> findWorst(const Impact& impact) {
     std::optional<std::uint32_t> worst;
-    auto most = float(noChangeMin);
+    auto maximum = float(noChangeMin);
     for (std::size_t cell = 0; cell < impact.grossMin.size(); ++cell)
-        if (impact.grossMin[cell] > most) {
-            most = impact.grossMin[cell];
+        if (impact.grossMin[cell] > maximum) {
+            maximum = impact.grossMin[cell];
             worst = std::uint32_t(cell);
         }
     return worst;
@@ -60,7 +60,7 @@ std::vector<PlaceChange> measurePlaces(const Impact& impact, const std::vector<G
         if (change.figures.gross.anyMoreShadowM2 > 0) changes.push_back(std::move(change));
     }
     std::ranges::stable_sort(changes, std::greater(), [](const PlaceChange& one) {
-        return std::tuple(one.figures.gross.gainedM2, one.figures.gross.mostGainedMin);
+        return std::tuple(one.figures.gross.gainedM2, one.figures.gross.maxGainedMin);
     });
     return changes;
 }

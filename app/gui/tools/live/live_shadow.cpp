@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "core/engines/common/shadow_reach.h"
-#include "core/measures/has_runs.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
 
@@ -133,10 +133,11 @@ constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
 // Moments spread over the days and hours of a long period, as one day.
 SunSteps spread(const SunSteps& sun) {
-    const std::size_t all = sun.steps.size(), most = LiveRule::someMoments;
+    const std::size_t all = sun.steps.size(), maximum = LiveRule::someMoments;
     SunSteps chosen{.stepMinutes = sun.stepMinutes};
-    for (std::size_t k = 0; k < most; ++k) chosen.steps.push_back(sun.steps[(2 * k + 1) * all / (2 * most)]);
-    chosen.days.push_back({.count = std::uint32_t(most)});
+    for (std::size_t k = 0; k < maximum; ++k)
+        chosen.steps.push_back(sun.steps[(2 * k + 1) * all / (2 * maximum)]);
+    chosen.days.push_back({.count = std::uint32_t(maximum)});
     return chosen;
 }
 

@@ -19,12 +19,12 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_fields.h"
-#include "app/gui/base/widgets/number_words.h"
-#include "app/gui/session/study/region_words.h"
-#include "app/gui/tools/massing/figure_words.h"
+#include "app/gui/base/widgets/number_text.h"
+#include "app/gui/session/study/region_text.h"
 #include "app/gui/tools/massing/massing_form.h"
+#include "app/gui/tools/massing/massing_text.h"
 
 namespace noonmark {
 

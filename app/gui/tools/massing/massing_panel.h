@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "app/gui/tools/massing/tower_draft.h"
+#include "app/gui/tools/massing/massing_form.h"
 #include "scenarios/massing/fit_floor_area.h"
 
 class QComboBox;

@@ -4,9 +4,9 @@
 #include <set>
 #include <utility>
 
-#include "app/gui/base/widgets/number_words.h"
-#include "app/gui/tools/massing/figure_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/tools/massing/massing_panel.h"
+#include "app/gui/tools/massing/massing_text.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/floor_plate.h"
@@ -126,7 +126,7 @@ void TowerEditing::show() {
     panel_.showFigures(tower->massing, context_.preview.changes().removed.size(), elevation);
     context_.handle.stand(
         {{foot.x, foot.y, ground}, heightOf(draft_->settings), draft_->settings.storeyHeightM, elevation});
-    context_.handle.tell(describeFigures(tower->massing.figures, elevation));
+    context_.handle.showFigures(describeFigures(tower->massing.figures, elevation));
 }
 
 void TowerEditing::setHeight(double heightM) {

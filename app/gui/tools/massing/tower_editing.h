@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/tools/massing/tower_draft.h"
+#include "app/gui/tools/massing/massing_form.h"
 #include "app/gui/tools/preview/edit_context.h"
 #include "scenarios/massing/copy_massing.h"
 #include "scenarios/massing/fit_floor_area.h"

@@ -14,7 +14,7 @@
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "scenarios/massing/massing_fields.h"
 
@@ -227,8 +227,8 @@ void UseTable::add(const FloorUse& use) {
 void UseTable::addNext() {
     std::vector<FloorUse> now = uses();
     if (!now.empty() && now.back().storeys == 0) now.back().storeys = 1;
-    const QStringList usual = defaultUses();
-    now.push_back({usual[int(now.size()) % usual.size()].toStdString(), 0});
+    const QStringList standard = defaultUses();
+    now.push_back({standard[int(now.size()) % standard.size()].toStdString(), 0});
     show(now);
     Q_EMIT edited();
 }

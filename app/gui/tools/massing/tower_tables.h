@@ -96,7 +96,7 @@ public:
 
     [[nodiscard]] std::vector<Setback> setbacks() const;
     void show(const std::vector<Setback>& setbacks);  ///< without a signal
-    /// Heights are shown from this zero (app/gui/base/widgets/number_words.h).
+    /// Heights are shown from this zero (app/gui/base/widgets/number_text.h).
     void setZero(double zeroM);
     /// The field of a number of this setback, counted from below; null: it has none.
     [[nodiscard]] QWidget* fieldOf(MassingNumber number, std::size_t setback) const;

@@ -4,8 +4,8 @@
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/message_bar.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/photograph/photograph_dialog.h"
 #include "core/city/map_context.h"

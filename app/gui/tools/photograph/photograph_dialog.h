@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "app/gui/tools/photograph/tile_fetch.h"
-#include "scenarios/project/ground_picture.h"
+#include "scenarios/project/project.h"
 
 class QLabel;
 class QLineEdit;

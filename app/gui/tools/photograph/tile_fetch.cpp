@@ -34,7 +34,7 @@ TileRange rangeAt(int zoom, glm::dvec2 low, glm::dvec2 high) {
 
 }  // namespace
 
-TileRange chooseTiles(const Frame& frame, const Box2& box, int most) {
+TileRange chooseTiles(const Frame& frame, const Box2& box, int maximum) {
     glm::dvec2 low(1), high(0);
     for (const glm::vec2 corner :
          {box.low, box.high, glm::vec2(box.low.x, box.high.y), glm::vec2(box.high.x, box.low.y)}) {
@@ -44,7 +44,7 @@ TileRange chooseTiles(const Frame& frame, const Box2& box, int most) {
     }
     TileRange best = rangeAt(0, low, high);
     for (int zoom = 1; zoom <= finestZoom; ++zoom)
-        if (const TileRange range = rangeAt(zoom, low, high); range.count() <= most) best = range;
+        if (const TileRange range = rangeAt(zoom, low, high); range.count() <= maximum) best = range;
     return best;
 }
 

@@ -32,8 +32,8 @@ inline constexpr int maxTiles = 256;
 inline constexpr int finestZoom = 19;
 
 /// The tiles over `box` (local metres) at the finest zoom, up to finestZoom, at which there are no more than
-/// `most`.
-TileRange chooseTiles(const Frame& frame, const Box2& box, int most = maxTiles);
+/// `maximum`.
+TileRange chooseTiles(const Frame& frame, const Box2& box, int maximum = maxTiles);
 
 /// The range's georeference in EPSG:3857 for tiles of this many pixels, as GDAL has it.
 std::array<double, 6> computeTransform(const TileRange& range, int tilePixels);

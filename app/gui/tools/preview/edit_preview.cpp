@@ -3,10 +3,10 @@
 #include <QStringList>
 #include <algorithm>
 
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/study/open_city.h"
-#include "app/gui/session/study/region_words.h"
+#include "app/gui/session/study/region_text.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/report/maps/answer_legends.h"
 #include "scenarios/massing/tower_design.h"
@@ -36,8 +36,7 @@ QString describeNewShadow(const LiveChange& change) {
 }
 
 QString describeWorst(const LiveChange& change) {
-    return QObject::tr("Worst spot: +%1 min a day")
-        .arg(minutesOf(change.figures.front().gross.mostGainedMin));
+    return QObject::tr("Worst spot: +%1 min a day").arg(minutesOf(change.figures.front().gross.maxGainedMin));
 }
 
 QString describeLess(const LiveChange& change) {
@@ -54,7 +53,7 @@ QString describePlace(const PlaceChange& place, bool instant) {
     QString words = instant ? QObject::tr("%1: %2").arg(name, describeSmallArea(gross.anyMoreShadowM2))
                             : QObject::tr("%1: %2, up to +%3 min")
                                   .arg(name, overThreshold(gross.gainedM2, place.figures.thresholdMin),
-                                       minutesOf(gross.mostGainedMin));
+                                       minutesOf(gross.maxGainedMin));
     if (!place.whole) words += QObject::tr(" (of the part that is measured)");
     return words;
 }
@@ -113,8 +112,8 @@ GroundAnswer makeChangeAnswer(const std::shared_ptr<const LiveAnswer>& live, con
 EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent)
     : QObject(parent), panel_(panel), live_(std::move(horizons)) {
     connect(&live_, &LiveFollower::changed, this, &EditPreview::showLive);
-    connect(&live_, &LiveFollower::aged, this, &EditPreview::tellAge);
-    connect(&live_, &LiveFollower::failed, this, &EditPreview::tellWhy);
+    connect(&live_, &LiveFollower::aged, this, &EditPreview::showAge);
+    connect(&live_, &LiveFollower::failed, this, &EditPreview::showReason);
     connect(&facades_, &LiveFacades::changed, this, &EditPreview::showLiveFacades);
     connect(&facades_, &LiveFacades::failed, this, [this](const Error& error) {
         panel_.results().setLiveFacades(std::nullopt);
@@ -157,7 +156,7 @@ void EditPreview::showChange(bool shown) {
 void EditPreview::setVerdicts(const QString& words) {
     if (words == verdicts_) return;
     verdicts_ = words;
-    if (shown_) tellEffect();
+    if (shown_) showEffect();
 }
 
 void EditPreview::setFacades(const FacadeSettings& facades) {
@@ -230,7 +229,7 @@ void EditPreview::begin() {
     beginFacades();
     live_.end();
     panel_.view().overlay().showWorstSpot(std::nullopt);
-    tellEffect();
+    showEffect();
     if (volume.box.empty()) return;
     live_.begin(
         {without(city_->city(), changes_.removed), volume, halfWidthM(panel_.view().pose()), baseline_},
@@ -275,25 +274,25 @@ void EditPreview::showLive() {
     const bool marked = showsChange() && answer.change && answer.change->worst;
     panel_.view().overlay().showWorstSpot(
         marked ? std::optional(glm::dvec3(answer.receivers.position(*answer.change->worst))) : std::nullopt);
-    tellEffect();
+    showEffect();
 }
 
-void EditPreview::tellEffect() {
+void EditPreview::showEffect() {
     const auto answer = live_.answer();
     Q_EMIT effectChanged(answer && answer->change ? describeEffect(*answer->change, verdicts_) : verdicts_);
 }
 
-void EditPreview::tellAge() {
+void EditPreview::showAge() {
     const auto answer = makeLiveAnswer();
     panel_.results().noteLive(
         tr("%1. Shape of %2 s ago").arg(answer.note, groupDigits(live_.ageSeconds(), 1)));
 }
 
 // Without a live shadow only the buildings are shown.
-void EditPreview::tellWhy(const Error& error) {
+void EditPreview::showReason(const Error& error) {
     panel_.results().setLive(std::nullopt);
     panel_.view().overlay().showWorstSpot(std::nullopt);
-    tellEffect();
+    showEffect();
     Q_EMIT told(isCancelled(error) ? tr("The live shadow was cancelled; it returns with the next design")
                                    : tr("No live shadow. %1").arg(describeError(error)));
 }

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "app/gui/tools/live/live_change.h"
-#include "app/gui/tools/live/live_facades.h"
-#include "app/gui/tools/live/live_follower.h"
+#include "app/gui/tools/live/live_effects.h"
 #include "scenarios/edits/apply_edits.h"
 
 namespace noonmark {
@@ -68,11 +67,11 @@ private:
     void followFacades();
     void showLiveFacades();
     void showLive();
-    void tellEffect();
+    void showEffect();
     [[nodiscard]] bool showsChange() const;
     [[nodiscard]] GroundAnswer makeLiveAnswer() const;
-    void tellAge();
-    void tellWhy(const Error& error);
+    void showAge();
+    void showReason(const Error& error);
 
     ViewPanel& panel_;
     std::shared_ptr<const OpenCity> city_;

@@ -1,15 +1,30 @@
 #pragma once
 
-// The explored view: the shadow on all visible surfaces, refined step by step. Exploration runs the jobs,
-// view_refinement decides what comes next, view_turn how much of it at a time, and explored_picture colours
-// the answer.
-
 #include <QObject>
 
 #include "app/gui/base/jobs/job.h"
 #include "app/gui/view/exploration/view_refinement.h"
+#include "app/report/maps/legend_painter.h"
+#include "render/scene/surface_layer.h"
+#include "render/view/explored_view.h"
 
 namespace noonmark {
+
+Legend makeLegend(const ExploredView& view, ShadowMeasure measure, const LegendChoice& choice = {});
+
+/// Whether the view covers only a part of the period so far.
+bool isSoFar(const ExploredView& view);
+
+/// `top` minutes get the last colour of the palette. O(samples).
+SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, double top);
+
+/// Describes level of detail and days: "12 of 365 days; a sample every 4 pixels, 1.2 m". `distanceM`:
+/// distance to the view's target.
+QString describeDetail(const ExploredView& view, double distanceM);
+
+// The explored view: the shadow on all visible surfaces, refined step by step. Exploration runs the jobs,
+// view_refinement decides what comes next, view_turn how much of it at a time, and explored_picture colours
+// the answer.
 
 /// Keeps the shadow of the visible surfaces up to date: a coarse picture while the camera moves, finer ones
 /// when it rests. Works in jobs; a new view, period or city replaces the work before. While the camera moves,

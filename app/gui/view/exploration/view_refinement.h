@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "app/gui/session/study/open_city.h"
-#include "core/engines/api/partial_field.h"
-#include "core/engines/api/surface_engine.h"
+#include "core/engines/api/engine.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/graph/interval_tally.h"
 #include "core/sun/sun_steps.h"
 #include "render/view/explored_view.h"

@@ -12,7 +12,7 @@
 #include <QSpinBox>
 #include <algorithm>
 
-#include "app/gui/base/widgets/error_words.h"
+#include "app/gui/base/widgets/error_text.h"
 
 namespace noonmark {
 

@@ -12,8 +12,8 @@
 #include <cmath>
 
 #include "app/gui/base/looks/theme.h"
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/view/panel/legend_editor.h"
 #include "app/report/maps/map_view.h"
 
@@ -197,7 +197,7 @@ void LegendStrip::takeChoice(const LegendChoice& choice) {
     choice_ = choice;
     (choice.show == ShownAs::shadow ? shadow_ : sun_)->setChecked(true);
     Q_EMIT choiceChanged();
-    tellEditor();
+    updateEditor();
 }
 
 void LegendStrip::edit() {
@@ -207,7 +207,7 @@ void LegendStrip::edit() {
         connect(editor_, &LegendEditor::undoRequested, this, &LegendStrip::undoChoice);
         connect(editor_, &LegendEditor::closed, this, &LegendStrip::takeKeys, Qt::QueuedConnection);
     }
-    tellEditor();
+    updateEditor();
     editor_->adjustSize();
     editor_->move(mapToGlobal(QPoint(int(legendArea().left()), -editor_->height() - legendRowHeight)));
     editor_->show();
@@ -222,7 +222,7 @@ void LegendStrip::takeKeys() {
     setFocus(Qt::OtherFocusReason);
 }
 
-void LegendStrip::tellEditor() {
+void LegendStrip::updateEditor() {
     if (!editor_) return;
     editor_->setChoice(choice_, legend_ ? legend_->colours : std::nullopt);
     editor_->setCanUndo(!before_.empty());
@@ -256,7 +256,7 @@ void LegendStrip::setLegend(std::optional<Legend> legend) {
     const bool ofPlaces = legend_ && legend_->colours && LegendEditor::isOfPlaces(*legend_->colours);
     for (QWidget* choice : std::initializer_list<QWidget*>{measure_, shadow_, sun_})
         choice->setHidden(ofPlaces);
-    tellEditor();
+    updateEditor();
     update();
 }
 
@@ -305,8 +305,8 @@ QFont LegendStrip::noteFont() const {
 // The room between measure and compass, without that of a legend beside the note.
 QSizeF LegendStrip::noteRoom() const {
     const double between = width() - measureWidth - compassWidth(width()) - 4 * margin;
-    const double most = narrow() ? between : std::min(between / 2, between - minLegendWidth);
-    return {std::max(0.0, most), stripHeight - 12.0};
+    const double maximum = narrow() ? between : std::min(between / 2, between - minLegendWidth);
+    return {std::max(0.0, maximum), stripHeight - 12.0};
 }
 
 QString LegendStrip::paintedNote() const {

@@ -74,7 +74,7 @@ private:
     void connectShown();
     void choose(const LegendChoice& choice);
     void takeChoice(const LegendChoice& choice);
-    void tellEditor();
+    void updateEditor();
     void takeKeys();
     void paintNote(const Canvas& canvas) const;
     void paintScale(const Canvas& canvas) const;

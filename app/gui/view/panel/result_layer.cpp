@@ -6,7 +6,7 @@
 
 #include "app/gui/base/layers/field_picture.h"
 #include "app/gui/base/layers/hover_text.h"
-#include "app/gui/view/exploration/explored_picture.h"
+#include "app/gui/view/exploration/exploration.h"
 
 namespace noonmark {
 

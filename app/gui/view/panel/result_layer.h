@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 
-#include "app/gui/base/layers/element_picture.h"
 #include "app/gui/base/layers/field_picture.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/project/view_mode.h"

@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "app/gui/base/widgets/buttons.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/panel/view_presets.h"
 #include "app/gui/view/time/time_strip.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 
 namespace noonmark {
 

@@ -7,7 +7,6 @@
 
 #include "app/gui/view/time/moment_preview.h"
 #include "app/gui/view/time/sun_at_moment.h"
-#include "app/gui/view/time/sun_shadow.h"
 
 class QAction;
 class QTimer;
@@ -27,7 +26,7 @@ public:
     TimeDisplay(Workbench& workbench, const ModeSwitch& mode, ViewPanel& panel,
                 std::shared_ptr<SharedHorizonCache> horizons);
 
-    /// What the time is; the system's clock unless set.
+    /// The current time: the system's clock unless set.
     using Clock = std::function<Instant()>;
     void setClock(Clock clock) { clock_ = std::move(clock); }
     /// Shows sun and shadow of the present moment at the city, or of noon while it is night there. It lasts

@@ -12,11 +12,11 @@
 #include <limits>
 
 #include "app/gui/base/layers/hover_text.h"
-#include "app/gui/session/study/region_words.h"
-#include "app/gui/view/panel/ground_lines.h"
+#include "app/gui/session/study/region_text.h"
+#include "app/gui/view/panel/ground_layers.h"
 #include "app/gui/view/panel/view_picture.h"
 #include "app/gui/view/time/time_strip.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/city/map_context.h"
 #include "core/receivers/place_names.h"
 
@@ -88,7 +88,7 @@ ViewPanel::ViewPanel(QWidget* parent)
     for (auto signal :
          {&LegendStrip::measureChanged, &LegendStrip::changeScaleChanged, &LegendStrip::choiceChanged})
         connect(legend_, signal, this, [this] { results_->show(); });
-    connect(navigator_, &ViewNavigator::hovered, this, &ViewPanel::tellWhatIsAt);
+    connect(navigator_, &ViewNavigator::hovered, this, &ViewPanel::describePixel);
     connect(navigator_, &ViewNavigator::left, this, [this] {
         label_->hide();
         view_->places().hover(std::nullopt);
@@ -236,12 +236,12 @@ bool ViewPanel::isHidden(const glm::dvec3& at) const {
 // The smallest of the places there, as it lies in the others.
 void ViewPanel::hoverPlace(const std::optional<Pick>& pick) {
     std::optional<std::size_t> smallest;
-    double leastM2 = std::numeric_limits<double>::max();
+    double minM2 = std::numeric_limits<double>::max();
     for (std::size_t i = 0; pick && !pick->building && i < places_.size(); ++i)
         if (isInPlace(places_[i], glm::dvec2(pick->position)))
-            if (const double areaM2 = areaOf(places_[i]); areaM2 < leastM2) {
+            if (const double areaM2 = areaOf(places_[i]); areaM2 < minM2) {
                 smallest = i;
-                leastM2 = areaM2;
+                minM2 = areaM2;
             }
     view_->places().hover(smallest);
 }
@@ -262,7 +262,7 @@ void ViewPanel::showLines() {
     view_->showLines(makeGroundLines(region_, city_->city()));
 }
 
-void ViewPanel::tellWhatIsAt(QPointF pixel) {
+void ViewPanel::describePixel(QPointF pixel) {
     if (!city_) return;
     polygons_->hover(pixel);
     measure(pixel, false);

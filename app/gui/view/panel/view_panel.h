@@ -10,15 +10,14 @@
 #include <memory>
 
 #include "app/gui/base/widgets/cursor_label.h"
-#include "app/gui/base/widgets/message_bar.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/session/study/open_city.h"
+#include "app/gui/view/panel/ground_layers.h"
 #include "app/gui/view/panel/legend_strip.h"
-#include "app/gui/view/panel/map_layer.h"
-#include "app/gui/view/panel/measure_tool.h"
 #include "app/gui/view/panel/polygon_drawing.h"
 #include "app/gui/view/panel/result_layer.h"
-#include "app/gui/view/panel/section_tool.h"
 #include "app/gui/view/panel/view_picture.h"
+#include "app/gui/view/panel/view_tools.h"
 #include "core/receivers/place.h"
 #include "render/view/view_navigator.h"
 
@@ -113,7 +112,7 @@ private:
     void finishMeasuring();
     [[nodiscard]] bool measureKey(int key);
     [[nodiscard]] QString describeMeasured() const;
-    void tellWhatIsAt(QPointF pixel);
+    void describePixel(QPointF pixel);
     void toolKey(int key);
 
     QVBoxLayout* column_;

@@ -2,7 +2,7 @@
 
 #include <QLocale>
 
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 
 namespace noonmark {
 

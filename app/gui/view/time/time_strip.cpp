@@ -16,7 +16,7 @@
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/marked_slider.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/number_text.h"
 
 namespace noonmark {
 

@@ -5,8 +5,8 @@
 #include "app/report/book/review/review_pages.h"
 #include "app/report/book/sun_view.h"
 #include "app/report/maps/answer_legends.h"
-#include "app/report/sheets/study_words.h"
-#include "core/measures/outlines/shadow_fan.h"
+#include "app/report/sheets/study_text.h"
+#include "core/measures/shadow_outlines.h"
 #include "core/review/rule/rule_days.h"
 
 namespace noonmark {

@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "app/report/book/flow.h"
-#include "app/report/book/review/glazing_pictures.h"
 #include "app/report/maps/answer_legends.h"
 #include "app/report/sheets/report_sections.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 
 namespace noonmark {
 

@@ -1,4 +1,4 @@
-#include "app/report/book/review/glazing_pictures.h"
+#include "app/report/book/review/glazing_book.h"
 
 #include <algorithm>
 #include <array>

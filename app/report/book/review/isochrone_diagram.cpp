@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/report/book/review/review_pages.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/measures/outlines/day_isochrones.h"
 #include "core/receivers/parcels/parcel_lines.h"
 #include "core/review/rule/rule_days.h"

@@ -6,24 +6,24 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/report_sections.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/describe/command_options.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/rule/rule_names.h"
-#include "core/study/text/error_words.h"
+#include "core/study/text/error_text.h"
 #include "core/study/text/review_text.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr std::size_t maxPages = 30, leastTablePages = 4;
+constexpr std::size_t maxPages = 30, minTablePages = 4;
 
 /// Keeps the first pages; the last of them says that there are more.
-void trim(std::vector<BookPage>& pages, std::size_t most) {
-    if (pages.size() <= most) return;
-    const std::size_t left = pages.size() - most;
-    pages.resize(most);
+void trim(std::vector<BookPage>& pages, std::size_t maximum) {
+    if (pages.size() <= maximum) return;
+    const std::size_t left = pages.size() - maximum;
+    pages.resize(maximum);
     if (pages.empty()) return;
     pages.back().subtitle =
         QStringLiteral("%1 further pages are printed by the option --all-pages. ").arg(left) +
@@ -33,7 +33,7 @@ void trim(std::vector<BookPage>& pages, std::size_t most) {
 /// Timelines and tables on the pages that the rest of the book leaves.
 void fit(std::vector<BookPage>& charts, std::vector<BookPage>& tables, std::size_t used) {
     const std::size_t left = maxPages - std::min(used, maxPages);
-    const std::size_t forTables = std::min({tables.size(), std::max(left / 2, leastTablePages), left});
+    const std::size_t forTables = std::min({tables.size(), std::max(left / 2, minTablePages), left});
     trim(charts, left - forTables);
     trim(tables, left - charts.size());
 }

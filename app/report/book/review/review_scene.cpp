@@ -7,7 +7,7 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/maps/answer_legends.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/measures/places/place_run.h"
 #include "core/receivers/place_names.h"
 #include "core/study/prepare_review.h"
@@ -132,16 +132,16 @@ public:
 
     [[nodiscard]] DiagramLayout choose() const {
         if (scene_.settings.scale) return atScale(*scene_.settings.scale);
-        const Grid usual = grids_[std::min<std::size_t>(1, grids_.size() - 1)];
+        const Grid standard = grids_[std::min<std::size_t>(1, grids_.size() - 1)];
         for (const double scale : roundScales)
-            if (holds(usual, scale, reach_)) return make(usual, scale, reach_);
+            if (holds(standard, scale, reach_)) return make(standard, scale, reach_);
         for (std::size_t i = std::min<std::size_t>(1, grids_.size() - 1); i < grids_.size(); ++i)
             if (holds(grids_[i], roundScales.back(), focus_))
                 return {grids_[i].first, grids_[i].second, roundScales.back(), middleOf(focus_)};
         const bool isCompact = !scene_.settings.allPages;
-        if (isCompact && (changed_.empty() || holds(usual, smallestScale, focus_)))
-            return make(usual, smallestScale, focus_);
-        return make(usual, roundScales.back(), changed_.empty() ? focus_ : changed_);
+        if (isCompact && (changed_.empty() || holds(standard, smallestScale, focus_)))
+            return make(standard, smallestScale, focus_);
+        return make(standard, roundScales.back(), changed_.empty() ? focus_ : changed_);
     }
 
 private:
@@ -345,12 +345,12 @@ DiagramLayout fitInto(const QRectF& area, double textScale, const Box2& shown, d
 DiagramLayout layoutOf(const ReviewScene& scene) { return LayoutChoice(scene).choose(); }
 
 std::optional<DiagramMoment> worstMoment(const ReviewScene& scene) {
-    double most = 0;
+    double maximum = 0;
     std::optional<std::pair<CivilDate, Instant>> worst;
     for (const auto& days : scene.source.study.timelines)
         for (const DayTimeline& day : days)
-            if (day.incremental.largestM2 > most) {
-                most = day.incremental.largestM2;
+            if (day.incremental.largestM2 > maximum) {
+                maximum = day.incremental.largestM2;
                 worst = std::pair{day.day, *day.incremental.largestAt};
             }
     if (worst)

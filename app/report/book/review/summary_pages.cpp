@@ -5,11 +5,11 @@
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/maps/answer_legends.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/verdict_text.h"
 #include "core/review/rule/rule_names.h"
-#include "core/study/text/height_words.h"
+#include "core/study/text/height_facts_text.h"
 
 namespace noonmark {
 
@@ -50,7 +50,7 @@ QString extentText(const ReviewScene& scene) {
                "of less than %3 without a name are listed together. Timelines are of places that "
                "fail or are borderline. review.csv has all places; the option --all-pages prints them.")
         .arg(describeCount(all), describeCount(single),
-             QString::fromStdString(formatArea(scene.settings.leastPlaceM2, scene.settings.units)));
+             QString::fromStdString(formatArea(scene.settings.minPlaceM2, scene.settings.units)));
 }
 
 TextBlocks introduction(const ReviewScene& scene) {

@@ -2,7 +2,7 @@
 
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
-#include "app/report/sheets/study_words.h"
+#include "app/report/sheets/study_text.h"
 #include "core/review/places/review_columns.h"
 #include "core/review/places/verdict_text.h"
 

@@ -22,13 +22,13 @@ namespace {
 // The sums of a tile's receivers shall stay in the second-level cache. Each tile examines all walls in reach,
 // so tiles are larger where receivers lie far apart.
 int chooseTileSide(const Receivers& receivers) {
-    constexpr double most = 65536;  // receivers of a tile
-    constexpr int least = 512;      // cells
+    constexpr double maximum = 65536;  // receivers of a tile
+    constexpr int minimum = 512;       // cells
     const double share =
         double(receivers.cells.size()) / double(std::max<std::size_t>(1, receivers.grid.size()));
     const int largest = std::max(receivers.grid.columns, receivers.grid.rows);
-    int side = least;
-    while (side < largest && share * 4 * side * side <= most) side *= 2;
+    int side = minimum;
+    while (side < largest && share * 4 * side * side <= maximum) side *= 2;
     return side;
 }
 

@@ -45,7 +45,7 @@ void StepSums::begin(std::size_t sets, std::size_t numbers, std::size_t building
     short_.resize(sets);
     for (ShortCells& some : short_) {
         some.sums.assign(buildings == 0 ? numbers : 0, 0);
-        some.most = 0;
+        some.maximum = 0;
     }
     attributed_.resize(sets * buildings);
     sole_.resize(sets * buildings);
@@ -56,18 +56,18 @@ void StepSums::add(const SetTables& tables, std::span<const HorizonCode> codes) 
     for (const SetTable& table : tables)
         for (const CountChange& suns : table.suns) {
             ShortCells& some = short_[table.set];
-            if (some.most + suns.most() > maxShort) flush(table.set);
-            some.most += suns.most();
+            if (some.maximum + suns.maximum() > maxShort) flush(table.set);
+            some.maximum += suns.maximum();
             suns.addTo(codes.data(), codes.size(), some.sums.data());
         }
 }
 
 void StepSums::flush(std::size_t set) {
     ShortCells& some = short_[set];
-    if (some.most == 0) return;
+    if (some.maximum == 0) return;
     for (std::size_t i = 0; i < some.sums.size(); ++i) cells_[set][i] += std::uint32_t(int(some.sums[i]));
     std::ranges::fill(some.sums, std::int16_t{0});
-    some.most = 0;
+    some.maximum = 0;
 }
 
 void StepSums::flush() {

@@ -11,7 +11,7 @@
 #include "core/engines/horizon/attribution/attributed_block.h"
 #include "core/engines/horizon/counting/sun_change.h"
 #include "core/engines/horizon/geometry/azimuth_bins.h"
-#include "core/engines/horizon/overhangs/gaps.h"
+#include "core/engines/horizon/overhangs/overhang_intervals.h"
 #include "core/engines/horizon/overhangs/overhang_sweep.h"
 
 namespace noonmark {
@@ -165,7 +165,7 @@ private:
     /// Sums in 16 bits for as long as they cannot overflow: half of the memory that every bin goes through.
     struct ShortCells {
         std::vector<std::int16_t> sums;
-        int most = 0;
+        int maximum = 0;
     };
 
     void add(const SetTables& tables, std::uint32_t number, const AttributedView& view);

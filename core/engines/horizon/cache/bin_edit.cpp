@@ -1,4 +1,4 @@
-#include "core/engines/horizon/cache/bin_edit.h"
+#include "core/engines/horizon/cache/tile_edit.h"
 
 #include <algorithm>
 #include <bit>
@@ -78,14 +78,15 @@ void BinEdit::addLost(const TileEdit& edit, Lost& lost) {
         if (!removed_.mayRaise(block, axes_, HorizonCode(std::max(int(bin_->lowest), below)))) return;
     }
     const ReceiverBlocks::Masks& known = edit.known.masks(lost.block, axes_.swapped);
-    const HorizonCode* gone = removedSweep_.codes(block, known, edit.grounds.of(lost.block, axes_.swapped));
-    if (gone == nullptr) return;
+    const HorizonCode* removed =
+        removedSweep_.codes(block, known, edit.grounds.of(lost.block, axes_.swapped));
+    if (removed == nullptr) return;
     if (axes_.swapped) {
         transpose(now, turned_);
         now = turned_.values;
     }
     ReceiverBlocks::Masks equal;
-    findEqual(gone, now, known, equal);
+    findEqual(removed, now, known, equal);
     if (!edit.level) leaveOutRaised(edit, lost.block, now, equal);
     for (std::size_t row = 0; row < equal.size(); ++row) lost.masks[row] |= equal[row];
 }
@@ -95,13 +96,13 @@ void BinEdit::addLost(const TileEdit& edit, Lost& lost) {
 void BinEdit::leaveOutRaised(const TileEdit& edit, std::size_t i, const HorizonCode* now,
                              ReceiverBlocks::Masks& masks) {
     if (added_.empty() || !any(masks)) return;
-    const HorizonCode* come = addedSweep_.codes(edit.blocks.blocks()[i], edit.known.masks(i, axes_.swapped),
-                                                edit.grounds.of(i, axes_.swapped));
-    if (come == nullptr) return;
+    const HorizonCode* added = addedSweep_.codes(edit.blocks.blocks()[i], edit.known.masks(i, axes_.swapped),
+                                                 edit.grounds.of(i, axes_.swapped));
+    if (added == nullptr) return;
     const ReceiverBlocks::Masks all = masks;
     forEachPlace(all, [&](std::uint32_t row, std::uint32_t place) {
         const std::uint32_t at = row * side + place;
-        if (come[at] >= now[at]) masks[row] &= std::uint16_t(~(1U << place));
+        if (added[at] >= now[at]) masks[row] &= std::uint16_t(~(1U << place));
     });
 }
 
@@ -141,14 +142,14 @@ void BinEdit::raise(const TileEdit& edit, std::size_t block, const BlockCodes* f
     const HorizonCode* base = found != nullptr  ? found->values
                               : page != nullptr ? page
                                                 : bin_->codes.data() + first;
-    const HorizonCode* come = comingCodes(edit, block, base);
-    if (come == nullptr && page == nullptr && found == nullptr && !any(edit.cells.newRows[block])) return;
+    const HorizonCode* added = comingCodes(edit, block, base);
+    if (added == nullptr && page == nullptr && found == nullptr && !any(edit.cells.newRows[block])) return;
     BlockCodes codes;
     std::copy_n(base, ReceiverBlocks::cells, codes.values);
-    if (come != nullptr) {
+    if (added != nullptr) {
         if (edit.level && page == nullptr) page = bin_->base.add(block, edit.blocks.blocks().size());
         if (page != nullptr && page != base) std::ranges::copy(codes.values, page);
-        noonmark::raise(come, codes);
+        noonmark::raise(added, codes);
     } else if (page != nullptr) {
         bin_->base.remove(block);
     }

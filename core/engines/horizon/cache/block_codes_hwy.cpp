@@ -71,9 +71,9 @@ HorizonCode findLowest(const HorizonCode* codes, const ReceiverBlocks::Masks& ma
     });
     alignas(64) HorizonCode each[lanes];
     hn::Store(lowest, d, each);
-    HorizonCode least = each[0];
-    for (const HorizonCode code : each) least = code < least ? code : least;
-    return least;
+    HorizonCode minimum = each[0];
+    for (const HorizonCode code : each) minimum = code < minimum ? code : minimum;
+    return minimum;
 }
 
 void setOthers(const ReceiverBlocks::Masks& masks, HorizonCode code, BlockCodes& codes) {

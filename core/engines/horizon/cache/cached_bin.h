@@ -9,7 +9,7 @@
 #include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/geometry/horizon_code.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
-#include "core/engines/horizon/overhangs/gaps.h"
+#include "core/engines/horizon/overhangs/overhang_intervals.h"
 
 namespace noonmark {
 

@@ -1,4 +1,4 @@
-#include "core/engines/horizon/cache/gap_edit.h"
+#include "core/engines/horizon/cache/tile_edit.h"
 
 #include <algorithm>
 #include <utility>
@@ -35,7 +35,7 @@ void GapEdit::begin(const TileEdit& edit, const Bin& bin) {
         before_[change.number] = change.before;
     }
     for (const std::uint32_t number : edit.cells.newNumbers) mark(number, State(stale | fresh));
-    for (const std::uint32_t number : edit.cells.goneNumbers) mark(number, gone);
+    for (const std::uint32_t number : edit.cells.formerNumbers) mark(number, removed);
 }
 
 void GapEdit::mark(std::uint32_t number, State state) {
@@ -74,7 +74,7 @@ void GapEdit::add(const Bin& bin, std::span<const Gap> gaps, bool before) {
         }
         const auto end = std::find_if_not(first, gaps.end(), isOf(number));
         const std::span<const Gap> own(std::exchange(first, end), end);
-        if ((state & gone) != 0 || (before && (state & fresh) != 0)) continue;
+        if ((state & removed) != 0 || (before && (state & fresh) != 0)) continue;
         const std::uint32_t hidden =
             countHidden(before ? before_[number] : bin.codes[number], own, *bin.hidden);
         changes_.push_back({number, before ? 0 - hidden : hidden});
@@ -126,7 +126,7 @@ void GapEdit::rewrite(const Bin& bin, std::span<const Gap> gaps, std::uint32_t b
 
 // Merges remaining and recomputed gaps of numbers below `end`, by number.
 void GapEdit::merge(std::span<const Gap> gaps, std::uint32_t end, FoundGap& found) {
-    const auto stays = [&](const Gap& gap) { return (states_[gap.number] & (stale | gone)) == 0; };
+    const auto stays = [&](const Gap& gap) { return (states_[gap.number] & (stale | removed)) == 0; };
     for (const Gap& gap : gaps) {
         if (!stays(gap)) continue;
         for (; found != found_.end() && found->number < gap.number; ++found) merged_.push_back(*found);

@@ -3,9 +3,9 @@
 // The cache of the horizon sweep, for dragging buildings and trying other hours. HorizonCache is the
 // interface. It holds CachedTile objects, each with a CachedBin per azimuth and a TileCount of the current
 // period (cached_tile.h). WallCache and OverhangCache hold the occluders and compute what an edit removes
-// and adds. bin_edit.h and gap_edit.h update the horizons and overhang intervals of one azimuth, only in the
-// blocks that shaded_blocks.h finds and for the receivers that changed_receivers.h lists. BaselineCodes keeps
-// the horizons without the buildings added last, so that moving these is cheap.
+// and adds. tile_edit.h finds the blocks and lists the receivers that an edit changes, and updates their
+// horizons and overhang intervals of one azimuth. BaselineCodes keeps the horizons without the buildings
+// added last, so that moving these is cheap.
 
 #include <cstdint>
 #include <memory>

@@ -118,7 +118,7 @@ WallCache WallCache::of(const City& city, const Receivers& receivers) {
         walls.list_.terrain =
             std::make_shared<const TerrainEdges>(city.terrain, receivers.grid, walls.list_.datumM);
     const ChangedBuildings all = findChangedBuildings({}, city.buildings);
-    walls.replace(all, walls.comingOf(all.come), city.buildings);
+    walls.replace(all, walls.comingOf(all.added), city.buildings);
     walls.firstOfLast_ = walls.next_;
     walls.noteBefore(false);
     return walls;
@@ -131,10 +131,10 @@ bool WallCache::sameGround(const City& city, const Receivers& receivers) const {
 Result<WallChange> WallCache::update(const City& city, double lowestTan) {
     const ChangedBuildings changed = findChangedBuildings(buildings_, city.buildings);
     OverhangCache coming;
-    Coming more = comingOf(changed.come);
+    Coming more = comingOf(changed.added);
     for (const OverhangShapes& shapes : more.overhangs) coming.add(shapes, shapes.building);
     const std::size_t reaching =
-        overhangs_.reaching(grid_, lowestTan, ownersOf(changed.gone)) + coming.reaching(grid_, lowestTan);
+        overhangs_.reaching(grid_, lowestTan, ownersOf(changed.removed)) + coming.reaching(grid_, lowestTan);
     if (const auto able = checkOverhangCount(reaching); !able) return tl::make_unexpected(able.error());
     return replace(changed, std::move(more), city.buildings);
 }
@@ -149,15 +149,15 @@ WallCache::Coming WallCache::comingOf(const Buildings& buildings) const {
 }
 
 WallChange WallCache::replace(const ChangedBuildings& changed, Coming more, const Buildings& now) {
-    const Owners gone = ownersOf(changed.gone);
+    const Owners removed = ownersOf(changed.removed);
     dropLostWalls();
-    const bool undoesLast = cameLast(gone);
-    for (const auto& building : changed.gone) forget(building.get(), gone);
-    WallChange change{.removed = remove(gone), .added = {}, .undoesLast = undoesLast};
+    const bool undoesLast = wereAddedLast(removed);
+    for (const auto& building : changed.removed) forget(building.get(), removed);
+    WallChange change{.removed = remove(removed), .added = {}, .undoesLast = undoesLast};
     noteBefore(undoesLast);
     change.added = add(std::move(more.list), std::move(more.overhangs));
     firstOfLast_ = next_;
-    for (const auto& building : changed.come) numbers_.emplace(building.get(), next_++);
+    for (const auto& building : changed.added) numbers_.emplace(building.get(), next_++);
     updateBuildings(buildings_, now, changed.first);
     return change;
 }
@@ -180,7 +180,7 @@ WallCache::Owners WallCache::ownersOf(const Buildings& buildings) const {
 }
 
 // Whether these are exactly the buildings added last.
-bool WallCache::cameLast(const Owners& owners) const {
+bool WallCache::wereAddedLast(const Owners& owners) const {
     if (owners.size() != next_ - firstOfLast_) return false;
     return owners.empty() || owners.front() == firstOfLast_;
 }

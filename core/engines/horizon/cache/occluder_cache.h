@@ -97,7 +97,7 @@ private:
     WallSet add(WallList more, std::vector<OverhangShapes> overhangs);
     WallSet remove(const Owners& owners);
     void forget(const Building* building, const Owners& owners);
-    [[nodiscard]] bool cameLast(const Owners& owners) const;
+    [[nodiscard]] bool wereAddedLast(const Owners& owners) const;
     void dropLostWalls();
     void noteBefore(bool undoesLast);
     void noteCircles();

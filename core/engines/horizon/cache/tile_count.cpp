@@ -1,4 +1,4 @@
-#include "core/engines/horizon/cache/tile_count.h"
+#include "core/engines/horizon/cache/cached_tile.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>

@@ -112,12 +112,12 @@ void RunCount::walkWithOverhangs(RunMemory& memory, PartRuns& runs) const {
     }
     runs.filled = memory.filled;
     RunLanes& longest = runs.found.longest;
-    const RunLanes most = runs_.of(memory.filled).longest;
+    const RunLanes maximum = runs_.of(memory.filled).longest;
     std::ranges::stable_sort(memory.overhangs, {},
                              [](const OverhangGap& overhangs) { return overhangs.gap.number; });
     std::vector<std::span<const OverhangGap>> ofBin(memory.lanes.size());
     forEachLane(memory.overhangs, [&](std::size_t lane, std::span<const OverhangGap> own) {
-        if (most.values[lane] == longest.values[lane]) return;
+        if (maximum.values[lane] == longest.values[lane]) return;
         setBins(own, ofBin);
         runs.below[lane] = runs_.ofOne([&](const StepPlace& place) {
             return memory.lanes[place.bin].values[lane] > place.sun ||

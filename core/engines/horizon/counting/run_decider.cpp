@@ -138,17 +138,17 @@ void RunDecider::decide(const LongestRuns& runs, std::size_t part, std::uint64_t
     if (lanes == 0) return;
     doubts_.widen(of.horizons, of.filled, memory.widened);
     if (!rays_.openBelow().empty()) doubtOpen(part, lanes, memory);
-    runs.ofEachDay(memory.widened.highest, memory.most);
-    const RunLanes most = highestOf(memory.most);
+    runs.ofEachDay(memory.widened.highest, memory.maximum);
+    const RunLanes maximum = highestOf(memory.maximum);
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto lane = std::size_t(std::countr_zero(lanes));
         std::int16_t& longest = of.found.longest.values[lane];
         const RunRays::Receiver rays = rays_.of(blocks_.cell(part * lanesPerPart + lane));
         const bool confirmed = holds(runs, lane, of, rays, memory);
-        if (confirmed && most.values[lane] <= longest + RunDoubts::allowed) continue;
+        if (confirmed && maximum.values[lane] <= longest + RunDoubts::allowed) continue;
         copyLane(of, memory.widened, lane, memory.search.horizons());
         memory.search.begin(rays.forSearch(), runs.steps(), confirmed ? longest : 0);
-        longest = std::int16_t(runs.searched(lane, memory.most, memory.search));
+        longest = std::int16_t(runs.searched(lane, memory.maximum, memory.search));
         rays_.countReceiver();
     }
 }

@@ -8,7 +8,6 @@
 
 #include "core/engines/common/open_below.h"
 #include "core/engines/horizon/counting/longest_runs.h"
-#include "core/engines/horizon/counting/run_search.h"
 #include "core/engines/horizon/counting/walk_steps.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
 
@@ -97,7 +96,7 @@ public:
     /// Working memory, one per thread.
     struct Memory {
         RunDoubts::Horizons widened;
-        std::vector<RunLanes> most;  // one per day
+        std::vector<RunLanes> maximum;  // one per day
         std::vector<std::uint32_t> steps;
         RunSearch search;
     };

@@ -26,8 +26,8 @@ public:
 
     void add(const CountChange& change, const HorizonCode* horizons) {
         constexpr int maxShort = std::numeric_limits<std::int16_t>::max();
-        if (most_ + change.most() > maxShort) flush();
-        most_ += change.most();
+        if (maximum_ + change.maximum() > maxShort) flush();
+        maximum_ += change.maximum();
         for (const auto& [first, end] : lines_)
             change.addTo(horizons + first, end - first, sums_.data() + (first - first_));
     }
@@ -36,14 +36,14 @@ public:
         for (const auto& [first, end] : lines_)
             for (std::size_t i = first; i < end; ++i) all_[i] += std::uint32_t(int(sums_[i - first_]));
         sums_.fill(0);
-        most_ = 0;
+        maximum_ = 0;
     }
 
 private:
     std::size_t first_;
     std::span<const NumberRange> lines_;
     std::uint32_t* all_;
-    int most_ = 0;
+    int maximum_ = 0;
     std::array<std::int16_t, maxNumbers> sums_{};
 };
 

@@ -20,9 +20,9 @@ std::span<const HorizonCode> some(const std::vector<HorizonCode>& suns, std::siz
 
 }  // namespace
 
-CountChange::CountChange(std::span<const HorizonCode> come, std::span<const HorizonCode> gone) {
+CountChange::CountChange(std::span<const HorizonCode> added, std::span<const HorizonCode> removed) {
     int low = steepnessLevels, high = -steepnessLevels;
-    for (const auto& suns : {come, gone})
+    for (const auto& suns : {added, removed})
         if (!suns.empty()) {
             low = std::min(low, int(suns.front()));
             high = std::max(high, int(suns.back()));
@@ -32,20 +32,20 @@ CountChange::CountChange(std::span<const HorizonCode> come, std::span<const Hori
         last_ = high - low + 1;
     }
     counts_.resize(std::size_t(last_) + 2);
-    fill(come, gone);
+    fill(added, removed);
 }
 
 // Fills the counts range by range, between one sun and the next.
-void CountChange::fill(std::span<const HorizonCode> come, std::span<const HorizonCode> gone) {
+void CountChange::fill(std::span<const HorizonCode> added, std::span<const HorizonCode> removed) {
     std::int16_t count = 0;
     auto from = counts_.begin();
-    for (auto a = come.begin(), b = gone.begin(); a != come.end() || b != gone.end();) {
-        const bool comes = b == gone.end() || (a != come.end() && *a < *b);
-        const auto to = counts_.begin() + ((comes ? *a++ : *b++) - lowest_ + 1);
+    for (auto a = added.begin(), b = removed.begin(); a != added.end() || b != removed.end();) {
+        const bool isAdded = b == removed.end() || (a != added.end() && *a < *b);
+        const auto to = counts_.begin() + ((isAdded ? *a++ : *b++) - lowest_ + 1);
         std::fill(from, to, count);
         from = to;
-        count = std::int16_t(count + (comes ? 1 : -1));
-        most_ = std::max(most_, std::abs(int(count)));
+        count = std::int16_t(count + (isAdded ? 1 : -1));
+        maximum_ = std::max(maximum_, std::abs(int(count)));
     }
     std::fill(from, counts_.end(), count);
 }
@@ -61,10 +61,10 @@ void CountChange::addTo(const HorizonCode* horizons, std::size_t count, std::int
 
 std::vector<CountChange> findSunChanges(std::span<const HorizonCode> suns,
                                         std::span<const HorizonCode> before) {
-    const std::vector<HorizonCode> come = lacking(suns, before), gone = lacking(before, suns);
+    const std::vector<HorizonCode> added = lacking(suns, before), removed = lacking(before, suns);
     std::vector<CountChange> changes;
-    for (std::size_t turn = 0; turn * CountChange::maxSuns < std::max(come.size(), gone.size()); ++turn)
-        changes.emplace_back(some(come, turn), some(gone, turn));
+    for (std::size_t turn = 0; turn * CountChange::maxSuns < std::max(added.size(), removed.size()); ++turn)
+        changes.emplace_back(some(added, turn), some(removed, turn));
     return changes;
 }
 

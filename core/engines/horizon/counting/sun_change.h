@@ -38,10 +38,10 @@ public:
     static constexpr std::size_t maxSuns = 32'767;  ///< limit for added suns, and for removed suns
 
     /// Both ascending, at most maxSuns each; no sun is in both.
-    CountChange(std::span<const HorizonCode> come, std::span<const HorizonCode> gone);
+    CountChange(std::span<const HorizonCode> added, std::span<const HorizonCode> removed);
 
     /// Largest absolute change of any horizon.
-    [[nodiscard]] int most() const { return most_; }
+    [[nodiscard]] int maximum() const { return maximum_; }
 
     /// Adds the change of each horizon to its sum (addCounts).
     void addTo(const HorizonCode* horizons, std::size_t count, std::int16_t* sums) const;
@@ -52,10 +52,10 @@ public:
                                 const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const;
 
 private:
-    void fill(std::span<const HorizonCode> come, std::span<const HorizonCode> gone);
+    void fill(std::span<const HorizonCode> added, std::span<const HorizonCode> removed);
 
     int lowest_ = 0, last_ = 0;  // a horizon's index is horizon - lowest_, from 0 to last_
-    int most_ = 0;
+    int maximum_ = 0;
     std::vector<std::int16_t> counts_;  // one per index, and one more that is read but not used
 };
 

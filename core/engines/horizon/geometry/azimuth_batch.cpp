@@ -34,7 +34,7 @@ std::vector<SweptBin> makeSweptBins(std::span<const AzimuthBin> bins) {
 std::vector<BatchRange> groupIntoBatches(std::span<const SweptBin> bins) {
     std::vector<BatchRange> batches;
     for (std::size_t bin = 0; bin < bins.size(); ++bin) {
-        const bool more = !batches.empty() && batches.back().size() < std::size_t(BatchLanes::most) &&
+        const bool more = !batches.empty() && batches.back().size() < std::size_t(BatchLanes::maximum) &&
                           alike(ShadowAxes(bins[batches.back().first].away), ShadowAxes(bins[bin].away));
         if (!more) batches.push_back({bin, bin});
         batches.back().end = bin + 1;
@@ -45,7 +45,7 @@ std::vector<BatchRange> groupIntoBatches(std::span<const SweptBin> bins) {
 BatchLanes::BatchLanes(std::span<const SweptBin> bins, double cellM)
     : count(int(bins.size())), batch{between(ShadowAxes(bins.front().away), ShadowAxes(bins.back().away))} {
     constexpr double rounding = 1e-3, side = ReceiverBlocks::side;
-    for (int lane = 0; lane < most; ++lane) {
+    for (int lane = 0; lane < maximum; ++lane) {
         const SweptBin& bin = bins[std::size_t(std::min(lane, count - 1))];
         const ShadowAxes axes(bin.away);
         const double shift = -axes.k * axes.sign * (side - 1),

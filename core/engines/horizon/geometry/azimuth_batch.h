@@ -32,18 +32,19 @@ std::vector<BatchRange> groupIntoBatches(std::span<const SweptBin> bins);
 /// The azimuths of a batch as a structure of arrays, one lane per azimuth; lanes after the last repeat it.
 /// The result of one azimuth does not depend on the others, to the last bit.
 struct BatchLanes {
-    static constexpr int most = 8;
+    static constexpr int maximum = 8;
     explicit BatchLanes(std::span<const SweptBin> bins, double cellM);
 
     int count;
-    AzimuthBatch batch;                      ///< centred on the middle azimuth
-    alignas(64) double k[most];              ///< as in ShadowAxes
-    alignas(64) double alongPerMetre[most];  ///< `rise` of a wall per metre of its height (WallPiece)
-    alignas(64) float riseOfMiddle[most];    ///< the same for the middle azimuth
-    alignas(64) float leastOff[most];  ///< lower bound of the q of a block's cells relative to its first cell
-    alignas(64) float mostOff[most];   ///< upper bound of the same
-    alignas(64) float cotOfLowest[most];  ///< of the lowest sun; minus infinity after the last bin
-    float lowestTan = 0;                  ///< parameter of BinWalls::find()
+    AzimuthBatch batch;                         ///< centred on the middle azimuth
+    alignas(64) double k[maximum];              ///< as in ShadowAxes
+    alignas(64) double alongPerMetre[maximum];  ///< `rise` of a wall per metre of its height (WallPiece)
+    alignas(64) float riseOfMiddle[maximum];    ///< the same for the middle azimuth
+    alignas(
+        64) float leastOff[maximum];  ///< lower bound of the q of a block's cells relative to its first cell
+    alignas(64) float mostOff[maximum];      ///< upper bound of the same
+    alignas(64) float cotOfLowest[maximum];  ///< of the lowest sun; minus infinity after the last bin
+    float lowestTan = 0;                     ///< parameter of BinWalls::find()
 };
 
 }  // namespace noonmark

@@ -2,7 +2,7 @@
 
 // Geometry of the horizon sweep. This file groups the suns of a period into azimuth bins; azimuth_batch.h
 // groups neighbouring bins. shadow_axes.h defines the coordinates of one azimuth and horizon_code.h the
-// 16-bit horizon. receiver_blocks.h arranges receivers in blocks of 16 x 16, and block_grounds.h gives their
+// 16-bit horizon. receiver_blocks.h arranges receivers in blocks of 16 x 16, and shadow_axes.h gives their
 // ground heights. wall_list.h collects prisms, general meshes and terrain; bin_walls.h cuts their outlines,
 // as seen at one azimuth or batch, into pieces of wall, and filters these for a block.
 

@@ -3,7 +3,7 @@
 #include <hwy/foreach_target.h>
 
 #include "core/engines/horizon/geometry/bin_walls.h"
-#include "core/engines/horizon/geometry/block_grounds.h"
+#include "core/engines/horizon/geometry/shadow_axes.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();

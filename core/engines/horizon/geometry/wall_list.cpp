@@ -35,8 +35,8 @@ std::vector<Side> sortedSides(const TriangleMesh& mesh) {
 
 // Whether the faces are halves of one plane face, up to rounding.
 bool isFlat(glm::vec3 one, glm::vec3 other) {
-    constexpr float least = 1e-6F;  // radians
-    return glm::dot(one, other) > 0 && glm::length(glm::cross(one, other)) < least;
+    constexpr float minimum = 1e-6F;  // radians
+    return glm::dot(one, other) > 0 && glm::length(glm::cross(one, other)) < minimum;
 }
 
 // A side where more than two faces meet is treated as a boundary of each.

@@ -11,15 +11,15 @@ void OverhangIntervals::begin(const ViewingBlock& from, const BlockAxes& axes, H
 }
 
 void OverhangIntervals::look(const OverhangLayer& layer, std::span<const OverhangStrip> strips,
-                             HorizonCode most) {
+                             HorizonCode maximum) {
     seen_.count = strips_.count = 0;
     for (const OverhangStrip& strip : strips) {
         strips_.add(strip, axes_);
-        if (strips_.count < StripLanes::most) continue;
-        addVisibleCells(strips_, block_, axes_, most, seen_);
+        if (strips_.count < StripLanes::maximum) continue;
+        addVisibleCells(strips_, block_, axes_, maximum, seen_);
         strips_.count = 0;
     }
-    if (strips_.count > 0) addVisibleCells(strips_, block_, axes_, most, seen_);
+    if (strips_.count > 0) addVisibleCells(strips_, block_, axes_, maximum, seen_);
     if (seen_.count > 0) add(layer.solid);
 }
 

@@ -10,10 +10,62 @@
 #include <vector>
 
 #include "core/engines/horizon/cache/block_codes.h"
+#include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
 #include "core/engines/horizon/overhangs/overhang_layers.h"
 
 namespace noonmark {
+
+/// An interval of sun codes that are hidden although they lie above the receiver's horizon: low <= code <
+/// high.
+struct Gap {
+    std::uint32_t number;  ///< of the receiver
+    HorizonCode low, high;
+};
+
+/// Sorts by number, and by altitude within a receiver.
+inline void sortByNumber(std::span<Gap> gaps) {
+    std::ranges::sort(gaps, [](const Gap& a, const Gap& b) {
+        return a.number != b.number ? a.number < b.number : a.low < b.low;
+    });
+}
+
+/// Calls visit(own) with the gaps of each receiver that has any. `gaps`: sorted by number.
+template <class T, class Visit>
+void forEachReceiver(std::span<const T> gaps, const Visit& visit) {
+    for (std::size_t first = 0, end = 0; first < gaps.size(); first = end) {
+        while (end < gaps.size() && gaps[end].number == gaps[first].number) ++end;
+        visit(gaps.subspan(first, end - first));
+    }
+}
+
+struct EveryGap {
+    constexpr bool operator()(const auto& /*gap*/) const { return true; }
+};
+
+/// Calls visit(gap, from) for each gap that extends above the horizon and all earlier gaps: it adds the
+/// levels [from, gap.high). A gap that begins one level above the end of another interval is treated as
+/// adjoining it, since only rounding separates them. `gaps`: of one receiver, sorted by altitude, possibly
+/// overlapping; elements may have more fields than Gap. Gaps that are not `wanted` are skipped.
+template <class Gaps, class Visit, class Wanted = EveryGap>
+void forEachAdded(HorizonCode horizon, const Gaps& gaps, const Visit& visit, const Wanted& wanted = {}) {
+    HorizonCode hidden = horizon;
+    for (const auto& gap : gaps) {
+        if (!wanted(gap) || gap.high <= hidden) continue;
+        visit(gap, int(gap.low) <= int(hidden) + 1 ? hidden : gap.low);
+        hidden = gap.high;
+    }
+}
+
+/// How many suns the gaps hide above the horizon. `hiddenBelow(code)`: number of suns below this code.
+template <class Gaps, class HiddenBelow>
+std::uint32_t countHidden(HorizonCode horizon, const Gaps& gaps, const HiddenBelow& hiddenBelow) {
+    std::uint32_t hidden = 0;
+    forEachAdded(horizon, gaps, [&](const auto& gap, HorizonCode from) {
+        hidden += hiddenBelow(gap.high) - hiddenBelow(from);
+    });
+    return hidden;
+}
 
 /// A block of cells from which overhangs are seen, row by row (column by column if shadows run along x).
 struct ViewingBlock {
@@ -33,12 +85,12 @@ struct BlockAxes {
 
 /// Strips of a layer (OverhangStrip) relative to the block's first cell, as a structure of arrays.
 struct StripLanes {
-    static constexpr int most = 16;
+    static constexpr int maximum = 16;
     int count = 0;
-    alignas(64) float low[most], high[most];  ///< q
+    alignas(64) float low[maximum], high[maximum];  ///< q
     /// Values at `low` and their change per q.
     struct Side {
-        alignas(64) float distance[most], slope[most], rise[most], riseSlope[most];
+        alignas(64) float distance[maximum], slope[maximum], rise[maximum], riseSlope[maximum];
     };
     Side near, far;
 
@@ -48,7 +100,7 @@ struct StripLanes {
 
 /// Cells that see a layer, with the distances and rises of its near and far side.
 struct VisibleCells {
-    static constexpr int most = ReceiverBlocks::cells, room = most + 16;
+    static constexpr int maximum = ReceiverBlocks::cells, room = maximum + 16;
     int count = 0;
     alignas(64) std::int32_t cell[room];
     alignas(64) float toNear[room], toFar[room], nearRise[room], farRise[room];
@@ -72,9 +124,9 @@ public:
     /// Selects the block. `lowest`: intervals that end below that code hide no sun.
     void begin(const ViewingBlock& from, const BlockAxes& axes, HorizonCode lowest);
 
-    /// Adds a layer for the block's cells whose horizons are no higher than `most`. About 2 ns per cell that
-    /// sees it.
-    void look(const OverhangLayer& layer, std::span<const OverhangStrip> strips, HorizonCode most);
+    /// Adds a layer for the block's cells whose horizons are no higher than `maximum`. About 2 ns per cell
+    /// that sees it.
+    void look(const OverhangLayer& layer, std::span<const OverhangStrip> strips, HorizonCode maximum);
 
     /// Calls visit(cell, low, high) for the intervals that reach above the horizons. Cells (16 x row +
     /// position) ascend; the intervals of a cell ascend, are disjoint and do not touch.
@@ -102,7 +154,7 @@ private:
     std::vector<Apart> apart_;
     StripLanes strips_;
     VisibleCells seen_;
-    alignas(64) HorizonCode low_[VisibleCells::most], high_[VisibleCells::most];  // of visible cells
+    alignas(64) HorizonCode low_[VisibleCells::maximum], high_[VisibleCells::maximum];  // of visible cells
 };
 
 template <class Visit>

@@ -93,11 +93,11 @@ OverhangList listOf(std::span<const OverhangShapes> shapes) {
 }
 
 Result<void> checkOverhangCount(std::size_t count) {
-    if (count <= OverhangShapes::most) return {};
+    if (count <= OverhangShapes::maximum) return {};
     return unsupported(
         fmt::format("The horizon sweep takes up to {} overhanging prisms and triangles, and {} are "
                     "within reach",
-                    OverhangShapes::most, count),
+                    OverhangShapes::maximum, count),
         "engine", "Choose projected shadows or the ray reference");
 }
 

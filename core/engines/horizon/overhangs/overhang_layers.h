@@ -25,7 +25,7 @@ using OverhangTriangle = std::array<glm::dvec3, 3>;
 
 /// The overhangs of one building; each is a prism where possible.
 struct OverhangShapes {
-    static constexpr std::size_t most =
+    static constexpr std::size_t maximum =
         50'000;  ///< limit per city: each is examined from every cell that it may shade
 
     std::uint32_t building = 0;  ///< as in OverhangPart
@@ -44,7 +44,7 @@ using OverhangList = std::vector<const OverhangShapes*>;
 /// heights are measured.
 std::vector<OverhangShapes> toOverhangShapes(const OverhangParts& parts, const Grid& grid, double datumM);
 
-/// The same. Error if there are more than `most`.
+/// The same. Error if there are more than `maximum`.
 Result<std::vector<OverhangShapes>> makeOverhangShapes(const OverhangParts& parts, const Grid& grid,
                                                        double datumM);
 

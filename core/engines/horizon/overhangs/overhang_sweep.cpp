@@ -116,7 +116,7 @@ void OverhangSweep::findBlocks(std::uint32_t layer, const OverhangLayer& of, dou
     }
 }
 
-void OverhangSweep::addBlocks(std::uint32_t layer, int row, const Range& across, HorizonCode most) {
+void OverhangSweep::addBlocks(std::uint32_t layer, int row, const Range& across, HorizonCode maximum) {
     const TileBox& box = view_->tile.box;
     const int low = axes_.swapped ? box.firstRow : box.firstColumn,
               count = ((axes_.swapped ? box.rows : box.columns) + side - 1) / side;
@@ -126,7 +126,7 @@ void OverhangSweep::addBlocks(std::uint32_t layer, int row, const Range& across,
         const std::size_t block = axes_.swapped ? std::size_t(place) * columns() + std::size_t(row)
                                                 : std::size_t(row) * columns() + std::size_t(place);
         if (view_->tile.firstOfBlock[block] < 0) continue;
-        entries_.push_back({layer, firsts_[block], most});
+        entries_.push_back({layer, firsts_[block], maximum});
         firsts_[block] = std::int32_t(entries_.size()) - 1;
     }
 }
@@ -137,7 +137,7 @@ std::size_t OverhangSweep::columns() const {
 
 bool OverhangSweep::maySee(std::size_t block, HorizonCode lowest) const {
     std::int32_t i = firsts_[block];
-    while (i >= 0 && entries_[std::size_t(i)].most < lowest) i = entries_[std::size_t(i)].next;
+    while (i >= 0 && entries_[std::size_t(i)].maximum < lowest) i = entries_[std::size_t(i)].next;
     return i >= 0;
 }
 

@@ -3,9 +3,9 @@
 // Overhangs: parts of buildings with open air below, which hide an interval of altitudes rather than all
 // below a horizon. overhang_layers.h converts them to prisms and triangles and cuts these into strips in the
 // axes of one azimuth; overhang_intervals.h finds the cells of a block that see a strip and the altitudes it
-// hides from each, and joins these with the horizon. OverhangSweep (this file) applies this to the blocks of
-// a tile at one azimuth, BatchOverhangs (this file) to a batch during a sweep. gaps.h holds the hidden
-// intervals that do not begin at the horizon.
+// hides from each, joins these with the horizon, and holds the hidden intervals that do not begin at the
+// horizon (gaps). OverhangSweep (this file) applies this to the blocks of a tile at one azimuth,
+// BatchOverhangs (this file) to a batch during a sweep.
 
 #include <array>
 #include <cstdint>
@@ -16,10 +16,8 @@
 
 #include "core/engines/horizon/geometry/azimuth_batch.h"
 #include "core/engines/horizon/geometry/azimuth_bins.h"
-#include "core/engines/horizon/geometry/block_grounds.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
 #include "core/engines/horizon/geometry/shadow_axes.h"
-#include "core/engines/horizon/overhangs/gaps.h"
 #include "core/engines/horizon/overhangs/overhang_intervals.h"
 
 namespace noonmark {
@@ -90,14 +88,14 @@ private:
     struct Entry {
         std::uint32_t layer;
         std::int32_t next;  // next entry of the same block
-        HorizonCode most;
+        HorizonCode maximum;
     };
     struct Range {
         double low, high;
     };
     void findInReach(double lowestTan);
     void findBlocks(std::uint32_t layer, const OverhangLayer& of, double lowestTan);
-    void addBlocks(std::uint32_t layer, int row, const Range& across, HorizonCode most);
+    void addBlocks(std::uint32_t layer, int row, const Range& across, HorizonCode maximum);
     [[nodiscard]] HorizonCode lowestIn(std::size_t block, std::span<const HorizonCode> horizons) const;
     [[nodiscard]] ViewingBlock blockAt(std::size_t block, std::span<const HorizonCode> horizons);
     [[nodiscard]] std::size_t columns() const;
@@ -123,9 +121,9 @@ void OverhangSweep::look(std::size_t block, const ViewingBlock& from, HorizonCod
     look_.begin(from, axesOf(block), view_->lowest);
     for (std::int32_t i = firsts_[block]; i >= 0; i = entries_[std::size_t(i)].next) {
         const Entry& entry = entries_[std::size_t(i)];
-        if (entry.most < lowest) continue;
+        if (entry.maximum < lowest) continue;
         const OverhangLayer& layer = layers_.all()[entry.layer];
-        look_.look(layer, layers_.of(layer), entry.most);
+        look_.look(layer, layers_.of(layer), entry.maximum);
     }
     look_.finish(visit);
 }
@@ -157,8 +155,8 @@ private:
     [[nodiscard]] static std::size_t placeOf(const ReceiverBlocks& blocks, std::size_t block);
     void setBlock(const SweptBlock& swept, const ReceiverBlocks& blocks, const BlockGrounds& grounds);
 
-    std::array<OverhangSweep, BatchLanes::most> sweeps_;  // one per bin
-    std::array<HorizonCode, BatchLanes::most> lowest_{};
+    std::array<OverhangSweep, BatchLanes::maximum> sweeps_;  // one per bin
+    std::array<HorizonCode, BatchLanes::maximum> lowest_{};
     ViewingBlock from_;
     BlockCodes codes_;
 };

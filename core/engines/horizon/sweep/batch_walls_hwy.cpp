@@ -2,7 +2,7 @@
 #define HWY_TARGET_INCLUDE "core/engines/horizon/sweep/batch_walls_hwy.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/engines/horizon/geometry/block_grounds.h"
+#include "core/engines/horizon/geometry/shadow_axes.h"
 #include "core/engines/horizon/sweep/block_sweep.h"
 #include "core/simd/kernel.h"
 
@@ -10,12 +10,12 @@ HWY_BEFORE_NAMESPACE();
 namespace noonmark::HWY_NAMESPACE {
 namespace {
 
-constexpr std::size_t most = BatchLanes::most;
+constexpr std::size_t maximum = BatchLanes::maximum;
 constexpr float nearly = nearlyOfDistance, margin = roundingOfDistance;
 
 // Slopes are computed in double: the narrower a wall appears, the more rounding of its ends' q affects its
 // width. A vector of azimuths is one vector of floats, and one or two of doubles.
-using D = LanesUpTo<float, most>;
+using D = LanesUpTo<float, maximum>;
 using V = hn::Vec<D>;
 using Doubles = LanesUpTo<double, hn::MaxLanes(D{})>;
 constexpr D d;
@@ -98,7 +98,7 @@ HWY_INLINE std::uint32_t findRaisingFrom(std::size_t first, const BatchLanes& ba
 unsigned findRaisingAzimuths(const BatchLanes& batch, const float* cots, const WallAhead& wall,
                              WallInBatch& in) {
     unsigned may = 0;
-    for (std::size_t first = 0; first < most; first += lanes)
+    for (std::size_t first = 0; first < maximum; first += lanes)
         may |= findRaisingFrom(first, batch, cots, wall, in);
     return may;
 }

@@ -26,7 +26,7 @@ float BatchHorizons::highestCot() const {
 void BatchHorizons::raise(const BinWalls& walls, const ReceiverBlocks::Block& block,
                           const ReceiverBlocks::Masks& masks) {
     const BlockPlace place(block, lanes_->batch.axes);
-    std::copy_n(lanes_->cotOfLowest, BatchLanes::most, cots_);
+    std::copy_n(lanes_->cotOfLowest, BatchLanes::maximum, cots_);
     raised_ = 0;
     const int rows = walls.rows();
     const BinWalls::Bands all = walls.bandsOf(place.lowQ, place.highQ, place.highestAlong, rows - 1);
@@ -60,7 +60,7 @@ void BatchHorizons::add(const WallPiece& piece, const BlockPlace& place, const R
                                           .nearest = computeNearestAlong(piece.nearest, in.slope[bin]),
                                           .perRise = in.perRise[bin],
                                           .ahead = wall.nearestAlong > aheadBy};
-        if (waiting.count == Waiting::most) raise(bin, masks);
+        if (waiting.count == Waiting::maximum) raise(bin, masks);
     }
 }
 
@@ -143,12 +143,12 @@ bool BlockSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks:
     findNeed(seenOver(horizons), horizons.grounds, level, need_);
     bool any = false;
     for (; row < walls_.rows(); ++row) {
-        const float least = findLeastRise(need_, rows_, float(place.along - walls_.highestAlong(row)));
-        if (walls_.tallest(row, bands) <= least) break;
-        if (walls_.tallestIn(row, bands) <= least) continue;
+        const float minimum = findLeastRise(need_, rows_, float(place.along - walls_.highestAlong(row)));
+        if (walls_.tallest(row, bands) <= minimum) break;
+        if (walls_.tallestIn(row, bands) <= minimum) continue;
         bool raised = false;
         for (const WallPiece& piece : walls_.pieces(row, bands)) {
-            if (piece.highQ <= place.lowQ || piece.lowQ >= place.highQ || piece.highRise <= least) continue;
+            if (piece.highQ <= place.lowQ || piece.lowQ >= place.highQ || piece.highRise <= minimum) continue;
             raiseBlock(onBlock(piece, place, axes_.k), rows_, horizons);
             raised = any = true;
         }

@@ -11,8 +11,8 @@
 #include "core/engines/horizon/attribution/attributed_block.h"
 #include "core/engines/horizon/geometry/azimuth_batch.h"
 #include "core/engines/horizon/geometry/bin_walls.h"
-#include "core/engines/horizon/geometry/block_grounds.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
+#include "core/engines/horizon/geometry/shadow_axes.h"
 #include "core/engines/horizon/sweep/raise_block.h"
 
 namespace noonmark {
@@ -26,8 +26,8 @@ struct WallAhead {
 
 /// The same at each azimuth of a batch, with the meaning of WallOnBlock.
 struct WallInBatch {
-    alignas(64) float low[BatchLanes::most], high[BatchLanes::most];
-    alignas(64) float slope[BatchLanes::most], perRise[BatchLanes::most];
+    alignas(64) float low[BatchLanes::maximum], high[BatchLanes::maximum];
+    alignas(64) float slope[BatchLanes::maximum], perRise[BatchLanes::maximum];
 };
 
 /// Fills `in` and returns as bits the azimuths at which the wall faces away from the sun and may raise a
@@ -56,9 +56,9 @@ public:
 private:
     /// Walls found for a bin but not yet applied to its horizons.
     struct Waiting {
-        static constexpr std::size_t most = 32;
+        static constexpr std::size_t maximum = 32;
         std::size_t count = 0;
-        std::array<WallOnBlock, most> walls;
+        std::array<WallOnBlock, maximum> walls;
     };
     [[nodiscard]] float highestCot() const;
     void add(const WallPiece& piece, const BlockPlace& place, const ReceiverBlocks::Masks& masks);
@@ -66,12 +66,12 @@ private:
     void raise(std::size_t bin, const ReceiverBlocks::Masks& masks);
 
     std::optional<BatchLanes> lanes_;
-    std::vector<HorizonCode> lowest_;           // code of each bin's lowest sun
-    std::vector<BlockRows> rows_;               // one per bin
-    alignas(64) float cots_[BatchLanes::most];  // of each bin's lowest relevant horizon
-    std::array<Waiting, BatchLanes::most> waiting_;
-    unsigned raised_ = 0;                       // bins with raised horizons, as bits
-    BlockHorizons horizons_[BatchLanes::most];  // of raised bins
+    std::vector<HorizonCode> lowest_;              // code of each bin's lowest sun
+    std::vector<BlockRows> rows_;                  // one per bin
+    alignas(64) float cots_[BatchLanes::maximum];  // of each bin's lowest relevant horizon
+    std::array<Waiting, BatchLanes::maximum> waiting_;
+    unsigned raised_ = 0;                          // bins with raised horizons, as bits
+    BlockHorizons horizons_[BatchLanes::maximum];  // of raised bins
     alignas(64) HorizonCode codes_[ReceiverBlocks::cells];
 };
 

@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "core/base/progress.h"
-#include "core/engines/api/partial_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/engines/horizon/counting/short_sums.h"
 
 namespace noonmark {
@@ -30,8 +30,8 @@ int tileSide(std::size_t bins) {
 }
 
 // Divides into tiles of nearly equal size, because each examines all walls in reach.
-int evenSide(int cells, int most) {
-    const int tiles = (cells + most - 1) / most, side = (cells + tiles - 1) / tiles;
+int evenSide(int cells, int maximum) {
+    const int tiles = (cells + maximum - 1) / maximum, side = (cells + tiles - 1) / tiles;
     return (side + ReceiverBlocks::side - 1) / ReceiverBlocks::side * ReceiverBlocks::side;
 }
 

@@ -16,10 +16,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/engines/api/partial_field.h"
 #include "core/engines/api/shadow_field.h"
+#include "core/engines/horizon/counting/longest_runs.h"
 #include "core/engines/horizon/counting/period_count.h"
-#include "core/engines/horizon/counting/run_search.h"
 #include "core/engines/horizon/counting/short_sums.h"
 #include "core/engines/horizon/overhangs/overhang_sweep.h"
 #include "core/engines/horizon/sweep/tile_sweep.h"

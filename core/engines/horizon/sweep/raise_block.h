@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <span>
 
-#include "core/engines/horizon/geometry/block_grounds.h"
 #include "core/engines/horizon/geometry/horizon_code.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
+#include "core/engines/horizon/geometry/shadow_axes.h"
 #include "core/simd/cache_line.h"
 
 namespace noonmark {

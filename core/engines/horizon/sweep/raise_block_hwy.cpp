@@ -32,9 +32,9 @@ struct WallBeforeRows {
 
 /// Some of the walls, and for each tile those that shade cells of it.
 struct WallGroup {
-    static constexpr std::size_t most = 32;
-    WallBeforeRows walls[most];
-    std::uint8_t ofTile[tiles][most];
+    static constexpr std::size_t maximum = 32;
+    WallBeforeRows walls[maximum];
+    std::uint8_t ofTile[tiles][maximum];
     std::size_t count[tiles];
 };
 
@@ -168,8 +168,8 @@ float findLowest(const BlockHorizons& horizons) {
 }  // namespace
 
 float raiseBlock(std::span<const WallOnBlock> walls, const BlockRows& rows, BlockHorizons& horizons) {
-    for (std::size_t first = 0; first < walls.size(); first += WallGroup::most)
-        raiseGroup(walls.subspan(first, std::min(WallGroup::most, walls.size() - first)), rows, horizons);
+    for (std::size_t first = 0; first < walls.size(); first += WallGroup::maximum)
+        raiseGroup(walls.subspan(first, std::min(WallGroup::maximum, walls.size() - first)), rows, horizons);
     return findLowest(horizons);
 }
 
@@ -185,14 +185,14 @@ void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons) {
 void toCodes(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes) {
     const hn::RebindToSigned<D> di;
     const hn::Rebind<HorizonCode, D> dc;
-    const V levels = hn::Set(d, float(steepnessLevels)), most = hn::Set(d, float(steepnessLevels - 1));
-    const auto none = hn::Set(di, std::int32_t{noHorizon}), least = hn::Set(di, std::int32_t{lowest});
+    const V levels = hn::Set(d, float(steepnessLevels)), maximum = hn::Set(d, float(steepnessLevels - 1));
+    const auto none = hn::Set(di, std::int32_t{noHorizon}), minimum = hn::Set(di, std::int32_t{lowest});
     for (const CacheLine<float>& row : horizons.rows)
         for (std::size_t place = 0; place < side; place += lanes, codes += lanes) {
             const V cot = hn::Load(d, row.values + place);
-            const V level = hn::Min(hn::Div(levels, hn::Add(hn::Set(d, 1), cot)), most);
+            const V level = hn::Min(hn::Div(levels, hn::Add(hn::Set(d, 1), cot)), maximum);
             const auto code = hn::Add(hn::ConvertTo(di, level), none);
-            const auto shown = hn::And(hn::RebindMask(di, hn::Ge(cot, hn::Zero(d))), hn::Gt(code, least));
+            const auto shown = hn::And(hn::RebindMask(di, hn::Ge(cot, hn::Zero(d))), hn::Gt(code, minimum));
             hn::Store(hn::DemoteTo(dc, hn::IfThenElse(shown, code, none)), dc, codes);
         }
 }

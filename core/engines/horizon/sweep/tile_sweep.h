@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/process.h"
-#include "core/engines/horizon/geometry/block_grounds.h"
 #include "core/engines/horizon/geometry/horizon_code.h"
+#include "core/engines/horizon/geometry/shadow_axes.h"
 #include "core/engines/horizon/sweep/block_sweep.h"
 
 namespace noonmark {

@@ -47,16 +47,16 @@ void findNeed(const CacheLine<float>* cots, const CacheLine<float>* grounds, flo
 
 float findLeastRise(const BlockNeed& need, const BlockRows& rows, float distance) {
     constexpr float rounding = 1e-3F;
-    V least = hn::Set(d, unreachable);
+    V minimum = hn::Set(d, unreachable);
     for (std::size_t row = 0; row < side; ++row) {
         const float behind = distance + rows.alongs[row];
         const float surely = behind > 0 ? std::max(0.0F, behind * (1 - 1e-5F) - 1e-2F) : 0;
         for (std::size_t place = 0; place < side; place += lanes) {
             const V rise = hn::Mul(hn::Load(d, need.tans[row].values + place), hn::Set(d, surely));
-            least = hn::Min(least, hn::Add(hn::Load(d, need.grounds[row].values + place), rise));
+            minimum = hn::Min(minimum, hn::Add(hn::Load(d, need.grounds[row].values + place), rise));
         }
     }
-    return hn::GetLane(hn::MinOfLanes(d, least)) - rounding;
+    return hn::GetLane(hn::MinOfLanes(d, minimum)) - rounding;
 }
 
 }  // namespace noonmark::HWY_NAMESPACE

@@ -21,7 +21,7 @@ using RowVector = hn::Vec<RowCells>;
 constexpr std::size_t lanes = hn::MaxLanes(dr);
 constexpr hn::Rebind<HorizonCode, RowCells> rowCodes;
 constexpr hn::RebindToSigned<RowCells> rowWholes;
-static_assert(CrownLevels::most % lanes == 0 && rowCells % lanes == 0);
+static_assert(CrownLevels::maximum % lanes == 0 && rowCells % lanes == 0);
 
 HWY_INLINE RowVector every(float value) { return hn::Set(dr, value); }
 HWY_INLINE RowVector notBelow0(RowVector value) { return hn::Max(value, hn::Zero(dr)); }
@@ -39,9 +39,9 @@ HWY_INLINE RowVector takenBy(RowVector x) {
 /// What a crown has for all cells, a number a level. A crown's shadow lies between `nearest` and `farthest`
 /// from its axis, along the azimuth; depths are lengths in the units of the shape times inLeaf and bare.
 struct CrownTerms {
-    alignas(64) float nearest[CrownLevels::most], farthest[CrownLevels::most];
-    alignas(64) float inLeaf[CrownLevels::most], bare[CrownLevels::most];
-    alignas(64) float scale[CrownLevels::most], slope[CrownLevels::most], offset[CrownLevels::most];
+    alignas(64) float nearest[CrownLevels::maximum], farthest[CrownLevels::maximum];
+    alignas(64) float inLeaf[CrownLevels::maximum], bare[CrownLevels::maximum];
+    alignas(64) float scale[CrownLevels::maximum], slope[CrownLevels::maximum], offset[CrownLevels::maximum];
 };
 
 /// Cells side by side, as a shape looks at them.
@@ -151,9 +151,9 @@ struct Quadric {
     HWY_INLINE bool missed() const { return false; }
     HWY_INLINE RowVector length(std::size_t level, const CrownTerms&, const CellsOfRow& cells) const {
         const float tan = levels_.tan[level];
-        constexpr float least = 1e-6F;  // a ray along a cone's side
+        constexpr float minimum = 1e-6F;  // a ray along a cone's side
         float a = a_ + q_ * tan * tan;
-        if (std::abs(a) < least) a = least;
+        if (std::abs(a) < minimum) a = minimum;
         const float perA = 1 / a, perTan = levels_.perTan[level];
         const auto zero = hn::Zero(dr);
         const auto height = hn::Add(cells.ground, hn::Mul(cells.distance, every(tan)));

@@ -76,8 +76,8 @@ const std::array<HorizonCode, ReceiverBlocks::cells>& levelHorizons() {
 
 void CrownSums::begin(std::size_t blocks, std::size_t steps) {
     constexpr double finest = 4096;
-    const double most = double(std::numeric_limits<std::int32_t>::max()) / double(steps + 1);
-    fractions_ = float(std::min(finest, std::exp2(std::floor(std::log2(most)))));
+    const double maximum = double(std::numeric_limits<std::int32_t>::max()) / double(steps + 1);
+    fractions_ = float(std::min(finest, std::exp2(std::floor(std::log2(maximum)))));
     blocks_.assign(2 * blocks, {});
 }
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/engines/horizon/geometry/azimuth_bins.h"
-#include "core/engines/horizon/geometry/block_grounds.h"
 #include "core/engines/horizon/geometry/horizon_code.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
+#include "core/engines/horizon/geometry/shadow_axes.h"
 #include "core/engines/trees/crowns.h"
 
 namespace noonmark {
@@ -21,12 +21,14 @@ namespace noonmark {
 /// The suns of a bin in levels of altitude, from the lowest up; those of a level are weighed together, at the
 /// mean of their altitudes. Entries from `count` on are harmless.
 struct CrownLevels {
-    static constexpr std::size_t most = 16;  ///< a level is a bit
+    static constexpr std::size_t maximum = 16;  ///< a level is a bit
     std::size_t count = 0;
-    alignas(64) float tan[most] = {}, perTan[most] = {}, secant[most] = {};  ///< of the altitude; 1 / tan
-    alignas(64) float belowCode[most] = {};                                  ///< code of its highest sun + 1
-    alignas(64) float perCode[most] = {};                  ///< 1 / (belowCode - code of its lowest sun)
-    alignas(64) float inLeaf[most] = {}, bare[most] = {};  ///< numbers of suns in and out of the leaf season
+    alignas(64) float tan[maximum] = {}, perTan[maximum] = {},
+                      secant[maximum] = {};     ///< of the altitude; 1 / tan
+    alignas(64) float belowCode[maximum] = {};  ///< code of its highest sun + 1
+    alignas(64) float perCode[maximum] = {};    ///< 1 / (belowCode - code of its lowest sun)
+    alignas(64) float inLeaf[maximum] = {}, bare[maximum] =
+                                                {};  ///< numbers of suns in and out of the leaf season
     [[nodiscard]] std::uint16_t all() const { return std::uint16_t((1U << count) - 1); }
 };
 
@@ -51,8 +53,8 @@ struct CrownGround {
 struct CrownDepths {
     static constexpr std::size_t side = ReceiverBlocks::side;
     std::uint16_t touched[side] = {};  ///< levels of each row, as bits
-    alignas(64) float inLeaf[side][CrownLevels::most][side];
-    alignas(64) float bare[side][CrownLevels::most][side];  ///< only at levels with suns out of season
+    alignas(64) float inLeaf[side][CrownLevels::maximum][side];
+    alignas(64) float bare[side][CrownLevels::maximum][side];  ///< only at levels with suns out of season
 };
 
 /// Adds a crown at those levels of each row, as bits, at which its shadow may meet the row.
@@ -102,7 +104,7 @@ class CrownSweep {
 public:
     /// At most so many levels a bin.
     static constexpr std::size_t maxLevels = 12;
-    static_assert(maxLevels <= CrownLevels::most);
+    static_assert(maxLevels <= CrownLevels::maximum);
     /// `scene` and `binned` are of the same steps; `datumM`: local z from which heights count.
     CrownSweep(const CrownScene& scene, const BinnedSun& binned, const Grid& grid, double datumM);
 

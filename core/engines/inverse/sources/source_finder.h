@@ -2,7 +2,7 @@
 
 // Finders of shadow sources: the nearest occluders of each cell of flat ground at one instant. SourceFinder
 // and SourceInstant (this file) are the interfaces. ProjectedSourceFinder (projected_source_finder.h) fills
-// the shadow polygons of surface_facets.h and keeps the nearest levels; RaySourceFinder traces rays.
+// the shadow polygons of surface facets and keeps the nearest levels; RaySourceFinder traces rays.
 
 #include <algorithm>
 #include <cmath>

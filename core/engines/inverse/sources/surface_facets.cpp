@@ -1,12 +1,12 @@
-#include "core/engines/inverse/sources/surface_facets.h"
+#include "core/engines/inverse/sources/projected_source_finder.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/city/meshes/mesh_topology.h"
-#include "core/engines/projected/casters/convex_pieces.h"
 #include "core/engines/projected/casters/ring_lines.h"
+#include "core/engines/projected/casters/shadow_casters.h"
 
 namespace noonmark {
 

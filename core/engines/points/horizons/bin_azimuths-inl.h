@@ -53,8 +53,8 @@ HWY_INLINE hn::Vec<Eight> azimuthInBins(hn::Vec<Eight> x, hn::Vec<Eight> y) {
     constexpr Eight d;
     using V = hn::Vec<Eight>;
     const V wide = hn::Abs(x), tall = hn::Abs(y);
-    const V most = hn::Max(hn::Max(wide, tall), hn::Set(d, 1e-30F));
-    const V ratio = hn::Div(hn::Min(wide, tall), most), square = hn::Mul(ratio, ratio);
+    const V maximum = hn::Max(hn::Max(wide, tall), hn::Set(d, 1e-30F));
+    const V ratio = hn::Div(hn::Min(wide, tall), maximum), square = hn::Mul(ratio, ratio);
     V sum = hn::Set(d, 0.0208351F);
     for (const float term : {-0.0851330F, 0.1801410F, -0.3302995F, 0.9998660F})
         sum = hn::Add(hn::Mul(sum, square), hn::Set(d, term));

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/engines/points/seen_edge.h"
+#include "core/engines/points/sky_obstacles.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {

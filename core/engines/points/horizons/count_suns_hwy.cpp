@@ -43,10 +43,10 @@ HWY_INLINE std::size_t countInBin(const SunBins& suns, const SunBins::Bin& bin, 
 /// Sums of rows of SunBins::above.
 class MonthSums {
 public:
-    /// `most`: no entry of the row is larger, below 65536.
-    HWY_INLINE void add(const std::uint16_t* row, std::uint32_t most) {
-        if (inShort_ + most > std::numeric_limits<std::uint16_t>::max()) flush();
-        inShort_ += most;
+    /// `maximum`: no entry of the row is larger, below 65536.
+    HWY_INLINE void add(const std::uint16_t* row, std::uint32_t maximum) {
+        if (inShort_ + maximum > std::numeric_limits<std::uint16_t>::max()) flush();
+        inShort_ += maximum;
         for (std::size_t i = 0; i < blockSize; i += hn::Lanes(d))
             hn::Store(hn::Add(hn::Load(d, short_ + i), hn::LoadU(d, row + i)), d, short_ + i);
     }

@@ -86,11 +86,11 @@ void HorizonOfPoint::boundFacing(glm::vec3 normal) {
     bounds_.cover.tan.fill(always);
     for (std::size_t bin = 0; bin < binCount; ++bin) {
         if (scene_.bins.highestTan[bin] <= 0) continue;
-        const auto [least, most] =
+        const auto [minimum, maximum] =
             std::minmax({tanIn((bin + binCount - 1) % binCount), tanIn(bin), tanIn((bin + 1) % binCount)});
         constexpr float bent = 1e-5F;
-        bounds_.cover.tan[bin] = least * (1 - bent);
-        bounds_.touch.tan[bin] = normal.z <= -upright ? always : most * (1 + bent);
+        bounds_.cover.tan[bin] = minimum * (1 - bent);
+        bounds_.touch.tan[bin] = normal.z <= -upright ? always : maximum * (1 + bent);
     }
 }
 

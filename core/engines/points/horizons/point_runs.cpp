@@ -58,8 +58,8 @@ std::uint32_t PointRunSearch::longest(const TrackRun& found, const Point& point)
     const bool confirmed = holds(found, point.rays);
     longest_ = confirmed ? found.length() : 0;
     const std::uint32_t spare = confirmed ? std::uint32_t(allowed) : 0;
-    const BinHorizon& most = ofShadow_ ? point.bounds.touch : point.bounds.cover;
-    for (const TrackRun& run : track_.findRuns(most, ofShadow_, longest_ + spare)) {
+    const BinHorizon& maximum = ofShadow_ ? point.bounds.touch : point.bounds.cover;
+    for (const TrackRun& run : track_.findRuns(maximum, ofShadow_, longest_ + spare)) {
         if (run.length() <= longest_ + spare) break;
         findDoubts(run, point);
         search(run, point.rays);
@@ -145,9 +145,9 @@ std::optional<std::uint32_t> PointRunSearch::findEndAmong(std::span<Doubt> doubt
             (before != doubts.begin() && middle - std::prev(before)->step <= after->step - middle);
         Doubt& doubt = isBefore ? *--before : *after++;
         if (isWanted(doubt, which)) asked_.push_back(&doubt);
-        const std::size_t most = asks < askedFirst.size() ? askedFirst[asks] : together;
+        const std::size_t maximum = asks < askedFirst.size() ? askedFirst[asks] : together;
         const bool isLast = before == doubts.begin() && after == doubts.end();
-        if (asked_.empty() || (asked_.size() < most && !isLast)) continue;
+        if (asked_.empty() || (asked_.size() < maximum && !isLast)) continue;
         const std::uint32_t ends = findEnds(asked_, rays);
         for (std::size_t i = 0; i < asked_.size(); ++i) asked_[i]->isWithin = (ends >> i & 1U) == 0;
         if (ends != 0) {

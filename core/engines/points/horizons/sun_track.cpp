@@ -209,19 +209,19 @@ struct SunTrack::Point {
     }
 };
 
-// Only those that may have a run of more than `least` steps: none is longer than the packets in a row that
+// Only those that may have a run of more than `minimum` steps: none is longer than the packets in a row that
 // may have steps of one.
 std::vector<SunTrack::Stretch> SunTrack::findStretches(const Point& point, bool ofShadow,
-                                                       std::uint32_t least) const {
+                                                       std::uint32_t minimum) const {
     std::vector<std::uint64_t> begins = point.packetsOf(ofShadow);
-    keepBeginsOfRows(begins, least / packetSteps + 1);
+    keepBeginsOfRows(begins, minimum / packetSteps + 1);
     std::vector<Stretch> stretches;
     auto day = days_.begin();
     for (std::uint32_t first = firstBit(begins, 0, true); first < packets_.size();) {
         while (day->end <= first) ++day;
         const std::uint32_t end = firstBit(point.packetsOf(ofShadow), first, false),
-                            most = std::min((end - first) * packetSteps, day->steps);
-        if (most > least) stretches.push_back({first, end, most});
+                            maximum = std::min((end - first) * packetSteps, day->steps);
+        if (maximum > minimum) stretches.push_back({first, end, maximum});
         first = firstBit(begins, end, true);
     }
     return stretches;
@@ -247,13 +247,13 @@ public:
 
     /// `visit(run)` returns the number of steps that runs must exceed from then on.
     template <class Visit>
-    void visitLongerThan(std::uint32_t least, const Visit& visit) {
+    void visitLongerThan(std::uint32_t minimum, const Visit& visit) {
         while (at_ < end_) {
-            const std::uint32_t filled = least < packetSteps ? 0 : (least + 1) / packetSteps - 1;
+            const std::uint32_t filled = minimum < packetSteps ? 0 : (minimum + 1) / packetSteps - 1;
             if (at_ + filled >= end_) return;
             if (skipTo(at_ + filled)) continue;
             const TrackRun run = next();
-            if (run.length() > least) least = visit(run);
+            if (run.length() > minimum) minimum = visit(run);
         }
     }
 

@@ -106,7 +106,7 @@ private:
     void addPacket(Packet packet);
     void addNight();
     [[nodiscard]] std::vector<Stretch> findStretches(const Point& point, bool ofShadow,
-                                                     std::uint32_t least) const;
+                                                     std::uint32_t minimum) const;
     [[nodiscard]] std::vector<Stretch> findLongestStretches(const Point& point, bool ofShadow) const;
     [[nodiscard]] TrackRun longestRun(Point& point, bool ofShadow) const;
 

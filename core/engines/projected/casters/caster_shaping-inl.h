@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "core/engines/projected/filling/caster_fill.h"
+#include "core/engines/projected/filling/step_filler.h"
 #include "core/engines/projected/filling/step_registers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -33,8 +33,8 @@ public:
         const auto turn = [&](std::size_t edge) HWY_ATTR {
             return to.x * ring.edges[edge].along.y - to.y * ring.edges[edge].along.x;
         };
-        const Doubles farthest = least(turn(arc.first), turn(ring.before(arc.end))),
-                      nearest = most(turn(arc.end), turn(ring.before(arc.first)));
+        const Doubles farthest = minimum(turn(arc.first), turn(ring.before(arc.end))),
+                      nearest = maximum(turn(arc.end), turn(ring.before(arc.first)));
         return allAndNoneAboveZero(farthest, nearest);
     }
 
@@ -125,8 +125,8 @@ private:
 
     // Extends the bounds by points in [low, high], shifted by `place`.
     HWY_INLINE void bound(glm::dvec2 low, glm::dvec2 high, const Place& place) {
-        least(Doubles(shape_.low), low.y + place.at.y).store(shape_.low);
-        most(Doubles(shape_.high), high.y + place.at.y).store(shape_.high);
+        minimum(Doubles(shape_.low), low.y + place.at.y).store(shape_.low);
+        maximum(Doubles(shape_.high), high.y + place.at.y).store(shape_.high);
         shape_.lowest = glm::min(shape_.lowest, low + place.low);
         shape_.highest = glm::max(shape_.highest, high + place.high);
     }

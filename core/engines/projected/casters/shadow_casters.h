@@ -1,10 +1,5 @@
 #pragma once
 
-// Casters: occluders as convex pieces whose shadows are polygons. In this file, ShadowCasters holds those of
-// some buildings, BuildingCasters groups them by building, and sun directions become offsets in cells.
-// convex_pieces.h splits footprints; ring_lines.h converts points to cells and describes edges as lines.
-// caster_shaping-inl.h computes a caster's shadow at eight steps.
-
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -14,12 +9,30 @@
 #include <vector>
 
 #include "core/city/city.h"
+#include "core/city/footprints/footprint.h"
 #include "core/engines/projected/casters/ring_lines.h"
 #include "core/engines/projected/filling/step_lanes.h"
 #include "core/geo/grid.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
+
+/// Whether a repaired footprint has no hole and no corner that turns right; points on a straight wall are
+/// ignored. A ring may turn left all the way and still wind twice, but repaired footprints never do.
+/// O(points).
+bool isConvex(const Footprint& footprint);
+
+/// Splits a footprint into convex pieces that contain each of its edges once: sections of a ring that turn
+/// left all the way, closed by a chord inside the footprint. Prisms over all pieces cast the same shadow as
+/// the footprint's walls. Points in ring order, at most `maxPoints` per piece; a piece of two points is a
+/// single edge. The footprint must be properly repaired. O(points x (points that turn right + points of
+/// holes)).
+std::vector<Ring> splitIntoConvexPieces(const Footprint& footprint, std::size_t maxPoints);
+
+// Casters: occluders as convex pieces whose shadows are polygons. In this file, ShadowCasters holds those of
+// some buildings, BuildingCasters groups them by building, and sun directions become offsets in cells.
+// shadow_casters.h splits footprints; ring_lines.h converts points to cells and describes edges as lines.
+// caster_shaping-inl.h computes a caster's shadow at eight steps.
 
 /// A convex caster on flat ground. Coordinates in cells of a grid (the centre of cell (0, 0) is at (0, 0)),
 /// heights in metres above the receivers, which are at the positions of placeRayOrigin().

@@ -13,24 +13,24 @@ namespace noonmark::HWY_NAMESPACE {
 namespace {
 
 // A ripple-carry addition, which stops when the carry is empty.
-HWY_INLINE void add(CountPlanes& planes, int row, const EightWords& come, std::uint64_t& changed) {
+HWY_INLINE void add(CountPlanes& planes, int row, const EightWords& added, std::uint64_t& changed) {
     const EightWords any(planes.at(0, row));
-    (any | come).store(planes.at(0, row));
-    EightWords carry = come & any;
+    (any | added).store(planes.at(0, row));
+    EightWords carry = added & any;
     for (std::size_t k = 1; anySet(carry); ++k) {
         if (k == planes.count()) planes.add();
         const EightWords plane(planes.at(k, row));
         (plane ^ carry).store(planes.at(k, row));
         carry = plane & carry;
     }
-    changed |= joinSteps(without(come, any));
+    changed |= joinSteps(without(added, any));
 }
 
-HWY_INLINE void remove(CountPlanes& planes, int row, const EightWords& gone, std::uint64_t& changed) {
+HWY_INLINE void remove(CountPlanes& planes, int row, const EightWords& removed, std::uint64_t& changed) {
     EightWords others = EightWords(StepWords{});
     for (std::size_t k = 1; k < planes.count(); ++k) others = others | planes.at(k, row);
-    const EightWords ended = without(gone, others);
-    EightWords borrow = gone & others;
+    const EightWords ended = without(removed, others);
+    EightWords borrow = removed & others;
     without(planes.at(0, row), ended).store(planes.at(0, row));
     for (std::size_t k = 1; anySet(borrow); ++k) {
         const EightWords plane(planes.at(k, row));
@@ -42,10 +42,10 @@ HWY_INLINE void remove(CountPlanes& planes, int row, const EightWords& gone, std
 
 }  // namespace
 
-void changeCounts(CountPlanes& planes, int first, int end, const StepWords* gone, const StepWords* come,
+void changeCounts(CountPlanes& planes, int first, int end, const StepWords* removed, const StepWords* added,
                   std::uint64_t* changed) {
     for (int row = first; row < end; ++row) {
-        const EightWords before(gone[row]), after(come[row]);
+        const EightWords before(removed[row]), after(added[row]);
         const EightWords less = without(before, after), more = without(after, before);
         if (anySet(less)) remove(planes, row, less, changed[row]);
         if (!anySet(more)) continue;
@@ -63,9 +63,9 @@ namespace noonmark {
 void CountPlanes::add() { planes_.push_back(std::make_unique<Plane>()); }
 
 NOONMARK_KERNEL(changeCounts);
-void CountTile::change(int first, int end, const StepWords* gone, const StepWords* come,
+void CountTile::change(int first, int end, const StepWords* removed, const StepWords* added,
                        std::uint64_t* changed) {
-    NOONMARK_CALL(changeCounts)(planes_, first, end, gone, come, changed);
+    NOONMARK_CALL(changeCounts)(planes_, first, end, removed, added, changed);
 }
 
 }  // namespace noonmark

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <utility>
 
-#include "core/engines/projected/counting/cell_runs.h"
+#include "core/engines/projected/counting/shadow_events.h"
 
 namespace noonmark {
 
@@ -41,11 +41,11 @@ CachedBand::CachedBand(const Grid& grid, int firstRow, std::size_t eights)
       tiles_(eights * std::size_t(layout_.wordColumns)),
       changed_(layout_.words()) {}
 
-void CachedBand::change(const BuildingCasters& gone, const BuildingCasters& come, const CachedPeriod& period,
-                        CacheMemory& memory, const std::stop_token& stop) {
-    BuildingFill before(gone, layout_, band_, period.whole), after(come, layout_, band_, period.whole);
+void CachedBand::change(const BuildingCasters& removed, const BuildingCasters& added,
+                        const CachedPeriod& period, CacheMemory& memory, const std::stop_token& stop) {
+    BuildingFill before(removed, layout_, band_, period.whole), after(added, layout_, band_, period.whole);
     std::vector<std::size_t> reaching;
-    for (std::size_t i = 0; i < std::max(gone.buildings(), come.buildings()); ++i)
+    for (std::size_t i = 0; i < std::max(removed.buildings(), added.buildings()); ++i)
         if (before.reaches(i) || after.reaches(i)) reaching.push_back(i);
     for (std::size_t eight = 0; eight < period.throws.size(); ++eight) {
         if (stop.stop_requested() || memory.exceeded()) return;
@@ -55,16 +55,16 @@ void CachedBand::change(const BuildingCasters& gone, const BuildingCasters& come
     }
 }
 
-void CachedBand::changeBuilding(std::size_t number, BuildingFill& gone, BuildingFill& come, std::size_t eight,
-                                const StepOffsets& throws) {
-    const WordBox goneBox = gone.fill(number, throws), comeBox = come.fill(number, throws);
-    const WordBox box = goneBox.with(comeBox);
+void CachedBand::changeBuilding(std::size_t number, BuildingFill& removed, BuildingFill& added,
+                                std::size_t eight, const StepOffsets& throws) {
+    const WordBox removedBox = removed.fill(number, throws), addedBox = added.fill(number, throws);
+    const WordBox box = removedBox.with(addedBox);
     for (int words = box.west; words < box.east; ++words)
         tile(eight, words)
-            .change(box.south, box.north, gone.column(words), come.column(words),
+            .change(box.south, box.north, removed.column(words), added.column(words),
                     &changed_[layout_.word(words * 64, 0)]);
-    gone.clear(goneBox);
-    come.clear(comeBox);
+    removed.clear(removedBox);
+    added.clear(addedBox);
 }
 
 void CachedBand::recount(const CachedPeriod& period, std::span<const CellKind> kinds, ShadowField& field) {

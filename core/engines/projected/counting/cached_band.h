@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/engines/api/shadow_field.h"
-#include "core/engines/projected/counting/cell_runs.h"
+#include "core/engines/projected/counting/shadow_events.h"
 #include "core/engines/projected/filling/step_filler.h"
 #include "core/engines/projected/filling/step_lanes.h"
 #include "core/receivers/receivers.h"
@@ -43,9 +43,10 @@ public:
     static constexpr int rows = CountPlanes::rows;
 
     /// Removes the shadow of one building, which was added before, and adds that of another; both may be
-    /// empty. Cells in both shadows cost nothing. `gone`, `come`, `changed`: one entry per row of the tile,
-    /// of which rows [first, end) are processed. Adds to `changed` the cells that went into or out of shadow.
-    void change(int first, int end, const StepWords* gone, const StepWords* come, std::uint64_t* changed);
+    /// empty. Cells in both shadows cost nothing. `removed`, `added`, `changed`: one entry per row of the
+    /// tile, of which rows [first, end) are processed. Adds to `changed` the cells that went into or out of
+    /// shadow.
+    void change(int first, int end, const StepWords* removed, const StepWords* added, std::uint64_t* changed);
 
     /// The cells of a row that are in shadow at each of the steps.
     [[nodiscard]] const StepWords& shaded(int row) const {
@@ -91,9 +92,9 @@ struct CachedPeriod {
 
 /// Memory shared by several bands, bytes.
 struct CacheMemory {
-    std::uint64_t most = 0;
+    std::uint64_t maximum = 0;
     std::atomic<std::uint64_t> used{0};
-    [[nodiscard]] bool exceeded() const { return used > most; }
+    [[nodiscard]] bool exceeded() const { return used > maximum; }
 };
 
 /// How many buildings shade each cell of 64 rows of a grid at every step of a period, so that adding or
@@ -107,7 +108,7 @@ public:
     /// Removes buildings and adds others; for speed, entries with the same number should be the same building
     /// moved. Adds the memory used to `memory`. Returns early, with part of the work done, when stopped or
     /// over the limit.
-    void change(const BuildingCasters& gone, const BuildingCasters& come, const CachedPeriod& period,
+    void change(const BuildingCasters& removed, const BuildingCasters& added, const CachedPeriod& period,
                 CacheMemory& memory, const std::stop_token& stop);
 
     /// Makes recount() count the cell, or all cells, even if their shadow did not change.
@@ -124,7 +125,7 @@ private:
     [[nodiscard]] CountTile& tile(std::size_t eight, int words) {
         return tiles_[eight * std::size_t(layout_.wordColumns) + std::size_t(words)];
     }
-    void changeBuilding(std::size_t number, BuildingFill& gone, BuildingFill& come, std::size_t eight,
+    void changeBuilding(std::size_t number, BuildingFill& removed, BuildingFill& added, std::size_t eight,
                         const StepOffsets& throws);
     static void countCells(std::span<const StepWords* const> steps, std::uint64_t cells, std::size_t first,
                            const CachedPeriod& period, ShadowField& field);

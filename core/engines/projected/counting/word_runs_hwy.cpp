@@ -6,20 +6,20 @@
 #include <array>
 
 #include "core/engines/projected/counting/cached_band.h"
-#include "core/engines/projected/counting/cell_runs.h"
+#include "core/engines/projected/counting/shadow_events.h"
 #include "core/simd/kernel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace noonmark::HWY_NAMESPACE {
 namespace {
 
-constexpr std::size_t most = 64;
-using D = LanesUpTo<std::uint16_t, most>;
+constexpr std::size_t maximum = 64;
+using D = LanesUpTo<std::uint16_t, maximum>;
 using V = hn::Vec<D>;
 constexpr D d;
 constexpr std::size_t lanes = hn::MaxLanes(d);
 // The counts of this many cells stay in registers while all steps pass.
-constexpr std::size_t cellsTogether = HWY_TARGET == HWY_SSE4 ? 32 : most, parts = cellsTogether / lanes;
+constexpr std::size_t cellsTogether = HWY_TARGET == HWY_SSE4 ? 32 : maximum, parts = cellsTogether / lanes;
 
 /// Some cells, one lane each.
 struct LaneRuns {
@@ -52,7 +52,7 @@ HWY_INLINE void write(const V* counts, std::uint32_t* to) {
 }  // namespace
 
 void countInLanes(WordSteps words, std::span<const RunStarts> starts, std::size_t steps, WordRuns& runs) {
-    for (std::size_t first = 0; first < most; first += cellsTogether) {
+    for (std::size_t first = 0; first < maximum; first += cellsTogether) {
         LaneRuns cells;
         for (std::size_t eight = 0; eight < words.size(); ++eight) {
             const std::size_t count = std::min(stepsTogether, steps - eight * stepsTogether);

@@ -4,7 +4,7 @@
 
 #include <glm/common.hpp>
 
-#include "core/engines/projected/filling/caster_fill.h"
+#include "core/engines/projected/filling/step_filler.h"
 #include "core/simd/kernel.h"
 
 // After kernel.h.

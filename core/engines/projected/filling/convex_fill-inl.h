@@ -47,8 +47,8 @@ struct StepSpans {
     EightDoubles west, east;
 
     HWY_INLINE void boundBy(const StepLines& lines, double row) {
-        for (std::size_t i = 0; i < lines.westerns; ++i) west = most(west, at(lines.western[i], row));
-        for (std::size_t i = 0; i < lines.easterns; ++i) east = least(east, at(lines.eastern[i], row));
+        for (std::size_t i = 0; i < lines.westerns; ++i) west = maximum(west, at(lines.western[i], row));
+        for (std::size_t i = 0; i < lines.easterns; ++i) east = minimum(east, at(lines.eastern[i], row));
     }
 
 private:
@@ -156,8 +156,8 @@ struct SteadyRows {
 // and max well.
 HWY_INLINE void endRows(const StepShape& shape, double row, StepSpans& spans) {
     const EightDoubles high(shape.high), low(shape.low);
-    spans.east = least(spans.east, (high - row) * steep);
-    spans.east = least(spans.east, (row - low) * steep + farEast);
+    spans.east = minimum(spans.east, (high - row) * steep);
+    spans.east = minimum(spans.east, (row - low) * steep + farEast);
 }
 
 /// The first cell of each step's span, or the first one after it, and the bits of a word from there on.
@@ -226,15 +226,15 @@ HWY_INLINE int fillShape(const StepShape& shape, const BitLayout& layout, const 
         const double y = row;
         StepSpans spans{none, all};
         spans.boundBy(shape.sides, y);
-        const auto western = [&](const EightDoubles& at) HWY_ATTR { spans.west = most(spans.west, at); };
-        const auto eastern = [&](const EightDoubles& at) HWY_ATTR { spans.east = least(spans.east, at); };
+        const auto western = [&](const EightDoubles& at) HWY_ATTR { spans.west = maximum(spans.west, at); };
+        const auto eastern = [&](const EightDoubles& at) HWY_ATTR { spans.east = minimum(spans.east, at); };
         farWest.forEdgesAt(y, western);
         nearWest.forEdgesAt(y, western);
         farEast.forEdgesAt(y, eastern);
         nearEast.forEdgesAt(y, eastern);
         if (y < steady.first || y > steady.last) endRows(shape, y, spans);
-        spans.west = least(all, spans.west);
-        spans.east = most(none, spans.east);
+        spans.west = minimum(all, spans.west);
+        spans.east = maximum(none, spans.east);
         setSpans(spans, cells, layout.columns, words, layout.rows);
     }
     return extent.top - extent.bottom;

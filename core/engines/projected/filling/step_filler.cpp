@@ -6,6 +6,43 @@
 
 namespace noonmark {
 
+inline bool CasterRing::isFar(std::size_t edge, const StepOffsets& throws, std::size_t step) const {
+    return throws.at.x[step] * edges[edge].along.y - throws.at.y[step] * edges[edge].along.x > 0;
+}
+
+EdgeArc CasterRing::findFar(const StepOffsets& throws, std::size_t step) const {
+    const std::size_t count = edges.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!isFar(i, throws, step) || isFar(before(i), throws, step)) continue;
+        std::size_t end = after(i);
+        while (isFar(end, throws, step)) end = after(end);
+        return {.first = std::uint32_t(i), .end = std::uint32_t(end)};
+    }
+    return {};
+}
+
+void CasterRing::bound(EdgeArc& arc) const {
+    arc.low = arc.high = points[arc.end];
+    std::size_t i = arc.first;
+    do {
+        arc.low = glm::min(arc.low, points[i]);
+        arc.high = glm::max(arc.high, points[i]);
+        i = after(i);
+    } while (i != arc.end);
+}
+
+FarEdges CasterRing::facingApart(const EdgeArc& far) const {
+    FarEdges kept{far, {.first = far.end, .end = far.first}, {}};
+    if (far.first == far.end)  // all are near: begins at the lowest point, so that each side runs only
+                               // upwards or only downwards
+        kept.near.first = kept.near.end =
+            std::uint32_t(std::ranges::min_element(points, {}, &glm::dvec2::y) - points.begin());
+    bound(kept.far);
+    bound(kept.near);
+    kept.chord = RingEdge(points[far.end], points[far.first]);
+    return kept;
+}
+
 namespace {
 
 constexpr int wordsABand = 1536, minRows = 64, bandsAGrid = 8;
@@ -142,8 +179,8 @@ WordBox BuildingFill::computeBox(std::size_t building, const StepOffsets& throws
         low = glm::min(low, box.low);
         high = glm::max(high, box.high);
     }
-    const auto down = [](double at, int least, int most) {
-        return int(std::floor(std::clamp(at, double(least), double(most))));
+    const auto down = [](double at, int minimum, int maximum) {
+        return int(std::floor(std::clamp(at, double(minimum), double(maximum))));
     };
     const int west = down(low.x, 0, layout_.columns), east = down(high.x + 1, 0, layout_.columns);
     return {west >> 6, (east + 63) >> 6, down(low.y, band_.first, band_.end) - band_.first,

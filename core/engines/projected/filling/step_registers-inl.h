@@ -59,11 +59,11 @@ struct EightDoubles {
 };
 
 /// The minimum per step.
-HWY_INLINE EightDoubles least(const EightDoubles& a, const EightDoubles& b) {
+HWY_INLINE EightDoubles minimum(const EightDoubles& a, const EightDoubles& b) {
     return EightDoubles::make([&](std::size_t i) HWY_ATTR { return hn::Min(b.part[i], a.part[i]); });
 }
 /// The maximum per step.
-HWY_INLINE EightDoubles most(const EightDoubles& a, const EightDoubles& b) {
+HWY_INLINE EightDoubles maximum(const EightDoubles& a, const EightDoubles& b) {
     return EightDoubles::make([&](std::size_t i) HWY_ATTR { return hn::Max(b.part[i], a.part[i]); });
 }
 /// a where `number` is above 0, else b.

@@ -1,4 +1,4 @@
-#include "core/engines/projected/masks/block_filler.h"
+#include "core/engines/projected/masks/projected_masks.h"
 
 #include <algorithm>
 #include <array>

@@ -45,8 +45,8 @@ private:
     }
     [[nodiscard]] HWY_INLINE auto meets(const ReachLimits::Axis& axis, Doubles top, Doubles low,
                                         Doubles high) const {
-        const Doubles from = hn::Add(low, hn::Mul(top, hn::Set(d_, axis.least))),
-                      to = hn::Add(high, hn::Mul(top, hn::Set(d_, axis.most)));
+        const Doubles from = hn::Add(low, hn::Mul(top, hn::Set(d_, axis.minimum))),
+                      to = hn::Add(high, hn::Mul(top, hn::Set(d_, axis.maximum)));
         return hn::And(hn::Le(from, hn::Set(d_, axis.high)), hn::Ge(to, hn::Set(d_, axis.low)));
     }
 

@@ -30,13 +30,13 @@ Range extentAlong(glm::dvec2 low, glm::dvec2 high, glm::dvec2 along) {
 
 // Offsets per metre, with that of heights between 0 and a little below the ground.
 void include0(ReachLimits::Axis& axis) {
-    axis.least = std::min(axis.least, 0.0);
-    axis.most = std::max(axis.most, 0.0);
+    axis.minimum = std::min(axis.minimum, 0.0);
+    axis.maximum = std::max(axis.maximum, 0.0);
 }
 
 // The range, wider by what casts from a little below the ground.
 void setRange(ReachLimits::Axis& axis, double low, double high) {
-    const double below = behindWallM * std::max(-axis.least, axis.most);
+    const double below = behindWallM * std::max(-axis.minimum, axis.maximum);
     axis.low = low - below;
     axis.high = high + below;
 }
@@ -57,8 +57,8 @@ CasterReach::CasterReach(const SunSteps& sun, double cellM, std::size_t first, s
     if (const double length = glm::length(sum); length > 0) across = glm::dvec2(-sum.y, sum.x) / length;
     for (std::size_t step = first; step < end; ++step) {
         const glm::dvec2 thrown = shadowOffsetInCells(glm::dvec3(sun.steps[step].direction), cellM);
-        limits_.across.least = std::min(limits_.across.least, glm::dot(thrown, across));
-        limits_.across.most = std::max(limits_.across.most, glm::dot(thrown, across));
+        limits_.across.minimum = std::min(limits_.across.minimum, glm::dot(thrown, across));
+        limits_.across.maximum = std::max(limits_.across.maximum, glm::dot(thrown, across));
     }
     for (ReachLimits::Axis* axis : {&limits_.x, &limits_.y, &limits_.across}) include0(*axis);
 }

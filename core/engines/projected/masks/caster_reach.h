@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/engines/projected/casters/shadow_casters.h"
-#include "core/engines/projected/filling/caster_fill.h"
+#include "core/engines/projected/filling/step_filler.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
@@ -30,8 +30,8 @@ struct CasterExtents {
 struct ReachLimits {
     /// A coordinate of a caster, plus an offset for each metre of its top, must touch a range.
     struct Axis {
-        double least = 0, most = 0;  ///< offset per metre
-        double low = 0, high = 0;    ///< the range
+        double minimum = 0, maximum = 0;  ///< offset per metre
+        double low = 0, high = 0;         ///< the range
     };
     Axis x, y, across;
     glm::dvec2 acrossUnit{1, 0};  ///< across the mean direction in which shadows fall

@@ -10,7 +10,6 @@
 
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
-#include "core/engines/projected/masks/block_filler.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {

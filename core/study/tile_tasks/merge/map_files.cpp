@@ -1,10 +1,10 @@
-#include "core/study/tile_tasks/merge/map_files.h"
+#include "core/study/tile_tasks/merge/merge_tiles.h"
 
 #include <fmt/format.h>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/base/escaped_text.h"
+#include "core/base/safe_text.h"
 #include "core/base/version.h"
 #include "core/describe/figure_text.h"
 #include "core/geo/lon_lat.h"

@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/merge/map_files.h"
+#include "core/study/tile_tasks/merge/merge_tiles.h"
 
 #include <cpl_string.h>
 #include <gdal_frmts.h>

@@ -15,16 +15,14 @@
 #include "core/engines/api/shadow_field.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
-#include "core/io/styles/raster_style.h"
+#include "core/io/styles/qgis_style.h"
 #include "core/io/write_raster.h"
-#include "core/measures/has_runs.h"
 #include "core/measures/shadow_figures.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/place.h"
 #include "core/receivers/rasterize.h"
 #include "core/study/provenance/provenance_texts.h"
-#include "core/study/text/error_words.h"
-#include "core/study/tile_tasks/merge/map_files.h"
+#include "core/study/text/error_text.h"
 #include "core/study/tiles/tiled_study.h"
 
 namespace noonmark {

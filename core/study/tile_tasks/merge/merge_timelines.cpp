@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/merge/merge_timelines.h"
+#include "core/study/tile_tasks/merge/merge_tiles.h"
 
 #include <fmt/format.h>
 

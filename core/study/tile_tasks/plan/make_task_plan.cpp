@@ -7,12 +7,11 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
-#include "core/io/settings/read_fields.h"
+#include "core/io/settings/read_settings.h"
 #include "core/study/provenance/sha256.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/study_cost.h"
 #include "core/study/tile_tasks/plan/find_districts.h"
-#include "core/study/tile_tasks/plan/survey_district.h"
 #include "core/study/tile_tasks/plan/tile_load.h"
 
 namespace noonmark {

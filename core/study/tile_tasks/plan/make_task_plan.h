@@ -4,7 +4,6 @@
 
 #include "core/study/study.h"
 #include "core/study/tile_tasks/plan/task_plan.h"
-#include "core/study/tile_tasks/plan/tile_subject.h"
 #include "core/study/tiles/tiled_study.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "core/study/tile_tasks/plan/survey_district.h"
+#include "core/study/tile_tasks/plan/tile_load.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 #include <span>
 #include <unordered_set>
 
-#include "core/io/read_extent.h"
 #include "core/io/read_region.h"
 #include "core/measures/places/place_run.h"
 #include "core/receivers/place_names.h"

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <stop_token>
 #include <vector>
 
 #include "core/city/city.h"
@@ -11,6 +12,7 @@
 #include "core/geo/grid.h"
 #include "core/receivers/tile_plan.h"
 #include "core/study/study.h"
+#include "core/study/tile_tasks/plan/find_districts.h"
 
 namespace noonmark {
 
@@ -58,7 +60,7 @@ private:
     Box2 buildingsBox_;
 };
 
-/// What surrounds a tile as far as it matters to it.
+/// The surroundings that can affect a tile.
 struct TileHalo {
     Box2 occluders;  ///< the tile, and every coarse cell whose highest point can shade it at some step
     /// `occluders` and all of each building that touches it, so that a reader of this box finds its buildings
@@ -85,5 +87,21 @@ struct TileCost {
 /// `terrainPosts`: 0 without terrain. Within a factor of two as a rule: scheduling needs no more.
 TileCost estimateTile(const TileHalo& halo, const Grid& tile, const StudySettings& settings,
                       const SunSteps& sun, std::size_t terrainPosts, const EngineList& engines);
+
+/// The occluders in and around a district, in coarse cells.
+struct SurveyedDistrict {
+    OccluderSurvey survey;
+    City ground;  ///< frame and terrain; no buildings
+    SunSteps sun;
+    std::vector<Place> places{};  ///< to be measured: all of the file that are near the district
+};
+
+/// Sets the region of a district that has none to the box around all buildings, then surveys everything whose
+/// shadow can reach the region: the buildings of the request's subject, or those of its files. By window, a
+/// few square kilometres are in memory at a time. Errors of
+/// readers, and a sun that never rises.
+Result<SurveyedDistrict> surveyDistrict(District& district, const TaskPlanRequest& request,
+                                        const InputsScan& scan, Progress& progress,
+                                        const std::stop_token& stop);
 
 }  // namespace noonmark

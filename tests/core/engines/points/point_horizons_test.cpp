@@ -65,17 +65,17 @@ TEST(SurfaceHorizons, AgreeWithRaysOverAYear) {
         const SurfacePoints points = onWallsOf(boxes);
         const RayScene scene = RayScene::over(city).value();
         const PointMonths swept = sweptAt(city, points, sun);
-        double sum = 0, most = 0;
+        double sum = 0, maximum = 0;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const ShadedSteps truth = traceShadedSteps(scene, {points.positions[i], points.normals[i]}, sun);
             const double lit = double(std::ranges::count(truth, 0)) * sun.stepMinutes;
             const double share = std::abs(swept.sunlitOf(i) - lit) / swept.possibleMin;
-            sum += share, most = std::max(most, share);
+            sum += share, maximum = std::max(maximum, share);
         }
         EXPECT_LT(sum / double(points.size()), 1e-3) << "seed " << seed;
-        EXPECT_LT(most, 5e-3) << "seed " << seed;
+        EXPECT_LT(maximum, 5e-3) << "seed " << seed;
         RecordProperty("mean_error_ppm", int(1e6 * sum / double(points.size())));
-        RecordProperty("largest_error_ppm", int(1e6 * most));
+        RecordProperty("largest_error_ppm", int(1e6 * maximum));
     }
 }
 

@@ -11,7 +11,7 @@ namespace noonmark::tests {
 /// A horizon of random steps, some hidden altogether, with gaps in some bins.
 inline BinHorizon randomHorizon(std::uint32_t seed) {
     std::mt19937 random(seed);
-    const auto upTo = [&](double most) { return most * double(random() % 1000) / 1000; };
+    const auto upTo = [&](double maximum) { return maximum * double(random() % 1000) / 1000; };
     BinHorizon horizon;
     float tan = 0;
     for (std::size_t bin = 0; bin < SunBins::count; ++bin) {

@@ -1,4 +1,4 @@
-#include "core/engines/points/shaded_step_finder.h"
+#include "core/engines/points/point_sunlight.h"
 
 #include <gtest/gtest.h>
 

@@ -56,14 +56,14 @@ TEST(SunTrack, FindsAllRunsThatAreLongerThanSomeSteps) {
         for (const bool ofShadow : {true, false}) {
             std::vector<TrackRun> all = runsByStep(horizon, sun, ofShadow);
             std::ranges::stable_sort(all, std::ranges::greater{}, &TrackRun::length);
-            for (const std::uint32_t least : {0U, 5U, 31U, 32U, 63U, 64U, 100U}) {
-                const std::vector<TrackRun> found = track.findRuns(horizon, ofShadow, least);
+            for (const std::uint32_t minimum : {0U, 5U, 31U, 32U, 63U, 64U, 100U}) {
+                const std::vector<TrackRun> found = track.findRuns(horizon, ofShadow, minimum);
                 const auto end =
-                    std::ranges::find_if(all, [&](const TrackRun& run) { return run.length() <= least; });
-                ASSERT_EQ(found.size(), std::size_t(end - all.begin())) << seed << " " << least;
+                    std::ranges::find_if(all, [&](const TrackRun& run) { return run.length() <= minimum; });
+                ASSERT_EQ(found.size(), std::size_t(end - all.begin())) << seed << " " << minimum;
                 for (std::size_t i = 0; i < found.size(); ++i) {
-                    EXPECT_EQ(found[i].first, all[i].first) << seed << " " << least;
-                    EXPECT_EQ(found[i].end, all[i].end) << seed << " " << least;
+                    EXPECT_EQ(found[i].first, all[i].first) << seed << " " << minimum;
+                    EXPECT_EQ(found[i].end, all[i].end) << seed << " " << minimum;
                 }
             }
         }

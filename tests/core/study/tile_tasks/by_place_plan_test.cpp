@@ -10,7 +10,7 @@
 #include "core/city/trees/tree.h"
 #include "core/io/write_city.h"
 #include "core/study/elements/element_tables.h"
-#include "core/study/tile_tasks/merge/merge_by_place.h"
+#include "core/study/tile_tasks/merge/merge_tiles.h"
 #include "core/study/tile_tasks/plan/make_task_plan.h"
 #include "core/study/tile_tasks/run_task.h"
 #include "tests/core/engines/scenes.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/study/tile_tasks/plan/make_task_plan.h"
-#include "core/study/tile_tasks/task_status.h"
+#include "core/study/tile_tasks/run_task.h"
 
 namespace noonmark {
 namespace {

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/io/styles/raster_style.h"
-#include "core/study/tile_tasks/task_status.h"
+#include "core/io/styles/qgis_style.h"
+#include "core/study/tile_tasks/run_task.h"
 #include "core/study/tiles/tile_maps.h"
 #include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/study/tile_tasks/task_plan_fixture.h"

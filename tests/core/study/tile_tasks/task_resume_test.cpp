@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "core/study/tile_tasks/task_status.h"
+#include "core/study/tile_tasks/run_task.h"
 #include "tests/core/study/tile_tasks/task_plan_fixture.h"
 
 namespace noonmark {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/io/write_city.h"
-#include "core/study/tile_tasks/merge/merge_timelines.h"
+#include "core/study/tile_tasks/merge/merge_tiles.h"
 #include "core/study/tile_tasks/plan/make_task_plan.h"
 #include "core/study/tile_tasks/run_task.h"
 #include "tests/core/engines/scenes.h"

@@ -1,10 +1,10 @@
 #include "app/gui/docks/review/glazing/glazing_session.h"
 
-#include "app/gui/base/widgets/error_words.h"
-#include "app/gui/base/widgets/number_words.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/study/run_estimate.h"
 #include "app/gui/session/workbench.h"
-#include "app/input/find_element_parts.h"
+#include "app/input/load_project.h"
 #include "core/city/city.h"
 
 namespace noonmark {
@@ -79,14 +79,14 @@ Result<GlazingQuestion> GlazingSession::questionOf(const Result<ReviewedCities>&
 
 void GlazingSession::run() {
     const auto question = this->question();
-    if (!question) return tell(question.error());
+    if (!question) return report(question.error());
     running_.start<Shared>(
         tr("Review"),
         [asked = makeAsked(*question)](Progress& progress, const std::stop_token& stop) {
             return glazingQuestion().compute(asked, progress, stop);
         },
         [this](Result<Shared> answer) {
-            if (!answer) return tell(answer.error());
+            if (!answer) return report(answer.error());
             answer_ = contentOf<GlazingAnswer>(*answer);
             cached_.add(answer_);
             workbench_.adopt({answer_->question.after, answer_->question.before, *answer}, {});
@@ -122,7 +122,7 @@ void GlazingSession::runAll() {
             return computeEach<Shared>(asked.questions, glazingQuestion().compute, progress, stop);
         },
         [this, asked](Result<Made> answers) {
-            if (!answers) return tell(answers.error());
+            if (!answers) return report(answers.error());
             const ScenarioErrors errors =
                 adoptEach(*std::move(answers), asked, [this](const Shared& answer, std::size_t) {
                     const auto review = contentOf<GlazingAnswer>(answer);
@@ -137,7 +137,7 @@ void GlazingSession::runAll() {
 
 void GlazingSession::reportAll(const ScenarioErrors& errors, std::size_t asked) {
     for (const auto& [scenario, error] : errors) Q_EMIT scenarioFailed(scenario, error);
-    if (!errors.empty()) tell(sumUp(errors, asked));
+    if (!errors.empty()) report(sumUp(errors, asked));
 }
 
 void GlazingSession::estimate() {
@@ -183,7 +183,7 @@ Result<void> GlazingSession::showFinished() {
     });
 }
 
-void GlazingSession::tell(const Error& error) {
+void GlazingSession::report(const Error& error) {
     if (!isCancelled(error)) Q_EMIT failed(error);
 }
 

@@ -53,7 +53,7 @@ private:
     void adoptShown();
     [[nodiscard]] Asked makeAsked(GlazingQuestion question) const;
     void reportAll(const ScenarioErrors& errors, std::size_t asked);
-    void tell(const Error& error);
+    void report(const Error& error);
     [[nodiscard]] Result<GlazingQuestion> questionOf(const Result<ReviewedCities>& cities);
 
     Workbench& workbench_;

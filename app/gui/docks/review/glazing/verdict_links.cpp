@@ -5,7 +5,6 @@
 
 #include "app/gui/docks/review/glazing/glazing_panel.h"
 #include "app/gui/docks/review/glazing/glazing_session.h"
-#include "app/gui/docks/review/glazing/glazing_table.h"
 #include "app/gui/docks/review/verdict_table.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/view_panel.h"

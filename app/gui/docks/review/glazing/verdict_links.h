@@ -4,7 +4,7 @@
 #include <QPointF>
 #include <memory>
 
-#include "app/gui/base/layers/element_picture.h"
+#include "app/gui/base/layers/field_picture.h"
 #include "app/questions/glazing_question.h"
 
 namespace noonmark {

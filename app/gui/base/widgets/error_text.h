@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/warnings.h"
+
+namespace noonmark {
+
+/// A text that core marks by NM_TEXT, in the user's language. lupdate takes the lists of core that are a
+/// std::array, and functions that return a std::string_view, for parts of `std`.
+inline QString translated(std::string_view text) {
+    const std::string source(text);
+    const QString found = QCoreApplication::translate("noonmark", source.c_str());
+    return found == QString::fromStdString(source) ? QCoreApplication::translate("std", source.c_str())
+                                                   : found;
+}
+
+/// The same as a sentence of its own: with a capital, and the sign of multiplication for an x.
+inline QString translatedSentence(std::string_view text) {
+    QString sentence = translated(text);
+    if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+    return sentence.replace(QStringLiteral(" x "), QStringLiteral(" × "));
+}
+
+/// What is wrong, where, and what to do: Error::text(), in the language of the window where the error is one
+/// of the window's own, or core marks its text by NM_TEXT. Others are English, as are all that hold a number
+/// or a name.
+QString describeError(const Error& error);
+
+/// "28 repaired: outline crossed itself", in the language of the window as far as describeError() is.
+QString describeWarning(const WarningGroup& group);
+/// The same with at most so many places: "28 repaired: outline crossed itself (way 3, way 7, way 9, ...)".
+QString describeWarningWithPlaces(const WarningGroup& group, std::size_t maximum = 3);
+
+/// Why scenarios could not be computed, by name.
+using ScenarioErrors = std::vector<std::pair<std::string, Error>>;
+
+/// One error about all of them, of which there is at least one: if they have the same, that one, with their
+/// names unless all `asked` have it. The dock Scenarios states each one's.
+Error sumUp(const ScenarioErrors& errors, std::size_t asked);
+
+}  // namespace noonmark

@@ -1,0 +1,128 @@
+#include "app/gui/base/widgets/number_text.h"
+
+#include <QLocale>
+#include <QObject>
+#include <QRegularExpression>
+#include <cmath>
+
+#include "app/gui/base/looks/units.h"
+#include "core/city/city.h"
+#include "core/geo/frame.h"
+
+namespace noonmark {
+
+QString groupDigits(double number, int decimals) {
+    const QString text = QLocale().toString(number, 'f', decimals);
+    // What rounds to zero has no sign.
+    const double unit = std::pow(10, -decimals);
+    return number < 0 && std::abs(number) < unit / 2 ? QLocale().toString(0.0, 'f', decimals) : text;
+}
+
+QString formatAmount(double number, int decimals) {
+    QString text = groupDigits(number, decimals);
+    const QString point = QLocale().decimalPoint(), zero = QLocale().zeroDigit();
+    if (decimals <= 0 || !text.contains(point)) return text;
+    while (text.endsWith(zero)) text.chop(zero.size());
+    if (text.endsWith(point)) text.chop(point.size());
+    return text;
+}
+
+QString formatCount(quint64 number) { return QLocale().toString(number); }
+
+// Languages choose the form by the last digits, so a count too large for tr() keeps them.
+int pluralNumber(quint64 count) {
+    return count < 1'000'000 ? int(count) : int(1'000'000 + count % 1'000'000);
+}
+
+QString formatShort(double number, int digits) { return QLocale().toString(number, 'g', digits); }
+
+QString describeLength(double metres, int decimals) {
+    return localiseNumbers(QString::fromStdString(formatLength(metres, unitsInUse(), decimals)));
+}
+
+QString describeArea(double squareMetres) {
+    return localiseNumbers(QString::fromStdString(formatArea(squareMetres, unitsInUse())));
+}
+
+QString describeSmallArea(double squareMetres) {
+    return localiseNumbers(QString::fromStdString(formatSmallArea(squareMetres, unitsInUse())));
+}
+
+QString localiseNumbers(const QString& text) {
+    static const QRegularExpression number(
+        QStringLiteral("(?<![\\w.,])(\\d{1,3}(?:,\\d{3})+|\\d+)(\\.\\d+)?(?![\\w.]*\\d)"));
+    QString local;
+    qsizetype at = 0;
+    for (auto found = number.globalMatch(text); found.hasNext();) {
+        const QRegularExpressionMatch match = found.next();
+        const QString point = match.captured(2).isEmpty() ? QString() : QLocale().decimalPoint();
+        local += text.mid(at, match.capturedStart() - at);
+        local += match.captured(1).replace(QLatin1Char(','), QLocale().groupSeparator()) + point +
+                 match.captured(2).mid(1);
+        at = match.capturedEnd();
+    }
+    return local + text.mid(at);
+}
+
+double computeElevation(const City& city, glm::dvec3 local) {
+    const double dropM = city.terrain ? earthDropM({local.x, local.y}) : 0;
+    return local.z + city.frame.originElevationM() + dropM;
+}
+
+double heightZeroM(double groundElevationM) {
+    return heightReferenceInUse() == HeightReference::datum ? groundElevationM : 0;
+}
+
+QString describeHeight(double aboveGroundM, double groundElevationM) {
+    const QString text = describeLength(aboveGroundM + heightZeroM(groundElevationM));
+    return heightReferenceInUse() == HeightReference::datum ? QObject::tr("%1 above datum").arg(text)
+                                                            : QObject::tr("%1 above ground").arg(text);
+}
+
+QString shortDay() { return QObject::tr("d MMM"); }
+QString longDay() { return QObject::tr("d MMMM"); }
+QString dayOfYear() { return QObject::tr("d MMM yyyy"); }
+QString longDate() { return QObject::tr("d MMMM yyyy"); }
+
+QDate dateOf(CivilDate date) {
+    return {int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))};
+}
+
+CivilDate civilOf(QDate date) {
+    return {std::chrono::year{date.year()}, std::chrono::month{unsigned(date.month())},
+            std::chrono::day{unsigned(date.day())}};
+}
+
+namespace {
+
+QString inUnits(const QString& metric, const QString& imperial) {
+    switch (unitsInUse()) {
+        case UnitSystem::metric:
+            return metric;
+        case UnitSystem::imperial:
+            return imperial;
+        case UnitSystem::both:
+            break;
+    }
+    return QStringLiteral("%1 (%2)").arg(metric, imperial);
+}
+
+}  // namespace
+
+QString areaUnit() { return inUnits(QStringLiteral("m²"), QObject::tr("sq ft")); }
+
+QString lengthUnit() { return inUnits(QStringLiteral("m"), QObject::tr("ft")); }
+
+QString areaNumber(double squareMetres) {
+    return inUnits(groupDigits(squareMetres), groupDigits(squareMetres / squareMetresPerSquareFoot));
+}
+
+QString lengthNumber(double metres) {
+    return inUnits(groupDigits(metres, 1), groupDigits(metres / metresPerFoot, 1));
+}
+
+QString signedAreaNumber(double squareMetres) {
+    return (squareMetres > 0 ? QStringLiteral("+") : QString()) + areaNumber(squareMetres);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,193 @@
+#include "app/gui/base/widgets/status_bars.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QToolButton>
+#include <utility>
+
+#include "app/gui/base/jobs/job.h"
+#include "app/gui/base/looks/theme.h"
+#include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/error_text.h"
+#include "app/gui/base/widgets/number_text.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int noteMs = 12000;
+
+QString firstLine(const QString& text) { return text.section(QLatin1Char('\n'), 0, 0); }
+
+}  // namespace
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent),
+      label_(new QLabel),
+      more_(new QToolButton),
+      remedy_{new QPushButton, {}},
+      other_{new QPushButton, {}},
+      leave_(new QTimer(this)) {
+    setObjectName(QStringLiteral("messageBar"));
+    label_->setWordWrap(true);
+    label_->setTextFormat(Qt::PlainText);
+    label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    more_->setObjectName(QStringLiteral("messageMore"));
+    more_->setAutoRaise(true);
+    more_->setToolTip(tr("Shows or hides the other lines of this message"));
+    connect(more_, &QToolButton::clicked, this, [this] { unfold(!unfolded_); });
+    auto* close = new QToolButton;
+    close->setText(QStringLiteral("\u2715"));
+    close->setAutoRaise(true);
+    close->setToolTip(tr("Close this message"));
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 5, 5, 5);
+    row->addWidget(label_, 1);
+    row->addWidget(more_, 0, Qt::AlignTop);
+    add(remedy_, "remedy", *row);
+    add(other_, "otherRemedy", *row);
+    row->addWidget(close, 0, Qt::AlignTop);
+    leave_->setSingleShot(true);
+    leave_->setInterval(noteMs);
+    connect(leave_, &QTimer::timeout, this, &QWidget::hide);
+    hide();
+    followTheme(*this, [this] { paintColours(); });
+}
+
+void MessageBar::showError(const Error& error) {
+    isError_ = true;
+    show(describeError(error));
+    unfold(true);
+}
+
+void MessageBar::add(Remedy& remedy, const char* name, QHBoxLayout& row) {
+    remedy.button->setObjectName(QString::fromLatin1(name));
+    row.addWidget(remedy.button, 0, Qt::AlignTop);
+    connect(remedy.button, &QPushButton::clicked, this, [this, &remedy] {
+        hide();
+        if (const auto chosen = std::exchange(remedy.chosen, nullptr)) chosen();
+    });
+}
+
+void MessageBar::offer(Remedy& remedy, const QString& text, std::function<void()> done) {
+    remedy.chosen = std::move(done);
+    remedy.button->setText(text);
+    remedy.button->show();
+}
+
+void MessageBar::offer(const QString& remedy, std::function<void()> done) {
+    offer(remedy_, remedy, std::move(done));
+}
+
+void MessageBar::offerToo(const QString& remedy, std::function<void()> done) {
+    offer(other_, remedy, std::move(done));
+}
+
+void MessageBar::showNote(const QString& text) {
+    isError_ = false;
+    show(text);
+    leave_->start();
+}
+
+void MessageBar::showHelp(const QString& text) {
+    isError_ = false;
+    show(text);
+}
+
+void MessageBar::dismiss() {
+    if (remedy_.button->isHidden()) hide();
+}
+
+QString MessageBar::text() const { return isHidden() ? QString() : text_; }
+
+// Of several lines only the first is shown, so that a message takes no more of the view than it must.
+void MessageBar::unfold(bool all) {
+    const auto others = text_.count(QLatin1Char('\n'));
+    unfolded_ = all;
+    label_->setText(all ? text_ : firstLine(text_));
+    const QString more = tr("%1 more line(s)", "", pluralNumber(quint64(others)));
+    more_->setText(all ? tr("Less") : more.arg(formatCount(quint64(others))));
+    more_->setVisible(others > 0);
+}
+
+void MessageBar::paintColours() {
+    const NoteColours colours = isError_ ? errorColours(themeInUse()) : noteColours(themeInUse());
+    setStyleSheet(QStringLiteral("#messageBar { background: %1; border: 1px solid %2; border-radius: 4px; } "
+                                 "#messageBar QLabel, #messageBar QToolButton { color: %3; border: none; }")
+                      .arg(colours.background.name(), colours.border.name(), colours.text.name()));
+}
+
+void MessageBar::show(const QString& text) {
+    leave_->stop();
+    text_ = text;
+    paintColours();
+    unfold(false);
+    for (const Remedy* remedy : {&remedy_, &other_}) remedy->button->hide();
+    QFrame::show();
+}
+
+namespace {
+
+constexpr int shortMs = 400;
+
+}  // namespace
+
+ProgressStrip::ProgressStrip(QBoxLayout::Direction direction, QWidget* parent)
+    : QWidget(parent),
+      label_(new QLabel),
+      bar_(new QProgressBar),
+      cancel_(pushButton(tr("Cancel"), "cancel", tr("Stop this job; the previous result stays"))) {
+    bar_->setRange(0, 1000);
+    bar_->setTextVisible(false);
+    bar_->setMinimumWidth(120);
+    bar_->setMaximumHeight(14);
+    auto* layout = new QBoxLayout(direction, this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(label_);
+    layout->addWidget(bar_);
+    layout->addWidget(cancel_);
+    wait_.setSingleShot(true);
+    connect(&wait_, &QTimer::timeout, this, &QWidget::show);
+    hide();
+}
+
+void ProgressStrip::follow(JobSlot& slot, Jobs jobs, const QWidget* other) {
+    connect(&slot, &JobSlot::started, this, [this, &slot, jobs, other](const Job& job, const QString& what) {
+        begin(slot, jobs, other, job, what);
+    });
+    connect(&slot, &JobSlot::ended, this, [this, &slot] { finish(slot); });
+    if (jobs == Jobs::whole) return;
+    connect(cancel_, &QPushButton::clicked, &slot, [this, &slot] {
+        if (shown_ == &slot) slot.cancel();
+    });
+}
+
+void ProgressStrip::begin(const JobSlot& slot, Jobs jobs, const QWidget* other, const Job& job,
+                          const QString& what) {
+    if (jobs == Jobs::often && shown_ && shown_ != &slot) return;
+    shown_ = &slot;
+    cancel_->setVisible(jobs != Jobs::whole);
+    label_->setText(what);
+    bar_->setValue(0);
+    connect(&job, &Job::progressed, this, [this, &slot, other, what](double fraction, const QString& stage) {
+        if (shown_ != &slot) return;
+        if (other) setVisible(!other->isVisible());
+        bar_->setValue(int(fraction * 1000));
+        label_->setText(QStringLiteral("%1: %2, %3 %").arg(what, stage).arg(int(fraction * 100)));
+    });
+    if (jobs == Jobs::often && !isVisible()) return wait_.start(shortMs);
+    wait_.stop();
+    setVisible(!other || !other->isVisible());
+}
+
+void ProgressStrip::finish(const JobSlot& slot) {
+    if (shown_ != &slot) return;
+    shown_ = nullptr;
+    wait_.stop();
+    hide();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,157 @@
+#include "core/study/text/height_facts_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/json_number.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+HeightField heightFieldFrom(const Json& json) {
+    return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
+            json.at("meaning").get<std::string>(), json.at("unit").get<std::string>(),
+            wholeNumberFrom<std::size_t>(json.at("features"))};
+}
+
+constexpr std::array<std::string_view, 4> kindNames{"heights", "storeys", "elevations", "either"};
+
+// Without a kind in what older versions wrote.
+FieldKind kindFrom(const Json& json) {
+    const auto found = std::ranges::find(kindNames, json.value("kind", std::string("either")));
+    return found == kindNames.end() ? FieldKind::either : FieldKind(found - kindNames.begin());
+}
+
+UnknownField unknownFieldFrom(const Json& json) {
+    return {json.at("file").get<std::string>(),
+            json.at("field").get<std::string>(),
+            json.at("low").get<double>(),
+            json.at("high").get<double>(),
+            json.at("whole").get<bool>(),
+            wholeNumberFrom<std::size_t>(json.at("features")),
+            kindFrom(json),
+            json.value("unit", "")};
+}
+
+HeightDoubt heightDoubtFrom(const Json& json) {
+    return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
+            json.at("why").get<std::string>()};
+}
+
+BaseFit baseFitFrom(const Json& json) {
+    return {.file = json.at("file").get<std::string>(),
+            .buildings = wholeNumberFrom<std::size_t>(json.at("buildings")),
+            .gapM = json.at("gap_m").get<double>(),
+            .spreadM = json.at("spread_m").get<double>(),
+            .rule = parseStandRule(json.at("rule").get<std::string>()).value(),
+            .aloft = wholeNumberFrom<std::size_t>(json.at("aloft")),
+            .apart = wholeNumberFrom<std::size_t>(json.at("apart"))};
+}
+
+Json baseFitJson(const BaseFit& fit) {
+    return {{"file", fit.file},        {"buildings", fit.buildings}, {"gap_m", fit.gapM},
+            {"spread_m", fit.spreadM}, {"rule", nameOf(fit.rule)},   {"aloft", fit.aloft},
+            {"apart", fit.apart},      {"text", describe(fit)}};
+}
+
+}  // namespace
+
+Json heightFactsJson(const HeightFacts& facts) {
+    Json json;
+    json["fields"] = Json::array();
+    for (const HeightField& field : facts.fields)
+        json["fields"].push_back({{"file", field.file},
+                                  {"field", field.field},
+                                  {"meaning", field.meaning},
+                                  {"unit", field.unit},
+                                  {"features", field.features}});
+    json["could_be"] = Json::array();
+    for (const UnknownField& field : facts.unknown)
+        json["could_be"].push_back({{"file", field.file},
+                                    {"field", field.field},
+                                    {"low", field.low},
+                                    {"high", field.high},
+                                    {"whole", field.whole},
+                                    {"features", field.features},
+                                    {"kind", kindNames[std::size_t(field.kind)]},
+                                    {"unit", field.unit}});
+    json["doubts"] = Json::array();
+    for (const HeightDoubt& doubt : facts.doubts)
+        json["doubts"].push_back({{"file", doubt.file}, {"field", doubt.field}, {"why", doubt.why}});
+    json["bases"] = Json::array();
+    for (const BaseFit& fit : facts.bases) json["bases"].push_back(baseFitJson(fit));
+    return json;
+}
+
+std::optional<HeightFacts> parseHeightFacts(const std::string& text) try {
+    const Json json = Json::parse(text);
+    HeightFacts facts;
+    for (const Json& field : json.at("fields")) facts.fields.push_back(heightFieldFrom(field));
+    for (const Json& field : json.at("could_be")) facts.unknown.push_back(unknownFieldFrom(field));
+    if (json.contains("doubts"))
+        for (const Json& doubt : json.at("doubts")) facts.doubts.push_back(heightDoubtFrom(doubt));
+    if (json.contains("bases"))  // older files have none
+        for (const Json& fit : json.at("bases")) facts.bases.push_back(baseFitFrom(fit));
+    const auto finite = [](const UnknownField& field) {
+        return std::isfinite(field.low) && std::isfinite(field.high);
+    };
+    if (!std::ranges::all_of(facts.unknown, finite)) return std::nullopt;
+    const auto isFinite = [](const BaseFit& fit) {
+        return std::isfinite(fit.gapM) && std::isfinite(fit.spreadM);
+    };
+    if (!std::ranges::all_of(facts.bases, isFinite)) return std::nullopt;
+    return facts;
+} catch (const std::exception&) {  // not JSON, or of another structure
+    return std::nullopt;
+}
+
+std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts) {
+    if (!(counts.assumedShare() > maxAssumedShare)) return std::nullopt;
+    return fmt::format("{} of {} heights are assumed ({}{:.4g} m)",
+                       formatThousands(counts.of(HeightSource::assumed)), formatThousands(counts.parts),
+                       counts.assumedAlike ? "" : "most of them ", counts.assumedM);
+}
+
+std::optional<std::string> makeDoubtHeadline(const HeightFacts& facts) {
+    if (facts.doubts.empty()) return std::nullopt;
+    std::vector<std::string> texts;
+    for (const HeightDoubt& doubt : facts.doubts) texts.push_back(describe(doubt));
+    return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::optional<std::string> makeStandHeadline(const HeightFacts& facts) {
+    std::vector<std::string> texts;
+    for (const BaseFit& fit : facts.bases)
+        if (fit.rule != StandRule::asStated || fit.apart > 0 || !fit.fits()) texts.push_back(describe(fit));
+    if (texts.empty()) return std::nullopt;
+    return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::optional<std::string> makeAssumedHeightsMessage(const HeightCounts& counts, const HeightFacts& facts) {
+    auto text = makeAssumedHeadline(counts);
+    if (!text || facts.unknown.empty()) return text;
+    std::vector<std::string> fields;
+    for (const UnknownField& field : facts.unknown) fields.push_back(describe(field));
+    *text += fmt::format(". Fields that could hold heights or storeys: {}", fmt::join(fields, ", "));
+    return text;
+}
+
+Json heightsJson(const HeightCounts& counts, const HeightFacts& facts) {
+    Json json;
+    json["parts"] = counts.parts;
+    json["by_source"] = Json::object();
+    for (const HeightSource source : heightSources)
+        json["by_source"][std::string(nameOf(source))] = counts.of(source);
+    json["assumed_share"] = counts.assumedShare();
+    json["assumed_m"] = counts.of(HeightSource::assumed) > 0 ? Json(counts.assumedM) : Json();
+    json.update(heightFactsJson(facts));
+    return json;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,203 @@
+#include "scenarios/tile_subjects.h"
+
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+#include "core/engines/api/shadow_field.h"
+#include "core/study/provenance/study_hash.h"
+#include "core/study/tiles/tile_maps.h"
+#include "scenarios/impact/impact_figures.h"
+#include "scenarios/weights/score.h"
+
+namespace noonmark {
+
+namespace {
+
+struct FieldPair {
+    ShadowField before, after;
+};
+
+std::map<std::string, double> listFigures(const Impact& impact) {
+    const ImpactFigures all = computeFigures(impact, 0), large = computeFigures(impact);
+    const std::string minutes = fmt::format("{:g}_min", large.thresholdMin);
+    return {{"touched_m2", all.gross.anyMoreShadowM2},
+            {"eased_m2", all.gross.anyLessShadowM2},
+            {"gained_over_" + minutes + "_m2", large.gross.gainedM2},
+            {"lost_over_" + minutes + "_m2", large.gross.lostM2},
+            {"shadow_area_change_m2", all.shadowAreaChangeM2},
+            {"became_building_m2", all.becameBuildingM2},
+            {"became_ground_m2", all.becameGroundM2}};
+}
+
+class ImpactMeasure : public TileMeasure {
+public:
+    ImpactMeasure(const ComparedCities& cities, const TileQuestion& question)
+        : cities_(cities), question_(question) {}
+
+    [[nodiscard]] std::vector<TileMap> maps() const override { return listImpactMaps(); }
+
+    Result<TileAnswer> measure(const Grid& tile, Progress& progress, const std::stop_token& stop) override {
+        const Region& region = question_.settings.region;
+        return findCommonReceiversInPart(*cities_.before, *cities_.after, region, tile, stop)
+            .and_then([&](CommonReceivers common) { return compare(std::move(common), progress, stop); });
+    }
+
+private:
+    Result<TileAnswer> compare(CommonReceivers common, Progress& progress,
+                               const std::stop_token& stop) const {
+        const Receivers& receivers = common.receivers;
+        if (receivers.cells.empty()) return withoutReceivers(std::move(common));
+        auto fields = computeFields(receivers, progress, stop);
+        if (!fields) return tl::make_unexpected(fields.error());
+        Impact impact = computeDifference(fields->before, fields->after, std::move(common.change));
+        TileAnswer answer{.result = {.sums = computeSums(fields->after), .figures = listFigures(impact)}};
+        const std::string& key = fields->after.engineKey;
+        answer.result.engineKey = key.empty() ? question_.settings.engine : key;
+        answer.result.engine = impact.engine;
+        answer.result.cost = fields->after.cost;
+        for (auto* band : {&fields->after.grossMin, &fields->after.continuousMin, &fields->before.grossMin,
+                           &fields->before.continuousMin, &impact.grossMin, &impact.continuousMin})
+            answer.bands.push_back(std::move(*band));
+        return answer;
+    }
+
+    // Where a tower covers the whole tile, its cells still became building.
+    static TileAnswer withoutReceivers(CommonReceivers common) {
+        Cost cost;
+        countSkippedCells(cost, common.receivers);
+        Impact impact{.grid = common.receivers.grid, .change = std::move(common.change)};
+        impact.grossMin.assign(impact.grid.size(), std::numeric_limits<float>::quiet_NaN());
+        impact.continuousMin = impact.grossMin;
+        return {.result = {.figures = listFigures(impact), .cost = std::move(cost)}};
+    }
+
+    // The engine that "auto" chooses is the same for both cities: else they would differ by it too.
+    Result<FieldPair> computeFields(const Receivers& receivers, Progress& progress,
+                                    const std::stop_token& stop) const {
+        const City* const cities[]{cities_.before.get(), cities_.after.get()};
+        const auto choice = question_.engine.choose(cities, receivers, question_.sun);
+        if (!choice) return fieldsBy(question_.engine, receivers, progress, stop);
+        auto fields = fieldsBy(*choice, receivers, progress, stop);
+        if (fields) return fields;
+        const auto other = question_.engine.chooseInstead(*choice, fields.error());
+        return other ? fieldsBy(*other, receivers, progress, stop) : std::move(fields);
+    }
+
+    template <class Accumulator>
+    Result<FieldPair> fieldsBy(const Accumulator& engine, const Receivers& receivers, Progress& progress,
+                               const std::stop_token& stop) const {
+        auto before = engine.accumulate(*cities_.before, receivers, question_.sun, progress, stop);
+        if (!before) return tl::make_unexpected(before.error());
+        auto after = engine.accumulate(*cities_.after, receivers, question_.sun, progress, stop);
+        if (!after) return tl::make_unexpected(after.error());
+        return FieldPair{*std::move(before), *std::move(after)};
+    }
+
+    ComparedCities cities_;
+    TileQuestion question_;
+};
+
+TileMap mapOfShadow(const std::string& name, const std::string& title, std::size_t firstBand) {
+    const ShadowField names;
+    TileMap map{name, title, makeMapBands(names, true), firstBand, 1};
+    for (RasterBand& band : map.bands) band.values = nullptr;
+    return map;
+}
+
+}  // namespace
+
+TileSubject makeImpactSubject(const ComparedCities& cities) {
+    return {.key = fmt::format("impact;{};{}", hashCity(*cities.before), hashCity(*cities.after)),
+            .cities = {cities.before, cities.after},
+            .region = cities.region,
+            .fields = 2,
+            .measure = [cities](const TileQuestion& question) -> std::unique_ptr<TileMeasure> {
+                return std::make_unique<ImpactMeasure>(cities, question);
+            }};
+}
+
+std::vector<TileMap> listImpactMaps(const LegendChoice& legend) {
+    TileMap impact{"impact", "Impact", {}, 4, 1};
+    impact.bands = {{"change of gross shadow", "min/day", nullptr},
+                    {"change of continuous shadow", "min", nullptr}};
+    impact.colours = makeSignedScale(withoutQuantiles(legend), ColourScale::Of::change, {legend.show},
+                                     legendScale(lockedChangeMin), noChangeMin, {});
+    return {mapOfShadow("after", "Shadow after", 0), mapOfShadow("before", "Shadow before", 2),
+            std::move(impact)};
+}
+
+namespace {
+
+std::map<std::string, double> listFigures(const Score& score) {
+    std::map<std::string, double> figures{{"weighted_shade_m2h", score.weightedShadeM2h},
+                                          {"score_m2", score.scoreM2},
+                                          {"receiver_area_m2", score.receiverAreaM2}};
+    for (const MonthFigures& month : score.months) {
+        const std::string name =
+            fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month()));
+        figures["weighted_shade_m2h_" + name] = month.weightedShadeM2h;
+        figures["score_m2_" + name] = month.scoreM2;
+        figures["shadow_area_m2_" + name] = month.shadowAreaM2;
+    }
+    return figures;
+}
+
+class ScoreMeasure : public TileMeasure {
+public:
+    ScoreMeasure(const ScoredCity& scored, const TileQuestion& question)
+        : scored_(scored), question_(question) {}
+
+    [[nodiscard]] std::vector<TileMap> maps() const override { return listScoreMaps(); }
+
+    Result<TileAnswer> measure(const Grid& tile, Progress& progress, const std::stop_token& stop) override {
+        const auto zone = Zone::named(question_.settings.period.zone);
+        if (!zone) return tl::make_unexpected(zone.error());
+        const auto receivers = placeReceiversInPart(*scored_.city, question_.settings.region, tile, stop);
+        if (!receivers) return tl::make_unexpected(receivers.error());
+        Cost cost;
+        countSkippedCells(cost, *receivers);
+        if (receivers->cells.empty()) return TileAnswer{.result = {.cost = std::move(cost)}};
+        auto score = computeScore(*scored_.city, *receivers, question_.sun, *zone, scored_.weights,
+                                  question_.engine, progress, stop);
+        if (!score) return tl::make_unexpected(score.error());
+        return answerOf(*std::move(score), receivers->cells.size(), std::move(cost));
+    }
+
+private:
+    // A score has no minutes of shadow.
+    [[nodiscard]] TileAnswer answerOf(Score score, std::size_t receivers, Cost cost) const {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        TileAnswer answer{.result = {.sums = {receivers, unknown, unknown},
+                                     .figures = listFigures(score),
+                                     .cost = std::move(cost)}};
+        answer.result.engineKey = score.engineKey.empty() ? question_.settings.engine : score.engineKey;
+        answer.result.engine = std::move(score.engine);
+        answer.bands.push_back(std::move(score.score));
+        return answer;
+    }
+
+    ScoredCity scored_;
+    TileQuestion question_;
+};
+
+}  // namespace
+
+TileSubject makeScoreSubject(const ScoredCity& scored) {
+    return {.key = "score;" + weightsCsv(scored.weights),
+            .cities = {scored.city},
+            .region = scored.region,
+            .measure = [scored](const TileQuestion& question) -> std::unique_ptr<TileMeasure> {
+                return std::make_unique<ScoreMeasure>(scored, question);
+            }};
+}
+
+std::vector<TileMap> listScoreMaps(const LegendChoice& legend) {
+    TileMap map{.name = "score", .title = "Shadow score", .bands = {}};
+    map.bands.push_back({"shadow score", "", nullptr});
+    map.colours =
+        makeSignedScale(withoutQuantiles(legend), ColourScale::Of::wanted, {}, legendScale(1), 0, {});
+    return {std::move(map)};
+}
+
+}  // namespace noonmark
