@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/city/trees/tree.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/tiles/tile_maps.h"
@@ -52,6 +53,8 @@ private:
         if (!fields) return tl::make_unexpected(fields.error());
         Impact impact = computeDifference(fields->before, fields->after, std::move(common.change));
         TileAnswer answer{.result = {.sums = computeSums(fields->after), .figures = listFigures(impact)}};
+        answer.result.hasTrees =
+            !warnOfTrees(cities_.before->trees).empty() || !warnOfTrees(cities_.after->trees).empty();
         const std::string& key = fields->after.engineKey;
         answer.result.engineKey = key.empty() ? question_.settings.engine : key;
         answer.result.engine = impact.engine;
@@ -173,6 +176,7 @@ private:
                                      .cost = std::move(cost)}};
         answer.result.engineKey = score.engineKey.empty() ? question_.settings.engine : score.engineKey;
         answer.result.engine = std::move(score.engine);
+        answer.result.hasTrees = !warnOfTrees(scored_.city->trees).empty();
         answer.bands.push_back(std::move(score.score));
         return answer;
     }

@@ -43,9 +43,12 @@ public:
     /// Points are given as easting or longitude first, then northing or latitude, whatever axis order the
     /// system's authority defines. NaN for points that are NaN or cannot be transformed, and for what is left
     /// after a stop request to this thread's StopScope. O(points), about 1
-    /// us each. Eastings of UTM that begin with the number of their zone (33 391 800, as German surveys write
-    /// them) lose it; tookZoneOff() then says so.
+    /// us each.
     [[nodiscard]] std::vector<LonLat> lonLat(std::span<const glm::dvec2> points) const;
+
+    /// From now on eastings of UTM that begin with the number of their zone (33 391 800, as German surveys
+    /// write them) lose it. Who asks for it warns where that was done (zoneTakenOff).
+    void takeZoneOff();
     [[nodiscard]] bool tookZoneOff() const;
 
     /// Whether a place is plausible for this system: within 5 degrees of its area of use; true if that area

@@ -151,6 +151,7 @@ struct CrsToLonLat::Parts {
     bool elevationUnitIsStated = false;
     double west = -180, south = -90, east = 180, north = 90;  // area of use
     double zoneM = 0;  // what the number of its zone before an easting adds to it; 0: no UTM system
+    bool takesZoneOff = false;
     std::size_t zonesTakenOff = 0;
 
     void learnArea() {
@@ -158,9 +159,11 @@ struct CrsToLonLat::Parts {
         if (!system.GetAreaOfUse(&w, &s, &e, &n, nullptr) || w <= -1000) return;
         west = w, south = s, east = e, north = n;
     }
-    // No easting of a UTM zone reaches 1,000 km, so that these are its number and nothing else.
+    // Eastings of the zone end below 1,200 km, also where a country stretches it: no zone from 2 on has such
+    // eastings of its own.
     [[nodiscard]] double takeZoneOff(double easting) {
-        if (zoneM == 0 || easting < zoneM || easting >= zoneM + metresPerZone) return easting;
+        if (!takesZoneOff || zoneM == 0 || easting < zoneM || easting >= zoneM + metresPerZone)
+            return easting;
         ++zonesTakenOff;
         return easting - zoneM;
     }
@@ -237,6 +240,7 @@ bool CrsToLonLat::isPlausible(LonLat place) const {
     return width + 2 * slackDeg >= 360 || eastward <= width + 2 * slackDeg;
 }
 
+void CrsToLonLat::takeZoneOff() { parts_->takesZoneOff = true; }
 bool CrsToLonLat::tookZoneOff() const { return parts_->zonesTakenOff > 0; }
 double CrsToLonLat::metresPerElevationUnit() const { return parts_->metresPerElevationUnit; }
 bool CrsToLonLat::elevationUnitIsStated() const { return parts_->elevationUnitIsStated; }

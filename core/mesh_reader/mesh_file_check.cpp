@@ -98,7 +98,10 @@ Result<std::uintmax_t> checkGlb(const std::string& head, std::uintmax_t fileSize
 Result<std::uintmax_t> checkEnd(const std::filesystem::path& file, std::uintmax_t size, const char* mark) {
     constexpr std::uintmax_t tailBytes = 4096;  // room for blank lines and padding
     const std::uintmax_t start = size > tailBytes ? size - tailBytes : 0;
-    if (contentOf(file, start, tailBytes).find(mark) != std::string::npos) return size;
+    std::istringstream lines(contentOf(file, start, tailBytes));
+    for (std::string line; std::getline(lines, line);)
+        if (const auto begin = line.find_first_not_of(" \t"); begin != line.npos && line.find(mark) == begin)
+            return size;
     return failure(std::string("The file is cut off: its last line should be ") + mark, file.string(), again);
 }
 

@@ -173,14 +173,18 @@ public:
 
     Result<void> operator()(const PlantTree& edit) {
         if (edit.tree.sourceId.empty()) return failure("The new tree has no id", edit.tree.species);
-        if (std::ranges::find(trees(), edit.tree.sourceId, &Tree::sourceId) != trees().end())
+        if (findTree(edit.tree.sourceId) != nullptr)
             return failure("Another tree has this id", edit.tree.sourceId, "Choose another one");
-        return onGround(edit.tree).map([&](Tree tree) { trees().push_back(std::move(tree)); });
+        return onGround(edit.tree).map([&](Tree tree) {
+            treeOfId_[tree.sourceId] = trees().size();
+            trees().push_back(std::move(tree));
+        });
     }
 
     Result<void> operator()(const FellTree& edit) {
         return withTree(edit.tree, [&](Tree& tree) -> Result<void> {
-            trees().erase(trees().begin() + (&tree - trees().data()));
+            felled_.insert(std::size_t(&tree - trees().data()));
+            treeOfId_.erase(edit.tree);
             return {};
         });
     }
@@ -208,6 +212,10 @@ public:
     }
 
     EditedCity take() && {
+        if (!felled_.empty()) {
+            std::size_t at = 0;
+            std::erase_if(trees(), [&](const Tree&) { return felled_.contains(at++); });
+        }
         if (trees_ && trees_->trees.empty()) edited_.city.trees.reset();
         if (trees_ && !trees_->trees.empty())
             edited_.city.trees = std::make_shared<const Trees>(*std::move(trees_));
@@ -215,19 +223,27 @@ public:
     }
 
 private:
-    // Copied before the first edit of a tree.
+    // Copied before the first edit of a tree. Felled ones stay until take(), so that positions hold.
     std::vector<Tree>& trees() {
+        if (trees_) return trees_->trees;
         const City& city = edited_.city;
-        if (!trees_)
-            trees_ = city.trees ? *city.trees
-                                : Trees{.trees = {}, .leafDays = assumeLeafDays(city.frame.origin().latDeg)};
+        trees_ = city.trees ? *city.trees
+                            : Trees{.trees = {}, .leafDays = assumeLeafDays(city.frame.origin().latDeg)};
+        for (std::size_t i = 0; i < trees_->trees.size(); ++i)
+            treeOfId_.emplace(trees_->trees[i].sourceId, i);
         return trees_->trees;
+    }
+
+    Tree* findTree(const std::string& id) {
+        std::vector<Tree>& all = trees();
+        const auto found = treeOfId_.find(id);
+        return found == treeOfId_.end() ? nullptr : &all[found->second];
     }
 
     template <class Change>
     Result<void> withTree(const std::string& id, Change&& change) {
-        const auto found = std::ranges::find(trees(), id, &Tree::sourceId);
-        if (found == trees().end())
+        Tree* const found = findTree(id);
+        if (found == nullptr)
             return failure("There is no such tree", id, "It may have been felled by an earlier edit");
         return change(*found);
     }
@@ -314,6 +330,8 @@ private:
 
     EditedCity edited_;
     std::optional<Trees> trees_;  // of the city, once an edit changes them
+    std::unordered_map<std::string, std::size_t> treeOfId_;
+    std::unordered_set<std::size_t> felled_;
 };
 
 }  // namespace

@@ -60,6 +60,7 @@ TEST_F(ProjectWindow, AllScenariosAreMeasuredForTheTable) {
     });
     workbench().measureAll();
     ASSERT_TRUE(waitFor([this] { return workbench().studies().size() == 2; }));
+    ASSERT_FALSE(fractions.empty());
     EXPECT_TRUE(std::ranges::is_sorted(fractions)) << "progress never runs back";
     const auto studies = workbench().studies();
     EXPECT_GT(studies.at("Proposal A")->statistics.shadowAreaM2,

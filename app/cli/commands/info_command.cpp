@@ -74,7 +74,9 @@ nlohmann::ordered_json layersJson(const ReadOptions& options) {
             json.push_back({{"file", file},
                             {"layer", layer.name},
                             {"features", layer.features},
-                            {"read", chosen.empty() ? layer.isRead : layer.name == chosen}});
+                            {"read", chosen.empty() ? layer.isRead
+                                                    : CLI::detail::to_lower(layer.name) ==
+                                                          CLI::detail::to_lower(chosen)}});
     }
     return json;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -78,9 +79,10 @@ Result<std::string> importTrees(const TreeImportOptions& options, Project& proje
         city.trees = joinTrees(read->trees, city, options.farAwayM, warnings);
         const auto inputs = describeInputFiles(file);
         if (!inputs) return tl::make_unexpected(inputs.error());
-        std::ranges::copy_if(*inputs, std::back_inserter(project.inputs), [&](const InputFile& input) {
-            return std::ranges::find(project.inputs, input.path, &InputFile::path) == project.inputs.end();
-        });
+        for (const InputFile& input : *inputs) {  // one that was read before may have changed since
+            std::erase_if(project.inputs, [&](const InputFile& known) { return known.path == input.path; });
+            project.inputs.push_back(input);
+        }
     }
     project.city = std::make_shared<const City>(makeIdsUnique(std::move(city)));
     std::ostringstream words;
@@ -90,6 +92,10 @@ Result<std::string> importTrees(const TreeImportOptions& options, Project& proje
                          trees ? describeTrees(*trees) : "none");
     printWarnings(words, warnings);
     CityReading reading = *project.reading;
+    if (reading.settings)
+        for (const std::string& file : options.files)
+            if (std::ranges::find(reading.settings->treeFiles, file) == reading.settings->treeFiles.end())
+                reading.settings->treeFiles.push_back(file);
     std::ranges::move(warnings, std::back_inserter(reading.warnings));
     project.reading = std::make_shared<const CityReading>(std::move(reading));
     return words.str();
@@ -148,7 +154,7 @@ Result<std::vector<glm::dvec2>> placeAlong(const std::vector<glm::dvec2>& line, 
     double nextM = 0;  // from the current corner
     for (std::size_t i = 1; i < line.size(); ++i) {
         const double lengthM = glm::distance(line[i - 1], line[i]);
-        if (lengthM / spacingM > double(maxRow - places.size()))
+        if (double(places.size()) + lengthM / spacingM + 1 > double(maxRow))
             return failure(fmt::format("The row would have more than {} trees", maxRow), "--along",
                            "Give a larger --spacing");
         for (; nextM <= lengthM + 1e-6 && lengthM > 0; nextM += spacingM)
@@ -169,8 +175,11 @@ Result<std::vector<glm::dvec2>> placesOf(const TreeAddOptions& options, const Fr
         });
 }
 
-Tree designTree(const TreeFacts& facts) {
+Result<Tree> designTree(const TreeFacts& facts) {
     Tree tree = completeTree(facts);
+    if (facts.crownBaseM && *facts.crownBaseM >= double(tree.heightM))
+        return failure("The crown's base lies above the tree's top", fmt::format("{:g} m", *facts.crownBaseM),
+                       fmt::format("Give a base below {:g} m", tree.heightM));
     if (facts.heightM) tree.heightSource = TreeSource::designed;
     if (facts.crownDiameterM) tree.crownSource = TreeSource::designed;
     return tree;
@@ -188,10 +197,12 @@ Result<std::string> plantTrees(const TreeAddOptions& options, Project& project) 
     const auto places = placesOf(options, city->frame);
     if (!places) return tl::make_unexpected(places.error());
     if (places->empty()) return failure("No place is given", "add", "Give --at or --along");
+    const auto designed = designTree(options.facts);
+    if (!designed) return tl::make_unexpected(designed.error());
     std::vector<Edit> edits;
     int number = 1;
     for (const glm::dvec2 place : *places) {
-        Tree tree = designTree(options.facts);
+        Tree tree = *designed;
         tree.place = place;
         do {
             tree.sourceId = fmt::format("planted {}", number++);
@@ -201,34 +212,50 @@ Result<std::string> plantTrees(const TreeAddOptions& options, Project& project) 
     return withEdits(project, options.scenario, edits);
 }
 
+Result<std::set<std::size_t>> findInside(const std::string& within, const City& city) {
+    std::set<std::size_t> inside;
+    if (within.empty() || !city.trees) return inside;
+    const auto region = readRegion(within, city.frame);
+    if (!region) return tl::make_unexpected(region.error());
+    for (std::size_t i = 0; i < city.trees->trees.size(); ++i)
+        if (std::ranges::any_of(region->polygons, [&](const Footprint& area) {
+                return contains(area, city.trees->trees[i].place);
+            }))
+            inside.insert(i);
+    return inside;
+}
+
+// Each once, though it may be named and stand in the area, too.
 Result<std::vector<Tree>> findTrees(const TreesOptions& options, const City& city) {
-    std::vector<Tree> found;
+    auto chosen = findInside(options.within, city);
+    if (!chosen) return tl::make_unexpected(chosen.error());
     for (const std::string& id : options.trees) {
         const auto at = findTree(city, id);
         if (!at) return tl::make_unexpected(at.error());
-        found.push_back(city.trees->trees[*at]);
+        chosen->insert(*at);
     }
-    if (options.within.empty()) return found;
-    const auto region = readRegion(options.within, city.frame);
-    if (!region) return tl::make_unexpected(region.error());
-    if (city.trees)
-        std::ranges::copy_if(city.trees->trees, std::back_inserter(found), [&](const Tree& tree) {
-            return std::ranges::any_of(region->polygons,
-                                       [&](const Footprint& area) { return contains(area, tree.place); });
-        });
+    std::vector<Tree> found;
+    for (const std::size_t at : *chosen) found.push_back(city.trees->trees[at]);
     return found;
 }
 
-// One edit for each of the trees.
-template <class Make>
-Result<std::string> editTrees(const TreesOptions& options, Project& project, Make&& make) {
+bool changesAny(const Tree& /*tree*/) { return true; }
+
+// One edit for each of the trees that it changes.
+template <class Make, class Changes = bool (*)(const Tree&)>
+Result<std::string> editTrees(const TreesOptions& options, Project& project, Make&& make,
+                              Changes changes = changesAny) {
     const auto city = cityToChange(project, options.scenario);
     if (!city) return tl::make_unexpected(city.error());
     const auto trees = findTrees(options, *city);
     if (!trees) return tl::make_unexpected(trees.error());
     if (trees->empty()) return failure("No tree is chosen", "trees", "Name trees, or give --within");
     std::vector<Edit> edits;
-    for (const Tree& tree : *trees) edits.emplace_back(make(tree));
+    for (const Tree& tree : *trees)
+        if (changes(tree)) edits.emplace_back(make(tree));
+    if (edits.empty())
+        return failure("None of these trees changes", "trees",
+                       "Trees of 35 m or more and cells of a canopy raster do not grow");
     return withEdits(project, options.scenario, edits);
 }
 
@@ -245,16 +272,22 @@ Result<std::string> moveTrees(const TreeMoveOptions& options, Project& project) 
 }
 
 Result<std::string> growTrees(const TreeGrowOptions& options, Project& project) {
-    return editTrees(options, project, [&](const Tree& tree) {
-        const Tree grown = growTree(tree, options.years);
-        return GrowTree{tree.sourceId, options.years, double(grown.heightM), double(grown.crownBaseM),
-                        double(grown.crownDiameterM)};
-    });
+    const auto grows = [&](const Tree& tree) { return growTree(tree, options.years) != tree; };
+    return editTrees(
+        options, project,
+        [&](const Tree& tree) {
+            const Tree grown = growTree(tree, options.years);
+            return GrowTree{tree.sourceId, options.years, double(grown.heightM), double(grown.crownBaseM),
+                            double(grown.crownDiameterM)};
+        },
+        grows);
 }
 
 Result<std::string> replaceTrees(const TreeReplaceOptions& options, Project& project) {
-    return editTrees(options, project, [&](const Tree& tree) {
-        return ReplaceTree{tree.sourceId, designTree(options.facts)};
+    return designTree(options.facts).and_then([&](const Tree& with) {
+        return editTrees(options, project, [&](const Tree& tree) {
+            return ReplaceTree{tree.sourceId, with};
+        });
     });
 }
 
@@ -276,6 +309,8 @@ std::string describeDay(int dayOfYear) {
 Result<std::string> setLeafDays(const LeafOptions& options, Project& project) {
     if (!project.city->trees)
         return failure("The project has no trees", "leaves", "Read some: noonmark-cli project tree import");
+    if (options.on.empty() && options.off.empty())
+        return failure("No day is given", "leaves", "Give --leaf-on or --leaf-off: MM-DD");
     Trees trees = *project.city->trees;
     for (const auto& [text, day] :
          {std::pair(&options.on, &trees.leafDays.on), std::pair(&options.off, &trees.leafDays.off)}) {
@@ -285,8 +320,10 @@ Result<std::string> setLeafDays(const LeafOptions& options, Project& project) {
         *day = *stated;
     }
     const std::string words =
-        fmt::format("Trees that lose their leaves have them from {} up to and without {}\n",
-                    describeDay(trees.leafDays.on), describeDay(trees.leafDays.off));
+        trees.leafDays.on == trees.leafDays.off
+            ? "All trees are in leaf all year\n"
+            : fmt::format("Trees that lose their leaves have them from {} up to and without {}\n",
+                          describeDay(trees.leafDays.on), describeDay(trees.leafDays.off));
     City city = *project.city;
     city.trees = std::make_shared<const Trees>(std::move(trees));
     project.city = std::make_shared<const City>(std::move(city));

@@ -229,7 +229,7 @@ void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted) {
             for (std::size_t i = 0; i < wanted.size(); ++i) {
                 ProgressShare share(rising, i, wanted.size());
                 asked.loaded = withCity(shown->loaded, *wanted[i].city);
-                auto study = studyQuestion().compute(asked, wanted.size() > 1 ? share : progress, stop);
+                auto study = studyQuestion().compute(asked, share, stop);
                 if (!study && isCancelled(study.error()) && !made.empty()) return made;
                 if (!study && (wanted.size() == 1 || isCancelled(study.error())))
                     return tl::make_unexpected(study.error());
@@ -313,6 +313,7 @@ void Workbench::findBase() {
     if (base_) past_.reset();
     rename(base_);
     rename(front_);
+    std::erase_if(listed_, [this](const auto& one) { return one.first != base_ && one.first != front_; });
 }
 
 bool Workbench::isCompared() {
@@ -329,7 +330,6 @@ bool Workbench::rename(SharedAnswer& answer) {
     const auto listed = listed_.find(answer);
     listed_[now] = listed == listed_.end() ? answer : listed->second;
     answer = std::move(now);
-    std::erase_if(listed_, [this](const auto& one) { return one.first != base_ && one.first != front_; });
     return true;
 }
 

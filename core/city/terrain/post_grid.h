@@ -11,8 +11,8 @@
 namespace noonmark {
 
 /// Gives every NaN cell of a row-major grid a value between those of the cells around its gap, without steps:
-/// terraces would cast shadows of their own. Returns the number of cells filled; 0 if all cells had values, or
-/// none had. O(cells).
+/// terraces would cast shadows of their own. Returns the number of cells filled; 0 if all cells had values,
+/// or none had. O(cells).
 std::size_t fillGaps(std::vector<float>& values, int columns, int rows);
 
 /// Posts (points of known elevation) in rows and columns, placed in local metres. The posts are those of a

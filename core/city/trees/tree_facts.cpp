@@ -189,7 +189,8 @@ Tree growTree(const Tree& tree, double years) {
     const double heightM = double(tree.heightM);
     const double grownM = std::min(heightM + crownGrowthM * group.heightPerCrown, maxEstimatedM);
     Tree grown = tree;
-    if (!(grownM > heightM)) return grown;
+    const bool isCanopyCell = tree.shape == CrownShape::cylinder;  // wider, it would cover its neighbours
+    if (isCanopyCell || !(grownM > heightM)) return grown;
     const double share = (grownM - heightM) / (crownGrowthM * group.heightPerCrown);
     grown.heightM = float(grownM);
     grown.crownBaseM = float(double(tree.crownBaseM) * grownM / heightM);

@@ -54,7 +54,8 @@ const Fields<TreeFacts>& treeFactFields();
 
 /// The tree after `years`, 0 to 200: its crown grows as its stem does, by the same width each year, its
 /// height with the crown, the crown's base with the height (resources/trees/defaults.json). Grows up to 35 m
-/// high; a higher one keeps its measures. Both sources are "estimated" after it.
+/// high. A higher one, and a cell of a canopy raster, comes back as it is; of the others both sources are
+/// "estimated".
 Tree growTree(const Tree& tree, double years);
 
 /// Height 0.5 to 120 m, crown 0.3 to 50 m wide, stem 0.01 to 5 m thick.

@@ -148,8 +148,9 @@ Result<void> settleReference(CityGmlData& data, const ReadSettings& settings,
     if (!text) return tl::make_unexpected(text.error());
     const auto system = parseCrs(*text);
     if (!system) return failure(system.error().what, file, system.error().advice);
-    const auto crs = CrsToLonLat::of(*text);
+    auto crs = CrsToLonLat::of(*text);
     if (!crs) return failure(crs.error().what, file, crs.error().advice);
+    crs->takeZoneOff();
     const bool northFirst = system->EPSGTreatsAsLatLong() != 0 || system->EPSGTreatsAsNorthingEasting() != 0;
     const bool expected = byAuthority && northFirst;
     AxisOrder order(*crs, data);

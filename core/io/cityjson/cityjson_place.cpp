@@ -154,8 +154,9 @@ Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const 
                         const std::stop_token& stop) {
     const std::string text = data.crs.empty() ? settings.crs.value_or("") : data.crs;
     if (text.empty()) return failure("The city has no coordinate reference system", file, crsAdvice());
-    const Result<CrsToLonLat> crs = CrsToLonLat::of(text);
+    Result<CrsToLonLat> crs = CrsToLonLat::of(text);
     if (!crs) return failure(crs.error().what, file, crs.error().advice);
+    crs->takeZoneOff();
     data.crsWords = describeCrs(crs->name(), data.crs.empty() ? CrsSource::user : CrsSource::file);
     if (!crs->elevationUnitIsStated() && crs->metresPerElevationUnit() != 1)
         data.warnings.push_back(

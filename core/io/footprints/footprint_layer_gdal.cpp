@@ -235,6 +235,7 @@ void FootprintLayer::learnOutlineZ(const LayerSample& sample, const ReadSettings
 FootprintLayer::FootprintLayer(OGRLayer& layer, CrsToLonLat toLonLat, const ReadSettings& settings,
                                LayerSource source)
     : name_(layer.GetName()), source_(std::move(source)), toLonLat_(std::move(toLonLat)) {
+    toLonLat_.takeZoneOff();
     const OGRFeatureDefn& definition = *layer.GetLayerDefn();
     otherTags_ = std::max(definition.GetFieldIndex("other_tags"), definition.GetFieldIndex("all_tags"));
     osmId_ = definition.GetFieldIndex("osm_id");
@@ -383,14 +384,14 @@ void FootprintLayer::moveStored(std::vector<UnplacedFeature>& features, Warnings
 }
 
 Result<void> FootprintLayer::checkPlace(Warnings& warnings) const {
-    const auto maximum = [&](std::size_t count) { return count > 0 && 2 * count > polygonFeatures_; };
-    if (maximum(broken_))
+    const auto isMost = [&](std::size_t count) { return count > 0 && 2 * count > polygonFeatures_; };
+    if (isMost(broken_))
         return failure(fmt::format("Its coordinates cannot belong to {}", toLonLat_.name()), source_.file,
                        crsAdvice());
-    if (publishedPlane_ && maximum(nearZero_))
+    if (publishedPlane_ && isMost(nearZero_))
         return failure(fmt::format("Its coordinates look like degrees, not like {}", toLonLat_.name()),
                        source_.file, crsAdvice() + ", perhaps EPSG:4326");
-    if (maximum(implausible_))
+    if (isMost(implausible_))
         warnings.push_back(
             {WarningKind::assumed,
              fmt::format("its position is far outside the area of use of {}", toLonLat_.name()),

@@ -238,6 +238,7 @@ Result<MeshPlacement> MeshPlacement::of(const MeshScene& scene, const MeshFile& 
     if (settings.crs && !settings.meshAnchor) {
         auto system = CrsToLonLat::of(*settings.crs);
         if (!system) return failure(system.error().what, file.path, system.error().advice);
+        system->takeZoneOff();
         const auto unit = system->metresPerUnit();
         const bool isLocal = unit && isNearOrigin(points, statedUnit(file, settings).value_or(*unit));
         if (isLocal && !settings.frame)

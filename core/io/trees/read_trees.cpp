@@ -20,17 +20,22 @@ class PlantedPlaces {
 public:
     /// False if a tree stands there already.
     bool plant(glm::dvec2 place) {
-        const auto column = std::int64_t(std::floor(place.x / sameTreeM));
-        const auto row = std::int64_t(std::floor(place.y / sameTreeM));
+        if (isPlanted(place)) return false;
+        placeOfSquare_.emplace(keyOf(squareOf(place.x), squareOf(place.y)), place);
+        return true;
+    }
+    [[nodiscard]] bool isPlanted(glm::dvec2 place) const {
         for (std::int64_t i = -1; i <= 1; ++i)
             for (std::int64_t j = -1; j <= 1; ++j)
-                for (auto [at, end] = placeOfSquare_.equal_range(keyOf(column + i, row + j)); at != end; ++at)
-                    if (glm::distance(at->second, place) < sameTreeM) return false;
-        placeOfSquare_.emplace(keyOf(column, row), place);
-        return true;
+                for (auto [at, end] =
+                         placeOfSquare_.equal_range(keyOf(squareOf(place.x) + i, squareOf(place.y) + j));
+                     at != end; ++at)
+                    if (glm::distance(at->second, place) < sameTreeM) return true;
+        return false;
     }
 
 private:
+    static std::int64_t squareOf(double metres) { return std::int64_t(std::floor(metres / sameTreeM)); }
     static std::uint64_t keyOf(std::int64_t column, std::int64_t row) {
         return std::uint64_t(column) << 32U ^ (std::uint64_t(row) & 0xFFFFFFFFU);
     }
@@ -48,8 +53,11 @@ std::shared_ptr<const Trees> joinTrees(const std::vector<ReadTree>& read, const 
                                        Warnings& warnings) {
     Trees all =
         city.trees ? *city.trees : Trees{.trees = {}, .leafDays = assumeLeafDays(city.frame.origin().latDeg)};
-    PlantedPlaces planted;
-    for (const Tree& tree : all.trees) planted.plant(tree.place);
+    // Cells of a canopy raster stand beside trees, and closer to each other than trees do: they are compared
+    // with the cells of an earlier reading only.
+    PlantedPlaces planted, canopy;
+    for (const Tree& tree : all.trees)
+        (tree.shape == CrownShape::cylinder ? canopy : planted).plant(tree.place);
     const glm::dvec2 middle = findMiddle(city);
     for (const ReadTree& one : read) {
         const glm::dvec2 place = city.frame.localFromLonLat(one.place);
@@ -58,7 +66,7 @@ std::shared_ptr<const Trees> joinTrees(const std::vector<ReadTree>& read, const 
                 {WarningKind::leftOut, NM_TEXT("a tree far from the buildings"), one.facts.sourceId});
             continue;
         }
-        if (!one.facts.canopyCellM2 && !planted.plant(place)) {
+        if (one.facts.canopyCellM2 ? canopy.isPlanted(place) : !planted.plant(place)) {
             warnings.push_back(
                 {WarningKind::leftOut, NM_TEXT("a second tree at the same place"), one.facts.sourceId});
             continue;

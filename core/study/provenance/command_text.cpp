@@ -189,7 +189,7 @@ std::vector<NextStep> listNextSteps(const CityRead& read, const std::vector<std:
     }
     const bool showsRoofs = read.city.terrain && read.city.terrain->source.underBuildings > 0;
     if (assumed && showsRoofs && !settings.heightsFromSurface)
-        steps.push_back({"heights that the surface model shows",
+        steps.push_back({"heights are assumed that the surface model shows",
                          writer.write("noonmark-cli info", readOption("heights_from_surface"))});
     if (!read.city.terrain)
         steps.push_back({"the ground is flat, since there is no terrain",

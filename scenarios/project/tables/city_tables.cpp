@@ -6,6 +6,7 @@
 #include <cstring>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "core/base/safe_text.h"
@@ -210,9 +211,13 @@ std::shared_ptr<const Trees> readTreeTable(Database& database, const City& city)
     Trees trees{.trees = {}, .leafDays = readLeafDays(database, city)};
     Statement row = database.prepare(
         "SELECT fid, geom, tree_id, species, height_m, crown_diameter_m, crown_base_m, shape, evergreen, "
-        "height_source, crown_source, leaf_on, leaf_off FROM trees ORDER BY fid");
+        "height_source, crown_source, leaf_on, leaf_off FROM trees WHERE geom IS NOT NULL ORDER BY fid");
+    std::unordered_set<std::string> used;
     while (row.step()) {
         Tree tree = TreeRow(row).read();
+        const std::string own = tree.sourceId;  // a copied row of a GIS program has that of its original
+        for (int copy = 2; !used.insert(tree.sourceId).second; ++copy)
+            tree.sourceId = fmt::format("{} ({})", own, copy);
         tree.groundM = groundAt(city, tree.place);
         trees.trees.push_back(std::move(tree));
     }

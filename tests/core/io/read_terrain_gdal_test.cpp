@@ -152,7 +152,7 @@ TEST(ReadTerrain, LargePixelsKeepTheirPlace) {
     EXPECT_LT(worstError(*gentle, *gentle->frame, raster), 0.1);
 }
 
-TEST(ReadTerrain, NoDataIsFilledFromTheNearestAndCounted) {
+TEST(ReadTerrain, NoDataIsFilledFromAroundAndCounted) {
     Raster raster;
     raster.noData = -9999;
     raster.value = [](double e, double n) { return std::hypot(e - 585300, n - 4511700) < 60 ? -9999 : 25; };

@@ -85,14 +85,16 @@ Legend legendOf(const ColourScale& scale) {
 }
 
 // Also before the table is shown: a view measures only the rows that it shows.
-int widthOfNames(const QTreeView& table) {
-    constexpr int iconAndMargins = 30, depth = 2;
-    const QFontMetrics metrics(table.font());
+int widthOfNames(const QTreeView& table, const QModelIndex& parent = {}) {
+    constexpr int iconAndMargins = 30;
     const QAbstractItemModel& model = *table.model();
     int widest = 0;
-    for (int row = 0; row < model.rowCount(); ++row)
-        widest = std::max(widest, metrics.horizontalAdvance(model.index(row, 0).data().toString()));
-    return widest + depth * table.indentation() + iconAndMargins;
+    for (int row = 0; row < model.rowCount(parent); ++row) {
+        const QModelIndex name = model.index(row, 0, parent);
+        const int own = table.fontMetrics().horizontalAdvance(name.data().toString()) + iconAndMargins;
+        widest = std::max({widest, own, widthOfNames(table, name)});
+    }
+    return widest + table.indentation();
 }
 
 }  // namespace
