@@ -19,7 +19,7 @@ namespace noonmark {
 PointQuestion questionAt(const City& city, const Pick& pick);
 
 // What the sun and the sky are at a point that the user clicks: PointInspector computes it in a job for the
-// displayed scenario, PointDock shows it, SkyPicture draws the skyline, picked_point says which point it is.
+// displayed scenario, PointDock shows it, SkyPicture draws the skyline, questionAt() says which point it is.
 
 class ViewPanel;
 class Workbench;

@@ -3,9 +3,9 @@
 // The review of places by the rule of a board (app/questions/review_question.h). ReviewSession holds what is
 // chosen, asks for it and hands the answer to the workbench, which shows, lists and saves it as all others;
 // it keeps the latest one for the dock, and the answer for a building that is being shaped. review_choice is
-// the choice as it is saved, review_days what charts of days show. ReviewDock shows it: RuleForm and
+// the choice as it is saved, ReviewRange and ReviewDay what charts show. ReviewDock shows it: RuleForm and
 // PlaceList choose, VerdictTable lists verdicts and the numbers behind them, DayPanel and RangePanel draw
-// charts on a ChartWidget. verdict_words has the words and colours of verdicts.
+// charts on a ChartWidget. verdict_table has the words and colours of verdicts.
 
 #include <QObject>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 // The study's form. StudyDock is the dock: WhatForm, WhenForm, WhereForm and AccuracySection, one for each
-// question that a planner answers, and RunForecast, which states how long the study will take. period_preset,
-// rule_period and accuracy_choice turn the plain choices into settings.
+// question that a planner answers, and RunForecast, which states how long the study will take. PeriodPreset,
+// periodOf and AccuracyChoice turn the plain choices into settings.
 
 #include <QWidget>
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The study: its settings, the jobs that run it and what it reports. StudyDocument holds the settings
-// with undo; study_form/ edits them; WarningsDock shows the warnings of reading (warning_place finds the
+// with undo; study_form/ edits them; WarningsDock shows the warnings of reading (buildingNamed() finds the
 // building that one names). Job and JobSlot run work on another thread for the whole window; open_city
 // prepares a city for display; OpenOptions asks how to read files; run_estimate predicts how long a run
 // takes.

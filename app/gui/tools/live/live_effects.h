@@ -17,8 +17,8 @@
 namespace noonmark {
 
 // The live shadow: what an edit shades, while it is dragged. LiveFollower runs one computation at a time for
-// the newest shape; LiveShadow computes it, with the receivers of live_receivers and the engine that
-// live_rule chooses. LiveFacades does the same for the sunlight of facades, which facade_sunlight measures.
+// the newest shape; LiveShadow computes it, with the receivers and the engine that live_shadow
+// chooses. LiveFacades does the same for the sunlight of facades.
 // SharedHorizonCache holds the horizons that the time sliders use too.
 
 /// Keeps the shadow of a shape up to date while the user edits it. One shape is computed at a time, in a job;

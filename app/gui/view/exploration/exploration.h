@@ -23,7 +23,7 @@ SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, d
 QString describeDetail(const ExploredView& view, double distanceM);
 
 // The explored view: the shadow on all visible surfaces, refined step by step. Exploration runs the jobs,
-// view_refinement decides what comes next, view_turn how much of it at a time, and explored_picture colours
+// view_refinement decides what comes next, ViewTurn how much of it at a time, and surfacePicture() colours
 // the answer.
 
 /// Keeps the shadow of the visible surfaces up to date: a coarse picture while the camera moves, finer ones

@@ -1,9 +1,6 @@
 #pragma once
 
-// Widgets and forms used by several docks: fields and buttons (number_fields, field_rows, push_button),
-// forms for one value each (PeriodForm, AccuracyForm, ReadingForm), the legend, message and progress strips,
-// the label at the cursor, the menu of recent files and the file dialogs. They show and change values and
-// know neither project nor workbench.
+// The legend below the view: what is shown, as shadow or as sun, its colours, scale and north.
 
 #include <QWidget>
 #include <optional>

@@ -2,7 +2,7 @@
 
 // The 3D view in the middle of the window and what surrounds it. ViewPanel contains the view, the messages,
 // the time strip and the legend; PolygonDrawing draws polygons in it. ModeSwitch chooses the mode
-// (view_mode); view_picture composes the saved picture; ground_lines, hover_text and visible_ground are what
+// (view_mode); view_picture composes the saved picture; ground_layers and hover_text are what
 // the view shows and reports of the ground.
 
 #include <QVBoxLayout>
