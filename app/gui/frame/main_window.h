@@ -1,8 +1,8 @@
 #pragma once
 
 // The main window. Workbench (app/gui/session) owns the open project, its city and the results, and runs the
-// long jobs; it knows no widgets. MainWindow is the frame: it creates the view, the docks and menus
-// (window_layout) and the objects that do the work, and connects them. What a menu entry does is in
+// long jobs; it knows no widgets. MainWindow is the frame: it creates the view, the docks (window_layout),
+// the menus (window_menus) and the objects that do the work, and connects them. What a menu entry does is in
 // actions. WindowView is what a project saves of the window.
 
 #include <QMainWindow>

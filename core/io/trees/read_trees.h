@@ -35,8 +35,9 @@ Result<TreesRead> readTrees(const std::filesystem::path& file, const std::option
 
 /// The trees that a city has and those of these files, on its ground and complete (completeTree); null where
 /// there are none. Of trees that stand within half a metre of each other the first stays, with a warning for
-/// each other one; so does a cell of a canopy raster that was read before; trees more than `farAwayM` from the middle of the city's buildings are left out with a
-/// warning. Leaf days are those assumed for the city's latitude. O(trees log trees).
+/// each other one; so does a cell of a canopy raster that was read before; trees more than `farAwayM` from
+/// the middle of the city's buildings are left out with a warning. Leaf days are those assumed for the city's
+/// latitude. O(trees log trees).
 std::shared_ptr<const Trees> joinTrees(const std::vector<ReadTree>& read, const City& city, double farAwayM,
                                        Warnings& warnings);
 

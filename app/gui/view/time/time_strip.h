@@ -1,7 +1,7 @@
 #pragma once
 
 // Sun and time. TimeStrip below the view has the sliders and plays the sun; TimeLook is the value that they
-// choose, SunAtMoment the sun there, SunWalk how play and keys move it. At one moment SunShadow draws the
+// choose, SunAtMoment the sun there, and play and keys move it. At one moment SunShadow draws the
 // shadow on everything; of a study's day or moment MomentPreview computes the shadow on its cells from cached
 // horizons, fast enough to follow a slider. TimeDisplay shows both; DomeDisplay shows the sun path dome.
 

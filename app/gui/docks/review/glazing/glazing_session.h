@@ -2,8 +2,8 @@
 
 // Rules about windows in the review dock. GlazingSession runs the review of the windows that the choice of a
 // ReviewSession names (app/questions/glazing_question.h), GlazingForm chooses the windows, and GlazingTable
-// lists the answer. Tiles of the view are painted by its verdicts; GlazingPanel chooses which, and VerdictLinks connects
-// table and view.
+// lists the answer. Tiles of the view are painted by its verdicts; GlazingPanel chooses which, and
+// VerdictLinks connects table and view.
 
 #include <QObject>
 
