@@ -42,8 +42,8 @@ Values halve(Values& fine) {
 float readCoarse(Values& coarse, int column, int row) {
     const int c = column / 2, r = row / 2;
     const int besideC = c + (column % 2 != 0 ? 1 : -1), besideR = r + (row % 2 != 0 ? 1 : -1);
-    return (9 * coarse.clampedAt(c, r) + 3 * coarse.clampedAt(besideC, r) +
-            3 * coarse.clampedAt(c, besideR) + coarse.clampedAt(besideC, besideR)) /
+    return (9 * coarse.clampedAt(c, r) + 3 * coarse.clampedAt(besideC, r) + 3 * coarse.clampedAt(c, besideR) +
+            coarse.clampedAt(besideC, besideR)) /
            16;
 }
 
@@ -69,8 +69,8 @@ std::size_t fillLevel(Values& fine) {
     Values coarse = halve(fine);
     fillLevel(coarse);
     for (const std::size_t cell : gaps)
-        fine.of[cell] = readCoarse(coarse, int(cell % std::size_t(fine.columns)),
-                                   int(cell / std::size_t(fine.columns)));
+        fine.of[cell] =
+            readCoarse(coarse, int(cell % std::size_t(fine.columns)), int(cell / std::size_t(fine.columns)));
     relax(fine, gaps);
     return gaps.size();
 }
