@@ -46,6 +46,13 @@ std::vector<std::string> idsWithoutFile(const City& city, const std::string& tex
     return ids;
 }
 
+// As a project file holds it. volatile: GCC 12 leaves out both conversions where it vectorises a pair of
+// them.
+double roundToFloat(double value) {
+    const volatile float rounded = float(value);
+    return double(rounded);
+}
+
 // All cells of a canopy raster may have one id, so the last copy of each is remembered.
 Trees withUniqueIds(Trees trees, const City& city) {
     std::unordered_set<std::string> used;
@@ -56,7 +63,7 @@ Trees withUniqueIds(Trees trees, const City& city) {
         std::string id = own;
         while (!used.insert(id).second) id = fmt::format("{} ({})", own, ++copy);
         tree.sourceId = std::move(id);
-        tree.place = glm::dvec2(glm::vec2(tree.place));
+        tree.place = {roundToFloat(tree.place.x), roundToFloat(tree.place.y)};
         tree.groundM = groundAt(city, tree.place);
     }
     return trees;

@@ -232,6 +232,21 @@ TEST_F(TreesOfAProject, InventoriesAreAddedOnce) {
     EXPECT_THAT(tree({"import", more}).out, HasSubstr("1 trees read; the project has 3"));
 }
 
+TEST_F(TreesOfAProject, ATreeThatIsChosenTwiceIsChangedOnce) {
+    const std::string id = list().at(0).at("name");
+    const CommandOutput moved = tree({"move", id, id, "--within", "-73.9815,40.7495,-73.9785,40.7515",
+                                      "--east", "3", "--scenario", "Avenue"});
+    ASSERT_EQ(moved.code, exitOk) << moved.err;
+    EXPECT_EQ(std::ranges::count(moved.out, '\n'), 2) << moved.out;
+}
+
+TEST_F(TreesOfAProject, ACrownBaseAboveTheTopIsRefused) {
+    EXPECT_THAT(
+        tree({"add", "--at", "-73.98,40.75", "--height", "10", "--crown-base", "12", "--scenario", "Avenue"})
+            .err,
+        HasSubstr("crown's base"));
+}
+
 TEST_F(TreesOfAProject, LeafDaysAreStated) {
     EXPECT_THAT(tree({"leaves", "--leaf-on", "01-02", "--leaf-off", "12-20"}).out,
                 HasSubstr("from 01-02 up to and without 12-20"));

@@ -216,6 +216,25 @@ TEST_F(ReadTreesTest, OfOpenStreetMapComeWithTheCity) {
     EXPECT_THAT(whats(read->warnings), Contains("the trees of a row stand 8 m apart"));
 }
 
+// Two cells a quarter of a metre apart, and a tree below them.
+TEST(JoinTrees, CanopyThatIsReadAgainStaysOnceAndTreesStandBesideIt) {
+    City city;
+    city.frame = Frame({13.4, 52.5}, 0);
+    const auto readAt = [&](double eastM, std::optional<double> cellM2) {
+        return ReadTree{city.frame.lonLatFromLocal({eastM, 0}), {.heightM = 9, .canopyCellM2 = cellM2}};
+    };
+    const std::vector<ReadTree> canopy{readAt(0, 0.0625), readAt(0.25, 0.0625)};
+    Warnings warnings;
+    city.trees = joinTrees(canopy, city, 1000, warnings);
+    ASSERT_EQ(city.trees->trees.size(), 2U);
+    city.trees = joinTrees({readAt(0, std::nullopt)}, city, 1000, warnings);
+    EXPECT_EQ(city.trees->trees.size(), 3U);
+    EXPECT_TRUE(warnings.empty());
+    city.trees = joinTrees(canopy, city, 1000, warnings);
+    EXPECT_EQ(city.trees->trees.size(), 3U);
+    EXPECT_EQ(warnings.size(), 2U);
+}
+
 TEST_F(ReadTreesTest, AnInventoryJoinsTheTreesOfTheCity) {
     const auto inventory =
         folder_.file("more.csv", "height,lat,lon\n9,40.0003,0.0005\n9,40.0004,0.0001\n9,50,10\n");
