@@ -229,7 +229,8 @@ void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted) {
             for (std::size_t i = 0; i < wanted.size(); ++i) {
                 ProgressShare share(rising, i, wanted.size());
                 asked.loaded = withCity(shown->loaded, *wanted[i].city);
-                auto study = studyQuestion().compute(asked, share, stop);
+                // Of one study alone the partial results are shown, which a share does not pass on.
+                auto study = studyQuestion().compute(asked, wanted.size() > 1 ? share : progress, stop);
                 if (!study && isCancelled(study.error()) && !made.empty()) return made;
                 if (!study && (wanted.size() == 1 || isCancelled(study.error())))
                     return tl::make_unexpected(study.error());
