@@ -47,7 +47,7 @@ public:
     [[nodiscard]] std::vector<LonLat> lonLat(std::span<const glm::dvec2> points) const;
 
     /// From now on eastings of UTM that begin with the number of their zone (33 391 800, as German surveys
-    /// write them) lose it. Who asks for it warns where that was done (zoneTakenOff).
+    /// write them) lose it. The caller warns of it (zoneTakenOff) where tookZoneOff().
     void takeZoneOff();
     [[nodiscard]] bool tookZoneOff() const;
 
