@@ -88,7 +88,7 @@ public:
         return result;
     }
     [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles& how) const override {
-        std::vector<std::string> names = byPlaceFileNames(how.sheets);
+        std::vector<std::string> names = byPlaceFileNames(how.sheets, content().baseline.settings.dates);
         if (!ofPlaces_.empty()) names.emplace_back(keptContributionsFile);
         return names;
     }
@@ -156,7 +156,9 @@ Result<std::shared_ptr<const Answer>> computeByPlace(const Asked& asked, Progres
 }
 
 SavedForm savedPlaces() {
-    return {savedPlaceNames(),
+    return {[](const SavedContent& saved) {
+                return savedPlaceNames(saved.as<SavedSunByPlace>()->sun.baseline.settings.dates);
+            },
             [](const SavedContent& saved, ShownAs) { return makePage(saved.as<SavedSunByPlace>()->sun); },
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
                const AnswerFiles& how) {
@@ -172,9 +174,9 @@ std::shared_ptr<const Answer> makeByPlaceAnswer(SunOfCities sun, StudySettings a
                                            std::move(asked));
 }
 
-std::vector<std::string> byPlaceFileNames(bool withSheets) {
+std::vector<std::string> byPlaceFileNames(bool withSheets, std::span<const CivilDate> dates) {
     std::vector<std::string> names{"places.csv", "places.gpkg", "places.json"};
-    names.insert(names.end(), placeMapNames().begin(), placeMapNames().end());
+    std::ranges::move(placeMapNames(dates), std::back_inserter(names));
     if (withSheets) names.emplace_back("sheets.pdf");
     return names;
 }

@@ -45,7 +45,8 @@ struct SavedSource;
 
 /// What is shown and written of a question's results that were saved in a project.
 struct SavedForm {
-    std::vector<std::string> fileNames{};  ///< empty: those of the figures
+    /// That it writes. None: those of the figures.
+    std::function<std::vector<std::string>(const SavedContent&)> fileNames{};
     /// Of what savedKinds() reads for the question's key (scenarios/project/results/saved_answer.h), else of
     /// its figures.
     std::function<AnswerPage(const SavedContent&, ShownAs)> page{};
@@ -103,8 +104,8 @@ const Question& glazingQuestion();
 
 /// The answer of sun that was measured elsewhere. `asked`: with the region that was asked for.
 std::shared_ptr<const Answer> makeByPlaceAnswer(SunOfCities sun, StudySettings asked);
-/// The files that its answers write.
-std::vector<std::string> byPlaceFileNames(bool withSheets);
+/// The files that its answers write. `dates`: those of SunByPlaceSettings.
+std::vector<std::string> byPlaceFileNames(bool withSheets, std::span<const CivilDate> dates);
 
 /// The last of the cities whose places were measured: the scenario, or the only city.
 inline const SunByPlace& shownCity(const SunOfCities& sun) {

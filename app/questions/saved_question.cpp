@@ -77,7 +77,7 @@ public:
     [[nodiscard]] std::string json() const override { return content().result->settings; }
     [[nodiscard]] SavedResult toSave(const Project&) const override { return *content().result; }
     [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
-        return writesItself() ? of_.saved->fileNames : savedFigureNames();
+        return writesItself() ? of_.saved->fileNames(content()) : savedFigureNames();
     }
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City& city,
                                                                    const std::filesystem::path& folder,

@@ -36,7 +36,7 @@ Result<std::shared_ptr<const Answer>> readSaved(const std::shared_ptr<const Save
 template <class T>
 SavedForm savedMaps(AnswerPage (*page)(const T&, const SavedContent&, ShownAs),
                     std::vector<CommandOption> (*drawnOptions)(const AnswerFiles&)) {
-    return {savedMapNames(),
+    return {[](const SavedContent&) { return savedMapNames(); },
             [page](const SavedContent& saved, ShownAs show) { return page(*saved.as<T>(), saved, show); },
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
                const AnswerFiles& how) {

@@ -215,7 +215,7 @@ Result<std::shared_ptr<const Answer>> computePoints(const Asked& asked, Progress
 }
 
 SavedForm savedPoints() {
-    return {savedPointNames(),
+    return {[](const SavedContent&) { return savedPointNames(); },
             [](const SavedContent& saved, ShownAs) {
                 const auto& points = *saved.as<SavedElements>();
                 return makePage(points.map, points.figures);

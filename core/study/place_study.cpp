@@ -12,6 +12,7 @@
 #include "core/measures/places/place_run.h"
 #include "core/receivers/place_names.h"
 #include "core/study/text/error_text.h"
+#include "core/study/text/review_text.h"
 
 namespace noonmark {
 
@@ -81,8 +82,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value) { return roundAsText(value, 4); }
-
 /// Writes what belongs to one place.
 class TimelineWriter {
 public:
@@ -97,26 +96,26 @@ public:
         for (const TimeSpan& span : shadow.intervals) intervals.push_back(spanJson(span));
         Json json{{"enters", timeOr(shadow.enters())},
                   {"exits", timeOr(shadow.exits())},
-                  {"duration_min", rounded(shadow.minutes)},
+                  {"duration_min", round4(shadow.minutes)},
                   {"intervals", intervals},
-                  {"largest_m2", rounded(shadow.largestM2)},
+                  {"largest_m2", round4(shadow.largestM2)},
                   {"largest_at", timeOr(shadow.largestAt)},
-                  {"area_hours_m2h", rounded(shadow.areaHoursM2)},
+                  {"area_hours_m2h", round4(shadow.areaHoursM2)},
                   {"share_of_theoretical", share(shadow.areaHoursM2, day.theoreticalM2h())}};
         if (!shadow.longest) return json;
-        json["longest_stay_min"] = rounded(shadow.longest->minutes);
-        json["longest_stay_longer_by_up_to_min"] = rounded(shadow.longest->errorMin);
+        json["longest_stay_min"] = round4(shadow.longest->minutes);
+        json["longest_stay_longer_by_up_to_min"] = round4(shadow.longest->errorMin);
         json["longest_stay"] = spanJson(shadow.longest->when);
         return json;
     }
 
     [[nodiscard]] Json day(const DayTimeline& day, const std::optional<LonLat>& longestAt) const {
         Json json{{"day", formatText(day.day)},
-                  {"sunlit_min", rounded(day.sunlitMinutes)},
-                  {"times_too_late_by_up_to_min", rounded(day.stepMinutes)},
-                  {"theoretical_m2h", rounded(day.theoreticalM2h())},
-                  {"full_cover_min", rounded(day.fullCoverMin)},
-                  {"all_sun_taken_min", rounded(day.allSunTakenMin)},
+                  {"sunlit_min", round4(day.sunlitMinutes)},
+                  {"times_too_late_by_up_to_min", round4(day.stepMinutes)},
+                  {"theoretical_m2h", round4(day.theoreticalM2h())},
+                  {"full_cover_min", round4(day.fullCoverMin)},
+                  {"all_sun_taken_min", round4(day.allSunTakenMin)},
                   {"baseline", summary(day.baseline, day)},
                   {"scenario", summary(day.scenario, day)},
                   {"incremental", summary(day.incremental, day)},
@@ -145,7 +144,7 @@ public:
                 {"quarters", quarters},
                 {"day_of_most_shadow", maximum(all.mostScenario())},
                 {"day_of_most_incremental", maximum(all.mostIncremental())},
-                {"largest_incremental_m2", rounded(all.largestIncrementalM2())},
+                {"largest_incremental_m2", round4(all.largestIncrementalM2())},
                 {"largest_incremental_at", timeOr(all.largestIncrementalAt())}};
     }
 
@@ -154,12 +153,12 @@ private:
         return at ? Json(time(*at)) : Json();
     }
     [[nodiscard]] Json spanJson(const TimeSpan& span) const {
-        return {{"from", time(span.from)}, {"to", time(span.to)}, {"minutes", rounded(span.minutes())}};
+        return {{"from", time(span.from)}, {"to", time(span.to)}, {"minutes", round4(span.minutes())}};
     }
     static double share(double part, double whole) { return whole > 0 ? roundAsText(part / whole, 6) : 0; }
     static Json maximum(const std::optional<MostShadow>& maximum) {
         if (!maximum) return {};
-        return {{"day", formatText(maximum->day)}, {"m2h", rounded(maximum->areaHoursM2)}};
+        return {{"day", formatText(maximum->day)}, {"m2h", round4(maximum->areaHoursM2)}};
     }
 
     const Zone& zone_;
@@ -175,10 +174,10 @@ Json timelineJson(const PlaceStudy& study, const PlaceTimeline& place, const Tim
               {"from", labels.from},
               {"to", labels.to.empty() ? Json() : Json(labels.to)},
               {"zone", labels.zone.name()},
-              {"polygon_m2", rounded(area(place.place))},
-              {"area_m2", place.days.empty() ? 0 : rounded(place.days.front().areaM2)},
+              {"polygon_m2", round4(area(place.place))},
+              {"area_m2", place.days.empty() ? 0 : round4(place.days.front().areaM2)},
               {"cell_m", study.cellM},
-              {"step_min", rounded(study.stepMinutes)},
+              {"step_min", round4(study.stepMinutes)},
               {"engine", study.engine}};
     if (place.days.size() == 1) {
         json.update(writer.day(place.days.front(), place.longestIncrementalAt.front()));

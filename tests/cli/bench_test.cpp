@@ -19,10 +19,7 @@
 namespace noonmark::cli::tests {
 namespace {
 
-std::string contentOf(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
+using noonmark::tests::readBytes;
 
 TEST(BenchFiles, HoldTablesChartsAndTheSummary) {
     NoProgress silent;
@@ -39,9 +36,9 @@ TEST(BenchFiles, HoldTablesChartsAndTheSummary) {
     EXPECT_FALSE(writeBenchFiles(*report, folder.path("out"))) << "what is there is not replaced unasked";
     EXPECT_TRUE(writeBenchFiles(*report, folder.path("out"), {{}, true}));
     EXPECT_EQ(files->size(), report->findings.size() + 2);
-    EXPECT_TRUE(contentOf(folder.path("out") / "report.pdf").starts_with("%PDF"));
-    EXPECT_EQ(nlohmann::json::parse(contentOf(folder.path("out") / "summary.json")).size(), 9U);
-    EXPECT_TRUE(contentOf(folder.path("out") / "time_by_days.csv")
+    EXPECT_TRUE(readBytes(folder.path("out") / "report.pdf").starts_with("%PDF"));
+    EXPECT_EQ(nlohmann::json::parse(readBytes(folder.path("out") / "summary.json")).size(), 9U);
+    EXPECT_TRUE(readBytes(folder.path("out") / "time_by_days.csv")
                     .starts_with("engine,setting,days,time_s,runs,estimated\r\nray,,1,"));
 }
 

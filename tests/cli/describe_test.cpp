@@ -16,6 +16,7 @@
 namespace noonmark::cli::tests {
 namespace {
 
+using noonmark::tests::readBytes;
 using noonmark::tests::TemporaryFolder;
 using testing::Contains;
 using testing::ElementsAre;
@@ -23,13 +24,6 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 using testing::StartsWith;
-
-std::string textOf(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 // Standard output of a shell's command, by words.
 std::vector<std::string> wordsOf(const std::string& command) {
@@ -151,15 +145,15 @@ TemporaryFolder* Descriptions::folder_ = nullptr;
 // The help of each command, which the parser writes by itself, against each description.
 TEST_F(Descriptions, NameEveryCommandAndOption) {
     CLI::App app("", "noonmark-cli");
-    const std::string bash = textOf(file("noonmark-cli"));
-    const std::string zsh = textOf(file("_noonmark-cli"));
-    const std::string fish = textOf(file("noonmark-cli.fish"));
+    const std::string bash = readBytes(file("noonmark-cli"));
+    const std::string zsh = readBytes(file("_noonmark-cli"));
+    const std::string fish = readBytes(file("noonmark-cli.fish"));
     const std::string help = noonmarkCli({"--help"}).out;
     std::istringstream lines(help.substr(help.find("Subcommands:\n") + 13));
     int commands = 0;
     for (std::string line; std::getline(lines, line) && line.starts_with("  "); ++commands) {
         const std::string name = line.substr(2, line.find(' ', 2) - 2);
-        const std::string page = textOf(file("noonmark-cli-" + name + ".1"));
+        const std::string page = readBytes(file("noonmark-cli-" + name + ".1"));
         EXPECT_THAT(bash, HasSubstr("'/" + name + "') options=")) << name;
         EXPECT_THAT(zsh, HasSubstr("_noonmark-cli-" + name + "() {")) << name;
         EXPECT_THAT(fish, HasSubstr(" -a " + name + " -d ")) << name;
@@ -182,10 +176,10 @@ TEST_F(Descriptions, NameEveryCommandAndOption) {
 }
 
 TEST_F(Descriptions, PagesStateVersionDateAndExitCodes) {
-    const std::string page = textOf(file("noonmark-cli.1"));
+    const std::string page = readBytes(file("noonmark-cli.1"));
     EXPECT_THAT(page, HasSubstr(".TH NOONMARK-CLI 1 " + std::string(buildFacts().releaseDate)));
     EXPECT_THAT(page, HasSubstr(".SH \"EXIT STATUS\""));
-    EXPECT_THAT(textOf(file("noonmark.1")), HasSubstr("\\fIfiles\\fR"));
+    EXPECT_THAT(readBytes(file("noonmark.1")), HasSubstr("\\fIfiles\\fR"));
 }
 
 TEST_F(Descriptions, BashCompletesCommandsAndOptions) {

@@ -14,12 +14,8 @@ constexpr const char* house = R"({"type":"FeatureCollection","features":[
 constexpr const char* place = R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":
  [[[-73.9845,40.7527],[-73.9826,40.7527],[-73.9830,40.7537],[-73.9845,40.7527]]]}})";
 
+using noonmark::tests::readBytes;
 using Words = std::vector<std::string>;
-
-std::string bytesOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 Words plus(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -31,11 +27,11 @@ protected:
     /// Runs a command that must be refused and must leave `victim` and the folder unchanged. Returns the
     /// error.
     std::string saved(const fs::path& victim, const Words& words) {
-        const std::string before = bytesOf(victim);
+        const std::string before = readBytes(victim);
         const auto names = folder_.names();
         const CommandOutput output = noonmarkCli(words);
         EXPECT_EQ(output.code, exitUsage) << output.out << output.err;
-        EXPECT_TRUE(bytesOf(victim) == before) << victim << ": " << output.err;
+        EXPECT_TRUE(readBytes(victim) == before) << victim << ": " << output.err;
         EXPECT_EQ(folder_.names(), names);
         return output.err;
     }

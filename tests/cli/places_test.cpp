@@ -9,6 +9,7 @@
 namespace noonmark::cli::tests {
 namespace {
 
+using noonmark::tests::readBytes;
 using noonmark::tests::sharedData;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -165,6 +166,11 @@ TEST_F(PlacesCommand, SunByPlaceSetsScenariosAgainstTheBaseline) {
     again.back() = "--baseline";
     again.insert(again.end(), {"Without One57", "--overwrite"});
     EXPECT_EQ(noonmarkCli(again).json()["places"][0]["scenarios"]["Without One57"]["change_hours"], 0);
+    const std::filesystem::path out = folder_.path("sun");
+    EXPECT_TRUE(std::filesystem::exists(out / "sun_by_place_2026-03-21.png"));
+    EXPECT_THAT(readBytes(out / "sun_by_place_2026-03-21.qml"), HasSubstr("band=\"2\""))
+        << "the raster's bands are the period, then the dates";
+    EXPECT_THAT(readBytes(out / "sun_by_place.qml"), HasSubstr("band=\"1\""));
 }
 
 TEST_F(PlacesCommand, SunByPlaceStatesItsAnswerAndWritesSheets) {

@@ -7,6 +7,7 @@
 namespace noonmark::cli::tests {
 namespace {
 
+using noonmark::tests::readBytes;
 using testing::HasSubstr;
 
 const std::vector<std::string> noon{"--cell", "10", "--start", "2026-12-21",       "--hours",  "1",
@@ -132,10 +133,7 @@ TEST_F(ProjectTiles, SunByPlaceIsThatOfOneCommandToTheLastDigit) {
     alone.insert(alone.end(), same.begin(), same.end());
     const CommandOutput output = noonmarkCli(alone);
     ASSERT_EQ(output.code, 0) << output.err;
-    const auto textOf = [&](const char* file) {
-        std::ifstream stream(folder_.path(file));
-        return std::string{std::istreambuf_iterator<char>(stream), {}};
-    };
+    const auto textOf = [&](const char* file) { return readBytes(folder_.path(file)); };
     EXPECT_EQ(textOf("plan/merged/places.csv"), textOf("out/places.csv"));
     EXPECT_THAT(textOf("out/places.csv"), HasSubstr("change_hours_existing"));
     const auto tiled = nlohmann::json::parse(textOf("plan/merged/places.json")),

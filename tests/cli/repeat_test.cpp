@@ -16,6 +16,8 @@
 namespace noonmark::cli::tests {
 namespace {
 
+using noonmark::tests::readBytes;
+
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
@@ -309,8 +311,7 @@ TEST_F(Repeat, TablesNameTheirSource) {
         "1",        "--step", "20",      "--zone",     "UTC",  "--out", folder_.path("out").string()};
     const CommandOutput impact = noonmarkCli(joined({"impact", file.string(), "--to=--Last"}, words));
     ASSERT_EQ(impact.code, 0) << impact.err;
-    std::ifstream stream(folder_.path("out/impact.csv"));
-    const std::string csv{std::istreambuf_iterator<char>(stream), {}};
+    const std::string csv = readBytes(folder_.path("out/impact.csv"));
     EXPECT_THAT(csv, HasSubstr(",project,scenario,baseline,content_sha256\r\n"));
     const std::string hash = jsonIn(folder_.path("out/impact.json"))["project"]["content_sha256"];
     // With an apostrophe: a spreadsheet would take --Last for a formula (csvField()).

@@ -6,6 +6,7 @@ namespace noonmark::cli::tests {
 
 namespace {
 
+using noonmark::tests::readBytes;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -41,11 +42,6 @@ protected:
     const std::vector<std::string> all_{"--places", "all", "--zone",     "America/New_York",
                                         "--cell",   "10",  "--overwrite"};
 };
-
-std::string textOf(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST(ReviewRules, AreListedAndShownWithStatusAndSource) {
     const auto rules = noonmarkCli({"review", "list", "--json"}).json()["rules"];
@@ -90,8 +86,8 @@ TEST_F(ReviewCommand, WritesTheKeysThatScriptsRelyOn) {
     EXPECT_LE(december["exits"].get<std::string>(), "14:53");
     EXPECT_GE(json["not_checked"].size(), 4U);
     EXPECT_EQ(json["scenario"], "Existing");
-    EXPECT_EQ(nlohmann::json::parse(textOf(folder_.path("review/review.json"))), json);
-    EXPECT_THAT(textOf(folder_.path("review/review.csv")),
+    EXPECT_EQ(nlohmann::json::parse(readBytes(folder_.path("review/review.json"))), json);
+    EXPECT_THAT(readBytes(folder_.path("review/review.csv")),
                 AllOf(HasSubstr("rule,from,to,place,kind,verdict,day"), HasSubstr("2026-12-21")));
 }
 
@@ -125,7 +121,7 @@ TEST_F(ReviewCommand, WritesABookOfSheets) {
     asked.insert(asked.end(), {"--paper", "a3", "--landscape", "--scale", "2000", "--author", "A. Planner"});
     const CommandOutput output = review("ceqr", asked);
     ASSERT_EQ(output.code, 0) << output.err;
-    const std::string pdf = textOf(folder_.path("review/sheets.pdf"));
+    const std::string pdf = readBytes(folder_.path("review/sheets.pdf"));
     EXPECT_THAT(pdf, testing::StartsWith("%PDF-"));
     EXPECT_GT(pdf.size(), 50'000U);
     asked = all_;
@@ -213,14 +209,14 @@ TEST_F(ReviewCommand, EvaluatesWindowsOfFacades) {
     EXPECT_EQ(std::size_t(counts["pass"]) + std::size_t(counts["borderline"]) + std::size_t(counts["fail"]),
               json["windows"].size());
     EXPECT_THAT(std::string(json["repeat"]), HasSubstr("--facades-of all"));
-    const std::string csv = textOf(folder_.path("review") / "windows.csv");
+    const std::string csv = readBytes(folder_.path("review") / "windows.csv");
     EXPECT_THAT(csv,
                 testing::StartsWith("id,building,building_name,floor,azimuth_deg,windows,total_before,"));
     EXPECT_EQ(std::size_t(std::ranges::count(csv, '\n')), json["windows"].size() + 1);
-    const std::string layer = textOf(folder_.path("review") / "windows.gpkg");
+    const std::string layer = readBytes(folder_.path("review") / "windows.gpkg");
     EXPECT_THAT(layer, HasSubstr(R"(type="categorizedSymbol" attr="verdict_after")"));
     EXPECT_THAT(layer, HasSubstr(R"(category value="borderline")"));
-    EXPECT_THAT(textOf(folder_.path("review") / "sheets.pdf"), testing::StartsWith("%PDF"));
+    EXPECT_THAT(readBytes(folder_.path("review") / "sheets.pdf"), testing::StartsWith("%PDF"));
     std::vector<std::string> byHorizons = facades;
     byHorizons.insert(byHorizons.end(), {"--engine", "horizon"});
     const CommandOutput swept = review("korea", byHorizons);

@@ -9,6 +9,8 @@ namespace noonmark::cli::tests {
 
 namespace {
 
+using noonmark::tests::readBytes;
+
 // Reads tables as a stranger does, by Python's csv module, which shares no code with the writer: each row has
 // as many fields as the heading, what is named with a unit or counts is a number, and no text is a formula.
 // Prints what is wrong, then "read" and the number of rows.
@@ -129,8 +131,7 @@ TEST_F(Tables, OfReviewsAreReadByStrangers) {
     const std::string out = folder_.path("review").string();
     ran({"review", "run", file_, "--rule", "ceqr", "--from", scenario_, "--to", "Existing", "--places", "all",
          "--zone", "America/New_York", "--cell", "10", "--out", out});
-    std::ifstream stream(folder_.path("review/review.csv"));
-    EXPECT_THAT(std::string(std::istreambuf_iterator<char>(stream), {}),
+    EXPECT_THAT(readBytes(folder_.path("review/review.csv")),
                 testing::ContainsRegex(",[0-9][0-9][0-9][0-9]\\.[0-9],"))
         << "areas of a thousand and more";
     ran({"review",

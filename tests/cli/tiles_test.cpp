@@ -12,6 +12,7 @@
 namespace noonmark::cli::tests {
 namespace {
 
+using noonmark::tests::readBytes;
 using testing::HasSubstr;
 
 Environment environmentOf(const std::map<std::string, std::string>& variables) {
@@ -107,12 +108,8 @@ TEST_F(TilesCommand, MonthsAreThoseOfCityStudy) {
     ASSERT_EQ(figures.size(), 3U);  // March and April
     EXPECT_THAT(figures[1], HasSubstr("2026-03,"));
     EXPECT_EQ(figures, figuresOf(folder.path("whole/by_month.csv")));
-    const auto textOf = [](const std::filesystem::path& file) {
-        std::ifstream stream(file);
-        return std::string(std::istreambuf_iterator<char>(stream), {});
-    };
-    const std::string style = textOf(folder.path("whole/by_month.qml"));
-    EXPECT_EQ(style, textOf(folder.path("plan/merged/by_month.qml")));
+    const std::string style = readBytes(folder.path("whole/by_month.qml"));
+    EXPECT_EQ(style, readBytes(folder.path("plan/merged/by_month.qml")));
     const double sunlit =
         std::stod(figures[1].substr(figures[1].find(',') + 1));  // of March, the longer part
     const double end = std::stod(style.substr(style.rfind("<item value=\"") + 13));

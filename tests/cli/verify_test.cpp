@@ -9,6 +9,8 @@
 namespace noonmark::cli::tests {
 namespace {
 
+using noonmark::tests::readBytes;
+
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
@@ -33,8 +35,7 @@ protected:
     }
 
     void alter(const std::string& file, const std::string& from, const std::string& to) const {
-        std::ifstream in(folder_.path(file), std::ios::binary);
-        std::string text{std::istreambuf_iterator<char>(in), {}};
+        std::string text = readBytes(folder_.path(file));
         const auto at = text.find(from);
         ASSERT_NE(at, text.npos);
         text.replace(at, from.size(), to);

@@ -104,6 +104,10 @@ TEST_F(PresentWindow, AMomentThatTheUserChoseStays) {
     window.mode().setMode(ViewMode::analysis);
     EXPECT_EQ(look().span, LookSpan::moment);
     EXPECT_EQ(look().at, 9h);
+    window.workbench().run();
+    ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }, 60000));
+    EXPECT_EQ(look().span, LookSpan::period) << "who runs a question sees its answer";
+    EXPECT_TRUE(window.panel().legend().legend());
 }
 
 }  // namespace

@@ -258,10 +258,7 @@ TEST_F(HostileProject, ChangedCellsNeverCrash) {
              "'%bands' AND t.name NOT IN ('layer_styles', 'proposals')"))
         cells.emplace_back(row[0], row[1]);
     ASSERT_GT(cells.size(), 60U);
-    const std::string whole = [&] {
-        std::ifstream stream(file(), std::ios::binary);
-        return std::string(std::istreambuf_iterator<char>(stream), {});
-    }();
+    const std::string whole = readBytes(file());
     const std::vector<std::string> values{"NULL",
                                           "0",
                                           "-1",

@@ -26,11 +26,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string bytesOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 class ProjectFileTest : public testing::Test {
 protected:
     ProjectFile made(const Project& project = sampleProject()) {
@@ -243,10 +238,10 @@ TEST_F(ProjectFileTest, ATerrainOnAMapsOwnRowsAndColumnsComesBackToTheLastBit) {
 // The file contains sampleProject() as it was when version 1 was current.
 TEST_F(ProjectFileTest, AFileOfVersion1IsOpenedAndSaved) {
     fs::copy_file(testFile("scenarios/files/version-1.noonmark.gpkg"), file());
-    const std::string before = bytesOf(file());
+    const std::string before = readBytes(file());
     ProjectFile disk = ProjectFile::open(file()).value();
     expectSame(disk.project(), asVersion1Holds(sampleProject()));
-    EXPECT_EQ(bytesOf(file()), before);  // opening does not migrate the file on disk
+    EXPECT_EQ(readBytes(file()), before);  // opening does not migrate the file on disk
     Project project = disk.project();
     project.view["camera"] = "new";
     ASSERT_TRUE(disk.save(project));
@@ -577,12 +572,12 @@ TEST_F(ProjectFileTest, ASaveWritesNoMoreThanTheChange) {
         return *database.value("SELECT group_concat(fid || ' ' || building) FROM buildings");
     };
     const std::string rows = before();
-    const std::string city = bytesOf(file());
+    const std::string city = readBytes(file());
     ASSERT_TRUE(disk.save(project));
     EXPECT_EQ(before(), rows);
     Database database(file(), Database::Access::read);
     EXPECT_EQ(*database.value("SELECT count(*) FROM edits"), "8");
-    EXPECT_EQ(bytesOf(file()).size(), city.size());
+    EXPECT_EQ(readBytes(file()).size(), city.size());
 }
 
 TEST_F(ProjectFileTest, IsAGeoPackageThatReadsAsACity) {
@@ -597,36 +592,36 @@ TEST_F(ProjectFileTest, IsAGeoPackageThatReadsAsACity) {
 
 TEST_F(ProjectFileTest, DamagedFilesGetAWordAndStayAsTheyAre) {
     made();
-    const std::string whole = bytesOf(file());
+    const std::string whole = readBytes(file());
     for (const double share : {0.0, 0.0001, 0.01, 0.3, 0.7, 0.999}) {
         const std::string cut = whole.substr(0, std::size_t(share * double(whole.size())));
         std::ofstream(file(), std::ios::binary | std::ios::trunc) << cut;
         EXPECT_THAT(troubleOfOpening(),
                     testing::AnyOf(HasSubstr("damaged"), HasSubstr("not a Noonmark project")))
             << share;
-        EXPECT_EQ(bytesOf(file()), cut);
+        EXPECT_EQ(readBytes(file()), cut);
     }
 }
 
 TEST_F(ProjectFileTest, FlippedBytesNeverCrash) {
     made();
-    const std::string whole = bytesOf(file());
+    const std::string whole = readBytes(file());
     for (std::size_t at = 50; at < whole.size(); at += whole.size() / 211) {
         std::string flipped = whole;
         flipped[at] = char(~flipped[at]);
         std::ofstream(file(), std::ios::binary | std::ios::trunc) << flipped;
         const auto opened = ProjectFile::open(file());
         EXPECT_TRUE(opened || !opened.error().advice.empty());
-        EXPECT_EQ(bytesOf(file()), flipped);
+        EXPECT_EQ(readBytes(file()), flipped);
     }
 }
 
 TEST_F(ProjectFileTest, ADamagedFileIsNotSavedOver) {
     ProjectFile disk = made();
     std::ofstream(file(), std::ios::binary | std::ios::trunc) << "not a database at all, but some text";
-    const std::string before = bytesOf(file());
+    const std::string before = readBytes(file());
     EXPECT_FALSE(disk.save(sampleProject()));
-    EXPECT_EQ(bytesOf(file()), before);
+    EXPECT_EQ(readBytes(file()), before);
 }
 
 TEST_F(ProjectFileTest, NewerAndForeignFilesAreSaid) {
@@ -635,9 +630,9 @@ TEST_F(ProjectFileTest, NewerAndForeignFilesAreSaid) {
         Database database(file(), Database::Access::write);
         database.execute("UPDATE noonmark SET value = '99' WHERE key = 'schema_version'");
     }
-    const std::string before = bytesOf(file());
+    const std::string before = readBytes(file());
     EXPECT_THAT(troubleOfOpening(), AllOf(HasSubstr("newer Noonmark"), HasSubstr("99")));
-    EXPECT_EQ(bytesOf(file()), before);
+    EXPECT_EQ(readBytes(file()), before);
     fs::remove(file());
     Database(file(), Database::Access::create).execute("CREATE TABLE t (x)");
     EXPECT_THAT(troubleOfOpening(), HasSubstr("not a Noonmark project"));

@@ -132,8 +132,9 @@ struct MeasuredPlaces {
 tl::expected<MeasuredPlaces, Failure> measurePlaces(const ByPlaceOptions& options, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    const auto request = parseStudyRequest(options.study, byPlaceFileNames(options.sheets.wanted), progress,
-                                           interrupt.token());
+    const auto request =
+        parseStudyRequest(options.study, byPlaceFileNames(options.sheets.wanted, options.settings.dates),
+                          progress, interrupt.token());
     if (!request) return tl::make_unexpected(request.error());
     auto asked = orCode(makeAsked(options, *request, progress, interrupt.token()), exitUsage);
     if (!asked) return tl::make_unexpected(asked.error());

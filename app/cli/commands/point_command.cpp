@@ -55,18 +55,9 @@ struct PointCities {
 };
 
 void parsePlace(const std::string& text, PointQuestion& question) {
-    char comma = 0;
-    std::istringstream stream(text);
-    bool read = bool(stream >> question.at.lonDeg >> comma >> question.at.latDeg) && comma == ',';
-    if (read && stream.peek() == ',') {
-        double height = 0;
-        read = bool(stream >> comma >> height);
-        question.heightM = height;
-    }
-    if (!read || !(stream >> std::ws).eof() || !(std::abs(question.at.lonDeg) <= 180) ||
-        !(std::abs(question.at.latDeg) <= 90))
-        throw CLI::ValidationError(
-            "--at", "give LON,LAT in degrees, or LON,LAT,H with metres above the ground: -73.98,40.75,4.5");
+    const auto at = parseLonLat(text, &question.heightM);
+    if (!at) throw CLI::ValidationError("--at", at.error().text());
+    question.at = *at;
 }
 
 Result<std::vector<PointCase>> casesOf(const Project& project) {

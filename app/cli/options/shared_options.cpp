@@ -20,26 +20,36 @@ CLI::Validator within(double lowest, double highest) {
     return {trouble, fmt::format("{:g} to {:g}", lowest, highest)};
 }
 
-namespace {
-
-LonLat placeFrom(const std::string& option, const std::string& text) {
+Result<LonLat> parseLonLat(const std::string& text, std::optional<double>* heightM) {
     LonLat place{};
     char comma = 0;
     std::istringstream stream(text);
-    const bool read =
-        bool(stream >> place.lonDeg >> comma >> place.latDeg) && comma == ',' && (stream >> std::ws).eof();
-    if (!read || !(std::abs(place.lonDeg) <= 180) || !(std::abs(place.latDeg) <= 90))
-        throw CLI::ValidationError(option, "give LON,LAT in degrees, for example -73.98,40.75");
-    return place;
+    bool read = bool(stream >> place.lonDeg >> comma >> place.latDeg) && comma == ',';
+    if (read && heightM != nullptr && stream.peek() == ',') {
+        double height = 0;
+        read = bool(stream >> comma >> height);
+        *heightM = height;
+    }
+    if (read && (stream >> std::ws).eof() && std::abs(place.lonDeg) <= 180 && std::abs(place.latDeg) <= 90)
+        return place;
+    return failure(
+        "This is no position", text,
+        heightM == nullptr
+            ? "Give LON,LAT in degrees: -73.98,40.75"
+            : "Give LON,LAT in degrees, or LON,LAT,H with metres above the ground: -73.98,40.75,4.5");
 }
-
-}  // namespace
 
 CLI::Option* addLonLatOption(CLI::App& command, const std::string& name, std::optional<LonLat>& place,
                              const std::string& about) {
     return command
         .add_option_function<std::string>(
-            name, [name, &place](const std::string& text) { place = placeFrom(name, text); }, about)
+            name,
+            [name, &place](const std::string& text) {
+                const auto parsed = parseLonLat(text);
+                if (!parsed) throw CLI::ValidationError(name, parsed.error().text());
+                place = *parsed;
+            },
+            about)
         ->type_name("LON,LAT");
 }
 

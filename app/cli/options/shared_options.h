@@ -14,6 +14,9 @@ namespace noonmark::cli {
 /// Accepts numbers from `lowest` to `highest`. CLI::Range would accept "nan".
 CLI::Validator within(double lowest, double highest);
 
+/// Parses LON,LAT in degrees; where there is a `heightM` to fill, also LON,LAT,H.
+Result<LonLat> parseLonLat(const std::string& text, std::optional<double>* heightM = nullptr);
+
 /// Adds an option that takes LON,LAT in degrees.
 CLI::Option* addLonLatOption(CLI::App& command, const std::string& name, std::optional<LonLat>& place,
                              const std::string& about);

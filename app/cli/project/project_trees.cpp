@@ -126,13 +126,7 @@ std::vector<Listed> listTrees(const Project& project) {
 }
 
 Result<glm::dvec2> parsePosition(const std::string& text, const Frame& frame) {
-    std::istringstream stream(text);
-    LonLat at;
-    char comma = 0;
-    const bool read = bool(stream >> at.lonDeg >> comma >> at.latDeg) && comma == ',' &&
-                      (stream >> std::ws).eof() && std::abs(at.lonDeg) <= 180 && std::abs(at.latDeg) <= 90;
-    if (!read) return failure("This is no position", text, "Give LON,LAT in degrees: -73.98,40.75");
-    return frame.localFromLonLat(at);
+    return parseLonLat(text).map([&](LonLat at) { return frame.localFromLonLat(at); });
 }
 
 Result<std::vector<glm::dvec2>> parsePositions(const std::vector<std::string>& texts, const Frame& frame) {

@@ -186,6 +186,7 @@ Q_SIGNALS:
     void cityShown();        ///< city() has changed
     void projectOpened();    ///< another project, after cityShown()
     void answered();         ///< an answer has arrived or was returned to: answer(), studies()
+    void ran();              ///< after answered(): the user asked for that run
     void measuredUpdated();  ///< isOutdated() of results
     void answerUpdated();    ///< answer() has other names, or agrees otherwise with the changed project
     void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the running study

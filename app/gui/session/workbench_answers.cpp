@@ -210,9 +210,10 @@ void Workbench::adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer) {
     if (question.ofRun) answerSeconds_ = (*answer)->seconds();
     known.answer = *std::move(answer);
     remember(known, !again_);
-    if (&question != &comparisonQuestion()) return putInFront(std::move(known.answer));
-    comparison_ = std::move(known);
-    putInFront(nullptr);
+    const bool isComparison = &question == &comparisonQuestion();
+    if (isComparison) comparison_ = known;
+    putInFront(isComparison ? nullptr : std::move(known.answer));
+    if (!again_) Q_EMIT ran();
 }
 
 void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted) {
@@ -258,6 +259,7 @@ void Workbench::adoptStudies(Result<std::vector<Measured>> made) {
         answerSeconds_ = study.answer->seconds();
     }
     putInFront(nullptr);
+    if (!again_) Q_EMIT ran();
     reportAll(*made);
 }
 

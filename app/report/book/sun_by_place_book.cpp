@@ -94,8 +94,13 @@ TextBlocks describeSources(const SunByPlace& sun) {
     return sourceBlocks(sources);
 }
 
+QString nameOfDate(const SunByPlace& sun, std::size_t date) {
+    return plainText(formatText(sun.settings.dates[date]));
+}
+
 Legend legendOf(const SunByPlace& sun, const PlaceColours& colours) {
     Legend legend{QStringLiteral("Sun by place"), QStringLiteral("hours of sun a day")};
+    if (colours.date) legend.unit = QStringLiteral("hours of sun on %1").arg(nameOfDate(sun, *colours.date));
     legend.colours = makeScale(sun, colours);
     legend.scale = {legend.colours->high, legend.colours->tick};
     return legend;
@@ -109,13 +114,14 @@ std::vector<std::size_t> sortByArea(const SunByPlace& sun) {
     return order;
 }
 
-void paintPlaces(const Canvas& canvas, const MapView& view, const SunByPlace& sun, const Legend& legend) {
+void paintPlaces(const Canvas& canvas, const MapView& view, const SunByPlace& sun, const Legend& legend,
+                 std::optional<std::size_t> date) {
     canvas.painter.setPen(linePen(canvas, shade::buildingLine, 0.2));
     for (const std::size_t i : sortByArea(sun)) {
         QPainterPath path;
         path.setFillRule(Qt::WindingFill);
         for (const Footprint& polygon : sun.places[i].polygons) view.addTo(path, polygon);
-        const double hours = sun.sun[i].meanHours;
+        const double hours = hoursOf(sun.sun[i], date);
         canvas.painter.setBrush(std::isnan(hours) ? QBrush(Qt::NoBrush)
                                                   : QBrush(toColour(legend.colours->colourOf(hours))));
         canvas.painter.drawPath(path);
@@ -137,7 +143,7 @@ QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, cons
     painter.setClipRect(map);
     paintBuildings(canvas, view, city, {shade::building, shade::buildingLine, 0.1});
     const Legend legend = legendOf(sun, colours);
-    paintPlaces(canvas, view, sun, legend);
+    paintPlaces(canvas, view, sun, legend, colours.date);
     painter.setClipping(false);
     const QRectF foot(0, all.bottom() - footPx, all.width(), footPx);
     paintLegend(canvas, foot.adjusted(0, 0, -foot.width() * 0.45, 0), legend);
@@ -150,7 +156,7 @@ QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, cons
 BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageSetup& setup) {
     const QRectF content = contentArea(setup);
     BookPage page{QStringLiteral("Hours of sun by place"),
-                  describePeriod(sun.settings.study.period),
+                  colours.date ? nameOfDate(sun, *colours.date) : describePeriod(sun.settings.study.period),
                   QStringLiteral("Map"),
                   0,
                   {}};
@@ -158,7 +164,8 @@ BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageS
     page.items.push_back(
         {content,
          PagePicture{paintMap(sun, sun.city, bounds(sun.settings.study.region), colours, size, 300.0 / 72),
-                     {QStringLiteral("Places by their mean hours of sun a day"),
+                     {colours.date ? QStringLiteral("Places by their hours of sun on this day")
+                                   : QStringLiteral("Places by their mean hours of sun a day"),
                       QStringLiteral("Outlines without colour: places without figures.")}}});
     return page;
 }
@@ -267,6 +274,11 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
         blocks.insert(blocks.end(), more.begin(), more.end());
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, blocks));
     book.pages.push_back(mapPage(sun, colours, settings.setup));
+    PlaceColours ofDate = colours;
+    for (std::size_t date = 0; date < sun.settings.dates.size(); ++date) {
+        ofDate.date = date;
+        book.pages.push_back(mapPage(sun, ofDate, settings.setup));
+    }
     append(makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
                           {tableOf(all, order)}));
     return book;

@@ -49,8 +49,7 @@ std::vector<PlaceBand> listBands(const SunOfCities& all) {
     for (std::size_t date = 0; date < sun.settings.dates.size(); ++date) {
         PlaceBand& band =
             bands.emplace_back(PlaceBand{"hours of sun on " + formatText(sun.settings.dates[date]), "h", {}});
-        for (const SunOfPlace& of : sun.sun)
-            band.ofPlaces.push_back(date < of.dateHours.size() ? of.dateHours[date] : SunOfPlace::none);
+        for (const SunOfPlace& of : sun.sun) band.ofPlaces.push_back(hoursOf(of, date));
     }
     if (all.compared.empty()) return bands;
     PlaceBand& change =
@@ -92,13 +91,31 @@ std::string styleOfHours(const SunByPlace& sun, const PlaceColours& colours) {
     scale.quantity = {};
     scale.of = ColourScale::Of::wanted;
     scale.paintsZero = true;
-    return rasterStyle(scale);
+    return rasterStyle(scale, colours.date ? *colours.date + 2 : 1);
+}
+
+std::string placeMapName(const std::optional<CivilDate>& date) {
+    return date ? "sun_by_place_" + formatText(*date) : "sun_by_place";
+}
+
+// The picture of the places and the style of their band.
+void addPlaceMap(OutputFolder& files, const std::shared_ptr<const SunOfCities>& sun, const City& city,
+                 const PlaceMapLook& look) {
+    const std::vector<CivilDate>& dates = lastCity(*sun).settings.dates;
+    const std::string name =
+        placeMapName(look.colours.date ? std::optional(dates[*look.colours.date]) : std::nullopt);
+    files.add(name + ".qml", textContent(styleOfHours(lastCity(*sun), look.colours)));
+    files.add(name + ".png", [sun, city, look](QIODevice& device) {
+        return writePng(paintPlacesMap(lastCity(*sun), city, look.colours, look.widthPx), look.tags, device);
+    });
 }
 
 }  // namespace
 
-const std::vector<std::string>& placeMapNames() {
-    static const std::vector<std::string> names{"sun_by_place.tif", "sun_by_place.qml", "sun_by_place.png"};
+std::vector<std::string> placeMapNames(std::span<const CivilDate> dates) {
+    std::vector<std::string> names{"sun_by_place.tif", "sun_by_place.qml", "sun_by_place.png"};
+    for (const CivilDate& date : dates)
+        names.insert(names.end(), {placeMapName(date) + ".qml", placeMapName(date) + ".png"});
     return names;
 }
 
@@ -107,10 +124,13 @@ void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, c
     files.add("sun_by_place.tif", [sun, city, look](const std::filesystem::path& file) {
         return writePlaceRaster(*sun, city, look, file);
     });
-    files.add("sun_by_place.qml", textContent(styleOfHours(lastCity(*sun), look.colours)));
-    files.add("sun_by_place.png", [sun, city, look](QIODevice& device) {
-        return writePng(paintPlacesMap(lastCity(*sun), city, look.colours, look.widthPx), look.tags, device);
-    });
+    PlaceMapLook of = look;
+    of.colours.date.reset();
+    addPlaceMap(files, sun, city, of);
+    for (std::size_t date = 0; date < lastCity(*sun).settings.dates.size(); ++date) {
+        of.colours.date = date;
+        addPlaceMap(files, sun, city, of);
+    }
 }
 
 namespace {
@@ -140,12 +160,9 @@ const FileNames& savedPointNames() {
     return names;
 }
 
-const FileNames& savedPlaceNames() {
-    static const FileNames names = [] {
-        FileNames all{"places.csv", "places.gpkg", keptContributionsFile, "result.json"};
-        all.insert(all.end(), placeMapNames().begin(), placeMapNames().end());
-        return all;
-    }();
+FileNames savedPlaceNames(std::span<const CivilDate> dates) {
+    FileNames names{"places.csv", "places.gpkg", keptContributionsFile, "result.json"};
+    std::ranges::move(placeMapNames(dates), std::back_inserter(names));
     return names;
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,13 +25,14 @@ struct PlaceMapLook {
     FileTags tags{};
 };
 
-/// "sun_by_place.png", "sun_by_place.tif" and its style for QGIS.
-const std::vector<std::string>& placeMapNames();
+/// "sun_by_place.tif"; a picture and a style for QGIS of the period ("sun_by_place.png") and of each date
+/// ("sun_by_place_2026-12-21.png").
+std::vector<std::string> placeMapNames(std::span<const CivilDate> dates);
 
-/// Adds the map of the places as the window shows it: a picture, and a raster whose cells have the figures of
-/// the smallest place that holds their centre. Bands: hours of sun a day over the period, those on each date,
-/// and, where a baseline is compared, the change in minutes. Of the last of the cities. Needs a
-/// QGuiApplication.
+/// Adds the maps of the places as the window shows them: pictures, and a raster whose cells have the figures
+/// of the smallest place that holds their centre. Bands: hours of sun a day over the period, those on each
+/// date, and, where a baseline is compared, the change in minutes. Of the last of the cities. `look`: its
+/// date is not read. Needs a QGuiApplication.
 void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, const City& city,
                   const PlaceMapLook& look);
 
@@ -61,7 +63,7 @@ WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& po
                               const OutputRules& rules = {});
 
 /// The tables of places and of what buildings take from some of them, settings and figures.
-const std::vector<std::string>& savedPlaceNames();
+std::vector<std::string> savedPlaceNames(std::span<const CivilDate> dates);
 WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
                               const std::vector<KeptContributions>& ofPlaces, const City& city,
                               const std::filesystem::path& folder, const LegendChoice& legend = {},

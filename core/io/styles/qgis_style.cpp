@@ -224,7 +224,7 @@ std::string shaderOf(const std::vector<StyleItem>& items, bool discrete) {
 
 }  // namespace
 
-std::string rasterStyle(const ColourScale& scale) {
+std::string rasterStyle(const ColourScale& scale, std::size_t band) {
     const std::vector<StyleItem> items = itemsOf(scale);
     const auto finite = [](const StyleItem& item) { return std::isfinite(item.value); };
     const auto last = std::ranges::find_if(items.rbegin(), items.rend(), finite);
@@ -232,13 +232,13 @@ std::string rasterStyle(const ColourScale& scale) {
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
 <qgis version="3.22.0" styleCategories="Symbology">
     <pipe>
-        <rasterrenderer type="singlebandpseudocolor" band="1" opacity="1" alphaBand="-1" classificationMin="{}" classificationMax="{}">
+        <rasterrenderer type="singlebandpseudocolor" band="{}" opacity="1" alphaBand="-1" classificationMin="{}" classificationMax="{}">
 {}{}        </rasterrenderer>
     </pipe>
 </qgis>
 )",
-                       styleNumber(items.front().value), styleNumber(last->value), transparencyOf(scale),
-                       shaderOf(items, !scale.breaks.empty()));
+                       band, styleNumber(items.front().value), styleNumber(last->value),
+                       transparencyOf(scale), shaderOf(items, !scale.breaks.empty()));
 }
 
 }  // namespace noonmark

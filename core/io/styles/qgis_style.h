@@ -57,9 +57,10 @@ std::string addStyleSql(std::string_view layer, std::string_view geometryColumn,
 /// are GDAL's: see GdalCalls.
 void writeLayerStyle(GDALDataset& geoPackage, OGRLayer& layer, const LayerStyle& style);
 
-/// The colours of a map as a style of QGIS (QML) for the first band of a raster, which QGIS takes by itself
-/// if the file lies beside the raster under its name. The values are those of the file, minutes of shadow (of
-/// a score, the score); the labels are in the unit shown. What the scale leaves free is transparent.
-std::string rasterStyle(const ColourScale& scale);
+/// The colours of a map as a style of QGIS (QML) for a band of a raster, counted from 1. QGIS takes it by
+/// itself if the file lies beside the raster under its name. The values are those of the file, minutes of
+/// shadow (of a score, the score); the labels are in the unit shown. What the scale leaves free is
+/// transparent.
+std::string rasterStyle(const ColourScale& scale, std::size_t band = 1);
 
 }  // namespace noonmark

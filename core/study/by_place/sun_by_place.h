@@ -219,8 +219,11 @@ ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compa
 struct PlaceColours {
     LegendChoice legend{};
     std::optional<double> thresholdHours{};  ///< none: the hours that are enough
+    std::optional<std::size_t> date{};       ///< by the hours of this of its dates; none: of the period
 };
-/// The scale of their mean hours, as in the window.
+/// Hours of sun a day of a place, of the period or of a date; NaN: none is known.
+double hoursOf(const SunOfPlace& of, std::optional<std::size_t> date);
+/// The scale of the hours of the places, as in the window.
 ColourScale makeScale(const SunByPlace& sun, const PlaceColours& colours = {});
 
 /// The column of that table with the hours of a month ("2026-01"), a season or a date.

@@ -53,9 +53,14 @@ std::vector<LayerStyle> makePartStyles(const SunByPlace& sun, const PlaceColours
 
 }  // namespace
 
+double hoursOf(const SunOfPlace& of, std::optional<std::size_t> date) {
+    if (!date) return of.meanHours;
+    return *date < of.dateHours.size() ? of.dateHours[*date] : SunOfPlace::none;
+}
+
 ColourScale makeScale(const SunByPlace& sun, const PlaceColours& colours) {
     std::vector<double> hours;
-    for (const SunOfPlace& of : sun.sun) hours.push_back(of.meanHours);
+    for (const SunOfPlace& of : sun.sun) hours.push_back(hoursOf(of, colours.date));
     return makeScaleOf(hours, sun, colours);
 }
 

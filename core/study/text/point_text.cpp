@@ -10,14 +10,13 @@
 #include <numeric>
 
 #include "core/base/csv_text.h"
+#include "core/base/json_number.h"
 
 namespace noonmark {
 
 namespace {
 
 using PointJson = nlohmann::ordered_json;
-
-double rounded(double value, double step) { return std::round(value / step) * step; }
 
 std::string dayText(CivilDate date) {
     constexpr std::array months{"January", "February", "March",     "April",   "May",      "June",
@@ -93,7 +92,7 @@ PointJson bandsJson(const std::vector<SunBand>& bands, const Zone& zone) {
     for (const SunBand& band : bands)
         list.push_back({{"from", zone.text(std::chrono::round<std::chrono::seconds>(band.from))},
                         {"to", zone.text(std::chrono::round<std::chrono::seconds>(band.to))},
-                        {"minutes", rounded(band.minutes(), 0.01)}});
+                        {"minutes", roundAsText(band.minutes(), 2)}});
     return list;
 }
 
@@ -102,7 +101,7 @@ PointJson shadedJson(const PointView& view, const City& city, const Zone& zone) 
     for (const ShadedTime& time : view.shadedTimes)
         list.push_back({{"from", zone.text(std::chrono::round<std::chrono::seconds>(time.when.from))},
                         {"to", zone.text(std::chrono::round<std::chrono::seconds>(time.when.to))},
-                        {"minutes", rounded(time.when.minutes(), 0.01)},
+                        {"minutes", roundAsText(time.when.minutes(), 2)},
                         {"building", nameOfObstacle(city, time.building)}});
     return list;
 }
@@ -120,7 +119,7 @@ double computeYearErrorMin(const PointView& view, const SunSteps& sun) {
 PointJson errorJson(const PointView& view, const PointStudy& study) {
     return {{"sunlit_end_s", 0.1},
             {"unseen_shorter_than_min", std::min(1.0, study.question.stepMinutes)},
-            {"year_min", rounded(computeYearErrorMin(view, study.sun), 0.1)}};
+            {"year_min", roundAsText(computeYearErrorMin(view, study.sun), 1)}};
 }
 
 std::string clockText(const SunBand& band, const Zone& zone) {
@@ -133,15 +132,15 @@ std::string clockText(const SunBand& band, const Zone& zone) {
 PointJson skylineJson(const PointView& view) {
     PointJson list = PointJson::array();
     for (const SkylinePlace& place : view.skyline)
-        list.push_back({rounded(place.azimuthDeg, 0.0001), rounded(place.altitudeDeg, 0.0001)});
+        list.push_back({roundAsText(place.azimuthDeg, 4), roundAsText(place.altitudeDeg, 4)});
     return list;
 }
 
 PointJson stretchesJson(const PointView& view, const City& city) {
     PointJson list = PointJson::array();
     for (const SkylineStretch& stretch : view.stretches)
-        list.push_back({{"from_deg", rounded(stretch.fromDeg, 0.001)},
-                        {"to_deg", rounded(stretch.toDeg, 0.001)},
+        list.push_back({{"from_deg", roundAsText(stretch.fromDeg, 3)},
+                        {"to_deg", roundAsText(stretch.toDeg, 3)},
                         {"building", nameOfObstacle(city, stretch.building)}});
     return list;
 }
@@ -154,16 +153,16 @@ void addView(PointJson& json, const PointView& view, const PointStudy& study, co
     json["shaded"] = shadedJson(view, city, zone);
     json["error"] = errorJson(view, study);
     PointJson months = PointJson::array(), hours = PointJson::array();
-    for (const double minutes : sumMonths(view.minutes)) months.push_back(rounded(minutes, 0.1));
+    for (const double minutes : sumMonths(view.minutes)) months.push_back(roundAsText(minutes, 1));
     for (const auto& month : view.minutes) {
         PointJson row = PointJson::array();
-        for (const double minutes : month) row.push_back(rounded(minutes, 0.1));
+        for (const double minutes : month) row.push_back(roundAsText(minutes, 1));
         hours.push_back(row);
     }
     json["minutes_by_month"] = months;
     json["minutes_by_month_and_hour"] = hours;
-    json["svf"] = rounded(view.factors.skyView, 0.00001);
-    if (study.question.facingDeg) json["vsc_pct"] = rounded(view.factors.skyComponentPct, 0.001);
+    json["svf"] = roundAsText(view.factors.skyView, 5);
+    if (study.question.facingDeg) json["vsc_pct"] = roundAsText(view.factors.skyComponentPct, 3);
 }
 
 }  // namespace
@@ -184,7 +183,7 @@ PointJson pointJson(const PointStudy& study, const City& city, const City* scena
     PointJson json;
     json["at"] = {study.question.at.lonDeg, study.question.at.latDeg};
     json["height_m"] =
-        rounded(double(study.position.z) - double(groundAt(city, glm::dvec2(study.position))), 0.001);
+        roundAsText(double(study.position.z) - double(groundAt(city, glm::dvec2(study.position))), 3);
     json["on_roof"] = study.onRoof;
     if (study.question.facingDeg) json["facing_deg"] = *study.question.facingDeg;
     json["day"] = formatText(study.question.day);
@@ -197,7 +196,7 @@ PointJson pointJson(const PointStudy& study, const City& city, const City* scena
         json["scenario"] = scenario;
     }
     json["sentence"] = describe(study, city);
-    json["seconds"] = rounded(study.seconds, 0.0001);
+    json["seconds"] = roundAsText(study.seconds, 4);
     return json;
 }
 
@@ -208,10 +207,10 @@ PointJson pointCasesJson(const std::vector<PointCaseFigures>& cases, bool wall) 
         if (!figures.why.empty()) {
             one["not_measured"] = figures.why;
         } else {
-            one["day_min"] = rounded(figures.dayMin, 0.01);
-            one["year_min"] = rounded(figures.yearMin, 0.1);
-            one["svf"] = rounded(figures.skyView, 0.00001);
-            if (wall) one["vsc_pct"] = rounded(figures.skyComponentPct, 0.001);
+            one["day_min"] = roundAsText(figures.dayMin, 2);
+            one["year_min"] = roundAsText(figures.yearMin, 1);
+            one["svf"] = roundAsText(figures.skyView, 5);
+            if (wall) one["vsc_pct"] = roundAsText(figures.skyComponentPct, 3);
         }
         list.push_back(std::move(one));
     }

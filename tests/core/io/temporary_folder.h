@@ -4,11 +4,18 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace noonmark::tests {
+
+/// All of a file; empty if there is none.
+inline std::string readBytes(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 /// A separate folder for each test that writes files, also when two programs run the same test; removed after
 /// the test.

@@ -81,11 +81,6 @@ std::map<std::string, double> hatchedAreasByLayer(GDALDataset& dxf) {
     return areas;
 }
 
-std::string bytesOf(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 TEST(WriteShadows, DxfHasTheOutlinesAreasOnALayerForEachTimeAndKind) {
     const TemporaryFolder folder;
     const auto file = folder.path("shadows.dxf");
@@ -129,7 +124,7 @@ TEST(WriteShadows, DxfHasClosedLinesTextsAndMetres) {
     EXPECT_NEAR(tower.MinX, 0, 1e-3);
     EXPECT_NEAR(tower.MinY, -50, 1e-3);
     EXPECT_NEAR(tower.MaxY, -20, 1e-3);
-    EXPECT_THAT(bytesOf(file), testing::ContainsRegex("INSUNITS\r?\n *70\r?\n *6"));
+    EXPECT_THAT(readBytes(file), testing::ContainsRegex("INSUNITS\r?\n *70\r?\n *6"));
 }
 
 TEST(WriteShadows, DxfInTheUtmZoneIsWhereTheOriginIs) {

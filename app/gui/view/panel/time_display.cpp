@@ -50,6 +50,7 @@ TimeDisplay::TimeDisplay(Workbench& workbench, const ModeSwitch& mode, ViewPanel
 
 void TimeDisplay::connectWorkbench() {
     connect(&workbench_, &Workbench::answered, this, &TimeDisplay::offer);
+    connect(&workbench_, &Workbench::ran, this, &TimeDisplay::showPeriod);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &TimeDisplay::offer);
     connect(&workbench_.document(), &StudyDocument::changed, this, &TimeDisplay::offer);
     connect(&workbench_.document(), &StudyDocument::changed, this, &TimeDisplay::followPeriod);
@@ -120,8 +121,12 @@ void TimeDisplay::showPresent() {
 // A result is of a period, not of the moment that the window began with.
 void TimeDisplay::leavePresent() {
     const auto present = std::exchange(present_, std::nullopt);
+    if (present && panel_.time().look() == present->look) showPeriod();
+}
+
+// Who runs a question wants to see its answer, whatever moment the strip has shown.
+void TimeDisplay::showPeriod() {
     TimeLook look = panel_.time().look();
-    if (!present || look != present->look) return;
     look.span = LookSpan::period;
     panel_.time().choose(look);
 }

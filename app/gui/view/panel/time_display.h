@@ -60,6 +60,7 @@ private:
     void makeActions();
     void look(const TimeLook& look);
     void leavePresent();
+    void showPeriod();
     void followPeriod();
     void freeLabel();
     [[nodiscard]] bool showsPresent() const;
