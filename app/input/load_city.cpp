@@ -131,6 +131,18 @@ std::vector<Place> placesOfSample(const PlaceSettings& settings, const Frame& fr
     return places;
 }
 
+// The lines beside the buildings of a GeoPackage. What its polygons are, nobody has said.
+Result<PlacesRead> withStreetsOf(const std::vector<std::string>& files, PlaceSettings settings,
+                                 const Frame& frame, PlacesRead before, Progress& progress,
+                                 const std::stop_token& stop) {
+    if (!settings.streets) return before;
+    settings.kinds = {PlaceKind::street};
+    std::vector<std::string> withLines;
+    std::ranges::copy_if(files, std::back_inserter(withLines),
+                         [](const std::string& file) { return !isSample(file) && hasStreetLines(file); });
+    return loadPlaceFiles(withLines, settings, frame, std::move(before), progress, stop);
+}
+
 }  // namespace
 
 Result<PlacesRead> loadCityPlaces(const std::vector<std::string>& files, const PlaceSettings& settings,
@@ -141,7 +153,8 @@ Result<PlacesRead> loadCityPlaces(const std::vector<std::string>& files, const P
         if (isParkSample(file)) ofSample.places = placesOfSample(settings, frame);
         if (!isSample(file) && isOsmFile(file)) maps.push_back(file);
     }
-    return loadPlaceFiles(maps, settings, frame, std::move(ofSample), progress, stop);
+    auto read = loadPlaceFiles(maps, settings, frame, std::move(ofSample), progress, stop);
+    return read ? withStreetsOf(files, settings, frame, *std::move(read), progress, stop) : std::move(read);
 }
 
 namespace {

@@ -55,7 +55,8 @@ Result<Photograph> loadPhotograph(const GroundPictureFile& wanted, const City& c
 Project withLoadedPhotograph(Project project, Warnings& warnings, Progress& progress,
                              const std::stop_token& stop);
 
-/// The places of those files of a city that state them: OpenStreetMap's. None from samples and other formats.
+/// The places of those files of a city that state them: OpenStreetMap's; where streets are wanted, also the
+/// lines of others.
 /// Names are unique. Error: a file cannot be read; cancelled().
 Result<PlacesRead> loadCityPlaces(const std::vector<std::string>& files, const PlaceSettings& settings,
                                   const Frame& frame, Progress& progress, const std::stop_token& stop);

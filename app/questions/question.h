@@ -107,9 +107,4 @@ std::shared_ptr<const Answer> makeByPlaceAnswer(SunOfCities sun, StudySettings a
 /// The files that its answers write. `dates`: those of SunByPlaceSettings.
 std::vector<std::string> byPlaceFileNames(bool withSheets, std::span<const CivilDate> dates);
 
-/// The last of the cities whose places were measured: the scenario, or the only city.
-inline const SunByPlace& shownCity(const SunOfCities& sun) {
-    return sun.compared.empty() ? sun.baseline : sun.compared.back().sun;
-}
-
 }  // namespace noonmark

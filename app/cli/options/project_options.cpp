@@ -67,16 +67,16 @@ void addPlaceOptions(CLI::App& command, PlaceOptions& options) {
             if (kind == PlaceKind::street) options.settings.streets = true;
         })
         ->type_name("KIND");
-    command.add_flag("--streets", options.settings.streets,
-                     "OpenStreetMap: streets too, as wide as tagged or as is usual for their class");
+    command.add_flag(
+        "--streets", options.settings.streets,
+        "Streets too: those of OpenStreetMap, or the lines of a layer, as wide as stated or as is usual");
     options.settings.wholeStreets = false;
     command.add_flag("--whole-streets", options.settings.wholeStreets,
-                     "OpenStreetMap: each street as one place, not cut at its junctions");
+                     "Each street as one place, not cut at its junctions");
     command
-        .add_option(
-            "--sidewalks", options.settings.sidewalkM,
-            "OpenStreetMap: of streets also strips of this width on both sides of the carriageway, as "
-            "places of their own, m; 0: none")
+        .add_option("--sidewalks", options.settings.sidewalkM,
+                    "Of streets also strips of this width on both sides of the carriageway, as "
+                    "places of their own, m; 0: none")
         ->capture_default_str()
         ->check(within(0, PlaceSettings::maxSidewalkM))
         ->type_name("M");

@@ -155,7 +155,9 @@ QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, cons
 
 BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageSetup& setup) {
     const QRectF content = contentArea(setup);
-    BookPage page{QStringLiteral("Hours of sun by place"),
+    QString title = QStringLiteral("Hours of sun by place");
+    if (!sun.name.empty()) title += QStringLiteral(": ") + plainText(sun.name);
+    BookPage page{title,
                   colours.date ? nameOfDate(sun, *colours.date) : describePeriod(sun.settings.study.period),
                   QStringLiteral("Map"),
                   0,
@@ -196,11 +198,11 @@ const Figure& changeFigure() { return sunChangeFigures().rows().front(); }
 std::vector<QString> titlesOf(const SunOfCities& all) {
     std::vector<QString> titles{QStringLiteral("Place"), QStringLiteral("Kind")};
     for (const Figure& figure : sunOfPlaceFigures().rows()) titles.push_back(titleOf(figure));
-    for (const CivilDate& date : sunOf(all).settings.dates)
+    for (const CivilDate& date : shownCity(all).settings.dates)
         titles.push_back(QStringLiteral("Below, %1").arg(plainText(formatText(date))));
     for (const ComparedSun& one : all.compared)
         titles.push_back(QStringLiteral("%1, %2").arg(titleOf(changeFigure()), plainText(one.sun.name)));
-    if (hasRemarks(sunOf(all))) titles.push_back(QStringLiteral("Remarks"));
+    if (hasRemarks(shownCity(all))) titles.push_back(QStringLiteral("Remarks"));
     return titles;
 }
 
@@ -211,7 +213,7 @@ QString remarksOf(const SunOfPlace& of) {
 }
 
 std::vector<QString> rowOf(const SunOfCities& all, std::size_t i) {
-    const SunByPlace& sun = sunOf(all);
+    const SunByPlace& sun = shownCity(all);
     const SunOfPlace& of = sun.sun[i];
     std::vector<QString> row{plainText(sun.places[i].name), plainText(nameOf(sun.places[i].kind))};
     for (const Figure& figure : sunOfPlaceFigures().rows()) row.push_back(textOf(figure, figure.get(&of)));
@@ -234,6 +236,9 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
                            .arg(shown)
                            .arg(order.size())
                            .arg(which);
+    if (!all.compared.empty())
+        table.note += QStringLiteral(" The figures are those of %1; changes are from %2.")
+                          .arg(plainText(shownCity(all).name), plainText(all.baseline.name));
     for (std::size_t i = 0; i < shown; ++i) table.table.rows.push_back(rowOf(all, order[i]));
     return table;
 }
@@ -273,11 +278,12 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
     for (const TextBlocks& more : {describeMethod(all), describeErrors(all), repeat, describeSources(sun)})
         blocks.insert(blocks.end(), more.begin(), more.end());
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, blocks));
-    book.pages.push_back(mapPage(sun, colours, settings.setup));
+    const SunByPlace& shown = shownCity(all);
+    book.pages.push_back(mapPage(shown, colours, settings.setup));
     PlaceColours ofDate = colours;
     for (std::size_t date = 0; date < sun.settings.dates.size(); ++date) {
         ofDate.date = date;
-        book.pages.push_back(mapPage(sun, ofDate, settings.setup));
+        book.pages.push_back(mapPage(shown, ofDate, settings.setup));
     }
     append(makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
                           {tableOf(all, order)}));

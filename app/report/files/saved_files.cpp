@@ -22,10 +22,6 @@ namespace {
 
 using Values = std::vector<float>;
 
-const SunByPlace& lastCity(const SunOfCities& sun) {
-    return sun.compared.empty() ? sun.baseline : sun.compared.back().sun;
-}
-
 Grid gridOf(const std::vector<Place>& places, double cellM) {
     constexpr double maxCells = 16e6;
     Box2 box;
@@ -43,7 +39,7 @@ struct PlaceBand {
 };
 
 std::vector<PlaceBand> listBands(const SunOfCities& all) {
-    const SunByPlace& sun = lastCity(all);
+    const SunByPlace& sun = shownCity(all);
     std::vector<PlaceBand> bands{{"hours of sun a day", "h", {}}};
     for (const SunOfPlace& of : sun.sun) bands[0].ofPlaces.push_back(of.meanHours);
     for (std::size_t date = 0; date < sun.settings.dates.size(); ++date) {
@@ -101,12 +97,12 @@ std::string placeMapName(const std::optional<CivilDate>& date) {
 // The picture of the places and the style of their band.
 void addPlaceMap(OutputFolder& files, const std::shared_ptr<const SunOfCities>& sun, const City& city,
                  const PlaceMapLook& look) {
-    const std::vector<CivilDate>& dates = lastCity(*sun).settings.dates;
+    const std::vector<CivilDate>& dates = shownCity(*sun).settings.dates;
     const std::string name =
         placeMapName(look.colours.date ? std::optional(dates[*look.colours.date]) : std::nullopt);
-    files.add(name + ".qml", textContent(styleOfHours(lastCity(*sun), look.colours)));
+    files.add(name + ".qml", textContent(styleOfHours(shownCity(*sun), look.colours)));
     files.add(name + ".png", [sun, city, look](QIODevice& device) {
-        return writePng(paintPlacesMap(lastCity(*sun), city, look.colours, look.widthPx), look.tags, device);
+        return writePng(paintPlacesMap(shownCity(*sun), city, look.colours, look.widthPx), look.tags, device);
     });
 }
 
@@ -127,7 +123,7 @@ void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, c
     PlaceMapLook of = look;
     of.colours.date.reset();
     addPlaceMap(files, sun, city, of);
-    for (std::size_t date = 0; date < lastCity(*sun).settings.dates.size(); ++date) {
+    for (std::size_t date = 0; date < shownCity(*sun).settings.dates.size(); ++date) {
         of.colours.date = date;
         addPlaceMap(files, sun, city, of);
     }

@@ -21,6 +21,8 @@ class PlaceLayer {
 public:
     /// Whether Noonmark wrote the layer: the places of a project. Their sources stay as they are stated.
     static bool isOfProject(OGRLayer& layer);
+    /// Whether its fields say of which kind a place is: `kind`, or columns that bear OpenStreetMap's keys.
+    static bool statesKinds(OGRLayer& layer);
     /// Error: no coordinate system, or an unknown one; the name field that the user named does not exist.
     static Result<PlaceLayer> of(OGRLayer& layer, const PlaceSettings& settings, const std::string& file,
                                  bool fromOsm);
@@ -33,7 +35,8 @@ public:
     /// The streets' lines in the frame.
     std::vector<StreetPiece> placeStreets(const Frame& frame, PlacesRead& into) const;
 
-    [[nodiscard]] std::size_t polygonFeatures() const { return polygonFeatures_; }
+    /// Features whose shape can be a place: polygons, and lines of streets where they are wanted.
+    [[nodiscard]] std::size_t usableFeatures() const { return usableFeatures_; }
     [[nodiscard]] std::size_t kept() const { return areas_.size() + streets_.size(); }
 
 private:
@@ -59,6 +62,7 @@ private:
     [[nodiscard]] bool isWanted(PlaceKind kind, const std::string& name) const;
     void readArea(const OGRFeature& feature);
     void readStreet(const OGRFeature& feature);
+    [[nodiscard]] std::optional<StreetWidth> widthOf(const PlaceTags& tags) const;
 
     CrsToLonLat toLonLat_;
     PlaceSettings settings_;
@@ -69,7 +73,7 @@ private:
     std::vector<std::pair<int, std::string>> tagFields_;
     std::vector<Area> areas_;
     std::vector<Street> streets_;
-    std::size_t polygonFeatures_ = 0;
+    std::size_t usableFeatures_ = 0;
 };
 
 }  // namespace noonmark

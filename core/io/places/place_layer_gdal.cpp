@@ -29,6 +29,18 @@ Result<int> findNameField(OGRLayer& layer, const std::string& asked, const std::
     return findNamedField(layer, asked, file);
 }
 
+bool hasTags(const OGRFeatureDefn& fields) {
+    return std::ranges::any_of(std::array{"leisure", "landuse", "amenity"},
+                               [&](const char* key) { return fields.GetFieldIndex(key) >= 0; });
+}
+
+// Columns of tags in any case: "WIDTH", as Shapefiles have them.
+std::string lowerCase(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    return text;
+}
+
 bool isSomewhere(LonLat place) { return std::isfinite(place.lonDeg) && std::isfinite(place.latDeg); }
 
 }  // namespace
@@ -54,6 +66,10 @@ bool PlaceLayer::isOfProject(OGRLayer& layer) {
            fields.GetFieldIndex("source") >= 0;
 }
 
+bool PlaceLayer::statesKinds(OGRLayer& layer) {
+    return layer.FindFieldIndex("kind", 0) >= 0 || hasTags(*layer.GetLayerDefn());
+}
+
 void PlaceLayer::findFields(OGRLayer& layer) {
     const OGRFeatureDefn& definition = *layer.GetLayerDefn();
     if (!fromOsm_ && isOfProject(layer)) sourceField_ = definition.GetFieldIndex("source");
@@ -61,9 +77,8 @@ void PlaceLayer::findFields(OGRLayer& layer) {
     osmId_ = definition.GetFieldIndex("osm_id");
     osmWayId_ = definition.GetFieldIndex("osm_way_id");
     for (int i = 0; i < definition.GetFieldCount(); ++i)
-        tagFields_.emplace_back(i, definition.GetFieldDefn(i)->GetNameRef());
-    const auto isKey = [&](const char* key) { return definition.GetFieldIndex(key) >= 0; };
-    tagged_ = fromOsm_ || std::ranges::any_of(std::array{"leisure", "landuse", "amenity"}, isKey);
+        tagFields_.emplace_back(i, lowerCase(definition.GetFieldDefn(i)->GetNameRef()));
+    tagged_ = fromOsm_ || hasTags(definition);
 }
 
 PlaceTags PlaceLayer::tagsOf(const OGRFeature& feature) const {
@@ -110,7 +125,8 @@ bool PlaceLayer::isWanted(PlaceKind kind, const std::string& name) const {
 void PlaceLayer::read(const OGRFeature& feature) {
     const OGRGeometry* geometry = feature.GetGeometryRef();
     if (geometry == nullptr) return;
-    if (wkbFlatten(geometry->getGeometryType()) == wkbLineString)
+    const OGRwkbGeometryType type = wkbFlatten(geometry->getGeometryType());
+    if (type == wkbLineString || type == wkbMultiLineString)
         readStreet(feature);
     else
         readArea(feature);
@@ -119,7 +135,7 @@ void PlaceLayer::read(const OGRFeature& feature) {
 void PlaceLayer::readArea(const OGRFeature& feature) {
     auto polygons = readPolygons(*feature.GetGeometryRef());
     if (polygons.empty()) return;
-    ++polygonFeatures_;
+    ++usableFeatures_;
     const auto kind = kindOf(feature);
     std::string name = nameIn(feature);
     if (kind && isWanted(*kind, name))
@@ -127,15 +143,25 @@ void PlaceLayer::readArea(const OGRFeature& feature) {
 }
 
 void PlaceLayer::readStreet(const OGRFeature& feature) {
-    if (!settings_.streets || !fromOsm_) return;
+    if (!settings_.streets) return;
+    ++usableFeatures_;
     const PlaceTags tags = tagsOf(feature);
-    const auto width = readStreetWidth(tags);
+    const auto width = widthOf(tags);
     std::string name = nameIn(feature);
     if (!width || !isWanted(PlaceKind::street, name)) return;
-    Street street{idOf(feature), std::move(name), *width, {}};
-    for (const OGRPoint& point : *feature.GetGeometryRef()->toLineString())
-        street.points.emplace_back(point.getX(), point.getY());
-    streets_.push_back(std::move(street));
+    const auto add = [&](const OGRLineString& line) {
+        Street street{idOf(feature), name, *width, {}};
+        for (const OGRPoint& point : line) street.points.emplace_back(point.getX(), point.getY());
+        streets_.push_back(std::move(street));
+    };
+    const OGRGeometry& geometry = *feature.GetGeometryRef();
+    if (wkbFlatten(geometry.getGeometryType()) == wkbLineString) return add(*geometry.toLineString());
+    for (const OGRLineString* line : *geometry.toMultiLineString()) add(*line);
+}
+
+// A layer of lines whose classes OpenStreetMap does not know holds nothing but streets.
+std::optional<StreetWidth> PlaceLayer::widthOf(const PlaceTags& tags) const {
+    return fromOsm_ || tags.contains("highway") ? readStreetWidth(tags) : readLineWidth(tags);
 }
 
 // All points go through one call: GDAL spends 0.1 ms on choosing a transformation for each.
@@ -204,7 +230,7 @@ std::vector<StreetPiece> PlaceLayer::placeStreets(const Frame& frame, PlacesRead
         if (street.width.assumed) {
             ++into.streetsOfAssumedWidth;
             into.warnings.push_back({WarningKind::assumed,
-                                     "neither width nor lanes are tagged; the usual width of its class is "
+                                     "neither width nor lanes are stated; the usual width of its class is "
                                      "assumed",
                                      street.id});
         }

@@ -99,4 +99,9 @@ std::optional<StreetWidth> readStreetWidth(const PlaceTags& tags) {
     return StreetWidth{rule->widthM, true};
 }
 
+StreetWidth readLineWidth(const PlaceTags& tags) {
+    if (const auto width = taggedWidth(tags)) return {*width, false};
+    return {std::ranges::find(streetRules, "residential", &StreetRule::highway)->widthM, true};
+}
+
 }  // namespace noonmark

@@ -40,5 +40,7 @@ inline constexpr double metresPerLane = 3.2;
 /// x metresPerLane, else a usual width of its class. Nothing for lines that are no streets: motorways, paths,
 /// footways, steps, service roads, tunnels, and what is proposed or under construction.
 std::optional<StreetWidth> readStreetWidth(const PlaceTags& tags);
+/// The same for a line of a layer of streets that has no class: else as wide as residential streets.
+StreetWidth readLineWidth(const PlaceTags& tags);
 
 }  // namespace noonmark

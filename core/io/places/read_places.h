@@ -21,8 +21,10 @@ struct PlaceSettings {
     static constexpr std::size_t maxPlaces = 50'000;
 
     std::set<PlaceKind> kinds;  ///< only these; empty: all
-    bool streets = false;       ///< OpenStreetMap: also streets, as wide as tagged, else as is usual
-    bool wholeStreets = true;   ///< of each street name one place; else streets are cut at their junctions
+    /// Also lines, as streets: those of OpenStreetMap's classes of streets, or of a layer of lines, as wide
+    /// as stated, else as is usual.
+    bool streets = false;
+    bool wholeStreets = true;  ///< of each street name one place; else streets are cut at their junctions
     /// Beside the carriageways of streets, strips of this width on both sides as places of their own; 0:
     /// none.
     double sidewalkM = 0;
@@ -34,7 +36,7 @@ struct PlaceSettings {
     // Files other than OpenStreetMap's:
     std::string nameField;             ///< any case; empty: name, or another usual field
     PlaceKind kind = PlaceKind::park;  ///< of features whose kind the file does not state
-    std::string layer;                 ///< empty: every polygon layer
+    std::string layer;                 ///< empty: the only one, or those that state kinds
     std::optional<std::string> crs;    ///< "EPSG:2263", for files that state none
 };
 
@@ -53,12 +55,19 @@ struct PlacesRead {
 /// `places` that Noonmark wrote is read alone, and its places keep the sources that it states. A feature that
 /// cannot be used gives a warning.
 ///
-/// Error: the file cannot be read, is damaged, states no CRS, lacks the layer or field, or has more than
-/// maxPlaces places; cancelled(). An OpenStreetMap file without places gives none; another file without
-/// polygons is an error. Some 20 us a feature, and for OpenStreetMap the time to read its file. Backend:
-/// read_places_gdal.cpp.
+/// Error: the file cannot be read, is damaged, states no CRS, lacks the layer or field, has several layers of
+/// which none states kinds, or more than maxPlaces places; cancelled(). An OpenStreetMap file without places
+/// gives none; another file without polygons (or lines, for streets) is an error. Some 20 us a feature, and
+/// for OpenStreetMap the time to read its file. Backend: read_places_gdal.cpp.
 Result<PlacesRead> readPlaces(const std::filesystem::path& file, const PlaceSettings& settings,
                               const Frame& frame, Progress& progress, const std::stop_token& stop);
+
+/// The layers of which a user has to choose one with places, or with lines of streets; none where nobody has
+/// to, or where the file cannot be read.
+std::vector<std::string> listLayersToChoose(const std::filesystem::path& file, const PlaceSettings& settings);
+
+/// Whether a file other than OpenStreetMap's has a layer of lines, which may be streets.
+bool hasStreetLines(const std::filesystem::path& file);
 
 /// Whether places can be read from the file by its tags: OpenStreetMap XML and PBF.
 bool isOsmFile(const std::filesystem::path& file);

@@ -29,10 +29,45 @@ bool mayHoldPolygons(OGRLayer& layer) {
            type == wkbGeometryCollection;
 }
 
+bool mayHoldLines(OGRLayer& layer) {
+    const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+    return type == wkbUnknown || OGR_GT_IsCurve(type) || OGR_GT_IsSubClassOf(type, wkbMultiCurve) ||
+           type == wkbGeometryCollection;
+}
+
+// Whoever wants nothing but streets does not want polygons of a file of lines.
+bool mayHoldPlaces(OGRLayer& layer, const PlaceSettings& settings) {
+    const bool onlyStreets = settings.streets && settings.kinds == std::set{PlaceKind::street};
+    return (settings.streets && mayHoldLines(layer)) ||
+           (mayHoldPolygons(layer) && (!onlyStreets || PlaceLayer::statesKinds(layer)));
+}
+
 bool isWantedLayer(OGRLayer& layer, bool fromOsm, const PlaceSettings& settings) {
     const std::string_view name = layer.GetName();
     if (fromOsm) return name == "multipolygons" || (settings.streets && name == "lines");
-    return settings.layer.empty() ? mayHoldPolygons(layer) : name == settings.layer;
+    return settings.layer.empty() ? mayHoldPlaces(layer, settings) : name == settings.layer;
+}
+
+std::vector<std::string> namesOf(const std::vector<OGRLayer*>& layers) {
+    std::vector<std::string> names;
+    for (OGRLayer* layer : layers) names.emplace_back(layer->GetName());
+    return names;
+}
+
+// Of several layers those that state kinds; the others are the city's, or nobody knows what.
+std::vector<OGRLayer*> keepStated(const std::vector<OGRLayer*>& layers) {
+    std::vector<OGRLayer*> stated;
+    std::ranges::copy_if(layers, std::back_inserter(stated),
+                         [](OGRLayer* layer) { return PlaceLayer::statesKinds(*layer); });
+    return layers.size() > 1 && !stated.empty() ? stated : layers;
+}
+
+tl::unexpected<Error> noShapes(const std::string& file, const PlaceSettings& settings) {
+    if (settings.streets)
+        return failure("It holds neither polygons nor lines", file,
+                       "Export the places as polygons, or streets as lines");
+    return failure("It holds no polygons", file,
+                   "Export the places as polygons; lines can be read as streets");
 }
 
 Result<std::vector<OGRLayer*>> layersToRead(GDALDataset& dataset, const PlaceSettings& settings,
@@ -44,8 +79,12 @@ Result<std::vector<OGRLayer*>> layersToRead(GDALDataset& dataset, const PlaceSet
         names.emplace_back(layer->GetName());
         if (isWantedLayer(*layer, isFromOsm(dataset), settings)) layers.push_back(layer);
     }
+    if (!isFromOsm(dataset)) layers = keepStated(layers);
+    if (layers.size() > 1 && !isFromOsm(dataset) && !PlaceLayer::statesKinds(*layers.front()))
+        return failure("It holds several layers, and none says what kinds of places it has", file,
+                       fmt::format("Choose the one with the places: {}", fmt::join(namesOf(layers), ", ")));
     if (!layers.empty()) return layers;
-    if (settings.layer.empty()) return failure("It holds no polygons", file, "Export the places as polygons");
+    if (settings.layer.empty()) return noShapes(file, settings);
     return failure(fmt::format("There is no layer \"{}\"", settings.layer), file,
                    fmt::format("Its layers are: {}", fmt::join(names, ", ")));
 }
@@ -80,20 +119,19 @@ public:
         PlacesRead read{.features = features_, .attribution = isFromOsm(dataset_) ? osmCredit : ""};
         std::vector<Place> areas;
         std::vector<StreetPiece> streets;
-        std::size_t polygons = 0;
+        std::size_t usable = 0;
         for (const PlaceLayer& reader : readers_) {
             progress_.report(0.8, "repairing outlines");
             std::ranges::move(reader.placeAreas(frame, read, stop_), std::back_inserter(areas));
             std::ranges::move(reader.placeStreets(frame, read), std::back_inserter(streets));
-            polygons += reader.polygonFeatures();
+            usable += reader.usableFeatures();
         }
-        if (polygons == 0 && !isFromOsm(dataset_))
-            return failure("It holds no polygons", file_, "Export the places as polygons");
+        if (usable == 0 && !isFromOsm(dataset_)) return noShapes(file_, settings_);
         read.places = joinAreas(std::move(areas));
         if (stop_.stop_requested()) return cancelled();
-        std::ranges::move(
-            makeStreets(streets, {settings_.wholeStreets, settings_.sidewalkM}, "OSM ", read.warnings),
-            std::back_inserter(read.places));
+        std::ranges::move(makeStreets(streets, {settings_.wholeStreets, settings_.sidewalkM},
+                                      isFromOsm(dataset_) ? "OSM " : file_ + ", ", read.warnings),
+                          std::back_inserter(read.places));
         std::erase_if(read.places, [&](const Place& place) { return area(place) < settings_.minAreaM2; });
         nameApart(read.places);
         if (stop_.stop_requested()) return cancelled();
@@ -154,6 +192,29 @@ Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, c
 } catch (const std::exception& exception) {
     return failure(fmt::format("The places cannot be read ({})", exception.what()), file.string(),
                    "Check that the file is complete, or export it again");
+}
+
+std::vector<std::string> listLayersToChoose(const Path& file, const PlaceSettings& settings) {
+    if (!settings.layer.empty() || !checkPlainFile(file) || findOsmFormat(file)) return {};
+    const auto dataset = openDataset(file, DatasetContent::vectors);
+    if (!dataset) return {};
+    std::vector<OGRLayer*> layers;
+    for (OGRLayer* layer : (*dataset)->GetLayers()) {
+        if (PlaceLayer::isOfProject(*layer)) return {};
+        if (isWantedLayer(*layer, false, settings)) layers.push_back(layer);
+    }
+    layers = keepStated(layers);
+    const bool known = layers.size() < 2 || PlaceLayer::statesKinds(*layers.front());
+    return known ? std::vector<std::string>() : namesOf(layers);
+}
+
+bool hasStreetLines(const Path& file) {
+    if (!checkPlainFile(file) || findOsmFormat(file)) return false;
+    const auto dataset = openDataset(file, DatasetContent::vectors);
+    if (!dataset) return false;
+    for (OGRLayer* layer : (*dataset)->GetLayers())
+        if (wkbFlatten(layer->GetGeomType()) != wkbUnknown && mayHoldLines(*layer)) return true;
+    return false;
 }
 
 bool isOsmFile(const Path& file) { return checkPlainFile(file) && findOsmFormat(file); }

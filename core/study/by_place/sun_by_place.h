@@ -149,6 +149,11 @@ struct SunOfCities {
     std::vector<ComparedSun> compared;  ///< none: nothing is compared
 };
 
+/// The last of the cities whose places were measured: the scenario, or the only city.
+inline const SunByPlace& shownCity(const SunOfCities& sun) {
+    return sun.compared.empty() ? sun.baseline : sun.compared.back().sun;
+}
+
 struct NamedCity {
     std::string name;
     City city;

@@ -255,6 +255,43 @@ TEST_F(ReadPlaces, WhatIsWrongWithAFileIsReported) {
         "e.vrt", R"(<OGRVRTDataSource><OGRVRTLayer name="a"><SrcDataSource>/etc/passwd</SrcDataSource>)")));
 }
 
+// Degrees of longitude are 84.4 km long there, those of latitude 111: lines of 84.4 and 111 m.
+TEST_F(ReadPlaces, LinesOfALayerAreStreetsAsWideAsStated) {
+    const auto file = folder_.file("streets.geojson", R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"NAME":"Long Lane","Width":"10"},"geometry":{"type":"LineString","coordinates":[[-73.98,40.75],[-73.98,40.751]]}},
+{"type":"Feature","properties":{"NAME":"Cross Lane"},"geometry":{"type":"MultiLineString","coordinates":[[[-73.98,40.75],[-73.979,40.75]]]}}]})");
+    const auto read = readFrom(file, {.kinds = {PlaceKind::street}, .streets = true}).value();
+    ASSERT_EQ(read.places.size(), 2U);
+    EXPECT_EQ(placeNamed(read, "Long Lane")->kind, PlaceKind::street);
+    EXPECT_THAT(placeNamed(read, "Long Lane")->source, HasSubstr("streets.geojson, "));
+    EXPECT_NEAR(area(*placeNamed(read, "Long Lane")), 111 * 10, 10);
+    EXPECT_NEAR(area(*placeNamed(read, "Cross Lane")), 84.4 * 8, 10) << "as wide as residential streets";
+    EXPECT_EQ(read.streetsOfAssumedWidth, 1U);
+    EXPECT_THAT(readFrom(file).error().text(), HasSubstr("lines can be read as streets"));
+}
+
+TEST_F(ReadPlaces, OfSeveralLayersTheUserNamesOne) {
+    const auto square = [](double west) {
+        return fmt::format(
+            "<Polygon><outerBoundaryIs><LinearRing><coordinates>{0},40.75 {1},40.75 {1},40.751 "
+            "{0},40.751 {0},40.75</coordinates></LinearRing></outerBoundaryIs></Polygon>",
+            west, west + 0.001);
+    };
+    const auto layer = [&](const char* name, double west) {
+        return fmt::format("<Folder><name>{0}</name><Placemark><name>{0} 1</name>{1}</Placemark></Folder>",
+                           name, square(west));
+    };
+    const auto kml = [](const std::string& layers) {
+        return R"(<kml xmlns="http://www.opengis.net/kml/2.2"><Document>)" + layers + "</Document></kml>";
+    };
+    const auto unknown = folder_.file("unknown.kml", kml(layer("houses", -73.98) + layer("lawns", -73.97)));
+    EXPECT_THAT(readFrom(unknown).error().text(), HasSubstr("houses, lawns"));
+    EXPECT_THAT(listLayersToChoose(unknown, {}), ElementsAre("houses", "lawns"));
+    EXPECT_EQ(readFrom(unknown, {.layer = "lawns"}).value().places.front().name, "lawns 1");
+    EXPECT_TRUE(listLayersToChoose(folder_.file("parks.geojson", parksGeoJson), {}).empty())
+        << "there is one";
+}
+
 TEST_F(ReadPlaces, AFileCutOffAnywhereGivesAnErrorOrFewerPlaces) {
     tests::OsmText osm;
     for (int i = 0; i < 5; ++i)
