@@ -35,6 +35,7 @@ struct ContributionsWindow : test::AnswersWindow {
         next.places.push_back({"Sandpit", PlaceKind::playground, {test::square({-10, 30}, 20)}, "drawn"});
         ASSERT_TRUE(session().change(std::move(next), QStringLiteral("places")));
         auto* toggle = window->findChild<QDockWidget*>(QStringLiteral("contributionsDock"));
+        toggle->show();
         toggle->raise();
         ASSERT_TRUE(waitFor([&] { return dock().isVisible(); }));
     }

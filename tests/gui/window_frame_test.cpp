@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QTest>
 
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/frame/actions/edit_actions.h"
@@ -80,14 +81,32 @@ TEST_F(ProjectWindow, APanelSideCollapsesAndComesBackAsItWas) {
         names.sort();  // the window orders its children anew when they are shown
         return names;
     };
+    window->findChild<QDockWidget*>(QStringLiteral("scenariosDock"))->show();
     const QStringList before = shown();
     auto* side = window->findChild<QAction*>(QStringLiteral("side%1").arg(int(Qt::LeftDockWidgetArea)));
     ASSERT_NE(side, nullptr);
     side->trigger();
     EXPECT_FALSE(shown().contains(QStringLiteral("studyDock")));
-    EXPECT_TRUE(shown().contains(QStringLiteral("projectDock")));
+    EXPECT_FALSE(shown().contains(QStringLiteral("projectDock")));
+    EXPECT_TRUE(shown().contains(QStringLiteral("scenariosDock"))) << "the other side stays";
     side->trigger();
     EXPECT_EQ(shown(), before);
+}
+
+TEST_F(ProjectWindow, TheViewHasHalfOfASmallScreenUntilThereIsAnAnswer) {
+    window->resize(1366, 740);
+    QCoreApplication::processEvents();
+    const auto share = [this] {
+        const CityView& view = window->panel().view();
+        return double(view.width()) * view.height() / (double(window->width()) * window->height());
+    };
+    EXPECT_TRUE(window->findChild<QDockWidget*>(QStringLiteral("resultsDock"))->isHidden());
+    EXPECT_TRUE(waitFor([&] { return share() >= 0.5; })) << share();
+    window->panel().messages().showHelp(QStringLiteral("A message"));
+    QCoreApplication::processEvents();
+    EXPECT_GE(share(), 0.5) << "a message lies over the view";
+    QTest::mouseClick(&window->panel().messages(), Qt::LeftButton, {}, QPoint(3, 3));
+    EXPECT_EQ(window->panel().messages().text(), QString()) << "a click closes it";
 }
 
 TEST_F(ProjectWindow, ScreenReadersHaveANameForEverythingThatTakesTheKeyboard) {

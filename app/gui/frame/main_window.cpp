@@ -43,7 +43,7 @@ namespace noonmark {
 namespace {
 
 constexpr const char* chosenWeightsKey = "weights";  // in Project::view: the table of the dock Weights
-constexpr int layoutVersion = 12;
+constexpr int layoutVersion = 13;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 constexpr int hintMs = 10000;
@@ -132,6 +132,7 @@ MainWindow::MainWindow(QSettings& settings, std::shared_ptr<Workbench> workbench
     nameForScreenReaders(*this);
     restoreGeometry(settings_.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings_.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
+    hideAnswerPanels();
     fitScreen();
 }
 
@@ -205,6 +206,11 @@ void MainWindow::makeToolBars(const WindowActions& actions) {
            "direction graph.\nApproximate: the legend states the measured error. Undo takes the "
            "method of the study back"));
     bar->addWidget(new ScenarioBar(workbench_.session()));
+    QToolBar* below = new QToolBar(tr("Time and legend"));
+    below->setObjectName(QStringLiteral("timeBar"));
+    below->setMovable(false);
+    below->addWidget(panel_->takeStrips());
+    addToolBar(Qt::BottomToolBarArea, below);
     QToolBar* tools = addToolBar(tr("Tools"));
     tools->setObjectName(QStringLiteral("toolBar"));
     fillToolBar(*tools, actions);
@@ -265,16 +271,17 @@ void MainWindow::connectDocks() {
     edits_.listenTo(*docks_.project, *docks_.warnings);
     connect(docks_.project, &ProjectDock::weightsChosen, this, [this](const std::string& table) {
         docks_.weights->choose(table);
-        raiseDock(docks_.weights);
+        showDock(docks_.weights);
     });
     connect(docks_.places, &PlacesDock::thresholdChosen, docks_.study, &StudyDock::setEnough);
     connect(docks_.study, &StudyDock::streetsWanted, &places_, &PlaceActions::readStreets);
     connect(&display_, &ResultDisplay::elementsShown, this, [this] { showDock(docks_.elements); });
-    connect(&contributions_, &ContributionLinks::wanted, this, [this] { raiseDock(docks_.contributions); });
+    connect(&contributions_, &ContributionLinks::wanted, this, [this] { showDock(docks_.contributions); });
     connect(docks_.project, &ProjectDock::placeSelected, &contributions_, [this](const std::string& place) {
         if (!place.empty() && docks_.contributions->isInFront()) contributions_.choose(place);
     });
-    connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
+    connect(&display_, &ResultDisplay::chosen, this, [this] { showDock(docks_.results); });
+    connect(&display_, &ResultDisplay::answerCame, this, &MainWindow::showAnswerPanel);
     docks_.results->setActions(results_.saveResult(), scenarios_.compareAction(), results_.exportAction());
     connect(&panel_->legend(), &LegendStrip::shownChosen, this, [this] { view_.rememberShown(); });
     connect(docks_.results, &ResultsDock::commandWanted, this, [this] {
@@ -287,7 +294,7 @@ void MainWindow::connectDocks() {
     scenarios_.setSideBySide(comparing_.actions().front());
     connect(&scenarios_, &ScenarioActions::comparisonShown, this, [this] {
         mode_.showStudies();
-        raiseDock(docks_.results);
+        showDock(docks_.results);
     });
     connect(&placeLinks_, &PlaceLinks::dockWanted, this, [this] { showDock(docks_.places); });
     connect(&placeLinks_, &PlaceLinks::placeWanted, &places_, &PlaceActions::zoomTo);
@@ -295,7 +302,7 @@ void MainWindow::connectDocks() {
         if (docks_.contributions->isInFront()) contributions_.choose(place);
     });
     const auto showContributors = [this](const std::string& place) {
-        raiseDock(docks_.contributions);
+        showDock(docks_.contributions);
         contributions_.choose(place);
     };
     connect(&placeLinks_, &PlaceLinks::contributorsWanted, this, showContributors);
@@ -353,7 +360,7 @@ void MainWindow::connectElementForms() {
 void MainWindow::chooseKind(StudyKind kind) {
     ProjectSession& session = workbench_.session();
     if (kind == StudyKind::review) return showDock(docks_.review);
-    if (kind == StudyKind::score) return raiseDock(docks_.weights);
+    if (kind == StudyKind::score) return showDock(docks_.weights);
     if (kind == StudyKind::places) return;  // the form asks for all of it
     if (kind == StudyKind::shadow) return session.compareWith({});
     if (session.scenario() != existingCity) return session.compareWith(existingCity);
@@ -455,11 +462,21 @@ void MainWindow::raiseDock(const QWidget* content) {
 
 // Also a dock that the user closed.
 void MainWindow::showDock(const QWidget* content) {
-    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-        if (!dock->isAncestorOf(content)) continue;
-        dock->show();
-        dock->raise();
-    }
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        if (dock->isAncestorOf(content)) openDock(*this, *dock);
+}
+
+// What the user reads beside the view, such as contributions, stays in front.
+void MainWindow::showAnswerPanel() {
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        if (dock->isAncestorOf(docks_.results)) openDock(*this, *dock, DockPlace::behindOthers);
+}
+
+// Until there is an answer the view has their room.
+void MainWindow::hideAnswerPanels() {
+    if (workbench_.answer() || workbench_.past()) return;
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        if (dock->isAncestorOf(docks_.results) || dock->isAncestorOf(docks_.places)) dock->hide();
 }
 
 void MainWindow::savePoint() {
@@ -509,6 +526,7 @@ void MainWindow::showProject() {
     opening_.takeProject();
     showTitle();
     opening_.showGuesses();
+    hideAnswerPanels();
     study_.repeatSaved();
     recovery_.offer();
     if (mode_.mode() == ViewMode::exploration) time_.showPresent();

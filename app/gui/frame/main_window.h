@@ -126,6 +126,8 @@ private:
     void chooseKind(StudyKind kind);
     void raiseDock(const QWidget* content);
     void showDock(const QWidget* content);
+    void showAnswerPanel();
+    void hideAnswerPanels();
     void savePoint();
     void showCity();
     ProjectSaving::Compose projectToSave();

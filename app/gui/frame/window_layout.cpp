@@ -72,10 +72,10 @@ void nameForScreenReaders(QWidget& window) {
 
 namespace {
 
-constexpr int sideWidth = 330;  // four tabs with their names
+constexpr int sideWidth = 300;
 constexpr int narrowWidth = 190;
 constexpr int scrollBarWidth = 22;
-constexpr int reviewHeight = 300;
+constexpr int lowShare = 3;  // of the window's height a dock below the view takes one part of so many
 
 // Wraps the content in a scroll area, so that a dock can be smaller than its content.
 QScrollArea* scrolled(QWidget* content, int minWidth) {
@@ -122,7 +122,7 @@ QAction* makeSideSwitch(QMainWindow& window, Qt::DockWidgetArea area, const QStr
 }  // namespace
 
 QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
-    const int studyWidth = docks.study->sizeHint().width() + 22;
+    const int studyWidth = docks.study->sizeHint().width();
     docks.results->setMinimumWidth(narrowWidth);
     QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", docks.study);
     QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", docks.results);
@@ -140,29 +140,39 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
         dockOf(QObject::tr("Contributions"), "contributionsDock", scrolled(docks.contributions, sideWidth));
     QDockWidget* places = dockOf(QObject::tr("Places"), "placesDock", docks.places);
     window.setCorner(Qt::BottomRightCorner,
-                     Qt::RightDockWidgetArea);  // Results beside a table keep their height
+                     Qt::RightDockWidgetArea);  // the sides beside a table keep their height
+    window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.addDockWidget(Qt::BottomDockWidgetArea, review);
-    for (QDockWidget* beside : {point, elements, places}) window.tabifyDockWidget(review, beside);
-    for (QDockWidget* dock : {review, point, elements, places})
-        dock->hide();  // they take much of the view's height
+    for (QDockWidget* beside : {point, elements}) window.tabifyDockWidget(review, beside);
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
-    for (QDockWidget* beside : {building, tower}) window.tabifyDockWidget(study, beside);
+    for (QDockWidget* beside : {project, building, tower, warnings}) window.tabifyDockWidget(study, beside);
     study->raise();
-    window.addDockWidget(Qt::RightDockWidgetArea, project);
     window.addDockWidget(Qt::RightDockWidgetArea, results);
-    for (QDockWidget* beside : {contributions, scenarios, weights}) window.tabifyDockWidget(results, beside);
+    for (QDockWidget* beside : {places, contributions, scenarios, weights})
+        window.tabifyDockWidget(results, beside);
     QObject::connect(contributions, &QDockWidget::visibilityChanged, docks.contributions,
                      &ContributionsDock::setInFront);
-    window.addDockWidget(Qt::RightDockWidgetArea, warnings);
     results->raise();
-    window.resizeDocks({project, results, warnings}, {180, 470, 90}, Qt::Vertical);
-    window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
+    // They open when they have something to say, or on wish: the view has their room until then.
+    for (QDockWidget* dock :
+         {review, point, elements, results, places, contributions, scenarios, weights, warnings})
+        dock->hide();
+    window.resizeDocks({study}, {studyWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
-    window.resizeDocks({review}, {reviewHeight}, Qt::Vertical);
     for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, places, review,
                               point, elements, building, tower, warnings})
         toggles << dock->toggleViewAction();
     return toggles;
+}
+
+void openDock(QMainWindow& window, QDockWidget& dock, DockPlace place) {
+    const Qt::DockWidgetArea area = window.dockWidgetArea(&dock);
+    const bool isFirst = !dock.isFloating() && shownAt(window, area).isEmpty();
+    dock.show();
+    if (place == DockPlace::inFront) dock.raise();
+    if (isFirst && area == Qt::BottomDockWidgetArea)
+        window.resizeDocks({&dock}, {window.height() / lowShare}, Qt::Vertical);
+    if (isFirst && area == Qt::RightDockWidgetArea) window.resizeDocks({&dock}, {sideWidth}, Qt::Horizontal);
 }
 
 QList<QAction*> makeSideSwitches(QMainWindow& window) {

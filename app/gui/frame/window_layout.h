@@ -6,6 +6,7 @@
 
 class QWidget;
 class QAction;
+class QDockWidget;
 class QMainWindow;
 class QSettings;
 
@@ -47,7 +48,12 @@ struct WindowDocks {
 /// Switches that hide all docks at the left, the right and below, for more of the view, and show them again.
 QList<QAction*> makeSideSwitches(QMainWindow& window);
 
-/// Adds the docks at their default places. Returns the actions that show and hide them.
+enum class DockPlace { inFront, behindOthers };
+/// Shows a dock among its tabs. A side that was empty begins narrow, so that the view stays large.
+void openDock(QMainWindow& window, QDockWidget& dock, DockPlace place = DockPlace::inFront);
+
+/// Adds the docks at their default places: the question at the left in front, the others hidden until they
+/// are wanted. Returns the actions that show and hide them.
 QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks);
 
 class ModeSwitch;

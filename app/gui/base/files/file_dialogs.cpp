@@ -132,9 +132,9 @@ QString askForPoints(QWidget* parent) {
         orAllFiles(QObject::tr("Tables of points"), {QStringLiteral("csv"), QStringLiteral("txt")}));
 }
 
-QStringList askForPlaces(QWidget* parent) {
+QStringList askForPlaces(QWidget* parent, const QString& folder) {
     return QFileDialog::getOpenFileNames(
-        parent, QObject::tr("Read places"), {},
+        parent, QObject::tr("Read places"), folder,
         orAllFiles(QObject::tr("Maps and polygons"), endingsOf({FileKind::footprints})));
 }
 

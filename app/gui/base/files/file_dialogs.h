@@ -35,11 +35,11 @@ QString askForRegion(QWidget* parent);
 QString askForPhotograph(QWidget* parent);
 QString askWhereToSavePhotograph(QWidget* parent);  ///< .tif; asks before replacing a file
 QString askForGlazing(QWidget* parent);
-QString askForPoints(QWidget* parent);  ///< .csv
-QStringList askForPlaces(QWidget* parent);
-QString askForSky(QWidget* parent);                              ///< likewise: .svg, .png or .csv
-QString askForTable(QWidget* parent, const QString& suggested);  ///< likewise: .csv
-QString askForPicture(QWidget* parent);                          ///< always with a file extension
+QString askForPoints(QWidget* parent);                             ///< .csv
+QStringList askForPlaces(QWidget* parent, const QString& folder);  ///< `folder`: where it begins
+QString askForSky(QWidget* parent);                                ///< likewise: .svg, .png or .csv
+QString askForTable(QWidget* parent, const QString& suggested);    ///< likewise: .csv
+QString askForPicture(QWidget* parent);                            ///< always with a file extension
 /// Buildings for CAD and GIS; may replace one. `formats`: "glTF (*.glb);;OBJ (*.obj)".
 QString askForBuildings(QWidget* parent, const QString& suggested, const QString& formats);
 QString askForMovie(QWidget* parent, const QString& suggested);  ///< .mp4 or .gif; may replace one

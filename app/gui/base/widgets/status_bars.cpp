@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
@@ -34,6 +35,7 @@ MessageBar::MessageBar(QWidget* parent)
     label_->setWordWrap(true);
     label_->setTextFormat(Qt::PlainText);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label_->installEventFilter(this);
     more_->setObjectName(QStringLiteral("messageMore"));
     more_->setAutoRaise(true);
     more_->setToolTip(tr("Shows or hides the other lines of this message"));
@@ -56,6 +58,15 @@ MessageBar::MessageBar(QWidget* parent)
     hide();
     followTheme(*this, [this] { paintColours(); });
 }
+
+// A click closes the message, unless it ends a selection of its text.
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+    const bool isClick = watched == label_ && event->type() == QEvent::MouseButtonRelease;
+    if (isClick && !label_->hasSelectedText()) hide();
+    return QFrame::eventFilter(watched, event);
+}
+
+void MessageBar::mouseReleaseEvent(QMouseEvent*) { hide(); }
 
 void MessageBar::showError(const Error& error) {
     isError_ = true;

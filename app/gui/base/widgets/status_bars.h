@@ -17,7 +17,7 @@ class QProgressBar;
 
 namespace noonmark {
 
-/// A bar over the view for errors and notices. It is not modal and stays until closed. Of a notice of
+/// A bar over the view for errors and notices. It is not modal; a click closes it. Of a notice of
 /// several lines it shows the first, and the others on request.
 class MessageBar final : public QFrame {
     Q_OBJECT
@@ -33,6 +33,10 @@ public:
     void offerToo(const QString& remedy, std::function<void()> done);
     void dismiss();                      ///< hides the message unless it offers something
     [[nodiscard]] QString text() const;  ///< all lines; empty: no message
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
     void show(const QString& text);

@@ -37,7 +37,7 @@ constexpr double minutesOfHour = 60;
 constexpr int thresholdRestMs = 250;
 
 constexpr int fittedRows = 200;  // that columns are made wide enough for
-constexpr int nameLetters = 60;  // of the longest names that are shown whole
+constexpr int nameLetters = 24;  // of a name: the hours stand beside it in a narrow dock, too
 
 // From them the shares for another threshold follow. A saved answer holds none, nor how many there were.
 bool knowsCells(const SunByPlace& sun) {
@@ -58,7 +58,7 @@ QComboBox* listField(const char* name, const QString& tip) {
     return list;
 }
 
-// Low, since the dock lies below the view: each with its stretch.
+// Each with its stretch.
 QHBoxLayout* lowRow(std::initializer_list<std::pair<QWidget*, int>> widgets) {
     auto* row = new QHBoxLayout;
     for (const auto& [widget, stretch] : widgets) row->addWidget(widget, stretch);
@@ -135,7 +135,8 @@ void PlacesDock::placeFields() {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
     column->addWidget(count_);
-    column->addLayout(lowRow({{shown_, 1}, {makeThreshold(), 1}, {makeFilters(), 2}}));
+    column->addLayout(lowRow({{shown_, 1}, {makeThreshold(), 1}}));
+    column->addWidget(makeFilters());
     column->addWidget(table_, 1);
     column->addLayout(lowRow({{listed_, 1}, {contributors_, 0}}));
     contributors_->setEnabled(false);

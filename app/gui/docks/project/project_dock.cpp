@@ -1,6 +1,7 @@
 #include "app/gui/docks/project/project_dock.h"
 
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -260,6 +261,11 @@ void ProjectDock::askForRoads(const std::string& lot) {
 }
 
 void ProjectDock::editName(ProjectPart part, const std::string& name) {
+    for (QWidget* around = parentWidget(); around != nullptr; around = around->parentWidget())
+        if (auto* dock = qobject_cast<QDockWidget*>(around)) {
+            dock->show();
+            dock->raise();
+        }
     select(part, name);
     tree_->edit(model_->indexOf(part, name));
 }

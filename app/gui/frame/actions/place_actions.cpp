@@ -1,6 +1,7 @@
 #include "app/gui/frame/actions/place_actions.h"
 
 #include <QCursor>
+#include <QFileInfo>
 #include <QMenu>
 #include <algorithm>
 #include <glm/common.hpp>
@@ -149,7 +150,16 @@ void PlaceActions::follow() {
 void PlaceActions::askForFiles() {
     if (!workbench_.city())
         return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
-    read(askForPlaces(&window_));
+    read(askForPlaces(&window_, folderOfCity()));
+}
+
+// Maps of a city's places lie beside its buildings more often than in the working directory.
+QString PlaceActions::folderOfCity() const {
+    if (const auto& project = workbench_.session().file())
+        return QString::fromStdString(project->path().parent_path().string());
+    const QStringList& files = workbench_.source().files;
+    const bool isFile = !files.isEmpty() && !isSample(files.front().toStdString());
+    return isFile ? QFileInfo(files.front()).absolutePath() : QString();
 }
 
 // Those of the city as it was opened, or of the files that its project was made from.
@@ -164,10 +174,11 @@ void PlaceActions::readStreets() {
     for (const QString& file : workbench_.source().files) add(file);
     for (const InputFile& input : workbench_.session().project().inputs)
         add(QString::fromStdString(input.path.string()));
-    read(files.isEmpty() ? askForPlaces(&window_) : files, {.kinds = {PlaceKind::street},
-                                                            .streets = true,
-                                                            .wholeStreets = false,
-                                                            .sidewalkM = PlaceSettings::defaultSidewalkM});
+    read(files.isEmpty() ? askForPlaces(&window_, folderOfCity()) : files,
+         {.kinds = {PlaceKind::street},
+          .streets = true,
+          .wholeStreets = false,
+          .sidewalkM = PlaceSettings::defaultSidewalkM});
 }
 
 void PlaceActions::read(const QStringList& files, const PlaceSettings& settings, Earlier earlier) {

@@ -65,6 +65,7 @@ private:
     void makeActions();
     void connectTree(ProjectDock& tree);
     void askForFiles();
+    [[nodiscard]] QString folderOfCity() const;
     void addPhotograph(const QString& file);
     void take(const PlacesRead& read, Earlier earlier);
     void takeDrawn(const std::vector<Footprint>& pieces);

@@ -273,21 +273,23 @@ void TourControl::watchList() {
 }
 
 QRect TourControl::area() const {
-    if (action_ != nullptr) return actionArea();
-    if (const auto* dock = qobject_cast<QDockWidget*>(widget_))
+    if (action_ != nullptr) return areaOf(*action_);
+    if (const auto* dock = qobject_cast<QDockWidget*>(widget_)) {
+        if (dock->isHidden()) return areaOf(*dock->toggleViewAction());
         if (const QRect tab = findTabBehind(*dock, window_); !tab.isEmpty()) return tab;
+    }
     if (widget_ == nullptr || !widget_->isVisible()) return {};
     return inWindow(*widget_, widget_->rect(), window_);
 }
 
 // Its button in the toolbar, else the menu that has it.
-QRect TourControl::actionArea() const {
+QRect TourControl::areaOf(const QAction& action) const {
     for (const QToolButton* button : window_.findChildren<QToolButton*>())
-        if (button->defaultAction() == action_ && button->isVisible())
+        if (button->defaultAction() == &action && button->isVisible())
             return inWindow(*button, button->rect(), window_);
     const QMenuBar& bar = *window_.menuBar();
     for (QAction* entry : bar.actions())
-        if (entry->menu() != nullptr && holds(*entry->menu(), action_))
+        if (entry->menu() != nullptr && holds(*entry->menu(), &action))
             return inWindow(bar, bar.actionGeometry(entry), window_);
     return {};
 }

@@ -125,7 +125,7 @@ public:
     TourControl(QMainWindow& window, const TourStep& step, std::function<void()> draw);
 
     [[nodiscard]] bool found() const { return widget_ != nullptr || action_ != nullptr; }
-    [[nodiscard]] QRect area() const;  ///< in the window; empty while the control is not visible
+    [[nodiscard]] QRect area() const;  ///< in the window; of a closed dock the menu that opens it
     void reveal();                     ///< brings its dock to the front and scrolls to it
     void showMe();                     ///< does what the step asks for, as the user would
 
@@ -137,7 +137,7 @@ private:
     void watchList();
     void choose();
     void set();
-    [[nodiscard]] QRect actionArea() const;
+    [[nodiscard]] QRect areaOf(const QAction& action) const;
 
     QMainWindow& window_;
     TourStep step_;

@@ -35,6 +35,7 @@ QIcon rampIcon(Ramp ramp) {
 QComboBox* rampField() {
     auto* field = new QComboBox;
     field->setIconSize(swatch);
+    field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     field->setToolTip(LegendEditor::tr(
         "Colours from much sun to much shadow; of differences and scores those around a pale middle"));
     return field;

@@ -23,15 +23,15 @@ namespace {
 
 constexpr int stripHeight = 58;
 constexpr int legendRowHeight = 46;  // if the strip is narrow
-constexpr int minWidth = 784;        // minimum for a single row, with a scale bar and a note of a few words
+constexpr int minWidth = 720;        // minimum for a single row, with a scale bar and a note of a few words
 constexpr int minLegendWidth = 250;
 constexpr int maxLegendWidth = 640;
 constexpr int measureWidth = 190;
 constexpr int margin = 10;
-constexpr int needleRoom = 56;
-constexpr int scaleRoom = 104;     // of the scale bar left of the needle
+constexpr int needleRoom = 40;
+constexpr int scaleRoom = 90;      // of the scale bar left of the needle
 constexpr int minWithScale = 560;  // a narrower strip has no scale bar
-constexpr int longestBarPx = 72;
+constexpr int longestBarPx = 60;
 constexpr QColor partColour{0xff, 0xd5, 0x8a};
 
 void paintNeedle(QPainter& painter, const QColor& colour, bool north) {
@@ -209,7 +209,9 @@ void LegendStrip::edit() {
     }
     updateEditor();
     editor_->adjustSize();
-    editor_->move(mapToGlobal(QPoint(int(legendArea().left()), -editor_->height() - legendRowHeight)));
+    // Over the panels at the left, so that the map whose colours change stays in sight.
+    editor_->move(window()->mapToGlobal(QPoint()).x(),
+                  mapToGlobal(QPoint()).y() - editor_->frameGeometry().height() - 2 * margin);
     editor_->show();
     editor_->raise();
     editor_->activateWindow();

@@ -28,6 +28,7 @@ constexpr double straightDownDeg = 89;
 constexpr int maxDrawnPx = 8192;         // a side of a picture; graphics cards of ten years ago draw that
 constexpr double nominalHeightPx = 800;  // of a window: its texts and lines are as large in pictures
 constexpr double frameWidthPx = 1100, minFrameScale = 0.5;
+constexpr int messageGap = 8, maxMessageWidth = 900;
 
 bool isInPlace(const Place& place, glm::dvec2 point) {
     return std::ranges::any_of(place.polygons, [&](const Footprint& polygon) {
@@ -50,10 +51,42 @@ void takeKeys(QWindow& view) {
 
 }  // namespace
 
+// Time strip and legend side by side, or one above the other where that is too narrow.
+class ViewPanel::Strips final : public QWidget {
+public:
+    Strips(TimeStrip& time, LegendStrip& legend) : row_(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
+        row_->setContentsMargins(0, 0, 0, 0);
+        row_->setSpacing(0);
+        row_->addWidget(&time, timeShare);
+        row_->addWidget(&legend, legendShare);
+        row_->setSizeConstraint(QLayout::SetNoConstraint);
+        setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override {
+        return {row_->direction() == QBoxLayout::LeftToRight ? minStripsWidth : row_->minimumSize().width(),
+                row_->minimumSize().height()};
+    }
+    [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QWidget::resizeEvent(event);
+        const auto wanted = width() < minRowWidth ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+        if (row_->direction() == wanted) return;
+        row_->setDirection(wanted);
+        updateGeometry();
+    }
+
+private:
+    static constexpr int timeShare = 4, legendShare = 5;
+    static constexpr int minStripsWidth = 256;
+    static constexpr int minRowWidth = 1200;  // with the words of both strips
+    QBoxLayout* row_;
+};
+
 ViewPanel::ViewPanel(QWidget* parent)
     : QWidget(parent),
       column_(new QVBoxLayout(this)),
-      messageRow_(new QHBoxLayout),
       view_(new CityView),
       container_(QWidget::createWindowContainer(view_, this)),
       navigator_(new ViewNavigator(*view_)),
@@ -64,6 +97,7 @@ ViewPanel::ViewPanel(QWidget* parent)
       messages_(new MessageBar(this)),
       time_(new TimeStrip),
       legend_(new LegendStrip),
+      strips_(new Strips(*time_, *legend_)),
       results_(std::make_unique<ResultLayer>(*view_, *legend_)),
       map_(std::make_unique<MapLayer>(*view_)) {
     container_->setMinimumSize(240, 160);
@@ -72,12 +106,10 @@ ViewPanel::ViewPanel(QWidget* parent)
     container_->setAccessibleDescription(tr("Arrow keys pan, plus and minus zoom; Ctrl+F1 lists all keys"));
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(0);
-    setCovered(0, 0);
-    messageRow_->addWidget(messages_);
-    column_->addLayout(messageRow_);
+    messages_->setAttribute(Qt::WA_NativeWindow);  // the view's own window would lie above anything else
+    messages_->installEventFilter(this);
     column_->addWidget(container_, 1);
-    column_->addWidget(time_);
-    column_->addWidget(legend_);
+    column_->addWidget(strips_);
     label_->setLeft([this] { return navigator_->pictureLeft(); });
     setAcceptDrops(true);
     view_->installEventFilter(this);  // the native window inside the container receives the drops
@@ -98,6 +130,30 @@ ViewPanel::ViewPanel(QWidget* parent)
     connectDrawing();
     connectNavigator();
     connectMeasuring();
+}
+
+QWidget* ViewPanel::takeStrips() {
+    column_->removeWidget(strips_);
+    return strips_;
+}
+
+// Over the top of the view, which keeps its size and its place under the cursor.
+void ViewPanel::placeMessages() {
+    const QRect room = container_->geometry() - covered_ - QMargins(messageGap, messageGap, messageGap, 0);
+    const int width = std::clamp(room.width(), 0, maxMessageWidth);
+    const int height = std::min(room.height(), messages_->heightForWidth(width));
+    messages_->setGeometry(room.left() + (room.width() - width) / 2, room.top(), width, height);
+    messages_->raise();
+}
+
+void ViewPanel::setCovered(int left, int right) {
+    covered_ = {left, 0, right, 0};
+    placeMessages();
+}
+
+void ViewPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    placeMessages();
 }
 
 void ViewPanel::setBare(bool bare) {
@@ -322,6 +378,9 @@ void ViewPanel::takePicture(const Picture& picture, std::function<void(QImage)> 
 }
 
 bool ViewPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == messages_ && (event->type() == QEvent::Show || event->type() == QEvent::LayoutRequest))
+        placeMessages();
+    if (watched == messages_) return QWidget::eventFilter(watched, event);
     if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
         dragEnterEvent(static_cast<QDragEnterEvent*>(event));
         return true;

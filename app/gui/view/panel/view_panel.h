@@ -59,14 +59,16 @@ public:
 
     /// Adds a widget above the view, and owns it.
     void addStrip(QWidget* strip) { column_->insertWidget(0, strip); }
-    /// Adds a widget between the view and its legend, and owns it.
-    void addLegendRow(QWidget* row) { column_->insertWidget(column_->count() - 1, row); }
+    /// Adds a widget below the view, and owns it.
+    void addLegendRow(QWidget* row) { column_->insertWidget(column_->indexOf(container_) + 1, row); }
+    /// Time strip and legend, to be placed elsewhere; below the view until then.
+    [[nodiscard]] QWidget* takeStrips();
     /// What colours of buildings mean that are no result: beside the legend in pictures of the view.
     void setBuildingPatches(std::vector<LegendPatch> patches) { buildingPatches_ = std::move(patches); }
     /// The picture alone, without the time strip and the legend below it.
     void setBare(bool bare);
     /// So many pixels of its left and right are covered: messages stand between them.
-    void setCovered(int left, int right) { messageRow_->setContentsMargins(left, 0, right, 0); }
+    void setCovered(int left, int right);
     /// Which scenarios the view shows on its sides, for pictures; empty: one alone.
     void setComparison(const QString& words) { comparison_ = words; }
 
@@ -96,11 +98,13 @@ Q_SIGNALS:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
     void connectNavigator();
+    void placeMessages();
     void connectDrawing();
     void showCrossCursor(bool cross);
     void markPlaces();
@@ -116,7 +120,6 @@ private:
     void toolKey(int key);
 
     QVBoxLayout* column_;
-    QHBoxLayout* messageRow_;
     CityView* view_;
     QWidget* container_;  ///< of view_
     ViewNavigator* navigator_;
@@ -127,8 +130,11 @@ private:
     PolygonDrawing* polygons_;
     SectionTool* section_;
     MessageBar* messages_;
+    QMargins covered_;  ///< of the view, by other widgets
     TimeStrip* time_;
     LegendStrip* legend_;
+    class Strips;
+    Strips* strips_;
     std::shared_ptr<const OpenCity> city_;
     std::unique_ptr<ResultLayer> results_;
     std::unique_ptr<MapLayer> map_;
