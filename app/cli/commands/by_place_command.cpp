@@ -94,16 +94,23 @@ std::vector<CommandOption> listPlaceOptions(const ByPlaceOptions& options) {
     return listed;
 }
 
+// Of a comparison, as of others: from the baseline to the last scenario, whose figures maps and sheets show.
+Provenance statedOf(const ByPlaceOptions& options, const StudyRequest& request, const std::string& baseline) {
+    if (options.scenarios.empty() || !request.project) return provenanceOf(request);
+    return provenanceOf(request.project->project(), request.project.get(),
+                        {options.scenarios.back(), baseline, request.settings.region, {}});
+}
+
 // A baseline and scenarios alike are measured on ground without a roof over it.
 Result<Asked> makeAsked(const ByPlaceOptions& options, const StudyRequest& request, Progress& progress,
                         const std::stop_token& stop) {
-    const std::string& baseline = options.study.scenario;
+    const std::string baseline = options.study.scenario.empty() ? existingCity : options.study.scenario;
     Asked asked{.loaded = request.loaded,
-                .scenario = baseline.empty() ? existingCity : baseline,
+                .scenario = baseline,
                 .settings = request.settings,
                 .byPlace = options.settings,
                 .placesAsked = {listPlaceOptions(options)},
-                .provenance = provenanceOf(request)};
+                .provenance = statedOf(options, request, baseline)};
     auto scenarios = listScenarios(options, request);
     if (!scenarios) return tl::make_unexpected(scenarios.error());
     asked.others = *std::move(scenarios);

@@ -322,9 +322,24 @@ Result<Verification> verify(const VerifyOptions& options, const Console& console
     return verification;
 }
 
+// Of a folder the page or else the record that lies in it; the folder itself where there is none.
+fs::path reportIn(const fs::path& place) {
+    std::error_code ignored;
+    if (!fs::is_directory(place, ignored)) return place;
+    for (const FiledForm& form : listFiledForms())
+        for (const std::string_view name : {form.report, form.record})
+            if (!name.empty() && fs::is_regular_file(place / name, ignored)) return place / name;
+    return place;
+}
+
 int runVerify(VerifyOptions options, const Console& console) {
     const OffscreenQt qt;
-    options.report = fs::absolute(options.report).lexically_normal().string();
+    options.report = reportIn(fs::absolute(options.report).lexically_normal()).string();
+    if (std::error_code ignored; fs::is_directory(options.report, ignored))
+        return fail(console,
+                    Error{"The folder holds no report or record of Noonmark's", options.report,
+                          "Give the file: study.json, places.json, a PDF"},
+                    exitUsage);
     if (options.inputs.empty()) options.inputs = fs::path(options.report).parent_path().string();
     options.inputs = fs::absolute(options.inputs).lexically_normal().string();
     const auto verification = verify(options, console);
