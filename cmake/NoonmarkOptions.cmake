@@ -42,6 +42,22 @@ function(noonmark_precompile_headers target)
   endif()
 endfunction()
 
+# Kernels among these sources are compiled for SSE4.2, AVX2 and AVX-512, or for NEON (core/simd/kernel.h), and for no other sets: AVX3
+# is Highway's name of AVX-512, the two above it are later extensions. Highway's file includes itself once a set, so these files stay
+# out of unity groups. Call it where the library is made: source properties belong to a folder.
+function(noonmark_compile_kernels)
+  list(FILTER ARGN INCLUDE REGEX "_hwy\\.cpp$")
+  set(definitions HWY_SHARED_DEFINE "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_AVX3_DL)")
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND definitions HWY_BASELINE_TARGETS=HWY_SSE4)
+  endif()
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+    # Highway's NEON functions state that they need these extensions, though kernels use none of their instructions.
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -march=armv8-a+crypto)
+  endif()
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_DEFINITIONS "${definitions}")
+endfunction()
+
 # A unity build compiles some ten neighbouring sources together: the whole project in a third of the time. The files listed in
 # unity_exclusions.txt have names in their anonymous namespaces that others have too, and compile alone.
 if(CMAKE_UNITY_BUILD)

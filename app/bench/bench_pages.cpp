@@ -15,7 +15,7 @@
 #include "app/report/sheets/sheet.h"
 #include "app/report/sheets/study_text.h"
 #include "app/report/sheets/text_column.h"
-#include "core/bench/finding.h"
+#include "core/lab/bench/finding.h"
 
 namespace noonmark {
 

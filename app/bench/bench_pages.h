@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/bench/bench_report.h"
 #include "core/io/files/check_output.h"
+#include "core/lab/bench/bench_report.h"
 
 namespace noonmark {
 

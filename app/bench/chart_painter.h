@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/report/maps/style.h"
-#include "core/bench/finding.h"
+#include "core/lab/bench/finding.h"
 
 namespace noonmark {
 

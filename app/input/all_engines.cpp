@@ -1,12 +1,13 @@
 #include "app/input/all_engines.h"
 
-#include "render/gl/gl_shadow_maps.h"
+#include "core/lab/lab_engines.h"
+#include "render/lab/gl_shadow_maps.h"
 
 namespace noonmark {
 
 const EngineList& allEngines() {
     static const EngineList all = [] {
-        EngineList engines = coreEngines();
+        EngineList engines = coreAndLabEngines();
         engines.insert(engines.end(), glEngines().begin(), glEngines().end());
         return engines;
     }();
@@ -14,7 +15,7 @@ const EngineList& allEngines() {
 }
 
 const EngineList& enginesWith(std::string_view key) {
-    return findEngine(coreEngines(), key) != nullptr ? coreEngines() : allEngines();
+    return findEngine(coreAndLabEngines(), key) != nullptr ? coreAndLabEngines() : allEngines();
 }
 
 bool takesLevelGroundOnly(std::string_view key) {

@@ -1,12 +1,8 @@
 #include "core/describe/text.h"
-#include "core/engines/accrual/shadow_accrual_map.h"
 #include "core/engines/api/engine_registry.h"
 #include "core/engines/auto_engine.h"
-#include "core/engines/graph/graph_engine.h"
 #include "core/engines/horizon/horizon_sweep.h"
-#include "core/engines/inverse/inverse_accrual_map.h"
 #include "core/engines/projected/projected_shadows.h"
-#include "core/engines/ray/ray_intervals.h"
 #include "core/engines/ray/ray_reference.h"
 
 namespace noonmark {
@@ -54,55 +50,10 @@ EngineEntry autoEngine() {
         [](const HorizonSweepSettings& settings) { return std::make_unique<AutoEngine>(settings); });
 }
 
-EngineEntry inverseAccrualMap() {
-    return engineOf(
-        {"iam",
-         NM_TEXT("Inverse accrual map"),
-         NM_TEXT("Occluders at both ends of each hour, their shadows moved along straight lines between; "
-                 "hours that "
-                 "look alike computed once"),
-         {},
-         // Sources of two instants, masks, and some 30 maps of runs alive in a year.
-         200},
-        throughGraph(inverseFields()), [](const ThroughGraph<InverseAccrualSettings>& settings) -> Made {
-            const auto map = InverseAccrualMap::make(settings.own);
-            if (!map) return tl::make_unexpected(map.error());
-            return std::make_unique<GraphEngine>(*map, settings.graph);
-        });
-}
-
-EngineEntry rayGraph() {
-    return engineOf({"ray-graph", NM_TEXT("Ray reference through the direction graph"),
-                     NM_TEXT("Rays, with hours that look alike traced once: what the graph alone does to the "
-                             "error"),
-                     RayIntervals::able,
-                     // Masks, and some 30 maps of runs alive in a year.
-                     130},
-                    graphFields(), [](const DirectionGraphSettings& settings) {
-                        return std::make_unique<GraphEngine>(std::make_shared<RayIntervals>(), settings);
-                    });
-}
-
-EngineEntry shadowAccrualMap() {
-    return engineOf(
-        {"sam",
-         NM_TEXT("Shadow accrual map"),
-         NM_TEXT("A depth map of each step of an hour, drawn from a city placed once; hours that look alike "
-                 "computed once"),
-         {},
-         accrualBytesPerCell},
-        throughGraph(accrualFields()), [](const ThroughGraph<AccrualSettings>& settings) -> Made {
-            const auto map = ShadowAccrualMap::make(settings.own);
-            if (!map) return tl::make_unexpected(map.error());
-            return std::make_unique<GraphEngine>(*map, settings.graph);
-        });
-}
-
 }  // namespace
 
 const EngineList& coreEngines() {
-    static const EngineList list{rayReference(),      projectedShadows(), horizonSweep(), shadowAccrualMap(),
-                                 inverseAccrualMap(), rayGraph(),         autoEngine()};
+    static const EngineList list{rayReference(), projectedShadows(), horizonSweep(), autoEngine()};
     return list;
 }
 

@@ -5,7 +5,7 @@
 #include <Qt3DRender/QTextureImageData>
 #include <Qt3DRender/QTextureImageDataGenerator>
 
-#include "core/engines/accrual/sun_depth_map.h"
+#include "core/engines/depths/sun_depth_map.h"
 #include "core/engines/ray/traced_view.h"
 
 namespace noonmark {

@@ -3,7 +3,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "core/engines/accrual/sun_depth_map.h"
+#include "core/engines/depths/sun_depth_map.h"
 #include "core/engines/ray/visible_surface.h"
 #include "render/scene/ground_picture.h"
 

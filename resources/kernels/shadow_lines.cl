@@ -1,7 +1,7 @@
 // Draws the shadow lines of one lane of places with ITEMS neighbouring work items: each finds all runs of the lane and draws every
 // ITEMS-th place, so a mask belongs to one work item and plain reads and writes will do. The same algorithm, to the bit, as
-// core/engines/inverse/shadow_lines.cpp and lanes.h; the host side and the meaning of every argument:
-// core/engines/inverse/shadow_lines_opencl.cpp, lanes.h and lanes.h.
+// core/lab/inverse/shadow_lines.cpp and lanes.h; the host side and the meaning of every argument:
+// core/lab/inverse/shadow_lines_opencl.cpp, lanes.h and lanes.h.
 #pragma OPENCL FP_CONTRACT OFF
 
 #define TABLE_SIZE 4096

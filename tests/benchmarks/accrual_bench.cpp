@@ -8,11 +8,11 @@
 #include <functional>
 #include <memory>
 
-#include "core/engines/accrual/shadow_accrual_map.h"
 #include "core/engines/common/shadow_reach.h"
-#include "render/gl/depth_maps.h"
-#include "render/gl/gl_api.h"
-#include "render/gl/gl_shadow_maps.h"
+#include "core/lab/accrual/shadow_accrual_map.h"
+#include "render/lab/depth_maps.h"
+#include "render/lab/gl_api.h"
+#include "render/lab/gl_shadow_maps.h"
 #include "tests/benchmarks/accrual_scene.h"
 
 using namespace noonmark;

@@ -4,13 +4,13 @@
 //     accrual_error_bench [FILE or number of buildings]
 #include <fmt/format.h>
 
-#include "core/engines/accrual/shadow_accrual_map.h"
-#include "core/engines/accrual/surface_accrual.h"
-#include "core/engines/graph/graph_engine.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/engines/ray/surface_rays.h"
 #include "core/engines/ray/visible_surface.h"
+#include "core/lab/accrual/shadow_accrual_map.h"
+#include "core/lab/accrual/surface_accrual.h"
+#include "core/lab/graph/graph_engine.h"
 #include "tests/benchmarks/accrual_scene.h"
 
 using namespace noonmark;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/engines/common/interval_engine.h"
+#include "core/lab/graph/interval_engine.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
 #include "tests/benchmarks/bench_scene.h"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/engines/api/engine_registry.h"
+#include "core/lab/lab_engines.h"
 #include "core/measures/statistics.h"
 #include "tests/benchmarks/bench_scene.h"
 
@@ -37,7 +38,9 @@ Scene dayScene(const std::string& cityName, double hours) {
 
 ShadowField run(const Scene& scene, std::string_view engine) {
     NoProgress progress;
-    auto field = makeEngine(engine).value()->accumulate(scene.city, scene.receivers, scene.sun, progress, {});
+    auto field = makeEngine(engine, {}, coreAndLabEngines())
+                     .value()
+                     ->accumulate(scene.city, scene.receivers, scene.sun, progress, {});
     if (field) return std::move(*field);
     fmt::print(stderr, "{}: {}\n", engine, field.error().text());
     std::exit(EXIT_FAILURE);
@@ -65,7 +68,7 @@ CellError errorOf(const Scene& scene, const ShadowField& field, const ShadowFiel
 /// The ray reference and the requested engines.
 std::vector<std::string_view> engineKeys(std::span<char*> asked) {
     std::vector<std::string_view> keys;
-    for (const auto& [engine, make] : coreEngines())
+    for (const auto& [engine, make] : coreAndLabEngines())
         if (engine.key == "ray" || asked.empty() || std::ranges::count(asked, engine.key) > 0)
             keys.push_back(engine.key);
     return keys;

@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "core/engines/graph/graph_engine.h"
-#include "core/engines/inverse/inverse_accrual_map.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/lab/graph/graph_engine.h"
+#include "core/lab/inverse/inverse_accrual_map.h"
 #include "core/measures/statistics.h"
 #include "tests/benchmarks/bench_scene.h"
 

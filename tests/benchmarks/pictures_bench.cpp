@@ -15,9 +15,9 @@
 #include "app/gui/view/exploration/view_refinement.h"
 #include "app/input/all_engines.h"
 #include "core/base/progress.h"
-#include "core/engines/accrual/surface_accrual.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/ray/surface_rays.h"
+#include "core/lab/accrual/surface_accrual.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/bench/points/point_bench.h"
 #include "core/city/city_position.h"
+#include "core/lab/bench/points/point_bench.h"
 #include "core/receivers/point_receivers.h"
 #include "tests/benchmarks/bench_scene.h"
 

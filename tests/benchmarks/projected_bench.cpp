@@ -11,11 +11,11 @@
 #include <map>
 #include <vector>
 
-#include "core/bench/horizon/horizon_bench.h"
 #include "core/engines/projected/filling/bit_raster.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/ray/ray_scene.h"
+#include "core/lab/bench/horizon/horizon_bench.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;

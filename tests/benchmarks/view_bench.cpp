@@ -18,7 +18,7 @@
 #include <glm/trigonometric.hpp>
 #include <numeric>
 
-#include "core/engines/accrual/sun_depth_map.h"
+#include "core/engines/depths/sun_depth_map.h"
 #include "render/view/camera_control.h"
 #include "render/view/city_view.h"
 #include "tests/benchmarks/bench_scene.h"

@@ -11,10 +11,11 @@
 #include "app/bench/bench_pages.h"
 #include "app/bench/chart_painter.h"
 #include "app/cli/base/offscreen_qt.h"
-#include "core/bench/paper/paper_bench.h"
+#include "core/lab/bench/paper/paper_bench.h"
+#include "core/lab/lab_engines.h"
 #include "tests/cli/command_output.h"
-#include "tests/core/bench/tiny_site.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/core/lab/bench/tiny_site.h"
 
 namespace noonmark::cli::tests {
 namespace {
@@ -23,8 +24,8 @@ using noonmark::tests::readBytes;
 
 TEST(BenchFiles, HoldTablesChartsAndTheSummary) {
     NoProgress silent;
-    const auto report =
-        bench::runPaperBench(bench::tests::tinySite(), bench::tests::minExtent(), coreEngines(), silent, {});
+    const auto report = bench::runPaperBench(bench::tests::tinySite(), bench::tests::minExtent(),
+                                             coreAndLabEngines(), silent, {});
     ASSERT_TRUE(report) << report.error().text();
     const noonmark::tests::TemporaryFolder folder;
     const OffscreenQt qt;

@@ -6,10 +6,10 @@
 #include <stop_token>
 #include <thread>
 
-#include "core/engines/accrual/shadow_accrual_map.h"
-#include "core/engines/graph/graph_engine.h"
-#include "render/gl/depth_maps.h"
-#include "render/gl/gl_shadow_maps.h"
+#include "core/lab/accrual/shadow_accrual_map.h"
+#include "core/lab/graph/graph_engine.h"
+#include "render/lab/depth_maps.h"
+#include "render/lab/gl_shadow_maps.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {

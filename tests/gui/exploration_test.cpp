@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "core/engines/accrual/surface_accrual.h"
 #include "core/engines/ray/surface_rays.h"
+#include "core/lab/accrual/surface_accrual.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
 

@@ -15,6 +15,7 @@
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/time/time_strip.h"
 #include "app/report/maps/style.h"
+#include "core/lab/lab_engines.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {
@@ -51,7 +52,7 @@ TEST(ViewState, AModeOfRaysSavedBeforeIsThatOfStudies) {
 
 TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {
     AccuracyForm form;
-    for (const auto& [engine, make] : coreEngines()) {
+    for (const auto& [engine, make] : coreAndLabEngines()) {
         StudySettings settings;
         settings.engine = engine.key;
         form.show(settings);

@@ -13,11 +13,11 @@
 #include "app/input/all_engines.h"
 #include "app/input/load_city.h"
 #include "app/report/files/output_folder.h"
-#include "core/bench/contests/moments.h"
-#include "core/bench/horizon/horizon_bench.h"
-#include "core/bench/paper/paper_bench.h"
-#include "core/bench/points/point_bench.h"
 #include "core/describe/command_options.h"
+#include "core/lab/bench/contests/moments.h"
+#include "core/lab/bench/horizon/horizon_bench.h"
+#include "core/lab/bench/paper/paper_bench.h"
+#include "core/lab/bench/points/point_bench.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::cli {

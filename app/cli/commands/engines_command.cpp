@@ -4,7 +4,7 @@
 #include "app/cli/base/command.h"
 #include "app/input/all_engines.h"
 #include "core/describe/field_values.h"
-#include "core/engines/inverse/shadow_lines_opencl.h"
+#include "core/lab/inverse/shadow_lines_opencl.h"
 #include "core/simd/instruction_set.h"
 
 namespace noonmark::cli {

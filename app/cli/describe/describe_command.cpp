@@ -8,8 +8,8 @@
 #include "app/input/window_arguments.h"
 #include "core/base/version.h"
 #include "core/describe/command_options.h"
-#include "core/engines/api/engine_registry.h"
 #include "core/io/files/write_text.h"
+#include "core/lab/lab_engines.h"
 #include "core/review/library/rule_library.h"
 
 namespace noonmark::cli {
@@ -23,7 +23,7 @@ struct DescribeOptions {
 
 std::vector<std::string> engineKeys() {
     std::vector<std::string> keys;
-    for (const auto& [info, make] : coreEngines()) keys.emplace_back(info.key);
+    for (const auto& [info, make] : coreAndLabEngines()) keys.emplace_back(info.key);
     return keys;
 }
 

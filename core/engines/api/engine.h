@@ -162,7 +162,7 @@ struct EngineChoice {
 Result<void> checkGround(const City& city, const Receivers& receivers, const EngineCapabilities& capabilities,
                          std::string_view name);
 
-struct StepMemory;  // core/engines/graph/interval_tally.h
+struct StepMemory;  // core/lab/graph/interval_tally.h
 
 /// Shadow on surface points for one period: what ShadowField is for a grid.
 struct SurfaceShadow {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "core/engines/accrual/slice_stack.h"
+#include "core/engines/depths/slice_stack.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {

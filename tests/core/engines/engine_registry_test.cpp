@@ -5,17 +5,30 @@
 #include <limits>
 
 #include "core/describe/field_values.h"
+#include "core/lab/lab_engines.h"
 #include "tests/core/engines/terrain_scenes.h"
 
 namespace noonmark::tests {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 TEST(Engines, EveryKeyMakesAnEngine) {
-    ASSERT_FALSE(coreEngines().empty());
-    for (const EngineEntry& engine : coreEngines())
-        EXPECT_TRUE(makeEngine(engine.info.key)) << engine.info.key;
+    ASSERT_FALSE(coreAndLabEngines().empty());
+    for (const EngineEntry& engine : coreAndLabEngines())
+        EXPECT_TRUE(makeEngine(engine.info.key, {}, coreAndLabEngines())) << engine.info.key;
+}
+
+TEST(Engines, ThoseOfTheLabStandBeforeTheAutomaticChoice) {
+    const auto keysOf = [](const EngineList& engines) {
+        std::vector<std::string_view> keys;
+        for (const EngineEntry& engine : engines) keys.push_back(engine.info.key);
+        return keys;
+    };
+    EXPECT_THAT(keysOf(coreEngines()), ElementsAre("ray", "projected", "horizon", "auto"));
+    EXPECT_THAT(keysOf(coreAndLabEngines()),
+                ElementsAre("ray", "projected", "horizon", "sam", "iam", "ray-graph", "auto"));
 }
 
 TEST(Engines, AnUnknownKeyNamesTheKnownOnes) {
@@ -25,10 +38,10 @@ TEST(Engines, AnUnknownKeyNamesTheKnownOnes) {
 }
 
 TEST(Engines, BothEndsOfEveryRangeAreTakenAndNothingBeyond) {
-    for (const EngineEntry& engine : coreEngines())
+    for (const EngineEntry& engine : coreAndLabEngines())
         for (const Field& option : engine.info.options) {
             const auto made = [&](double value) {
-                return makeEngine(engine.info.key, {{std::string(option.key), value}});
+                return makeEngine(engine.info.key, {{std::string(option.key), value}}, coreAndLabEngines());
             };
             const ValueRange range = option.range.value_or(ValueRange{0, 1});  // yes or no
             EXPECT_TRUE(made(range.min)) << option.key;
@@ -46,7 +59,7 @@ TEST(Engines, BothEndsOfEveryRangeAreTakenAndNothingBeyond) {
 
 TEST(Engines, ErrorsOfOptionsSayWhatTheyTake) {
     const auto refused = [](std::string_view engine, const EngineSettings& settings) {
-        return makeEngine(engine, settings).error().text();
+        return makeEngine(engine, settings, coreAndLabEngines()).error().text();
     };
     EXPECT_EQ(refused("iam", {{"levels", 2.5}}),
               "levels: Source levels: 2.5 is no whole number. Give 1 to 8");
@@ -60,7 +73,7 @@ TEST(Engines, OptionsReachTheEngine) {
     const Receivers receivers = receiversOver(city, -20, -20, 20, 20, 4);
     NoProgress progress;
     const auto field = [&](std::string_view engine, const EngineSettings& settings) {
-        return makeEngine(engine, settings)
+        return makeEngine(engine, settings, coreAndLabEngines())
             .value()
             ->accumulate(city, receivers, oneDay({{150, 40}, {180, 45}}), progress, {})
             .value();
@@ -98,15 +111,15 @@ TEST(Engines, AnOptionIsOneRow) {
 }
 
 TEST(Engines, AnUnknownOptionNamesTheKnownOnes) {
-    const auto refused = makeEngine("iam", {{"level", 2}});
+    const auto refused = makeEngine("iam", {{"level", 2}}, coreAndLabEngines());
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().text(), HasSubstr("levels"));
     EXPECT_THAT(makeEngine("ray", {{"levels", 2}}).error().text(), HasSubstr("Leave it out"));
 }
 
 TEST(Engines, AnEngineIsWhatItsEntryStates) {
-    for (const EngineEntry& entry : coreEngines()) {
-        const auto engine = makeEngine(entry.info.key).value();
+    for (const EngineEntry& entry : coreAndLabEngines()) {
+        const auto engine = makeEngine(entry.info.key, {}, coreAndLabEngines()).value();
         EXPECT_EQ(engine->capabilities().terrain, entry.info.capabilities.terrain) << entry.info.key;
         EXPECT_EQ(engine->capabilities().roofs, entry.info.capabilities.roofs) << entry.info.key;
         EXPECT_EQ(engine->capabilities().sets, entry.info.capabilities.sets) << entry.info.key;
@@ -121,8 +134,8 @@ TEST(Engines, ThoseForLevelGroundRefuseTerrainAndTheOthersTakeIt) {
     city.buildings.push_back(standingBox(city, -5, -5, 5, 5, 20));
     const Receivers receivers = receiversOver(city, -20, -20, 20, 20, 4);
     NoProgress progress;
-    for (const EngineEntry& engine : coreEngines()) {
-        const auto field = makeEngine(engine.info.key)
+    for (const EngineEntry& engine : coreAndLabEngines()) {
+        const auto field = makeEngine(engine.info.key, {}, coreAndLabEngines())
                                .value()
                                ->accumulate(city, receivers, oneDay({{150, 40}, {180, 45}}), progress, {});
         EXPECT_EQ(bool(field), engine.info.capabilities.terrain) << engine.info.key;
@@ -137,10 +150,10 @@ TEST(Engines, ThoseWithoutSetsOrAttributionRefuseABreakdownAndTheOthersMakeIt) {
     const Receivers receivers = receiversOver(city, -20, -20, 20, 20, 4);
     const SunSteps sun = oneDay({{150, 40}, {180, 45}});
     NoProgress progress;
-    for (const EngineEntry& entry : coreEngines())
+    for (const EngineEntry& entry : coreAndLabEngines())
         for (const bool byBuilding : {false, true}) {
             const auto made =
-                makeEngine(entry.info.key)
+                makeEngine(entry.info.key, {}, coreAndLabEngines())
                     .value()
                     ->breakDown(city, receivers, sun, makeOneSet(sun), byBuilding, progress, {});
             const EngineCapabilities& able = entry.info.capabilities;

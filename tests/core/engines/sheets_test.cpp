@@ -9,6 +9,7 @@
 #include "core/engines/api/engine_registry.h"
 #include "core/engines/horizon/cache/horizon_cache.h"
 #include "core/engines/projected/shadow_cache.h"
+#include "core/lab/lab_engines.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {
@@ -97,7 +98,7 @@ void expectShadow(const TriangleMesh& mesh, const IsShaded& isShaded) {
                                                                  {"iam", 1.5, 540},
                                                                  {"sam", 0.5, 40},
                                                                  {"auto", 0.4, 20}}) {
-        const auto engine = makeEngine(allowed.engine).value();
+        const auto engine = makeEngine(allowed.engine, {}, coreAndLabEngines()).value();
         const Off off =
             offOf(engine->accumulate(city, receivers, day(), progress, {}).value(), receivers, isShaded);
         EXPECT_LE(off.mean, allowed.mean) << allowed.engine;

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "core/engines/accrual/sun_depth_map.h"
+#include "core/engines/depths/sun_depth_map.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {

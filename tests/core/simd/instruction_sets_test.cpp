@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/engines/api/engine_registry.h"
+#include "core/lab/lab_engines.h"
 #include "core/simd/instruction_set.h"
 #include "tests/core/engines/terrain_scenes.h"
 
@@ -72,9 +73,9 @@ TEST_F(InstructionSets, AtLeastOneIsAvailableAndTheLastOneIsUsed) {
 TEST_F(InstructionSets, EveryEngineGivesTheSameBits) {
     const SunSteps sun = days(52, 73, 4);
     for (const Scene& scene : makeScenes())
-        for (const EngineEntry& entry : coreEngines()) {
+        for (const EngineEntry& entry : coreAndLabEngines()) {
             if (scene.city.terrain && !entry.info.capabilities.terrain) continue;
-            const auto engine = makeEngine(entry.info.key).value();
+            const auto engine = makeEngine(entry.info.key, {}, coreAndLabEngines()).value();
             expectSameBits(
                 [&] {
                     NoProgress progress;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <random>
 
-#include "core/engines/accrual/depth_slice.h"
-#include "core/engines/inverse/shadow_lines.h"
-#include "core/engines/inverse/sources/projected_source_finder.h"
+#include "core/engines/depths/depth_slice.h"
 #include "core/engines/projected/counting/cached_band.h"
 #include "core/engines/projected/masks/caster_reach.h"
+#include "core/lab/inverse/shadow_lines.h"
+#include "core/lab/inverse/sources/projected_source_finder.h"
 #include "core/simd/instruction_set.h"
 
 // Kernels that engines reach rarely, or with few of their cases, against plain loops.

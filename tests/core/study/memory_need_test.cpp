@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/lab/lab_engines.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
@@ -29,7 +30,7 @@ TEST(MemoryNeed, AnEnginesOwnMemoryCounts) {
     StudySettings settings = over(10000, 1);
     const auto rays = estimateMemory({}, settings);
     settings.engine = "iam";
-    EXPECT_GT(estimateMemory({}, settings), 3 * rays);
+    EXPECT_GT(estimateMemory({}, settings, coreAndLabEngines()), 3 * rays);
 }
 
 TEST(MemoryNeed, CountsTrianglesAndSteps) {

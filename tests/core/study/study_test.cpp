@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/city/map_context.h"
+#include "core/lab/lab_engines.h"
 #include "core/study/text/error_text.h"
 
 namespace noonmark {
@@ -40,7 +41,7 @@ StudySettings aroundTheTower() {
 
 Result<Study> run(const StudySettings& settings) {
     NoProgress progress;
-    return runStudy(towers(), settings, progress, {});
+    return runStudy(towers(), settings, progress, {}, coreAndLabEngines());
 }
 
 std::string errorOf(const Result<Study>& study) { return study ? "no error" : study.error().text(); }

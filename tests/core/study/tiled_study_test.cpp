@@ -10,6 +10,7 @@
 
 #include "core/city/map_context.h"
 #include "core/io/write_raster.h"
+#include "core/lab/lab_engines.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/study_cost.h"
@@ -63,7 +64,7 @@ class TiledStudyTest : public testing::Test {
 protected:
     [[nodiscard]] Result<TiledStudy> run(const StudySettings& settings, Progress& progress,
                                          std::stop_token stop = {}) const {
-        return runTiledStudy(city, {settings, 64}, file, progress, std::move(stop));
+        return runTiledStudy(city, {settings, 64}, file, progress, std::move(stop), coreAndLabEngines());
     }
     [[nodiscard]] Result<TiledStudy> run(const StudySettings& settings) const {
         NoProgress progress;

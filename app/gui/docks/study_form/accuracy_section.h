@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/lab/lab_engines.h"
 #include "core/study/study.h"
 
 class QComboBox;
@@ -46,7 +47,7 @@ class FieldRows;
 class AccuracyForm final : public QWidget {
     Q_OBJECT
 public:
-    explicit AccuracyForm(const EngineList& engines = coreEngines(), QWidget* parent = nullptr);
+    explicit AccuracyForm(const EngineList& engines = coreAndLabEngines(), QWidget* parent = nullptr);
     ~AccuracyForm() override;
 
     void show(const StudySettings& settings);                           ///< without a signal

@@ -10,6 +10,7 @@
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/docks/study_form/element_form.h"
 #include "app/input/all_engines.h"
+#include "core/lab/lab_engines.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/contributions/contributions.h"
 #include "core/study/text/breakdown_text.h"
@@ -27,10 +28,11 @@ QCheckBox* makeBox(const QString& text, const char* name, const QString& tip) {
     return box;
 }
 
-// Core's engines only: looking for a graphics device takes a moment, and its engines sum neither.
+// Without those of graphics devices: looking for a graphics device takes a moment, and its engines sum
+// neither.
 QString listEnginesWith(Ability ability) {
     QStringList names;
-    for (const EngineEntry& engine : coreEngines())
+    for (const EngineEntry& engine : coreAndLabEngines())
         if (engine.info.capabilities.*ability) names << translated(engine.info.name);
     return names.join(QObject::tr(", "));
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/number_text.h"
-#include "core/engines/accrual/surface_accrual.h"
 #include "core/engines/ray/surface_rays.h"
+#include "core/lab/accrual/surface_accrual.h"
 
 namespace noonmark {
 

@@ -7,7 +7,7 @@
 #include "app/gui/session/study/open_city.h"
 #include "core/engines/api/engine.h"
 #include "core/engines/api/shadow_field.h"
-#include "core/engines/graph/interval_tally.h"
+#include "core/lab/graph/interval_tally.h"
 #include "core/sun/sun_steps.h"
 #include "render/view/explored_view.h"
 #include "render/view/section_box.h"

@@ -7,7 +7,7 @@
 
 #include "app/gui/base/jobs/job.h"
 #include "app/gui/view/time/moment_preview.h"
-#include "core/engines/accrual/sun_depth_map.h"
+#include "core/engines/depths/sun_depth_map.h"
 #include "core/sun/solar_position.h"
 
 namespace noonmark {
