@@ -43,6 +43,12 @@ std::optional<double> finiteNumberIn(std::string_view text) {
     return number;
 }
 
+std::string_view withoutBlanks(std::string_view text) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    return text;
+}
+
 std::optional<int> classCountIn(std::string_view text) {
     const auto number = finiteNumberIn(text);
     if (!number || *number != std::floor(*number) || *number < LegendClasses::minCount ||
@@ -73,9 +79,11 @@ std::span<const Choice<Ramp>> changeRampChoices() { return changeRampList; }
 std::string formatText(LegendRange range) { return fmt::format("{}:{}", range.low, range.high); }
 
 Result<LegendRange> parseLegendRange(std::string_view text) {
-    const auto colon = text.find(':');
-    if (colon != std::string_view::npos) {
-        const auto low = finiteNumberIn(text.substr(0, colon)), high = finiteNumberIn(text.substr(colon + 1));
+    for (const std::string_view between : {":", "..", " to ", "\u2013", "-"}) {
+        const auto at = text.find(between, 1);  // a minus may come first
+        if (at == std::string_view::npos) continue;
+        const auto low = finiteNumberIn(withoutBlanks(text.substr(0, at)));
+        const auto high = finiteNumberIn(withoutBlanks(text.substr(at + between.size())));
         if (low && high && *low < *high) return LegendRange{*low, *high};
     }
     return failure("The range of the legend is not two numbers, the smaller one first", std::string(text),

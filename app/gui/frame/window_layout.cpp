@@ -122,7 +122,7 @@ QAction* makeSideSwitch(QMainWindow& window, Qt::DockWidgetArea area, const QStr
 }  // namespace
 
 QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
-    const int studyWidth = docks.study->sizeHint().width();
+    const int studyWidth = docks.study->sizeHint().width() + scrollBarWidth;
     docks.results->setMinimumWidth(narrowWidth);
     QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", docks.study);
     QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", docks.results);

@@ -70,6 +70,8 @@ public:
     void runQuicker();
     /// Runs the study for all scenarios that have no result with the document's settings yet.
     void measureAll();
+    /// The same with each month by itself, which the document's settings ask for from then on.
+    void measureAllByMonth();
 
     /// The displayed answer; null if there is none since the buildings last changed.
     [[nodiscard]] std::shared_ptr<const Answer> answer() const { return front_ ? front_ : base_; }

@@ -291,6 +291,13 @@ std::vector<KnownAnswer> Workbench::listUnmeasured() {
     return unmeasured;
 }
 
+void Workbench::measureAllByMonth() {
+    StudySettings settings = document_.settings();
+    settings.byMonth = true;
+    document_.change(settings, tr("months"));
+    measureAll();
+}
+
 void Workbench::measureAll() {
     if (!city_) return;
     again_ = false;

@@ -57,6 +57,12 @@ TEST(LegendChoice, RefusesWhatIsNoRangeAndNoClasses) {
         EXPECT_FALSE(parseLegendClasses(classes)) << classes;
 }
 
+TEST(LegendChoice, TakesARangeAsPeopleWriteIt) {
+    for (const char* range : {"0:12", "0-12", "0..12", "0 to 12", " 0 - 12 ", "0\u201312"})
+        EXPECT_EQ(parseLegendRange(range), (LegendRange{0, 12})) << range;
+    EXPECT_EQ(parseLegendRange("-30--10"), (LegendRange{-30, -10}));
+}
+
 TEST(LegendChoice, KeepsItsClassesWhenSunIsShownInstead) {
     const LegendChoice shadow{ShownAs::shadow,
                               Ramp::noonmark,

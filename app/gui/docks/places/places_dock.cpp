@@ -37,7 +37,7 @@ constexpr double minutesOfHour = 60;
 constexpr int thresholdRestMs = 250;
 
 constexpr int fittedRows = 200;  // that columns are made wide enough for
-constexpr int nameLetters = 24;  // of a name: the hours stand beside it in a narrow dock, too
+constexpr int nameLetters = 30;  // of a name: the hours stand beside it in a narrow dock, too
 
 // From them the shares for another threshold follow. A saved answer holds none, nor how many there were.
 bool knowsCells(const SunByPlace& sun) {

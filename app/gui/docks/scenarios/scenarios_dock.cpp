@@ -39,8 +39,8 @@ QString describeMissing(const QString& key) {
     for (const MonthChartName& name : monthChartNames())
         if (textOf(name.key) == key && name.ofScore)
             return ScenarioCharts::tr("No scenario has been scored by month: press Score all");
-    return ScenarioCharts::tr(
-        "No scenario has months: tick Each month by itself in the dock Study, and press Measure all");
+    return ScenarioCharts::tr("No scenario has months yet. %1")
+        .arg(QStringLiteral("<a href=\"months\">%1</a>").arg(ScenarioCharts::tr("Measure all by month")));
 }
 
 QString describeWhatLacks(const MonthChart& chart, std::size_t shown, const std::string& baseline) {
@@ -74,6 +74,7 @@ ScenarioCharts::ScenarioCharts(const ScenarioTable& table, QSettings& settings, 
     later_->setInterval(0);
     connect(later_, &QTimer::timeout, this, &ScenarioCharts::draw);
     connect(save_, &QPushButton::clicked, this, &ScenarioCharts::exportRequested);
+    connect(note_, &QLabel::linkActivated, this, &ScenarioCharts::monthsRequested);
     connect(figure_, &QComboBox::currentIndexChanged, this, [this, &settings] {
         settings.setValue(QLatin1String(chosenKey), figure_->currentData());
         draw();
@@ -202,6 +203,7 @@ ScenariosDock::ScenariosDock(ProjectSession& session, QSettings& settings, QWidg
     judge();
     auto* charts = new ScenarioCharts(*table_, settings);
     connect(charts, &ScenarioCharts::exportRequested, this, &ScenariosDock::monthsExportRequested);
+    connect(charts, &ScenarioCharts::monthsRequested, this, &ScenariosDock::measureMonthsRequested);
     auto* column = new QVBoxLayout(this);
     column->addWidget(verdict);
     column->addWidget(view, 1);

@@ -29,6 +29,7 @@ public:
 
 Q_SIGNALS:
     void exportRequested();
+    void monthsRequested();  ///< no scenario has any
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -65,6 +66,7 @@ public:
 
 Q_SIGNALS:
     void measureAllRequested();
+    void measureMonthsRequested();  ///< of all scenarios, for the chart of months
     void scoreAllRequested();
     void reviewAllRequested();
     void copyRequested();

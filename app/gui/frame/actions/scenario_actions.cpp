@@ -67,6 +67,7 @@ ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, P
             [this, &session] { compare_->setChecked(session.baseline() == existingCity); });
     connect(measureAll_, &QAction::triggered, &workbench, &Workbench::measureAll);
     connect(&scenarios, &ScenariosDock::measureAllRequested, &workbench, &Workbench::measureAll);
+    connect(&scenarios, &ScenariosDock::measureMonthsRequested, &workbench, &Workbench::measureAllByMonth);
     connect(scoreAll_, &QAction::triggered, &answers, &LatestAnswers::scoreAll);
     connect(&scenarios, &ScenariosDock::scoreAllRequested, &answers, &LatestAnswers::scoreAll);
     connect(reviewAll_, &QAction::triggered, &answers, &LatestAnswers::reviewAll);
