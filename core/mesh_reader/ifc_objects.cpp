@@ -68,7 +68,7 @@ bool IfcObjects::isLeftOut(std::string_view className) {
     return std::ranges::find(others, className) != others.end();
 }
 
-void IfcWithin::enter(const std::string& node, double elevationM) {
+void IfcLocation::enter(const std::string& node, double elevationM) {
     const std::string_view className = IfcObjects::classOf(node);
     if (className == "IfcBuilding") {
         building = node, buildingM = elevationM;
@@ -78,7 +78,7 @@ void IfcWithin::enter(const std::string& node, double elevationM) {
     if (!className.empty() && className != "IfcMappedItem") element = node;
 }
 
-void IfcObjects::add(MeshObject object, const IfcWithin& within) {
+void IfcObjects::add(MeshObject object, const IfcLocation& within) {
     if (classOf(object.name) == "IfcMappedItem") object.name = within.element;
     const std::string_view className = classOf(object.name);
     if (isLeftOut(className)) {
@@ -97,7 +97,7 @@ void IfcObjects::add(MeshObject object, const IfcWithin& within) {
     std::ranges::move(object.pieces, std::back_inserter(whole.pieces));
 }
 
-void IfcObjects::addOpening(const MeshObject& object, const IfcWithin& within) {
+void IfcObjects::addOpening(const MeshObject& object, const IfcLocation& within) {
     const double storeyM = within.storeyM - within.buildingM;
     if (!within.storey.empty()) {
         auto& storeys = storeys_[within.building];

@@ -14,7 +14,7 @@ namespace noonmark {
 bool isIfc(const std::string& file);
 
 /// What a node of an IFC lies in: names of nodes, empty for none.
-struct IfcWithin {
+struct IfcLocation {
     std::string building;  ///< of an IfcBuilding
     std::string storey;    ///< of an IfcBuildingStorey
     std::string element;   ///< the innermost with a class; shapes that are shared are nodes below it
@@ -35,7 +35,7 @@ public:
     /// Furniture, plants, vehicles and what is no body at all.
     static bool isLeftOut(std::string_view className);
 
-    void add(MeshObject object, const IfcWithin& within);
+    void add(MeshObject object, const IfcLocation& within);
 
     /// All objects: the buildings, or what lies outside if there is none, then windows and doors, then one
     /// for what was left out.
@@ -47,7 +47,7 @@ private:
         std::string building;
         double storeyM = 0;  // above the building's origin
     };
-    void addOpening(const MeshObject& object, const IfcWithin& within);
+    void addOpening(const MeshObject& object, const IfcLocation& within);
     void addOpeningsTo(std::vector<MeshObject>& objects);
 
     std::map<std::string, MeshObject> buildings_;

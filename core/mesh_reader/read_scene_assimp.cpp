@@ -175,9 +175,9 @@ MeshPiece pieceOf(const aiMesh& mesh, const glm::dmat4& toScene) {
 
 struct SceneWalk {
     const aiScene& scene;
-    std::function<void(MeshObject, const IfcWithin&)> take;
+    std::function<void(MeshObject, const IfcLocation&)> take;
 
-    void visit(const aiNode& node, const glm::dmat4& parent, IfcWithin within = {}) const {
+    void visit(const aiNode& node, const glm::dmat4& parent, IfcLocation within = {}) const {
         const glm::dmat4 toScene = parent * inDouble(node.mTransformation);
         // The root is named after the file.
         const bool isNested = node.mParent != nullptr && node.mParent->mParent != nullptr;
@@ -193,7 +193,7 @@ struct SceneWalk {
 Result<void> takeIfc(const aiScene& scene, const std::function<void(const MeshObject&)>& take) {
     IfcObjects objects;
     SceneWalk{scene,
-              [&](MeshObject object, const IfcWithin& within) { objects.add(std::move(object), within); }}
+              [&](MeshObject object, const IfcLocation& within) { objects.add(std::move(object), within); }}
         .visit(*scene.mRootNode, glm::dmat4(1));
     for (const MeshObject& object : objects.take()) take(object);
     return {};
@@ -216,7 +216,7 @@ Result<void> readScene(const std::filesystem::path& file,
     if (scene->mRootNode == nullptr)
         return failure("The file holds no triangles", file.string(), trianglesAdvice);
     if (ifc) return takeIfc(*scene, take);
-    SceneWalk{*scene, [&](const MeshObject& object, const IfcWithin&) { take(object); }}.visit(
+    SceneWalk{*scene, [&](const MeshObject& object, const IfcLocation&) { take(object); }}.visit(
         *scene->mRootNode, glm::translate(glm::dmat4(1), near.origin));
     return {};
 } catch (const std::exception& exception) {

@@ -104,11 +104,11 @@ Plate plateOf(const Building& building, double groundM, double storeyHeightM) {
 
 }  // namespace
 
-GivenMass givenBy(const Massing& massing) {
+GivenMass massOf(const Massing& massing) {
     return {massing.tiers.front().plate, massing.figures.grossFloorM2, massing.storeyHeightM};
 }
 
-Result<GivenMass> givenBy(const Building& building, double groundM, double storeyHeightM) {
+Result<GivenMass> massOf(const Building& building, double groundM, double storeyHeightM) {
     if (!(storeyHeightM >= 2 && storeyHeightM <= 10))
         return failure(fmt::format("A storey cannot be {:g} m high", storeyHeightM), "variant",
                        "Give 2 to 10 m");

@@ -33,11 +33,11 @@ struct GivenMass {
     int estimatedStoreys = 0;  ///< of open meshes (core/city/meshes/mesh_section.h)
 };
 
-GivenMass givenBy(const Massing& massing);
+GivenMass massOf(const Massing& massing);
 
 /// Cuts an existing building into storeys of `storeyHeightM` (2 to 10), starting at `groundM` (local z)
 /// (core/city/footprints/plan_areas.h). Error: it has less than one storey.
-Result<GivenMass> givenBy(const Building& building, double groundM, double storeyHeightM);
+Result<GivenMass> massOf(const Building& building, double groundM, double storeyHeightM);
 
 /// Plate factor for "the largest plate that the lot allows".
 inline constexpr double largestPlate = std::numeric_limits<double>::infinity();

@@ -130,7 +130,7 @@ std::vector<Edit> clearing(const City& city, const Footprint& lot) {
 Result<Variant> makeVariant(const City& city, std::size_t building, const Footprint& lot, double plateFactor,
                             double storeyHeightM) {
     const Building& old = *city.buildings[building];
-    const auto given = givenBy(old, double(findGroundUnder(old, city)), storeyHeightM);
+    const auto given = massOf(old, double(findGroundUnder(old, city)), storeyHeightM);
     if (!given) return tl::make_unexpected(given.error());
     auto massing = findSameFloorArea(lot, *given, plateFactor);
     if (!massing) return failure(massing.error().what, old.sourceId, massing.error().advice);

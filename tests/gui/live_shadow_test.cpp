@@ -34,7 +34,7 @@ LiveQuestion asked(const Period& period, ReceiverPlaces places = ReceiverPlaces:
     return {sunOf(period), {}, {.cellM = 1, .places = places}};
 }
 
-TEST(LiveRule, PolygonsWhereTheyAreExactAndHorizonsElsewhere) {
+TEST(LiveLimits, PolygonsWhereTheyAreExactAndHorizonsElsewhere) {
     using enum LiveEngine;
     City city = smallCity();
     const auto engines = [&](ReceiverPlaces places, std::size_t steps) {
@@ -50,7 +50,7 @@ TEST(LiveRule, PolygonsWhereTheyAreExactAndHorizonsElsewhere) {
     EXPECT_EQ(engines(ReceiverPlaces::ground, 10000), Engines{horizons});
 }
 
-TEST(LiveRule, WordsSayHowExactItIs) {
+TEST(LiveLimits, WordsSayHowExactItIs) {
     EXPECT_EQ(describeExactness(LiveEngine::shadows, 360, 360, true), "exact at all 360 steps");
     EXPECT_EQ(describeExactness(LiveEngine::moments, 120, 175200, false), "exact at 120 of 175,200 steps");
     const QString gross = describeExactness(LiveEngine::horizons, 175200, 175200, false);
@@ -198,7 +198,7 @@ TEST_F(LiveShadowTest, WhereTooMuchHangsForHorizonsMomentsAreShown) {
     const auto some = at(city, asked(period));
     EXPECT_EQ(some->engine(), LiveEngine::moments);
     const LiveAnswer a = answer(*some, tower());
-    EXPECT_EQ(a.counted, LiveRule::someMoments);
+    EXPECT_EQ(a.counted, LiveLimits::someMoments);
     EXPECT_EQ(a.steps, 900U);
     EXPECT_FALSE(a.runs);
     city.buildings.pop_back();

@@ -68,11 +68,11 @@ TEST(SunDome, FitsTheViewAndStaysWhileTheCameraTurns) {
 
 TEST(SunDome, DriftsWithTheCamera) {
     const DomePlace place{{0, 0, 0}, 100};
-    EXPECT_EQ(compareDomes(place, {{1, 0, 0}, 101}), DomeDrift::none);
-    EXPECT_EQ(compareDomes(place, {{20, 0, 0}, 100}), DomeDrift::small);
-    EXPECT_EQ(compareDomes(place, {{0, 0, 0}, 120}), DomeDrift::small);
-    EXPECT_EQ(compareDomes(place, {{0, 90, 0}, 100}), DomeDrift::large);
-    EXPECT_EQ(compareDomes(place, {{0, 0, 0}, 40}), DomeDrift::large);
+    EXPECT_EQ(compareDomes(place, {{1, 0, 0}, 101}), DomeMismatch::none);
+    EXPECT_EQ(compareDomes(place, {{20, 0, 0}, 100}), DomeMismatch::small);
+    EXPECT_EQ(compareDomes(place, {{0, 0, 0}, 120}), DomeMismatch::small);
+    EXPECT_EQ(compareDomes(place, {{0, 90, 0}, 100}), DomeMismatch::large);
+    EXPECT_EQ(compareDomes(place, {{0, 0, 0}, 40}), DomeMismatch::large);
 }
 
 TEST(SunDome, NamesQuartersMonthsAndHours) {

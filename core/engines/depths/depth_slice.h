@@ -129,7 +129,7 @@ struct RowDepth {
 };
 
 /// Draws polygons into slices; reuses its buffer. One per thread.
-class DepthPen {
+class DepthPainter {
 public:
     /// Raises the slice where the polygon is closer to the sun. Texels are chosen by the half-open rule of
     /// depth_slice.h. Returns the number of rows drawn.

@@ -99,7 +99,7 @@ DepthSlice::DepthSlice(int columnCount, int rowCount)
 void DepthSlice::clear() { std::ranges::fill(depth, empty); }
 
 NOONMARK_KERNEL(raiseSpans);
-int DepthPen::draw(const MapPolygon& polygon, DepthSlice& slice) {
+int DepthPainter::draw(const MapPolygon& polygon, DepthSlice& slice) {
     const DepthPlane plane = planeOf(polygon);
     spans_.clear();
     const int rows =

@@ -193,7 +193,7 @@ std::vector<AssembledBuilding> assembleBuildings(const Features& features, doubl
     return buildings;
 }
 
-std::string makeMapRemark(std::string_view words) {
+std::string explainGdalWarning(std::string_view words) {
     const auto says = [&](std::string_view piece) { return words.find(piece) != words.npos; };
     if (says("Non closed ring"))
         return "outlines were not closed, as happens at the edge of an extract; the last point of each was "
@@ -208,7 +208,7 @@ std::string makeMapRemark(std::string_view words) {
 void addMapRemarks(const std::vector<std::string>& words, const std::string& file, Warnings& warnings) {
     Warnings remarks;
     for (const std::string& one : words)
-        if (std::string what = makeMapRemark(one); !what.empty())
+        if (std::string what = explainGdalWarning(one); !what.empty())
             remarks.push_back({WarningKind::repaired, std::move(what), file});
     for (const WarningGroup& group : groupWarnings(remarks))
         warnings.push_back({group.kind, group.what, fmt::format("{} ({})", file, group.where.size())});
@@ -250,7 +250,7 @@ Result<void> buildFootprints(FilePiece& piece, std::vector<UnplacedFeature> feat
     return {};
 }
 
-std::string findCommonest(const Warnings& warnings) {
+std::string findMostFrequent(const Warnings& warnings) {
     const auto groups = groupWarnings(warnings);
     const auto maximum =
         std::ranges::max_element(groups, {}, [](const WarningGroup& group) { return group.where.size(); });

@@ -32,7 +32,7 @@ std::vector<AssembledBuilding> assembleBuildings(const std::vector<PlacedFeature
 
 /// Translates a message of GDAL's vector readers into a warning text that a planner understands. Empty if the
 /// message does not concern the data; an unknown message is returned unchanged.
-std::string makeMapRemark(std::string_view words);
+std::string explainGdalWarning(std::string_view words);
 
 /// Adds these messages as warnings: GDAL does not name the feature that a message is about, so there is one
 /// for each kind, with its count.
@@ -47,7 +47,7 @@ Result<void> buildFootprints(FilePiece& piece, std::vector<UnplacedFeature> feat
                              const ReadSettings& settings, Progress& progress, const std::stop_token& stop);
 
 /// The most frequent warning, for an error; empty without warnings.
-std::string findCommonest(const Warnings& warnings);
+std::string findMostFrequent(const Warnings& warnings);
 
 /// Decides, for the parts of one building that start above the ground, whether they stand, are lowered or are
 /// overhangs. From the lowest part up: a part is carried, and then stands, if standing parts reach up to its

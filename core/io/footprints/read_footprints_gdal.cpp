@@ -127,7 +127,7 @@ public:
         if (polygons_ == 0) return noPolygons(open_, file_);
         if (found_.empty())
             return failure(fmt::format("None of its {} polygons can be used as a building", polygons_),
-                           file_.string(), findCommonest(warnings));
+                           file_.string(), findMostFrequent(warnings));
         return std::move(found_);
     }
 
@@ -302,7 +302,7 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
         return tl::make_unexpected(built.error());
     if (!piece.buildings.empty() || window != nullptr) return piece;
     return failure("None of its polygons can be used as a building", file.string(),
-                   findCommonest(piece.warnings));
+                   findMostFrequent(piece.warnings));
 } catch (const std::exception& exception) {
     return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),
                    "Check that it is complete, or export it again");

@@ -235,7 +235,7 @@ Result<OsmBuildings> readChecked(const Path& file, OsmFormat format, const ReadS
         return failure("It holds no polygons", file.string(), "Export the building footprints as polygons");
     if (buildings->features.empty())
         return failure(fmt::format("None of its {} polygons can be used as a building", buildings->areas),
-                       file.string(), findCommonest(buildings->warnings));
+                       file.string(), findMostFrequent(buildings->warnings));
     addMapRemarks(calls.complaints(), file.filename().string(), buildings->warnings);
     return buildings;
 }
@@ -266,7 +266,7 @@ Result<FilePiece> readOsmFootprints(const Path& file, const ReadSettings& settin
         return tl::make_unexpected(built.error());
     if (!piece.buildings.empty()) return piece;
     return failure("None of its polygons can be used as a building", file.string(),
-                   findCommonest(piece.warnings));
+                   findMostFrequent(piece.warnings));
 } catch (const std::exception& exception) {
     return notRead(exception, file);
 }

@@ -168,7 +168,7 @@ void checkRule(RuleFields& fields, const Rule& rule) {
 Result<Rule> parseRule(std::string_view text, const std::string& file, const RuleChoices& choices) {
     auto json = parseJson(text, file);
     if (!json) return tl::make_unexpected(json.error());
-    RuleTrouble trouble{file, {}};
+    RuleProblem trouble{file, {}};
     Rule rule;
     RuleFields unchosen(*json, {}, trouble);
     rule.choices = choicesIn(unchosen);

@@ -10,13 +10,13 @@ using std::chrono::month_day;
 
 constexpr auto dayAdvice = "Write month and day: 03-21";
 
-month_day dayFrom(const std::string& text, const std::string& path, RuleTrouble& trouble) {
+month_day dayFrom(const std::string& text, const std::string& path, RuleProblem& trouble) {
     const auto day = parseRuleDay(text);
     if (!day && !text.empty()) trouble.add(path, "This is not a day of the year", dayAdvice);
     return day.value_or(month_day{std::chrono::January / 1});
 }
 
-double timeFrom(const std::string& text, const std::string& path, RuleTrouble& trouble) {
+double timeFrom(const std::string& text, const std::string& path, RuleProblem& trouble) {
     const auto time = parseRuleTime(text);
     if (!time && !text.empty())
         trouble.add(path, "This is not a time of day", "Write hours and minutes: 09:18");
@@ -31,7 +31,7 @@ std::vector<double> timesFrom(RuleFields& fields, const char* key) {
 }
 
 /// "03-21", or an object with day, label, same_as, status and source.
-RuleDay readDay(const RuleJson& json, const std::string& path, RuleTrouble& trouble,
+RuleDay readDay(const RuleJson& json, const std::string& path, RuleProblem& trouble,
                 const Evidence& standard) {
     if (json.is_string()) return {dayFrom(json.get<std::string>(), path, trouble), {}, {}, standard};
     RuleFields fields(json, path, trouble);
@@ -74,7 +74,7 @@ std::vector<HoursBound> readBounds(RuleFields& fields, const char* key, const Ru
     return bounds;
 }
 
-HoursOfDay readHours(const RuleJson& json, const std::string& path, RuleTrouble& trouble) {
+HoursOfDay readHours(const RuleJson& json, const std::string& path, RuleProblem& trouble) {
     RuleFields pair(RuleJson::object(), path, trouble);
     if (!json.is_array() || json.size() != 2) {
         trouble.add(path, "Two times are needed here", R"(Write ["08:51", "14:53"])");

@@ -17,7 +17,7 @@ std::string_view kindOf(const RuleJson& json) { return json.type_name(); }
 
 bool isControl(char letter) { return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f; }
 
-std::string checkedText(const RuleJson& json, const std::string& path, RuleTrouble& trouble) {
+std::string checkedText(const RuleJson& json, const std::string& path, RuleProblem& trouble) {
     if (!json.is_string()) {
         trouble.add(path, fmt::format("A text is needed here, not {}", kindOf(json)));
         return {};
@@ -47,11 +47,11 @@ bool isPlainText(const std::string& text) {
     return !text.empty() && text.size() <= longestText && std::ranges::none_of(text, isControl);
 }
 
-void RuleTrouble::add(const std::string& path, std::string what, std::string advice) {
+void RuleProblem::add(const std::string& path, std::string what, std::string advice) {
     if (!error) error = Error{std::move(what), file + ", " + path, std::move(advice)};
 }
 
-RuleFields::RuleFields(const RuleJson& json, std::string path, RuleTrouble& trouble)
+RuleFields::RuleFields(const RuleJson& json, std::string path, RuleProblem& trouble)
     : json_(json), path_(std::move(path)), trouble_(&trouble), known_{"comment"} {
     if (json_.is_object()) return;
     trouble_->add(path_.empty() ? "the whole file" : path_,

@@ -23,7 +23,7 @@ bool isRuleKey(const std::string& key);
 bool isPlainText(const std::string& text);
 
 /// The first thing that is wrong in a rule file. What follows is read with defaults and thrown away.
-struct RuleTrouble {
+struct RuleProblem {
     std::string file;
     std::optional<Error> error;
     /// Records the error of the field at `path` unless there is one already.
@@ -34,7 +34,7 @@ struct RuleTrouble {
 /// is recorded in the trouble, and a default is returned. "comment" is allowed everywhere.
 class RuleFields {
 public:
-    RuleFields(const RuleJson& json, std::string path, RuleTrouble& trouble);
+    RuleFields(const RuleJson& json, std::string path, RuleProblem& trouble);
 
     [[nodiscard]] bool has(const char* key) const;
     /// Not empty, at most 2,000 bytes, without control characters.
@@ -71,7 +71,7 @@ public:
     }
 
     void trouble(const char* key, std::string what, std::string advice = {});
-    RuleTrouble& troubles() { return *trouble_; }
+    RuleProblem& troubles() { return *trouble_; }
     [[nodiscard]] std::string pathOf(const std::string& key) const;
     /// Trouble if a field has not been asked for.
     void finish();
@@ -81,7 +81,7 @@ private:
 
     RuleJson json_;
     std::string path_;
-    RuleTrouble* trouble_;
+    RuleProblem* trouble_;
     std::set<std::string> known_;
 };
 

@@ -13,15 +13,16 @@ namespace noonmark {
 namespace {
 
 TEST(MapRemarks, AreInAPlannersWords) {
-    EXPECT_THAT(makeMapRemark("Non closed ring detected. To avoid accepting it, set ... to NO"),
+    EXPECT_THAT(explainGdalWarning("Non closed ring detected. To avoid accepting it, set ... to NO"),
                 testing::HasSubstr("were not closed"));
-    EXPECT_THAT(makeMapRemark("organizePolygons() received an unexpected geometry.  Either a polygon ..."),
-                testing::HasSubstr("could not be distinguished"));
-    EXPECT_EQ(
-        makeMapRemark("organizePolygons() received a polygon with more than 100 parts. The processing may be "
-                      "really slow."),
-        "");
-    EXPECT_THAT(makeMapRemark("Something new"), testing::HasSubstr("Something new"));
+    EXPECT_THAT(
+        explainGdalWarning("organizePolygons() received an unexpected geometry.  Either a polygon ..."),
+        testing::HasSubstr("could not be distinguished"));
+    EXPECT_EQ(explainGdalWarning(
+                  "organizePolygons() received a polygon with more than 100 parts. The processing may be "
+                  "really slow."),
+              "");
+    EXPECT_THAT(explainGdalWarning("Something new"), testing::HasSubstr("Something new"));
 }
 
 constexpr std::string_view oneClosedOneOpen =

@@ -151,7 +151,7 @@ TEST_P(Kernels, SpansOfAnyLengthRaiseTheirTexelsOnly) {
         MapPolygon square{.place = {{{1.5, -0.5}, {1.5 + columns, -0.5}, {1.5 + columns, 1.5}, {1.5, 1.5}}},
                           .depth = {1, 1 + 0.25 * columns, 1 + 0.25 * columns, 1},
                           .corners = 4};
-        EXPECT_EQ(DepthPen().draw(square, slice), 2);
+        EXPECT_EQ(DepthPainter().draw(square, slice), 2);
         for (int row = 0; row < 3; ++row)
             for (int column = 0; column < int(slice.stride); ++column) {
                 const bool inside = row < 2 && column >= 2 && column < 2 + columns;

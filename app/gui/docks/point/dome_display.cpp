@@ -110,11 +110,11 @@ DomePlace placeDome(const CameraPose& pose, const ViewLens& lens, double groundM
     return place;
 }
 
-DomeDrift compareDomes(const DomePlace& shown, const DomePlace& wanted) {
+DomeMismatch compareDomes(const DomePlace& shown, const DomePlace& wanted) {
     const double off = glm::distance(shown.centre, wanted.centre) / shown.radiusM;
     const double size = std::max(shown.radiusM / wanted.radiusM, wanted.radiusM / shown.radiusM);
-    if (off > leapM || size > leapSize) return DomeDrift::large;
-    return off > driftM || size > 1 + driftM ? DomeDrift::small : DomeDrift::none;
+    if (off > leapM || size > leapSize) return DomeMismatch::large;
+    return off > driftM || size > 1 + driftM ? DomeMismatch::small : DomeMismatch::none;
 }
 
 DomeMarks::Net drawDome(const SunPaths& paths, const glm::dmat3& frameFromPlace, const DomePlace& place) {
@@ -189,9 +189,9 @@ void DomeDisplay::followSun() {
 
 void DomeDisplay::followCamera() {
     if (!place_) return;
-    const DomeDrift drift = compareDomes(*place_, wantedPlace());
-    if (drift == DomeDrift::large) return settle();
-    drift == DomeDrift::small ? rest_->start() : rest_->stop();
+    const DomeMismatch drift = compareDomes(*place_, wantedPlace());
+    if (drift == DomeMismatch::large) return settle();
+    drift == DomeMismatch::small ? rest_->start() : rest_->stop();
 }
 
 void DomeDisplay::settle() {

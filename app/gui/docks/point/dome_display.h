@@ -25,8 +25,8 @@ DomePlace placeDome(const CameraPose& pose, const ViewLens& lens, double groundM
                     const std::optional<glm::dvec3>& centre);
 
 /// How badly a dome that stands at `shown` represents one at `wanted`.
-enum class DomeDrift { none, small, large };
-DomeDrift compareDomes(const DomePlace& shown, const DomePlace& wanted);
+enum class DomeMismatch { none, small, large };
+DomeMismatch compareDomes(const DomePlace& shown, const DomePlace& wanted);
 
 /// The lines and names of a dome: paths, hours, the horizon with the quarters of the sky. January to June are
 /// named where the sun rises, July to December where it sets, hours where they are highest.

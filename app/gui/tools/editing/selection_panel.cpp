@@ -48,7 +48,7 @@ QString describeSource(HeightSource source) {
 }
 
 Result<GivenMass> massOf(const Building& building, const City& city, double storeyHeightM = defaultStoreyM) {
-    return givenBy(building, double(findGroundUnder(building, city)), storeyHeightM);
+    return massOf(building, double(findGroundUnder(building, city)), storeyHeightM);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ QString describeStep(std::size_t steps) {
 std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std::size_t steps) {
     const bool level = !city.terrain && places == ReceiverPlaces::ground;
     if (!level) return {LiveEngine::horizons};
-    if (steps <= LiveRule::maxSteps) return {LiveEngine::shadows, LiveEngine::horizons};
+    if (steps <= LiveLimits::maxSteps) return {LiveEngine::shadows, LiveEngine::horizons};
     return {LiveEngine::horizons, LiveEngine::moments};
 }
 
@@ -133,7 +133,7 @@ constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
 // Moments spread over the days and hours of a long period, as one day.
 SunSteps spread(const SunSteps& sun) {
-    const std::size_t all = sun.steps.size(), maximum = LiveRule::someMoments;
+    const std::size_t all = sun.steps.size(), maximum = LiveLimits::someMoments;
     SunSteps chosen{.stepMinutes = sun.stepMinutes};
     for (std::size_t k = 0; k < maximum; ++k)
         chosen.steps.push_back(sun.steps[(2 * k + 1) * all / (2 * maximum)]);
@@ -157,7 +157,7 @@ double lowestM(const City& city) {
 bool suits(const LiveQuestion& question, const LivePlace& place, const SunSteps& sun) {
     if (!question.onRegion || question.region.polygons.empty()) return false;
     const auto grid = gridOver(question.region, question.receivers);
-    if (!grid || grid->size() > LiveRule::maxCells) return false;
+    if (!grid || grid->size() > LiveLimits::maxCells) return false;
     return ShadowReach(sun).touches(place.volume.box, double(place.volume.topM) - lowestM(place.rest),
                                     bounds(question.region));
 }
@@ -222,7 +222,7 @@ Result<void> LiveShadow::begin(const SunSteps& sun, Progress& progress, const st
 Result<void> LiveShadow::begin(LiveEngine engine, const SunSteps& sun, Progress& progress,
                                const std::stop_token& stop) {
     engine_ = engine;
-    counted_ = engine == LiveEngine::moments ? LiveRule::someMoments : steps_;
+    counted_ = engine == LiveEngine::moments ? LiveLimits::someMoments : steps_;
     if (engine == LiveEngine::horizons)
         return fieldOf(city_, receivers(), ShadowCounts::gross, progress, stop).map([](const ShadowField&) {
         });

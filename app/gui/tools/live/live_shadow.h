@@ -29,7 +29,7 @@ enum class LiveEngine {
     moments,
 };
 
-struct LiveRule {
+struct LiveLimits {
     /// Up to this many steps, polygons of each step are cached: twelve hours minute by minute.
     static constexpr std::size_t maxSteps = 720;
     /// Number of moments of a longer period. Fewer than maxSteps, since moments far apart cost more each.

@@ -19,17 +19,17 @@ namespace noonmark::HWY_NAMESPACE {
 /// Computes the shapes of casters' shadows at eight steps.
 class Shaping {
 public:
-    HWY_INLINE explicit Shaping(const StepOffsets& throws) : throws_(throws) {
+    HWY_INLINE explicit Shaping(const StepOffsets& offsets) : offsets_(offsets) {
         for (std::size_t step = 0; step < stepsTogether; ++step) {
-            const double up = throws.at.y[step];
-            slope_[step] = throws.at.x[step] / (up != 0 ? up : 1);
+            const double up = offsets.at.y[step];
+            slope_[step] = offsets.at.x[step] / (up != 0 ? up : 1);
         }
     }
 
     /// Whether exactly these edges face away from the sun at all steps.
     [[nodiscard]] HWY_INLINE bool areFar(const CasterRing& ring, const EdgeArc& arc) const {
         if (arc.first == arc.end) return false;
-        const Points to{throws_.at.x, throws_.at.y};
+        const Points to{offsets_.at.x, offsets_.at.y};
         const auto turn = [&](std::size_t edge) HWY_ATTR {
             return to.x * ring.edges[edge].along.y - to.y * ring.edges[edge].along.x;
         };
@@ -47,8 +47,8 @@ public:
         // If a wall faces the sun, the wall on the opposite side casts the shadow.
         if (wall && (arc.first == arc.end || arc.first != 0)) return false;
         const bool fromGround = caster.stands || (wall && caster.bottomM == 0);
-        const Place far(throws_, caster.topM),
-            near(throws_, fromGround && oneWall ? -behindWallM : double(caster.bottomM));
+        const Place far(offsets_, caster.topM),
+            near(offsets_, fromGround && oneWall ? -behindWallM : double(caster.bottomM));
         clear();
         begin(far, 0);
         begin(near, 1);
@@ -75,7 +75,7 @@ public:
         for (EdgeChain& chain : shape_.eastern) chain.count = 0;
         Points thrown[3];
         for (std::size_t i = 0; i < 3; ++i) {
-            const Place place(throws_, caster.heights[i]);
+            const Place place(offsets_, caster.heights[i]);
             bound(points[i], points[i], place);
             thrown[i] = points[i] + place.at;
         }
@@ -189,7 +189,7 @@ private:
         }
     }
 
-    const StepOffsets& throws_;
+    const StepOffsets& offsets_;
     StepDoubles slope_;  // of the shadow's direction, in columns per row
     StepShape shape_;
 };

@@ -44,10 +44,10 @@ void setRange(ReachLimits::Axis& axis, double low, double high) {
 }  // namespace
 
 CasterReach::CasterReach(const SunSteps& sun, double cellM, std::size_t first, std::size_t end)
-    : throws_(computeOffsets(sun, cellM, first, end)) {
+    : offsets_(computeOffsets(sun, cellM, first, end)) {
     end = std::min(end, sun.steps.size());
-    limits_.x = {throws_.low.x, throws_.high.x, 0, 0};
-    limits_.y = {throws_.low.y, throws_.high.y, 0, 0};
+    limits_.x = {offsets_.low.x, offsets_.high.x, 0, 0};
+    limits_.y = {offsets_.low.y, offsets_.high.y, 0, 0};
     glm::dvec2 sum{};
     for (std::size_t step = first; step < end; ++step) {
         const glm::dvec2 thrown = shadowOffsetInCells(glm::dvec3(sun.steps[step].direction), cellM);

@@ -59,10 +59,10 @@ public:
         return findTouching(extents, first, count, limits_);
     }
 
-    [[nodiscard]] const StepOffsets& offsets() const { return throws_; }
+    [[nodiscard]] const StepOffsets& offsets() const { return offsets_; }
 
 private:
-    StepOffsets throws_;
+    StepOffsets offsets_;
     ReachLimits limits_;
 };
 
