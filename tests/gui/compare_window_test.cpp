@@ -172,9 +172,10 @@ TEST_F(CompareWindow, TheStudyOfTheOtherScenarioIsShownInTheSameColours) {
     lookAtTower();
     show("compareSwipe");
     window->mode().setMode(ViewMode::analysis);
-    const QSize calm = captured().size();
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return workbench().study() != nullptr; }, 20000)) << message().toStdString();
+    QCoreApplication::processEvents();  // the panel of results has opened
+    const QSize calm = captured().size();
     EXPECT_TRUE(note().contains(QStringLiteral("not measured yet"))) << note().toStdString();
     const QImage before = capturedAt(calm);
     workbench().measureAll();

@@ -140,6 +140,7 @@ MainWindow::~MainWindow() = default;
 
 // Limits the window to the available screen at any scale factor, and leaves room for the window frame.
 void MainWindow::fitScreen() {
+    layout()->activate();  // without the panels that were hidden since
     const QSize room = screen()->availableGeometry().size() - QSize(frameWidth, frameHeight);
     if (!isMaximized() && !isFullScreen()) resize(size().boundedTo(room));
 }

@@ -106,7 +106,10 @@ ViewPanel::ViewPanel(QWidget* parent)
     container_->setAccessibleDescription(tr("Arrow keys pan, plus and minus zoom; Ctrl+F1 lists all keys"));
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(0);
-    messages_->setAttribute(Qt::WA_NativeWindow);  // the view's own window would lie above anything else
+    // The view's own window would lie above anything else; the panel has none, or it would hide the start
+    // page.
+    messages_->setAttribute(Qt::WA_DontCreateNativeAncestors);
+    messages_->setAttribute(Qt::WA_NativeWindow);
     messages_->installEventFilter(this);
     column_->addWidget(container_, 1);
     column_->addWidget(strips_);
