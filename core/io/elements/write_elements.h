@@ -22,7 +22,7 @@ inline constexpr int placeDecimals = 8;  ///< degrees need more digits than metr
 struct ElementColumn {
     std::string name;   ///< lower case, unit at the end: "azimuth_deg"
     ElementValue kind;  ///< any value of the column's kind; not std::monostate
-    int decimals = 3;   ///< of numbers in CSV
+    int decimals = 3;   ///< of numbers in files
 };
 
 /// One row for each element. Columns are the same for files of any format.

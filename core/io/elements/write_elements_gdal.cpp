@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/gdal_calls.h"
+#include "core/base/json_number.h"
 #include "core/io/elements/write_elements.h"
 #include "core/io/styles/qgis_style.h"
 
@@ -21,13 +22,13 @@ OGRFieldType fieldTypeOf(const ElementValue& value) {
     return std::holds_alternative<std::int64_t>(value) ? OFTInteger64 : OFTString;
 }
 
-void setElementValue(OGRFeature& feature, int field, const ElementValue& value) {
+void setElementValue(OGRFeature& feature, int field, const ElementValue& value, int decimals) {
     if (const auto* text = std::get_if<std::string>(&value))
         feature.SetField(field, text->c_str());
     else if (const auto* whole = std::get_if<std::int64_t>(&value))
         feature.SetField(field, GIntBig(*whole));
     else if (const auto* number = std::get_if<double>(&value); number != nullptr && std::isfinite(*number))
-        feature.SetField(field, *number);
+        feature.SetField(field, roundAsText(*number, decimals));
 }
 
 /// A layer as it is written: how its rows become shapes.
@@ -55,9 +56,11 @@ OGRLayer* createTableLayer(GDALDataset& dataset, const WrittenLayer& written, co
     return layer;
 }
 
-bool writeRow(OGRLayer& layer, const std::vector<ElementValue>& row, std::unique_ptr<OGRGeometry> shape) {
+bool writeRow(OGRLayer& layer, const ElementTable& table, std::size_t row,
+              std::unique_ptr<OGRGeometry> shape) {
     OGRFeature feature(layer.GetLayerDefn());
-    for (std::size_t i = 0; i < row.size(); ++i) setElementValue(feature, int(i), row[i]);
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        setElementValue(feature, int(i), table.rows[row][i], table.columns[i].decimals);
     feature.SetGeometryDirectly(shape.release());
     return layer.CreateFeature(&feature) == OGRERR_NONE;
 }
@@ -67,7 +70,7 @@ bool writeTable(GDALDataset& dataset, const WrittenLayer& written, const Element
     OGRLayer* layer = createTableLayer(dataset, written, table);
     if (layer == nullptr) return false;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
-        if (!writeRow(*layer, table.rows[i], written.shape(i))) return false;
+        if (!writeRow(*layer, table, i, written.shape(i))) return false;
     writeLayerStyle(dataset, *layer, written.style);
     return dataset.CommitTransaction() == OGRERR_NONE;
 }
