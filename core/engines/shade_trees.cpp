@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/engines/horizon/horizon_sweep.h"
+#include "core/engines/horizon/trees/crown_sweep.h"
 #include "core/engines/ray/tree_rays.h"
 
 namespace noonmark {
@@ -77,6 +78,49 @@ Result<std::shared_ptr<const TreeShade>> shadeTrees(const City& city, const Rece
     return traceTrees(city, receivers, sun, field, progress, stop).map([&](auto shade) {
         return selectColumns(std::move(shade), columns);
     });
+}
+
+namespace {
+
+// A sum of rounded altitudes may exceed what is left of the time by a trifle.
+ShadowBreakdown addTakenMinutes(const ShadowBreakdown& without,
+                                const std::vector<std::vector<float>>& taken) {
+    ShadowBreakdown with = without;
+    for (std::size_t set = 0; set < taken.size(); ++set)
+        for (std::size_t i = 0; i < taken[set].size(); ++i)
+            with.minutes[set][i] =
+                std::min(with.minutes[set][i] + taken[set][i], float(without.sunlitMinutes[set]));
+    return with;
+}
+
+Result<std::optional<TakenBySet>> takeSets(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                           const StepSets& sets, Progress& progress,
+                                           const std::stop_token& stop) {
+    const CrownScene crowns = findCrowns(city, receivers, sun);
+    if (crowns.empty()) return std::nullopt;
+    const double rays = double(receivers.cells.size()) * double(sun.steps.size());
+    if (rays > maxRays) {
+        auto swept = sweepCrowns(city, crowns, receivers, sun, sets, progress, stop);
+        if (swept) return *std::move(swept);
+        if (isCancelled(swept.error())) return tl::make_unexpected(swept.error());
+    }
+    return traceTreeSets(city, receivers, sun, sets, progress, stop);
+}
+
+}  // namespace
+
+Result<std::optional<ShadedSets>> shadeTreeSets(const City& city, const Receivers& receivers,
+                                                const SunSteps& sun, const ShadowBreakdown& without,
+                                                TreeColumns columns, Progress& progress,
+                                                const std::stop_token& stop) {
+    if (!city.trees || columns == TreeColumns::without) return std::nullopt;
+    auto taken = takeSets(withTreesFor(city, columns), receivers, sun, without.sets, progress, stop);
+    if (!taken) return tl::make_unexpected(taken.error());
+    if (!*taken) return std::nullopt;
+    ShadedSets shaded{.treesUsed = (*taken)->treesUsed, .how = (*taken)->how};
+    if (columns != TreeColumns::seasonal) shaded.evergreen = addTakenMinutes(without, (*taken)->evergreen);
+    if (columns != TreeColumns::evergreen) shaded.seasonal = addTakenMinutes(without, (*taken)->seasonal);
+    return shaded;
 }
 
 }  // namespace noonmark

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stop_token>
+#include <string>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/engines/api/step_sets.h"
 #include "core/engines/api/tree_shade.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
@@ -32,5 +35,24 @@ Result<std::shared_ptr<const TreeShade>> shadeTrees(const City& city, const Rece
                                                     const SunSteps& sun, const ShadowField& field,
                                                     TreeColumns columns, Progress& progress,
                                                     const std::stop_token& stop);
+
+/// A period's shadow by sets of steps with trees; at least one is there.
+struct ShadedSets {
+    std::optional<ShadowBreakdown> evergreen;  ///< every tree in leaf all year
+    std::optional<ShadowBreakdown> seasonal;   ///< trees bare out of season
+    std::size_t treesUsed = 0;                 ///< trees whose shadow can reach a receiver
+    std::string how;                           ///< in words, for the report
+    [[nodiscard]] const std::optional<ShadowBreakdown>& of(TreeColumns column) const {
+        return column == TreeColumns::evergreen ? evergreen : seasonal;
+    }
+};
+
+/// The same by sets of steps, on top of a breakdown of the same city, receivers and steps by whichever
+/// engine: by rays up to 10^8 of them, else by one horizon sweep for all sets. None where no tree reaches a
+/// receiver, and for TreeColumns::without. cancelled() when stopped.
+Result<std::optional<ShadedSets>> shadeTreeSets(const City& city, const Receivers& receivers,
+                                                const SunSteps& sun, const ShadowBreakdown& without,
+                                                TreeColumns columns, Progress& progress,
+                                                const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -171,35 +171,27 @@ const Figures<ShadowStatistics>& shadowFigures() {
     return figures;
 }
 
-namespace {
+std::string_view describeTrees(TreeColumns column) {
+    return column == TreeColumns::evergreen ? NM_TEXT("trees as evergreens")
+                                            : NM_TEXT("trees with their seasons");
+}
 
-/// Figures with the texts that their facts refer to.
-class ColumnFigures {
-public:
-    ColumnFigures(TreeColumns column, std::string_view with) {
-        for (const Figure& figure : shadowFigures().rows()) {
-            if (figure.use != FigureUse::result || !figure.inFiles) continue;
-            Figure row = figure;
-            row.key = hold(std::string(figure.key) + suffixOf(column));
-            row.label = hold(fmt::format("{}, {}", figure.label, with));
-            row.definition = hold(fmt::format(
-                "{}; {}, weighted by what buildings and crowns take from the sun", figure.definition, with));
-            rows_.push_back(std::move(row));
-        }
+FiguresWithTrees::FiguresWithTrees(std::span<const Figure> figures, TreeColumns column) {
+    const std::string_view with = describeTrees(column);
+    for (const Figure& figure : figures) {
+        if (figure.use != FigureUse::result || !figure.inFiles) continue;
+        Figure row = figure;
+        row.key = hold(std::string(figure.key) + suffixOf(column));
+        row.label = hold(fmt::format("{}, {}", figure.label, with));
+        row.definition = hold(fmt::format("{}; {}, weighted by what buildings and crowns take from the sun",
+                                          figure.definition, with));
+        rows_.push_back(std::move(row));
     }
-    [[nodiscard]] std::span<const Figure> rows() const { return rows_; }
-
-private:
-    std::string_view hold(std::string text) { return texts_.emplace_back(std::move(text)); }
-    std::deque<std::string> texts_;
-    std::vector<Figure> rows_;
-};
-
-}  // namespace
+}
 
 std::span<const Figure> treeFigures(TreeColumns column) {
-    static const ColumnFigures evergreen(TreeColumns::evergreen, "trees as evergreens");
-    static const ColumnFigures seasonal(TreeColumns::seasonal, "trees with their seasons");
+    static const FiguresWithTrees evergreen(shadowFigures().rows(), TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(shadowFigures().rows(), TreeColumns::seasonal);
     return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
 }
 

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/describe/answer_page.h"
 #include "core/describe/figure.h"
@@ -32,6 +37,22 @@ inline bool hasRuns(const ShadowStatistics& figures) { return !std::isnan(figure
 inline bool hasRuns(const SampledError& error) { return !std::isnan(error.continuous.meanMin); }
 
 const Figures<ShadowStatistics>& shadowFigures();
+
+/// "trees as evergreens", "trees with their seasons". `column`: evergreen or seasonal.
+std::string_view describeTrees(TreeColumns column);
+
+/// The results among figures where trees of one column are measured, with keys, labels and definitions of
+/// their own: "hours_mean_evergreen".
+class FiguresWithTrees {
+public:
+    FiguresWithTrees(std::span<const Figure> figures, TreeColumns column);
+    [[nodiscard]] std::span<const Figure> rows() const { return rows_; }
+
+private:
+    std::string_view hold(std::string text) { return texts_.emplace_back(std::move(text)); }
+    std::deque<std::string> texts_;  // that the facts refer to
+    std::vector<Figure> rows_;
+};
 
 /// The results among them of a field with trees (TreeColumns::evergreen or seasonal), with keys, labels and
 /// definitions of their own: "mean_gross_min_evergreen". They take ShadowStatistics.

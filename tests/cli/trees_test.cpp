@@ -123,10 +123,32 @@ protected:
 };
 
 TEST_F(TreesLeftOut, QuestionsThatMeasureNoneSaySo) {
-    expectSaid(over({"by-place", town.string(), "--region", region}), notMeasured);
     expectSaid(over({"city-study", town.string(), "--region", region}), notMeasured);
     expectSaid(over({"study", town.string(), "--region", region, "--receivers", "facades"}), notMeasured);
     expectSaid({"point", town.string(), "--at", "-73.9800,40.7504"}, notMeasured);
+}
+
+TEST_F(TreesLeftOut, SunByPlaceCountsThem) {
+    auto question = over({"by-place", town.string(), "--trees", inventory, "--region", region});
+    for (const char* word : {"--kind", "park", "--date", "2026-07-01", "--json"}) question.emplace_back(word);
+    const nlohmann::json all = noonmarkCli(question).json();
+    const nlohmann::json& place = all.at("places").at(0);
+    EXPECT_LT(place.at("hours_mean_evergreen"), place.at("hours_mean_seasonal"));
+    EXPECT_LT(place.at("hours_mean_seasonal"), place.at("hours_mean"));
+    EXPECT_NEAR(place.at("month_hours_evergreen").at("2026-01").get<double>(),
+                place.at("hours_mean_evergreen").get<double>(), 2e-4);
+    EXPECT_EQ(place.at("date_hours_evergreen"), place.at("date_hours_seasonal")) << "in leaf in July";
+    EXPECT_TRUE(all.at("definitions").contains("share_enough_seasonal"));
+    for (const nlohmann::json& warning : all.at("warnings"))
+        EXPECT_THAT(warning.at("what").get<std::string>(), Not(testing::StartsWith("trees:")));
+    std::ifstream table(folder.path("by-place") / "places.csv");
+    std::string heading;
+    std::getline(table, heading);
+    EXPECT_THAT(heading, HasSubstr(",hours_2026-01_evergreen,"));
+    question.insert(question.end(), {"--tree-shade", "seasonal"});
+    const nlohmann::json seasonal = noonmarkCli(question).json();
+    EXPECT_FALSE(seasonal.at("places").at(0).contains("hours_mean_evergreen"));
+    EXPECT_THAT(seasonal.at("repeat").get<std::string>(), HasSubstr("--tree-shade seasonal"));
 }
 
 TEST_F(TreesLeftOut, FilesWithoutThemSaySo) {

@@ -18,7 +18,9 @@
 #include "app/questions/question.h"
 #include "core/describe/command_options.h"
 #include "core/io/read_region.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/place_names.h"
+#include "core/study/study_fields.h"
 #include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
@@ -197,12 +199,21 @@ std::string describeChange(const ComparedSun& compared, std::size_t i) {
                        change.meanHours, change.maxLossMin, 100 * change.lostShare);
 }
 
+std::string describeWithTrees(const SunByPlace& sun, std::size_t i) {
+    std::string text;
+    for (const SunWithTrees& with : sun.withTrees)
+        if (!std::isnan(with.sun[i].meanHours))
+            text += fmt::format("  {}: {:.2f} h", describeTrees(with.column), with.sun[i].meanHours);
+    return text;
+}
+
 void printPlaces(const SunOfCities& all, std::ostream& out) {
     constexpr std::size_t maxListed = 40;
     const SunByPlace& sun = all.baseline;
     for (std::size_t i = 0; i < std::min(maxListed, sun.places.size()); ++i) {
         out << fmt::format("{:<44} {:<13} {}", sun.places[i].name, nameOf(sun.places[i].kind),
-                           describeSun(sun.sun[i]));
+                           describeSun(sun.sun[i]))
+            << describeWithTrees(sun, i);
         for (const ComparedSun& one : all.compared) out << describeChange(one, i);
         out << '\n';
     }
@@ -229,6 +240,7 @@ void printSun(const SunOfCities& all, const std::vector<std::filesystem::path>& 
     Table table;
     table.add("period", formatText(sun.settings.study.period));
     table.add("engine", sun.field.engine);
+    if (!sun.withTrees.empty()) table.add("trees", sun.treesHow);
     table.add("places", withCommas(sun.places.size()));
     table.add("possible", fmt::format("{:.2f} h of sun a day without any shadow", sun.possibleHours));
     table.add("enough", fmt::format("{:g} h of sun a day", sun.settings.enoughHours));
@@ -301,6 +313,7 @@ void addByPlaceCommand(CLI::App& app, Run& run) {
     addFieldOptions(*command, sunByPlaceFields().of(options->settings));
     addCellOptions(*command, study.settings);
     addEngineOptions(*command, study.settings);
+    addFieldOptions(*command, treeFields().of(study.settings));
     addErrorOptions(*command, study.settings.errorSample);
     addLegendOptions(*command, options->colours.legend);
     command

@@ -13,6 +13,7 @@
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_text.h"
 #include "core/describe/command_options.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/place_names.h"
 #include "core/study/provenance/command_text.h"
 
@@ -65,6 +66,9 @@ TextBlocks describeMethod(const SunOfCities& all) {
             .arg(std::min(sun.settings.smallCellM, sun.settings.study.receivers.cellM)));
     add(QStringLiteral("Without any shadow there would be %1 h of sun a day.")
             .arg(hoursText(sun.possibleHours)));
+    for (const SunWithTrees& with : sun.withTrees)
+        add(QStringLiteral("Also measured with %1.").arg(plainText(std::string(describeTrees(with.column)))));
+    if (!sun.withTrees.empty()) add(QStringLiteral("Trees: %1.").arg(plainText(sun.treesHow)));
     add(QStringLiteral("Error of cells: %1.").arg(plainText(describeCellError(sun.error))));
     for (std::size_t date = 0; date < sun.dateErrors.size(); ++date)
         add(QStringLiteral("Error on %1: %2.")
@@ -195,9 +199,14 @@ QString textOf(const Figure& figure, double value) {
 // The change of the mean is the only one that has a column for each scenario.
 const Figure& changeFigure() { return sunChangeFigures().rows().front(); }
 
+// Of the figures with trees, too, the mean is the only one that has columns.
+const Figure& meanFigure(TreeColumns column) { return sunFiguresWithTrees(column).front(); }
+
 std::vector<QString> titlesOf(const SunOfCities& all) {
     std::vector<QString> titles{QStringLiteral("Place"), QStringLiteral("Kind")};
     for (const Figure& figure : sunOfPlaceFigures().rows()) titles.push_back(titleOf(figure));
+    for (const SunWithTrees& with : shownCity(all).withTrees)
+        titles.push_back(titleOf(meanFigure(with.column)));
     for (const CivilDate& date : shownCity(all).settings.dates)
         titles.push_back(QStringLiteral("Below, %1").arg(plainText(formatText(date))));
     for (const ComparedSun& one : all.compared)
@@ -217,6 +226,8 @@ std::vector<QString> rowOf(const SunOfCities& all, std::size_t i) {
     const SunOfPlace& of = sun.sun[i];
     std::vector<QString> row{plainText(sun.places[i].name), plainText(nameOf(sun.places[i].kind))};
     for (const Figure& figure : sunOfPlaceFigures().rows()) row.push_back(textOf(figure, figure.get(&of)));
+    for (const SunWithTrees& with : sun.withTrees)
+        row.push_back(textOf(meanFigure(with.column), with.sun[i].meanHours));
     for (std::size_t date = 0; date < sun.settings.dates.size(); ++date)
         row.push_back(date < of.belowShare.size() ? percentText(of.belowShare[date]) : QString());
     for (const ComparedSun& one : all.compared)

@@ -100,25 +100,30 @@ void addDecided(const RunRays& rays, const Receivers& receivers, ShadowField& fi
 }
 
 // A sum of rounded altitudes may exceed what is left of the time by a trifle.
-void addTakenSteps(const ShadowField& without, const std::vector<double>& steps, ShadowField& column) {
-    for (std::size_t cell = 0; cell < steps.size(); ++cell) {
+void addTakenSteps(const ShadowField& without, const std::vector<std::uint32_t>& cells,
+                   const std::vector<double>& steps, ShadowField& column) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
         const double minutes =
-            double(without.grossMin[cell]) + steps[cell] * without.stepMinutes / without.days;
-        column.grossMin[cell] = float(std::min(minutes, without.sunlitMinutesPerDay));
-        column.continuousMin[cell] = std::numeric_limits<float>::quiet_NaN();
+            double(without.grossMin[cells[i]]) + steps[i] * without.stepMinutes / without.days;
+        column.grossMin[cells[i]] = float(std::min(minutes, without.sunlitMinutesPerDay));
     }
+    std::ranges::fill(column.continuousMin, std::numeric_limits<float>::quiet_NaN());
 }
 
-std::shared_ptr<const TreeShade> addTaken(const ShadowField& without, const PeriodSweep::TakenSteps& taken,
-                                          std::size_t trees) {
-    TreeShade shade = makeTreeShade(without, trees);
-    addTakenSteps(without, taken.evergreen, *shade.evergreen);
-    addTakenSteps(without, taken.seasonal, *shade.seasonal);
-    shade.how = fmt::format(
+std::string describeCrowns() {
+    return fmt::format(
         "Horizon sweep: the length of each path through each crown at up to {} altitudes in each azimuth "
         "bin; "
         "longest runs are not counted",
         CrownSweep::maxLevels);
+}
+
+std::shared_ptr<const TreeShade> addTaken(const ShadowField& without, const Receivers& receivers,
+                                          const PeriodSweep::TakenSteps& taken, std::size_t trees) {
+    TreeShade shade = makeTreeShade(without, trees);
+    addTakenSteps(without, receivers.cells, taken.evergreen.front(), *shade.evergreen);
+    addTakenSteps(without, receivers.cells, taken.seasonal.front(), *shade.seasonal);
+    shade.how = describeCrowns();
     return std::make_shared<const TreeShade>(std::move(shade));
 }
 
@@ -146,7 +151,7 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
     }
     const CrownScene crowns = findCrowns(city, receivers, sun);
     std::optional<CrownSweep> crownSweep;
-    if (!crowns.empty()) crownSweep.emplace(crowns, binned, receivers.grid, walls.datumM);
+    if (!crowns.empty()) crownSweep.emplace(crowns, binned, makeOneSet(sun), receivers.grid, walls.datumM);
     PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, settings.counts, rays ? &*rays : nullptr,
                       progress, stop);
     if (crownSweep) sweep.weigh(&*crownSweep);
@@ -155,12 +160,40 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
     field.cost.skipped["prisms and solids whose shadow cannot reach a tile (each x azimuth bins)"] =
         sweep.outOfReach();
     if (rays) addDecided(*rays, receivers, field);
-    if (crownSweep) field.trees = addTaken(field, sweep.takenSteps(), crowns.crowns.size());
+    if (crownSweep) field.trees = addTaken(field, receivers, sweep.takenSteps(), crowns.crowns.size());
     progress.report(1, "sweeping horizons");
     return field;
 }
 
+std::vector<std::vector<float>> toMinutes(const std::vector<std::vector<double>>& steps, double stepMinutes) {
+    std::vector<std::vector<float>> minutes;
+    for (const std::vector<double>& ofSet : steps)
+        for (auto& own = minutes.emplace_back(); const double one : ofSet)
+            own.push_back(float(one * stepMinutes));
+    return minutes;
+}
+
 }  // namespace
+
+Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const Receivers& receivers,
+                               const SunSteps& sun, const StepSets& sets, Progress& progress,
+                               const std::stop_token& stop) {
+    OverhangParts overhangs;
+    const WallList walls =
+        collectStandingObstacles(city, findBuildingsInReach(city, receivers, sun), receivers, overhangs);
+    const auto overhanging = makeOverhangShapes(overhangs, receivers.grid, walls.datumM);
+    if (!overhanging) return tl::make_unexpected(overhanging.error());
+    const BinnedSun binned = binSun(sun, HorizonSweepSettings{.counts = ShadowCounts::gross});
+    const CrownSweep crownSweep(crowns, binned, sets, receivers.grid, walls.datumM);
+    ProgressShare whole(progress, 0, 1);  // without the partial results, which know no trees
+    PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, ShadowCounts::gross, nullptr, whole, stop);
+    sweep.weigh(&crownSweep);
+    ShadowField field = makeBlankField(receivers, sun);
+    if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
+    const PeriodSweep::TakenSteps& taken = sweep.takenSteps();
+    return TakenBySet{toMinutes(taken.evergreen, sun.stepMinutes), toMinutes(taken.seasonal, sun.stepMinutes),
+                      crowns.crowns.size(), describeCrowns()};
+}
 
 HorizonSweep::HorizonSweep(HorizonSweepSettings settings) : settings_(settings) {}
 

@@ -225,4 +225,36 @@ Result<std::shared_ptr<const TreeShade>> traceTrees(const City& city, const Rece
     return std::make_shared<const TreeShade>(*std::move(shade));
 }
 
+namespace {
+
+// Of a period, from a field that was without shadow.
+std::vector<float> minutesOf(const ShadowField& column, const std::vector<std::uint32_t>& cells) {
+    std::vector<float> minutes = valuesAt(cells, column.grossMin);
+    for (float& one : minutes) one *= float(column.days);
+    return minutes;
+}
+
+}  // namespace
+
+Result<std::optional<TakenBySet>> traceTreeSets(const City& city, const Receivers& receivers,
+                                                const SunSteps& sun, const StepSets& sets, Progress& progress,
+                                                const std::stop_token& stop) {
+    const CrownScene all = findCrowns(city, receivers, sun);
+    if (all.empty()) return std::nullopt;
+    const auto scene = RayScene::over(city, findBuildingsInReach(city, receivers, sun), stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    TakenBySet taken{.treesUsed = all.crowns.size()};
+    for (std::size_t set = 0; set < sets.names.size(); ++set) {
+        ProgressShare share(progress, set, sets.names.size());
+        const SunSteps own = sets.stepsOf(set, sun);
+        const auto shade = traceCrowns(*scene, findCrowns(city, receivers, own), receivers, own,
+                                       makeBlankField(receivers, own), share, stop);
+        if (!shade) return tl::make_unexpected(shade.error());
+        taken.evergreen.push_back(minutesOf(*shade->evergreen, receivers.cells));
+        taken.seasonal.push_back(minutesOf(*shade->seasonal, receivers.cells));
+        taken.how = shade->how;
+    }
+    return taken;
+}
+
 }  // namespace noonmark

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/engines/api/step_sets.h"
 #include "core/engines/api/tree_shade.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/engines/trees/crowns.h"
@@ -19,6 +21,12 @@ namespace noonmark {
 Result<TreeShade> traceCrowns(const RayScene& scene, const CrownScene& crowns, const Receivers& receivers,
                               const SunSteps& sun, const ShadowField& without, Progress& progress,
                               const std::stop_token& stop);
+
+/// What crowns take of the sun that buildings leave by set of steps, likewise, with a scene of its own; none
+/// where no tree reaches a receiver.
+Result<std::optional<TakenBySet>> traceTreeSets(const City& city, const Receivers& receivers,
+                                                const SunSteps& sun, const StepSets& sets, Progress& progress,
+                                                const std::stop_token& stop);
 
 /// The same with a scene of its own; null where no tree reaches a receiver.
 Result<std::shared_ptr<const TreeShade>> traceTrees(const City& city, const Receivers& receivers,

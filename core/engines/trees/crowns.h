@@ -3,7 +3,9 @@
 // The folder core/engines/trees has what engines that weigh crowns share: the crowns in reach of receivers
 // and the steps in leaf (this file). core/engines/ray/tree_rays.h weighs them exactly.
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/city/city.h"
@@ -19,6 +21,17 @@ struct CrownScene {
     std::vector<Crown> crowns;
     std::vector<std::uint8_t> inLeaf;  ///< one per step: 1 where trees that lose their leaves have them
     [[nodiscard]] bool empty() const { return crowns.empty(); }
+};
+
+/// What crowns take of the sun that buildings leave, minutes by set of steps and then by receiver, and with
+/// every tree in leaf all year or bare out of season.
+struct TakenBySet {
+    std::vector<std::vector<float>> evergreen, seasonal;
+    std::size_t treesUsed = 0;  ///< trees whose shadow can reach a receiver
+    std::string how;            ///< in words, for the report
+    [[nodiscard]] const std::vector<std::vector<float>>& of(TreeColumns column) const {
+        return column == TreeColumns::evergreen ? evergreen : seasonal;
+    }
 };
 
 /// O(cells + trees + steps).

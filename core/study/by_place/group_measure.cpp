@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <memory>
 
 #include "core/base/progress.h"
 #include "core/describe/text.h"
+#include "core/engines/ray/tree_rays.h"
+#include "core/engines/shade_trees.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/by_place/sum_places.h"
 
 namespace noonmark {
@@ -87,10 +91,71 @@ public:
         return {};
     }
 
+    /// The same with trees, after takePeriod() of that city.
+    Result<void> takeShadedPeriod(std::size_t city, const ShadedSets& shaded, const StepSets& months) {
+        SunByPlace& made = m_.made[city];
+        const SunlitTime time{m_.daylight.sunlitMinutes(), countDays(m_.daylight), made.settings.enoughHours};
+        return compareShaded(city, m_.daylight, shaded, months, [&](TreeColumns column, ComparedSets all) {
+            std::vector<ShownError> errors = listPeriodErrors(places_, all, time);
+            if (city > 0 && !m_.compared.empty()) {
+                const auto first = shadedBaseline_.find(column);
+                const ComparedSets& before =
+                    first == shadedBaseline_.end() ? m_.compared.front() : first->second;
+                std::ranges::move(listChangeErrors(places_, before, all, time, made.settings.lossMin),
+                                  std::back_inserter(errors));
+            }
+            if (city == 0) shadedBaseline_.insert_or_assign(column, std::move(all));
+            return errors;
+        });
+    }
+
+    /// The same with trees, after takeDate() of that city.
+    Result<void> takeShadedDate(std::size_t city, const SunSteps& sun, const ShadedSets& shaded,
+                                const StepSets& one, const CivilDate& date) {
+        const SunlitTime time{sun.sunlitMinutes(), {1}, m_.made[city].settings.enoughHours};
+        return compareShaded(city, sun, shaded, one, [&](TreeColumns, const ComparedSets& all) {
+            return listDateErrors(places_, all, time, formatText(date));
+        });
+    }
+
 private:
+    // `listErrors`: of a column and its compared sets.
+    template <class ListErrors>
+    Result<void> compareShaded(std::size_t city, const SunSteps& sun, const ShadedSets& shaded,
+                               const StepSets& sets, const ListErrors& listErrors) {
+        if (!wanted_ || reference_.empty()) return {};
+        SunByPlace& made = m_.made[city];
+        NoProgress quiet;
+        const City weighed = withTreesFor(*m_.cities[city], m_.settings().study.trees);
+        const auto taken =
+            traceTreeSets(weighed, onlyReceivers(receivers_, places_.cells), sun, sets, quiet, m_.stop);
+        if (!taken) return warn(made, taken.error());
+        for (const SunWithTrees& with : made.withTrees) {
+            ComparedSets all{minutesAt(*shaded.of(with.column), places_.cells), reference_};
+            if (*taken) addTaken(all.reference, (*taken)->of(with.column));
+            append(made, nameColumn(listErrors(with.column, std::move(all)), with.column));
+        }
+        return {};
+    }
+
+    static void addTaken(std::vector<std::vector<double>>& minutes,
+                         const std::vector<std::vector<float>>& taken) {
+        for (std::size_t set = 0; set < minutes.size(); ++set)
+            for (std::size_t cell = 0; cell < minutes[set].size(); ++cell)
+                minutes[set][cell] += double(taken[set][cell]);
+    }
+
+    static std::vector<ShownError> nameColumn(std::vector<ShownError> errors, TreeColumns column) {
+        for (ShownError& error : errors)
+            error.of += (error.of.empty() ? "" : ", ") + std::string(describeTrees(column));
+        return errors;
+    }
+
     Result<ComparedSets> compare(std::size_t city, const SunSteps& sun, const ShadowBreakdown& sums) {
         NoProgress quiet;
-        return compareSets(*m_.cities[city], receivers_, sun, sums, places_.cells, quiet, m_.stop);
+        auto compared = compareSets(*m_.cities[city], receivers_, sun, sums, places_.cells, quiet, m_.stop);
+        reference_ = compared ? compared->reference : std::vector<std::vector<double>>();
+        return compared;
     }
 
     static void append(SunByPlace& made, std::vector<ShownError> errors) {
@@ -109,6 +174,8 @@ private:
     const Receivers& receivers_;
     bool wanted_;
     SampledPlaces places_;
+    std::vector<std::vector<double>> reference_;            // of what was compared last, without trees
+    std::map<TreeColumns, ComparedSets> shadedBaseline_{};  // the period in the first city
 };
 
 /// Measures the places of one group in all cities.
@@ -180,6 +247,7 @@ private:
                 continue;
             }
             if (auto taken = takeErrors(0, *first); !taken) return taken;
+            if (auto shaded = shadeMonths(0, *first); !shaded) return shaded;
             return sweepOthers(sweeps, *first);
         }
     }
@@ -199,6 +267,7 @@ private:
             if (!sums) return tl::make_unexpected(sums.error());
             if (auto taken = take(city, *sums); !taken) return taken;
             if (auto taken = takeErrors(city, *sums); !taken) return taken;
+            if (auto shaded = shadeMonths(city, *sums); !shaded) return shaded;
         }
         return {};
     }
@@ -214,7 +283,7 @@ private:
     Result<void> take(std::size_t city, const ShadowBreakdown& sums) {
         SunByPlace& made = m_.made[city];
         const MeanDay day = averageDay(sums, m_.daylight);
-        takeMonths(made, group_, sums, day);
+        takeMonths(made, group_, sums, day, made.sun);
         if (!isMain_) return {};
         ShadowField field = makeField(sums, day, receivers_, m_.daylight);
         const Stopwatch watch;
@@ -245,19 +314,64 @@ private:
             if (isMain_ && errors_)
                 if (auto taken = errors_->takeDate(city, sun, *sums, m_.settings().dates[date]); !taken)
                     return taken;
+            if (auto shaded = shadeDate(city, date, *sums); !shaded) return shaded;
             if (city == 0) first = *std::move(sums);
         }
         return {};
     }
 
+    // Where no tree reaches a place of one of several cities, its figures are those without trees.
+    Result<std::optional<ShadedSets>> shade(std::size_t city, const SunSteps& sun,
+                                            const ShadowBreakdown& sums) {
+        if (!m_.hasTrees) return std::nullopt;
+        const Stopwatch watch;
+        ProgressShare share = nextShare();
+        auto shaded =
+            shadeTreeSets(*m_.cities[city], receivers_, sun, sums, m_.settings().study.trees, share, m_.stop);
+        m_.made[city].seconds["trees"] += watch.seconds();
+        if (shaded && *shaded) {
+            m_.treesReached = true;
+            if (isMain_) m_.made[city].treesHow = (*shaded)->how;
+        }
+        return shaded;
+    }
+
+    Result<void> shadeMonths(std::size_t city, const ShadowBreakdown& sums) {
+        SunByPlace& made = m_.made[city];
+        const auto shaded = shade(city, m_.daylight, sums);
+        if (!shaded) return tl::make_unexpected(shaded.error());
+        for (SunWithTrees& with : made.withTrees) {
+            const ShadowBreakdown& own = *shaded ? *(*shaded)->of(with.column) : sums;
+            takeMonths(made, group_, own, averageDay(own, m_.daylight), with.sun);
+        }
+        if (!*shaded || !isMain_ || !errors_) return {};
+        return errors_->takeShadedPeriod(city, **shaded, m_.months);
+    }
+
+    Result<void> shadeDate(std::size_t city, std::size_t date, const ShadowBreakdown& sums) {
+        SunByPlace& made = m_.made[city];
+        const SunSteps& sun = m_.dates[date];
+        const auto shaded = shade(city, sun, sums);
+        if (!shaded) return tl::make_unexpected(shaded.error());
+        for (SunWithTrees& with : made.withTrees) {
+            const ShadowBreakdown& own = *shaded ? *(*shaded)->of(with.column) : sums;
+            takeDate(made, group_, averageDay(own, sun), with.sun);
+        }
+        if (!*shaded || !isMain_ || !errors_) return {};
+        return errors_->takeShadedDate(city, sun, **shaded, sums.sets, m_.settings().dates[date]);
+    }
+
     void takeSunlessDay(std::size_t city) {
-        takeDate(m_.made[city], group_, {std::vector<float>(receivers_.cells.size()), 0});
+        SunByPlace& made = m_.made[city];
+        const MeanDay sunless{std::vector<float>(receivers_.cells.size()), 0};
+        takeDate(made, group_, sunless, made.sun);
+        for (SunWithTrees& with : made.withTrees) takeDate(made, group_, sunless, with.sun);
         if (isMain_) m_.made[city].dateErrors.emplace_back();
     }
 
     Result<void> takeDay(std::size_t city, const SunSteps& sun, const ShadowBreakdown& sums) {
         const MeanDay day = averageDay(sums, sun);
-        takeDate(m_.made[city], group_, day);
+        takeDate(m_.made[city], group_, day, m_.made[city].sun);
         if (!isMain_) return {};
         auto error = measureError(m_, city, receivers_, sun, makeField(sums, day, receivers_, sun));
         if (!error) return tl::make_unexpected(error.error());
@@ -265,7 +379,10 @@ private:
         return {};
     }
 
-    ProgressShare nextShare() { return {progress_, done_++, m_.cities.size() * (1 + m_.dates.size())}; }
+    // Each sweep, and with trees another one.
+    ProgressShare nextShare() {
+        return {progress_, done_++, m_.cities.size() * (1 + m_.dates.size()) * (m_.hasTrees ? 2 : 1)};
+    }
 
     Measuring& m_;
     const CellGroup& group_;

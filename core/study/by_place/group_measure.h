@@ -83,6 +83,8 @@ struct Measuring {
     std::vector<SampledOff> off{};         ///< samples after which the engine was changed for a closer one
     std::vector<ComparedSets> compared{};  ///< the period in the cities sampled so far
     std::vector<std::vector<double>> smallOff{};  ///< of each city: how far means of small places are off
+    bool hasTrees = false;                        ///< some city has trees, and they are wanted
+    bool treesReached = false;                    ///< and one has reached a place
 
     [[nodiscard]] const SunByPlaceSettings& settings() const { return made.front().settings; }
     [[nodiscard]] const std::vector<Place>& places() const { return made.front().places; }

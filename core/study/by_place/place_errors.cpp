@@ -8,7 +8,6 @@
 
 #include "core/city/map_context.h"
 #include "core/city/terrain/post_grid.h"
-#include "core/city/trees/tree.h"
 #include "core/measures/places/place_cells.h"
 #include "core/receivers/place_names.h"
 
@@ -255,7 +254,6 @@ Result<void> listPlacesOnWater(std::vector<SunByPlace>& made, const CellGroup& a
 
 Result<void> warnOfPlaces(std::span<const City* const> cities, std::vector<SunByPlace>& made,
                           const CellGroup& all, const std::stop_token& stop) {
-    std::ranges::move(warnOfTrees(cities.front()->trees), std::back_inserter(made.front().warnings));
     listPlacesWithoutCells(cities, made);
     listPlacesBeyondTerrain(made, all);
     return listPlacesOnWater(made, all, stop);

@@ -41,7 +41,7 @@ std::vector<ShownError> listDateErrors(const SampledPlaces& places, const Compar
 std::vector<ShownError> listChangeErrors(const SampledPlaces& places, const ComparedSets& before,
                                          const ComparedSets& after, const SunlitTime& time, double lossMin);
 
-/// Warns in the first city's answer of its trees, of places without figures, beyond its terrain and on its
+/// Warns in the first city's answer of places without figures, beyond its terrain and on its
 /// water; states in all why places have none. `all`: the cells of all places. Error: cancelled().
 Result<void> warnOfPlaces(std::span<const City* const> cities, std::vector<SunByPlace>& made,
                           const CellGroup& all, const std::stop_token& stop);

@@ -186,25 +186,27 @@ ShadowField makeField(const ShadowBreakdown& sums, const MeanDay& day, const Rec
     return field;
 }
 
-void takeMonths(SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums, const MeanDay& day) {
+void takeMonths(const SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums,
+                const MeanDay& day, std::vector<SunOfPlace>& sun) {
     const std::vector<double> days = countDays(made.daylight);
     for (std::size_t i = 0; i < group.places.size(); ++i) {
-        SunOfPlace& sun = made.sun[group.places[i]];
-        sun = summarize(sums.grid, day, group.cells[i], made.settings.enoughHours);
-        sun.monthHours = averageMonths(sums, days, group.cells[i]);
-        sun.seasonHours = averageSeasons(made.months, days, sun.monthHours);
+        SunOfPlace& own = sun[group.places[i]];
+        own = summarize(sums.grid, day, group.cells[i], made.settings.enoughHours);
+        own.monthHours = averageMonths(sums, days, group.cells[i]);
+        own.seasonHours = averageSeasons(made.months, days, own.monthHours);
     }
 }
 
-void takeDate(SunByPlace& made, const CellGroup& group, const MeanDay& day) {
+void takeDate(const SunByPlace& made, const CellGroup& group, const MeanDay& day,
+              std::vector<SunOfPlace>& sun) {
     for (std::size_t i = 0; i < group.places.size(); ++i) {
         const AreaSums sums = sumUp(group.cells[i], made.settings.enoughHours,
                                     [&](const CountedCell& one) { return hoursAt(day, one); });
-        SunOfPlace& sun = made.sun[group.places[i]];
-        std::vector<float>& ofCells = sun.dateHoursOfCells.emplace_back();
+        SunOfPlace& own = sun[group.places[i]];
+        std::vector<float>& ofCells = own.dateHoursOfCells.emplace_back();
         for (const CountedCell& one : group.cells[i]) ofCells.push_back(float(hoursAt(day, one)));
-        sun.dateHours.push_back(sums.hours / sums.cells);
-        sun.belowShare.push_back(1 - sums.enough / sums.cells);
+        own.dateHours.push_back(sums.hours / sums.cells);
+        own.belowShare.push_back(1 - sums.enough / sums.cells);
     }
 }
 

@@ -38,11 +38,13 @@ MeanDay averageDay(const ShadowBreakdown& sums, const SunSteps& sun);
 ShadowField makeField(const ShadowBreakdown& sums, const MeanDay& day, const Receivers& receivers,
                       const SunSteps& sun);
 
-/// States the figures of the period, its months and seasons of the places of a group. `sums`: by month, of
-/// which `day` is the mean day. Places without a cell have NaN.
-void takeMonths(SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums, const MeanDay& day);
+/// States the figures of the period, its months and seasons of the places of a group in `sun`, which is of
+/// all places of `made`. `sums`: by month, of which `day` is the mean day. Places without a cell have NaN.
+void takeMonths(const SunByPlace& made, const CellGroup& group, const ShadowBreakdown& sums,
+                const MeanDay& day, std::vector<SunOfPlace>& sun);
 
 /// Adds the figures of the next date. Places without a cell have NaN.
-void takeDate(SunByPlace& made, const CellGroup& group, const MeanDay& day);
+void takeDate(const SunByPlace& made, const CellGroup& group, const MeanDay& day,
+              std::vector<SunOfPlace>& sun);
 
 }  // namespace noonmark

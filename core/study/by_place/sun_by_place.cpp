@@ -7,7 +7,9 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
+#include "core/city/trees/tree.h"
 #include "core/describe/text.h"
+#include "core/engines/shade_trees.h"
 #include "core/study/by_place/group_measure.h"
 #include "core/study/by_place/place_errors.h"
 #include "core/study/by_place/sum_places.h"
@@ -140,6 +142,18 @@ void setSun(SunByPlace& sun, SunSteps daylight) {
     sun.daylight = std::move(daylight);
 }
 
+bool hasWantedTrees(const Measuring& m) {
+    return m.settings().study.trees != TreeColumns::without &&
+           std::ranges::any_of(m.cities,
+                               [](const City* city) { return city->trees && !city->trees->trees.empty(); });
+}
+
+void addColumns(SunByPlace& made) {
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (isAmong(made.settings.study.trees, column))
+            made.withTrees.push_back({column, std::vector<SunOfPlace>(made.places.size())});
+}
+
 Result<void> measure(Measuring& m) {
     PlaceCells cells;
     const auto place = [&]() -> Result<void> {
@@ -154,13 +168,17 @@ Result<void> measure(Measuring& m) {
     if (auto done = timeStage(baseline, "receivers", place); !done) return done;
     if (auto done = timeStage(baseline, "sun", [&] { return findSun(m, cells.all.on.receivers); }); !done)
         return done;
+    m.hasTrees = hasWantedTrees(m);
     for (SunByPlace& made : m.made) {
         setSun(made, m.daylight);
         made.sun.resize(made.places.size());
+        if (m.hasTrees) addColumns(made);
     }
     chooseEngines(m, cells.all.on.receivers);
     forecast(m, cells);
     if (auto done = measureGroups(m, cells); !done) return done;
+    if (!m.treesReached)
+        for (SunByPlace& made : m.made) made.withTrees.clear();
     return warnOfPlaces(m.cities, m.made, cells.all, m.stop);
 }
 
@@ -188,7 +206,8 @@ SunOfCities compareMade(std::vector<SunByPlace> made) {
     SunOfCities all{std::move(made.front()), {}};
     for (std::size_t i = 1; i < made.size(); ++i) {
         auto changes = computeChanges(all.baseline, made[i]);
-        all.compared.push_back({std::move(made[i]), std::move(changes)});
+        auto withTrees = computeChangesWithTrees(all.baseline, made[i]);
+        all.compared.push_back({std::move(made[i]), std::move(changes), std::move(withTrees)});
     }
     return all;
 }

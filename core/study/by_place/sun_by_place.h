@@ -102,6 +102,13 @@ struct SunOfPlace {
     std::vector<std::vector<float>> dateHoursOfCells;
 };
 
+/// The sun of the places where trees are measured, too: hours of sun of which crowns take their share, on the
+/// same cells. Remarks and why there are no figures stand with the sun without trees.
+struct SunWithTrees {
+    TreeColumns column = TreeColumns::seasonal;  ///< evergreen or seasonal
+    std::vector<SunOfPlace> sun;                 ///< of each place
+};
+
 /// Their labels, and why there are no figures: what a place is listed with. Empty: nothing to remark.
 std::vector<std::string_view> listRemarks(const SunOfPlace& of);
 
@@ -110,8 +117,11 @@ struct SunByPlace {
     City city;
     SunByPlaceSettings settings;
     std::vector<Place> places;
-    std::optional<PlacesAsked> asked;                ///< set by the caller, with the provenance
-    std::vector<SunOfPlace> sun;                     ///< of each place
+    std::optional<PlacesAsked> asked;  ///< set by the caller, with the provenance
+    std::vector<SunOfPlace> sun;       ///< of each place, without trees
+    /// As StudySettings::trees asks, evergreens first. Empty: no tree reaches a place in any of the cities.
+    std::vector<SunWithTrees> withTrees;
+    std::string treesHow;                            ///< how they were measured, in words
     std::vector<std::optional<std::size_t>> partOf;  ///< of each place (findWholes()); none: for itself
     std::vector<std::string> months;                 ///< "2026-01"
     std::vector<SunSeason> seasons;                  ///< that the period has days of, December first
@@ -140,7 +150,8 @@ struct SunChange {
 /// The same places in another city.
 struct ComparedSun {
     SunByPlace sun;
-    std::vector<SunChange> changes;  ///< of each place
+    std::vector<SunChange> changes;                        ///< of each place, without trees
+    std::vector<std::vector<SunChange>> changesWithTrees;  ///< of each of SunByPlace::withTrees
 };
 
 /// The places in a city and, on the same cells, in others.
@@ -202,11 +213,16 @@ std::optional<SunOfCities> withEnough(const SunOfCities& sun, double hours);
 /// False where cells are not known. O(cells)
 bool haveSameShadow(const SunOfCities& one, const SunOfCities& other);
 
-/// `before` and `after` have the same places and cells.
+/// `before` and `after` have the same places and cells. With trees: of each column.
 std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after);
+std::vector<std::vector<SunChange>> computeChangesWithTrees(const SunByPlace& before,
+                                                            const SunByPlace& after);
 
 const Figures<SunOfPlace>& sunOfPlaceFigures();
 const Figures<SunChange>& sunChangeFigures();
+/// The same with trees of a column: "hours_mean_evergreen", "change_hours_evergreen".
+std::span<const Figure> sunFiguresWithTrees(TreeColumns column);
+std::span<const Figure> changeFiguresWithTrees(TreeColumns column);
 
 /// What they say: how many places have less than enough, hours on average, what each compared city takes,
 /// and the months.

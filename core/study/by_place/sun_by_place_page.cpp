@@ -70,6 +70,19 @@ Sentence describeMean(const SunByPlace& sun) {
              hoursOf(sun.possibleHours)}};
 }
 
+// What wanted shade leaves of the sun.
+std::vector<Sentence> describeWithTrees(const SunByPlace& sun) {
+    std::vector<Sentence> sentences;
+    for (const SunWithTrees& with : sun.withTrees) {
+        const double hours = meanOver(sun, [&](std::size_t i) { return with.sun[i].meanHours; });
+        sentences.push_back({with.column == TreeColumns::evergreen
+                                 ? NM_TEXT("With trees as evergreens it is %1 a day.")
+                                 : NM_TEXT("With trees that lose their leaves by season it is %1 a day."),
+                             {hoursOf(hours)}});
+    }
+    return sentences;
+}
+
 Sentence describeLosses(const ComparedSun& compared) {
     constexpr double minuteHours = 1.0 / 60;  // less is left to the table
     std::size_t losing = 0;
@@ -196,6 +209,18 @@ Sentence headlineOf(const std::string& name, const SunOfPlace& of, double enough
         {name, hoursOf(of.meanHours), Amount{of.enoughShare, FigureUnit::share, 0}, hoursOf(enoughHours)}};
 }
 
+std::vector<Sentence> describeWithTrees(const SunByPlace& sun, std::size_t place) {
+    std::vector<Sentence> sentences;
+    for (const SunWithTrees& with : sun.withTrees)
+        sentences.push_back(
+            {with.column == TreeColumns::evergreen
+                 ? NM_TEXT("With trees as evergreens: %1; %2 of its area has %3 or more.")
+                 : NM_TEXT("With trees that lose their leaves by season: %1; %2 of its area has %3 or more."),
+             {hoursOf(with.sun[place].meanHours), Amount{with.sun[place].enoughShare, FigureUnit::share, 0},
+              hoursOf(sun.settings.enoughHours)}});
+    return sentences;
+}
+
 Sentence describeDate(const SunByPlaceSettings& settings, const SunOfPlace& of, std::size_t date) {
     return {NM_TEXT("On %1 it has %2; %3 of its area has less than %4."),
             {formatText(settings.dates[date]), hoursOf(of.dateHours[date]),
@@ -217,6 +242,7 @@ Sentence describeChange(const ComparedSun& compared, std::size_t place) {
 AnswerPage makePage(const SunOfCities& sun) {
     const SunByPlace& shown = sun.compared.empty() ? sun.baseline : sun.compared.back().sun;
     AnswerPage page{countDark(shown), {describeMean(shown)}, chartsOf(sun)};
+    for (Sentence& sentence : describeWithTrees(shown)) page.findings.push_back(std::move(sentence));
     for (Sentence& sentence : judgeCities(sun)) page.findings.push_back(std::move(sentence));
     for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeLosses(compared));
     for (std::size_t date = 0; date < shown.settings.dates.size(); ++date)
@@ -230,6 +256,7 @@ AnswerPage makePage(const SunOfCities& sun, std::size_t place) {
     const SunOfPlace& of = shown.sun[place];
     AnswerPage page{headlineOf(shown.places[place].name, of, shown.settings.enoughHours)};
     if (std::isnan(of.meanHours)) return page;
+    for (Sentence& sentence : describeWithTrees(shown, place)) page.findings.push_back(std::move(sentence));
     for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeChange(compared, place));
     for (std::size_t date = 0; date < of.dateHours.size(); ++date)
         page.findings.push_back(describeDate(shown.settings, of, date));

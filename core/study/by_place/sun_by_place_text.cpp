@@ -9,6 +9,7 @@
 #include "core/base/version.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/place_names.h"
 #include "core/study/by_place/sun_by_place.h"
 #include "core/study/provenance/provenance_texts.h"
@@ -74,19 +75,41 @@ std::vector<std::string> suffixesOf(std::span<const ComparedSun> compared) {
 // The area is the same in all cities.
 bool isCompared(const Figure& figure) { return figure.use != FigureUse::basis; }
 
+void addDateColumns(std::vector<ElementColumn>& columns, const SunByPlace& sun, const std::string& suffix) {
+    for (const CivilDate& date : sun.settings.dates)
+        columns.push_back({dateHoursKey(date) + suffix, 0.0, digits});
+    for (const CivilDate& date : sun.settings.dates) columns.push_back({dateKey(date) + suffix, 0.0, digits});
+}
+
+void addChangeColumns(std::vector<ElementColumn>& columns, std::span<const Figure> figures,
+                      const std::string& suffix) {
+    for (const Figure& figure : figures)
+        columns.push_back({std::string(figure.key) + suffix, 0.0, figure.decimals});
+}
+
 void addComparedColumns(std::vector<ElementColumn>& columns, std::span<const ComparedSun> compared) {
     const std::vector<std::string> suffixes = suffixesOf(compared);
     for (std::size_t i = 0; i < compared.size(); ++i) {
+        const SunByPlace& sun = compared[i].sun;
         for (const Figure& figure : sunOfPlaceFigures().rows())
             if (isCompared(figure))
                 columns.push_back({std::string(figure.key) + suffixes[i], 0.0, figure.decimals});
-        for (const CivilDate& date : compared[i].sun.settings.dates)
-            columns.push_back({dateHoursKey(date) + suffixes[i], 0.0, digits});
-        for (const CivilDate& date : compared[i].sun.settings.dates)
-            columns.push_back({dateKey(date) + suffixes[i], 0.0, digits});
-        for (const Figure& figure : sunChangeFigures().rows())
-            columns.push_back({std::string(figure.key) + suffixes[i], 0.0, figure.decimals});
+        addDateColumns(columns, sun, suffixes[i]);
+        addChangeColumns(columns, sunChangeFigures().rows(), suffixes[i]);
+        for (const SunWithTrees& with : sun.withTrees) {
+            addChangeColumns(columns, sunFiguresWithTrees(with.column), suffixes[i]);
+            addDateColumns(columns, sun, suffixOf(with.column) + suffixes[i]);
+            addChangeColumns(columns, changeFiguresWithTrees(with.column), suffixes[i]);
+        }
     }
+}
+
+// Of seasons, months and dates of the city measured first.
+void addPartColumns(std::vector<ElementColumn>& columns, const SunByPlace& sun, const std::string& suffix) {
+    for (const SunSeason& season : sun.seasons)
+        columns.push_back({hoursColumn(season.key) + suffix, 0.0, digits});
+    for (const std::string& month : sun.months) columns.push_back({hoursColumn(month) + suffix, 0.0, digits});
+    addDateColumns(columns, sun, suffix);
 }
 
 // Nothing where a place has no cell.
@@ -112,14 +135,33 @@ std::string remarksOf(const SunOfPlace& of) {
     return words;
 }
 
+void addFigures(std::vector<ElementValue>& row, const DescribedFigures& of) {
+    for (const Figure& figure : of.figures) row.emplace_back(of.get(figure));
+}
+
+void addDateValues(std::vector<ElementValue>& row, const SunByPlace& sun, const SunOfPlace& of) {
+    addValues(row, of.dateHours, sun.settings.dates.size());
+    addValues(row, of.belowShare, sun.settings.dates.size());
+}
+
 void addComparedValues(std::vector<ElementValue>& row, const ComparedSun& compared, std::size_t i) {
     const DescribedFigures sun = sunOfPlaceFigures().of(compared.sun.sun[i]);
     for (const Figure& figure : sun.figures)
         if (isCompared(figure)) row.emplace_back(sun.get(figure));
-    addValues(row, compared.sun.sun[i].dateHours, compared.sun.settings.dates.size());
-    addValues(row, compared.sun.sun[i].belowShare, compared.sun.settings.dates.size());
-    const DescribedFigures change = sunChangeFigures().of(compared.changes[i]);
-    for (const Figure& figure : change.figures) row.emplace_back(change.get(figure));
+    addDateValues(row, compared.sun, compared.sun.sun[i]);
+    addFigures(row, sunChangeFigures().of(compared.changes[i]));
+    for (std::size_t column = 0; column < compared.sun.withTrees.size(); ++column) {
+        const SunWithTrees& with = compared.sun.withTrees[column];
+        addFigures(row, {sunFiguresWithTrees(with.column), &with.sun[i]});
+        addDateValues(row, compared.sun, with.sun[i]);
+        addFigures(row, {changeFiguresWithTrees(with.column), &compared.changesWithTrees[column][i]});
+    }
+}
+
+void addPartValues(std::vector<ElementValue>& row, const SunByPlace& sun, const SunOfPlace& of) {
+    addValues(row, of.seasonHours, sun.seasons.size());
+    addValues(row, of.monthHours, sun.months.size());
+    addDateValues(row, sun, of);
 }
 
 std::vector<ElementColumn> columnsOf(const SunByPlace& sun, std::span<const ComparedSun> compared) {
@@ -127,10 +169,11 @@ std::vector<ElementColumn> columnsOf(const SunByPlace& sun, std::span<const Comp
         {"name", std::string()}, {"kind", std::string()}, {"part_of", std::string()}};
     for (const Figure& figure : sunOfPlaceFigures().rows())
         columns.push_back({std::string(figure.key), 0.0, figure.decimals});
-    for (const SunSeason& season : sun.seasons) columns.push_back({hoursColumn(season.key), 0.0, digits});
-    for (const std::string& month : sun.months) columns.push_back({hoursColumn(month), 0.0, digits});
-    for (const CivilDate& date : sun.settings.dates) columns.push_back({dateHoursKey(date), 0.0, digits});
-    for (const CivilDate& date : sun.settings.dates) columns.push_back({dateKey(date), 0.0, digits});
+    addPartColumns(columns, sun, {});
+    for (const SunWithTrees& with : sun.withTrees) {
+        addChangeColumns(columns, sunFiguresWithTrees(with.column), {});
+        addPartColumns(columns, sun, suffixOf(with.column));
+    }
     addComparedColumns(columns, compared);
     columns.push_back({"cell_m", 0.0, 2});
     columns.push_back({"without_figures", std::string()});
@@ -145,12 +188,12 @@ std::vector<ElementValue> rowOf(const SunByPlace& sun, std::span<const ComparedS
     const Place& place = sun.places[i];
     const SunOfPlace& of = sun.sun[i];
     std::vector<ElementValue> row{place.name, std::string(nameOf(place.kind)), textOrNone(wholeOf(sun, i))};
-    const DescribedFigures figures = sunOfPlaceFigures().of(sun.sun[i]);
-    for (const Figure& figure : figures.figures) row.emplace_back(figures.get(figure));
-    addValues(row, of.seasonHours, sun.seasons.size());
-    addValues(row, of.monthHours, sun.months.size());
-    addValues(row, of.dateHours, sun.settings.dates.size());
-    addValues(row, of.belowShare, sun.settings.dates.size());
+    addFigures(row, sunOfPlaceFigures().of(of));
+    addPartValues(row, sun, of);
+    for (const SunWithTrees& with : sun.withTrees) {
+        addFigures(row, {sunFiguresWithTrees(with.column), &with.sun[i]});
+        addPartValues(row, sun, with.sun[i]);
+    }
     for (const ComparedSun& one : compared) addComparedValues(row, one, i);
     const LonLat middle = middleOf(place, sun.city.frame);
     row.insert(row.end(),
@@ -159,17 +202,26 @@ std::vector<ElementValue> rowOf(const SunByPlace& sun, std::span<const ComparedS
     return row;
 }
 
-Json figuresOf(const SunByPlace& sun, std::size_t i) {
-    const SunOfPlace& of = sun.sun[i];
-    Json json = figuresJson(sunOfPlaceFigures().of(of));
+void addParts(Json& json, const SunByPlace& sun, const SunOfPlace& of, const std::string& suffix) {
     for (std::size_t season = 0; season < of.seasonHours.size(); ++season)
-        json["season_hours"][sun.seasons[season].key] = roundAsText(of.seasonHours[season], digits);
+        json["season_hours" + suffix][sun.seasons[season].key] = roundAsText(of.seasonHours[season], digits);
     for (std::size_t month = 0; month < of.monthHours.size(); ++month)
-        json["month_hours"][sun.months[month]] = roundAsText(of.monthHours[month], digits);
+        json["month_hours" + suffix][sun.months[month]] = roundAsText(of.monthHours[month], digits);
     for (std::size_t date = 0; date < of.dateHours.size(); ++date)
-        json["date_hours"][formatText(sun.settings.dates[date])] = roundAsText(of.dateHours[date], digits);
+        json["date_hours" + suffix][formatText(sun.settings.dates[date])] =
+            roundAsText(of.dateHours[date], digits);
     for (std::size_t date = 0; date < of.belowShare.size(); ++date)
-        json["share_below"][formatText(sun.settings.dates[date])] = roundAsText(of.belowShare[date], digits);
+        json["share_below" + suffix][formatText(sun.settings.dates[date])] =
+            roundAsText(of.belowShare[date], digits);
+}
+
+Json figuresOf(const SunByPlace& sun, std::size_t i) {
+    Json json = figuresJson(sunOfPlaceFigures().of(sun.sun[i]));
+    addParts(json, sun, sun.sun[i], {});
+    for (const SunWithTrees& with : sun.withTrees) {
+        json.update(figuresJson({sunFiguresWithTrees(with.column), &with.sun[i]}));
+        addParts(json, sun, with.sun[i], suffixOf(with.column));
+    }
     return json;
 }
 
@@ -186,6 +238,9 @@ Json placeJson(const SunByPlace& sun, std::span<const ComparedSun> compared, std
     for (const ComparedSun& one : compared) {
         Json other = figuresOf(one.sun, i);
         other.update(figuresJson(sunChangeFigures().of(one.changes[i])));
+        for (std::size_t column = 0; column < one.sun.withTrees.size(); ++column)
+            other.update(figuresJson({changeFiguresWithTrees(one.sun.withTrees[column].column),
+                                      &one.changesWithTrees[column][i]}));
         json["scenarios"][one.sun.name] = std::move(other);
     }
     json["source"] = place.source;
@@ -205,6 +260,8 @@ void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSu
              {"seconds", one.sun.seconds},
              {"warnings", warningsJson(one.sun.warnings)}});
     json["definitions"].update(definitionsJson(sunChangeFigures().rows()));
+    for (const SunWithTrees& with : sun.withTrees)
+        json["definitions"].update(definitionsJson(changeFiguresWithTrees(with.column)));
 }
 
 constexpr std::array noSunList{
@@ -314,6 +371,18 @@ const Figures<SunChange>& sunChangeFigures() {
     return figures;
 }
 
+std::span<const Figure> sunFiguresWithTrees(TreeColumns column) {
+    static const FiguresWithTrees evergreen(sunOfPlaceFigures().rows(), TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(sunOfPlaceFigures().rows(), TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
+}
+
+std::span<const Figure> changeFiguresWithTrees(TreeColumns column) {
+    static const FiguresWithTrees evergreen(sunChangeFigures().rows(), TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(sunChangeFigures().rows(), TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
+}
+
 ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compared) {
     ElementTable table{.columns = columnsOf(sun, compared), .rows = {}, .places = {}};
     for (std::size_t i = 0; i < sun.places.size(); ++i) table.rows.push_back(rowOf(sun, compared, i));
@@ -336,6 +405,7 @@ std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared)
               {"enough_hours", sun.settings.enoughHours},
               {"possible_hours", sun.possibleHours},
               {"engine", sun.field.engine}};
+    if (!sun.withTrees.empty()) json["engine_trees"] = sun.treesHow;
     json["steps"] = sun.daylight.steps.size();
     json["steps_below_horizon"] = sun.daylight.belowHorizon;
     json["error"] = sun.error ? errorJson(*sun.error, sun.city.frame) : Json();
@@ -348,6 +418,8 @@ std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared)
     json["places"] = Json::array();
     for (std::size_t i = 0; i < sun.places.size(); ++i) json["places"].push_back(placeJson(sun, compared, i));
     json["definitions"] = definitionsJson(sunOfPlaceFigures().rows());
+    for (const SunWithTrees& with : sun.withTrees)
+        json["definitions"].update(definitionsJson(sunFiguresWithTrees(with.column)));
     if (!compared.empty()) addComparison(json, sun, compared);
     json["warnings"] = warningsJson(sun.warnings);
     addProvenance(json, sun.provenance);

@@ -114,14 +114,28 @@ bool hasCells(const SunByPlace& sun) {
     return std::ranges::any_of(sun.sun, [](const SunOfPlace& of) { return !of.ofCells.empty(); });
 }
 
-void restate(SunByPlace& sun, double hours) {
-    sun.settings.enoughHours = hours;
-    for (SunOfPlace& of : sun.sun) {
+void restate(std::vector<SunOfPlace>& sun, double hours) {
+    for (SunOfPlace& of : sun) {
         if (of.ofCells.empty()) continue;
         of.enoughShare = computeEnoughShare(of, hours);
         for (std::size_t date = 0; date < of.dateHoursOfCells.size(); ++date)
             of.belowShare[date] = computeBelowShare(of, date, hours);
     }
+}
+
+void restate(SunByPlace& sun, double hours) {
+    sun.settings.enoughHours = hours;
+    restate(sun.sun, hours);
+    for (SunWithTrees& with : sun.withTrees) restate(with.sun, hours);
+}
+
+// On the same cells.
+bool haveSameCells(const SunWithTrees& one, const SunWithTrees& other) {
+    return one.column == other.column &&
+           std::ranges::equal(one.sun, other.sun, [](const SunOfPlace& a, const SunOfPlace& b) {
+               return std::ranges::equal(a.ofCells, b.ofCells, {}, &SunOfCell::hours, &SunOfCell::hours) &&
+                      a.dateHoursOfCells == b.dateHoursOfCells;
+           });
 }
 
 }  // namespace
@@ -147,16 +161,34 @@ bool haveSameShadow(const SunOfCities& one, const SunOfCities& other) {
     const auto same = [](const SunByPlace& a, const SunByPlace& b) {
         return hasCells(a) && hasCells(b) && a.name == b.name &&
                std::ranges::equal(a.field.grossMin, b.field.grossMin, isSameMinute) &&
+               std::ranges::equal(a.withTrees, b.withTrees, haveSameCells) &&
                a.settings.dates == b.settings.dates && a.months == b.months;
     };
     return one.baseline.places == other.baseline.places && same(one.baseline, other.baseline) &&
            std::ranges::equal(one.compared, other.compared, same, &ComparedSun::sun, &ComparedSun::sun);
 }
 
-std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after) {
+namespace {
+
+std::vector<SunChange> listChanges(const std::vector<SunOfPlace>& before,
+                                   const std::vector<SunOfPlace>& after, double lossMin) {
     std::vector<SunChange> changes;
-    for (std::size_t i = 0; i < before.sun.size(); ++i)
-        changes.push_back(changeOf(before.sun[i], after.sun[i], before.settings.lossMin));
+    for (std::size_t i = 0; i < before.size(); ++i) changes.push_back(changeOf(before[i], after[i], lossMin));
+    return changes;
+}
+
+}  // namespace
+
+std::vector<SunChange> computeChanges(const SunByPlace& before, const SunByPlace& after) {
+    return listChanges(before.sun, after.sun, before.settings.lossMin);
+}
+
+std::vector<std::vector<SunChange>> computeChangesWithTrees(const SunByPlace& before,
+                                                            const SunByPlace& after) {
+    std::vector<std::vector<SunChange>> changes;
+    for (std::size_t i = 0; i < before.withTrees.size(); ++i)
+        changes.push_back(
+            listChanges(before.withTrees[i].sun, after.withTrees[i].sun, before.settings.lossMin));
     return changes;
 }
 

@@ -98,6 +98,7 @@ std::optional<SampledError> errorFrom(const Json& json) {
 
 Json cityLine(const SunByPlace& sun) {
     Json json{{"engine", sun.field.engine}, {"error", errorLine(sun.error)}};
+    if (!sun.treesHow.empty()) json["trees"] = sun.treesHow;
     json["date_errors"] = Json::array();
     for (const auto& error : sun.dateErrors) json["date_errors"].push_back(errorLine(error));
     json["errors"] = errorsJson(sun.errors);
@@ -108,12 +109,33 @@ Json cityLine(const SunByPlace& sun) {
 }
 
 SunOfTile cityFrom(const Json& json) {
-    SunOfTile city{.engine = json.at("engine"), .error = errorFrom(json.at("error"))};
+    SunOfTile city{.engine = json.at("engine"),
+                   .treesHow = json.value("trees", std::string()),
+                   .error = errorFrom(json.at("error"))};
     for (const Json& error : json.at("date_errors")) city.dateErrors.push_back(errorFrom(error));
     city.errors = parseErrors(json.at("errors"));
     for (const Json& one : json.at("warnings"))
         city.warnings.push_back({WarningKind(one.at(0).get<int>()), one.at(1), one.at(2)});
     return city;
+}
+
+Json treesLine(const SunOfCities& sun, std::size_t column, std::size_t i) {
+    Json json{{"column", int(sun.baseline.withTrees[column].column)}};
+    json["sun"].push_back(sunLine(sun.baseline.withTrees[column].sun[i]));
+    json["changes"] = Json::array();
+    for (const ComparedSun& one : sun.compared) {
+        json["sun"].push_back(sunLine(one.sun.withTrees[column].sun[i]));
+        json["changes"].push_back(figuresLine(sunChangeFigures().of(one.changesWithTrees[column][i])));
+    }
+    return json;
+}
+
+PlaceLine::WithTrees treesFrom(const Json& json) {
+    PlaceLine::WithTrees with{.column = TreeColumns(json.at("column").get<int>()), .sun = {}, .changes = {}};
+    for (const Json& sun : json.at("sun")) with.sun.push_back(sunFrom(sun));
+    for (const Json& change : json.at("changes"))
+        with.changes.push_back(figuresFrom(sunChangeFigures(), change));
+    return with;
 }
 
 Json placeLine(const SunOfCities& sun, std::size_t i) {
@@ -124,6 +146,8 @@ Json placeLine(const SunOfCities& sun, std::size_t i) {
         json["sun"].push_back(sunLine(one.sun.sun[i]));
         json["changes"].push_back(figuresLine(sunChangeFigures().of(one.changes[i])));
     }
+    for (std::size_t column = 0; column < sun.baseline.withTrees.size(); ++column)
+        json["with_trees"].push_back(treesLine(sun, column, i));
     return json;
 }
 
@@ -152,10 +176,12 @@ TileLine parseTileLine(const std::string& line) {
 
 PlaceLine parsePlaceLine(const std::string& line) {
     const Json json = Json::parse(line);
-    PlaceLine place{.name = json.at("place"), .sun = {}, .changes = {}};
+    PlaceLine place{.name = json.at("place"), .sun = {}, .changes = {}, .withTrees = {}};
     for (const Json& sun : json.at("sun")) place.sun.push_back(sunFrom(sun));
     for (const Json& change : json.at("changes"))
         place.changes.push_back(figuresFrom(sunChangeFigures(), change));
+    for (const Json& with : json.value("with_trees", Json::array()))
+        place.withTrees.push_back(treesFrom(with));
     return place;
 }
 

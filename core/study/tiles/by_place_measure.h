@@ -12,6 +12,7 @@ namespace noonmark {
 /// What a tile knows of one city besides its places.
 struct SunOfTile {
     std::string engine;
+    std::string treesHow;  ///< empty: no tree reaches a place
     std::optional<SampledError> error;
     std::vector<std::optional<SampledError>> dateErrors;
     std::vector<ShownError> errors;
@@ -29,6 +30,13 @@ struct PlaceLine {
     std::string name;
     std::vector<SunOfPlace> sun;     ///< in each city, without its cells
     std::vector<SunChange> changes;  ///< of each city but the baseline
+    /// With trees of one column, likewise.
+    struct WithTrees {
+        TreeColumns column;
+        std::vector<SunOfPlace> sun;
+        std::vector<SunChange> changes;
+    };
+    std::vector<WithTrees> withTrees;  ///< none: no tree reaches a place of the tile
 };
 
 /// A line of JSON for the tile, and one for each place. Numbers are read back to the last bit.

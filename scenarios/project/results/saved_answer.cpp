@@ -186,20 +186,40 @@ Place placeOf(const Json& json, const Json& outline) {
     return {json.at("name"), *kind, outlineOf(outline), json.at("source")};
 }
 
-std::vector<double> listNumbers(const Json& json, const char* member) {
+std::vector<double> listNumbers(const Json& json, const std::string& member) {
     std::vector<double> numbers;
     for (const Json& value : json.value(member, Json::object()))
         numbers.push_back(value.is_null() ? SunOfPlace::none : value.get<double>());
     return numbers;
 }
 
-// Hours by month and by date of a place, which are no figures of the table.
+// Hours by month and by date of a place, which are no figures of the table. `suffix`: of columns with trees.
+void readParts(const Json& json, const std::string& suffix, SunOfPlace& sun) {
+    sun.monthHours = listNumbers(json, "month_hours" + suffix);
+    sun.dateHours = listNumbers(json, "date_hours" + suffix);
+    sun.belowShare = listNumbers(json, "share_below" + suffix);
+    sun.seasonHours = listNumbers(json, "season_hours" + suffix);
+}
+
+template <class R>
+R readRows(std::span<const Figure> rows, const Json& json) {
+    R read;
+    for (const Figure& figure : rows) figure.set(&read, figures::readFigure(figure, json));
+    return read;
+}
+
+// The area and the cells are those of the sun without trees.
+SunOfPlace sunWithTrees(const Json& json, TreeColumns column, const SunOfPlace& without) {
+    auto sun = readRows<SunOfPlace>(sunFiguresWithTrees(column), json);
+    readParts(json, suffixOf(column), sun);
+    sun.areaM2 = without.areaM2;
+    sun.cellM = without.cellM;
+    return sun;
+}
+
 SunOfPlace sunOfPlace(const Json& json) {
     SunOfPlace sun = readFigures(sunOfPlaceFigures(), json);
-    sun.monthHours = listNumbers(json, "month_hours");
-    sun.dateHours = listNumbers(json, "date_hours");
-    sun.belowShare = listNumbers(json, "share_below");
-    sun.seasonHours = listNumbers(json, "season_hours");
+    readParts(json, {}, sun);
     const Json cell = json.value("cell_m", Json());
     if (cell.is_number()) sun.cellM = cell;
     const std::string why = json.value("without_figures", std::string());
@@ -224,6 +244,10 @@ SunByPlace sunWithoutFigures(const Json& json) {
     const Json seasons = json.value("seasons", Json::object());
     for (const auto& season : seasons.items()) sun.seasons.push_back({season.key(), season.value()});
     if (places.empty()) return sun;
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (places[0].contains(sunFiguresWithTrees(column).front().key))
+            sun.withTrees.push_back({column, {}});
+    sun.treesHow = json.value("engine_trees", std::string());
     const Json months = places[0].value("month_hours", Json::object());
     for (const auto& month : months.items()) sun.months.push_back(month.key());
     const Json dates = places[0].value("share_below", Json::object());
@@ -251,6 +275,18 @@ std::vector<ComparedSun> citiesOf(const Json& json, const SunByPlace& baseline) 
     return cities;
 }
 
+void addWithTrees(const Json& json, SunByPlace& sun) {
+    for (SunWithTrees& with : sun.withTrees)
+        with.sun.push_back(sunWithTrees(json, with.column, sun.sun.back()));
+}
+
+void addChangesWithTrees(const Json& json, ComparedSun& compared) {
+    compared.changesWithTrees.resize(compared.sun.withTrees.size());
+    for (std::size_t i = 0; i < compared.sun.withTrees.size(); ++i)
+        compared.changesWithTrees[i].push_back(
+            readRows<SunChange>(changeFiguresWithTrees(compared.sun.withTrees[i].column), json));
+}
+
 SavedSunByPlace sunByPlaceOf(const SavedResult& result, const Json& json) {
     SavedSunByPlace saved{.sun = {.baseline = sunWithoutFigures(json), .compared = {}}};
     SunOfCities& sun = saved.sun;
@@ -259,10 +295,13 @@ SavedSunByPlace sunByPlaceOf(const SavedResult& result, const Json& json) {
     if (!result.baseline.empty()) sun.compared = citiesOf(json, sun.baseline);
     for (const Json& place : json.at("places")) {
         sun.baseline.sun.push_back(sunOfPlace(place));
+        addWithTrees(place, sun.baseline);
         for (ComparedSun& compared : sun.compared) {
             const Json& other = place.at("scenarios").at(compared.sun.name);
             compared.sun.sun.push_back(sunOfPlace(other));
+            addWithTrees(other, compared.sun);
             compared.changes.push_back(readFigures(sunChangeFigures(), other));
+            addChangesWithTrees(other, compared);
         }
     }
     if (!sun.compared.empty()) sun.compared.back().sun.name = result.scenario;  // it may have been renamed

@@ -7,6 +7,9 @@
 #include <random>
 
 #include "core/city/trees/tree.h"
+#include "core/engines/horizon/horizon_sweep.h"
+#include "core/engines/horizon/trees/crown_sweep.h"
+#include "core/engines/ray/tree_rays.h"
 #include "tests/core/engines/sweep_scenes.h"
 
 namespace noonmark {
@@ -240,6 +243,88 @@ TEST(TreeShade, IsMeasuredByRaysOnTopOfAnyFieldAndOnlyWhatIsAskedFor) {
         EXPECT_EQ(all->seasonal->grossMin[cell], byRays->seasonal->grossMin[cell]);
         EXPECT_EQ(some->seasonal->grossMin[cell], byRays->seasonal->grossMin[cell]);
     }
+}
+
+// Of the days of threeDays() with dates in three months.
+SunSteps daysOfThreeMonths() {
+    SunSteps sun = threeDays();
+    setDates(sun, {std::chrono::January / 5, std::chrono::April / 20, std::chrono::July / 1});
+    return sun;
+}
+
+double sumOfSets(const std::vector<std::vector<float>>& minutes, std::size_t receiver) {
+    double sum = 0;
+    for (const std::vector<float>& ofSet : minutes) sum += double(ofSet[receiver]);
+    return sum;
+}
+
+TEST(TreeShade, OfOneSweepByMonthAddsUpToThatOfThePeriod) {
+    const City city = townWithTrees(40, 3);
+    const SunSteps sun = daysOfThreeMonths();
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 2);
+    const ShadowField sweep = swept(city, receivers, sun);
+    NoProgress quiet;
+    const auto taken =
+        sweepCrowns(city, findCrowns(city, receivers, sun), receivers, sun, monthsOf(sun), quiet, {});
+    ASSERT_TRUE(taken);
+    ASSERT_EQ(taken->evergreen.size(), 3U);
+    double added = 0;
+    for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
+        const std::uint32_t cell = receivers.cells[i];
+        const auto ofPeriod = [&](const ShadowField& column) {
+            return (double(column.grossMin[cell]) - double(sweep.grossMin[cell])) * 3;
+        };
+        // A level that a horizon cuts has its months in other shares than their sum.
+        EXPECT_NEAR(sumOfSets(taken->evergreen, i), ofPeriod(*sweep.trees->evergreen), 2.5);
+        EXPECT_NEAR(sumOfSets(taken->seasonal, i), ofPeriod(*sweep.trees->seasonal), 2.5);
+        added += sumOfSets(taken->evergreen, i) / double(receivers.cells.size());
+    }
+    EXPECT_GT(added, 15);
+}
+
+TEST(TreeShade, OfTheSweepByMonthIsThatOfRays) {
+    const City city = townWithTrees(40, 3);
+    const SunSteps sun = daysOfThreeMonths();
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 2);
+    NoProgress quiet;
+    const StepSets months = monthsOf(sun);
+    const auto rays = traceTreeSets(city, receivers, sun, months, quiet, {}).value().value();
+    const auto sweep =
+        sweepCrowns(city, findCrowns(city, receivers, sun), receivers, sun, months, quiet, {}).value();
+    const std::vector<double> sunlit = months.sunlitMinutes(sun);
+    for (std::size_t month = 0; month < sunlit.size(); ++month) {
+        double off = 0;
+        for (std::size_t i = 0; i < receivers.cells.size(); ++i)
+            off += std::abs(double(sweep.seasonal[month][i]) - double(rays.seasonal[month][i])) /
+                   double(receivers.cells.size());
+        EXPECT_LT(off, 0.003 * sunlit[month]) << months.names[month];
+    }
+    for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
+        EXPECT_LE(rays.seasonal[0][i], rays.evergreen[0][i]) << "most are bare in January";
+        EXPECT_EQ(rays.seasonal[2][i], rays.evergreen[2][i]) << "all are in leaf in July";
+    }
+}
+
+TEST(TreeShade, BySetsIsPutOnTopOfWhatBuildingsTake) {
+    City city = townWithTrees(10, 4);
+    const SunSteps sun = daysOfThreeMonths();
+    const Receivers receivers = receiversOver(city, 0, 0, 60, 60, 4);
+    NoProgress quiet;
+    const StepSets months = monthsOf(sun);
+    const auto without = HorizonSweep().breakDown(city, receivers, sun, months, false, quiet, {}).value();
+    const auto rays = traceTreeSets(city, receivers, sun, months, quiet, {}).value().value();
+    const auto some =
+        shadeTreeSets(city, receivers, sun, without, TreeColumns::seasonal, quiet, {}).value().value();
+    EXPECT_FALSE(some.evergreen);
+    EXPECT_EQ(some.treesUsed, 10U);
+    for (std::size_t month = 0; month < 3; ++month)
+        for (std::size_t i = 0; i < receivers.cells.size(); ++i)
+            EXPECT_FLOAT_EQ(some.seasonal->minutes[month][i],
+                            std::min(without.minutes[month][i] + rays.seasonal[month][i],
+                                     float(without.sunlitMinutes[month])));
+    EXPECT_FALSE(shadeTreeSets(city, receivers, sun, without, TreeColumns::without, quiet, {}).value());
+    city.trees = plant({treeAt(90'000, 0)});
+    EXPECT_FALSE(shadeTreeSets(city, receivers, sun, without, TreeColumns::all, quiet, {}).value());
 }
 
 TEST(TreeShade, StopsWhenAsked) {

@@ -29,6 +29,13 @@ int tileSide(std::size_t bins) {
     return std::clamp(int(std::sqrt(cells)), 64, largestTile) / ReceiverBlocks::side * ReceiverBlocks::side;
 }
 
+// So that the sums of crowns fit, if all cells are receivers.
+int crownTileSide(std::size_t sets) {
+    constexpr std::size_t bytes = std::size_t{64} << 20U;  // in each thread
+    const double blocks = double(bytes) / double(std::max<std::size_t>(1, sets) * CrownSums::bytesPerBlock);
+    return std::max(1, int(std::sqrt(blocks))) * ReceiverBlocks::side;
+}
+
 // Divides into tiles of nearly equal size, because each examines all walls in reach.
 int evenSide(int cells, int maximum) {
     const int tiles = (cells + maximum - 1) / maximum, side = (cells + tiles - 1) / tiles;
@@ -87,12 +94,14 @@ PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OverhangShapes> 
 
 std::uint64_t PeriodSweep::outOfReach() { return outOfReach_.combine(std::plus<>()); }
 
-// A single tile if the receivers' horizons fit.
+// A single tile if the receivers' horizons fit. Sums of crowns by month take more memory, in each thread.
 std::vector<TileBox> PeriodSweep::tiles() const {
     const Grid& grid = receivers_.grid;
     const int size = std::max({1, grid.columns, grid.rows});
     const bool whole = !keeps_ || (size <= largestTile && horizonsFit(receivers_, bins_.size()));
-    return splitIntoTiles(grid, evenSide(size, whole ? largestTile : tileSide(bins_.size())));
+    int maximum = whole ? largestTile : tileSide(bins_.size());
+    if (crowns_ != nullptr) maximum = std::min(maximum, crownTileSide(crowns_->sets()));
+    return splitIntoTiles(grid, evenSide(size, maximum));
 }
 
 Result<void> PeriodSweep::run(ShadowField& field) {
@@ -151,7 +160,7 @@ void PeriodSweep::sweep(const BatchRange& batch, Tile& tile) {
     if (crowns_ != nullptr) {
         workspace.crowns.begin(*crowns_, batch.first, batch.end);
         if (!workspace.crownSums.begun())
-            workspace.crownSums.begin(tile.blocks.blocks().size(), crowns_->steps());
+            workspace.crownSums.begin(crowns_->sets(), tile.blocks.blocks().size(), crowns_->steps());
     }
     const auto take = [&](std::size_t i, std::size_t block, const HorizonCode* codes, bool swapped) {
         const std::size_t bin = batch.first + i;
@@ -246,23 +255,40 @@ void PeriodSweep::count(Tile& tile, ShadowField& field) {
 
 void PeriodSweep::weigh(const CrownSweep* crowns) {
     crowns_ = crowns;
-    if (crowns != nullptr)
-        taken_ = {std::vector<double>(receivers_.grid.size()), std::vector<double>(receivers_.grid.size())};
+    if (crowns == nullptr) return;
+    const std::vector<std::vector<double>> none(crowns->sets(), std::vector<double>(receivers_.cells.size()));
+    taken_ = {none, none};
+}
+
+// Of each number of a tile its place among all receivers; padding where it is none.
+std::vector<std::uint32_t> PeriodSweep::listReceiverNumbers(const ReceiverBlocks& blocks) const {
+    std::vector<std::uint32_t> receivers(blocks.numbers(), ReceiverBlocks::padding);
+    for (std::uint32_t n = 0; n < blocks.numbers(); ++n)
+        if (const std::uint32_t cell = blocks.cell(n); cell != ReceiverBlocks::padding)
+            receivers[n] =
+                std::uint32_t(std::ranges::lower_bound(receivers_.cells, cell) - receivers_.cells.begin());
+    return receivers;
 }
 
 void PeriodSweep::countCrowns(const Tile& tile) {
-    for (const Workspace& workspace : workspaces_) {
-        if (!workspace.crownSums.begun()) continue;
-        for (std::size_t i = 0; i < tile.blocks.blocks().size(); ++i) {
-            const ReceiverBlocks::Block& block = tile.blocks.blocks()[i];
-            const std::uint8_t* places = tile.blocks.places(block, false);
-            for (std::uint32_t n = 0; n < block.count; ++n) {
-                const std::uint32_t cell = tile.blocks.cell(block.first + n);
-                if (cell == ReceiverBlocks::padding) continue;
-                const CrownSums::Steps taken = workspace.crownSums.steps(i, places[n]);
-                taken_.evergreen[cell] += taken.evergreen;
-                taken_.seasonal[cell] += taken.seasonal;
-            }
+    const std::vector<std::uint32_t> receivers = listReceiverNumbers(tile.blocks);
+    tbb::parallel_for(std::size_t{0}, crowns_->sets(), [&](std::size_t set) {
+        for (const Workspace& workspace : workspaces_)
+            if (workspace.crownSums.begun()) addTaken(tile.blocks, workspace.crownSums, set, receivers);
+    });
+}
+
+void PeriodSweep::addTaken(const ReceiverBlocks& blocks, const CrownSums& sums, std::size_t set,
+                           const std::vector<std::uint32_t>& receivers) {
+    for (std::size_t i = 0; i < blocks.blocks().size(); ++i) {
+        const ReceiverBlocks::Block& block = blocks.blocks()[i];
+        const std::uint8_t* places = blocks.places(block, false);
+        for (std::uint32_t n = 0; n < block.count; ++n) {
+            const std::uint32_t receiver = receivers[block.first + n];
+            if (receiver == ReceiverBlocks::padding) continue;
+            const CrownSums::Steps taken = sums.steps(set, i, places[n]);
+            taken_.evergreen[set][receiver] += taken.evergreen;
+            taken_.seasonal[set][receiver] += taken.seasonal;
         }
     }
 }

@@ -37,9 +37,9 @@ public:
 
     /// Has crowns weighed along with the horizons; null: none. It must outlive this object.
     void weigh(const CrownSweep* crowns);
-    /// Steps that crowns take from each cell, in the order of the grid; empty without crowns.
+    /// Steps that crowns take, by set of CrownSweep and then by receiver; empty without crowns.
     struct TakenSteps {
-        std::vector<double> evergreen, seasonal;
+        std::vector<std::vector<double>> evergreen, seasonal;
     };
     [[nodiscard]] const TakenSteps& takenSteps() const { return taken_; }
 
@@ -78,6 +78,9 @@ private:
     PartialField partialOf(Tile& tile, const Turns& turns, const ShadowField& blank);
     void count(Tile& tile, ShadowField& field);
     void countCrowns(const Tile& tile);
+    [[nodiscard]] std::vector<std::uint32_t> listReceiverNumbers(const ReceiverBlocks& blocks) const;
+    void addTaken(const ReceiverBlocks& blocks, const CrownSums& sums, std::size_t set,
+                  const std::vector<std::uint32_t>& receivers);
     void countRuns(const Tile& tile, ShadowField& field);
     void report(const ReceiverBlocks& blocks, double fraction);
 

@@ -294,13 +294,14 @@ void weighBlock(const CrownLevels& levels, const CrownDepths& depths, const Hori
         hn::Store(hn::Add(hn::Load(rowWholes, to), whole), rowWholes, to);
     };
     for (std::size_t row = 0; row < rowCells; ++row) {
-        if (depths.touched[row] == 0) continue;
+        const unsigned touched = depths.touched[row] & levels.weighed;
+        if (touched == 0) continue;
         for (std::size_t cell = 0; cell < rowCells; cell += lanes) {
             const std::size_t place = row * rowCells + cell;
             const auto horizons =
                 hn::ConvertTo(dr, hn::PromoteTo(rowWholes, hn::LoadU(rowCodes, codes + place)));
             auto all = zero, season = zero;
-            for (unsigned bits = depths.touched[row]; bits != 0; bits &= bits - 1) {
+            for (unsigned bits = touched; bits != 0; bits &= bits - 1) {
                 const auto i = std::size_t(std::countr_zero(bits));
                 const auto above =
                     hn::Mul(hn::Sub(every(levels.belowCode[i]), horizons), every(levels.perCode[i]));

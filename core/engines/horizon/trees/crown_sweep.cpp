@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace noonmark {
@@ -16,30 +17,52 @@ constexpr std::size_t side = ReceiverBlocks::side;
 struct LeafySun {
     HorizonCode code;
     bool inLeaf;
+    std::uint16_t set;
 };
+
+// `suns`: of the level, ascending.
+void setWeights(std::span<const LeafySun> suns, std::size_t level, CrownLevels& levels) {
+    for (const LeafySun& sun : suns) (sun.inLeaf ? levels.inLeaf : levels.bare)[level] += 1;
+    levels.belowCode[level] = float(suns.back().code) + 1;
+    levels.perCode[level] = 1 / (levels.belowCode[level] - float(suns.front().code));
+    levels.weighed = std::uint16_t(levels.weighed | 1U << level);
+}
 
 void addLevel(std::span<const LeafySun> suns, CrownLevels& levels) {
     const std::size_t i = levels.count++;
     double angles = 0;
-    for (const LeafySun& sun : suns) {
-        angles += std::atan(toTangent(sun.code));
-        (sun.inLeaf ? levels.inLeaf : levels.bare)[i] += 1;
-    }
+    for (const LeafySun& sun : suns) angles += std::atan(toTangent(sun.code));
     const double angle = angles / double(suns.size());
     levels.tan[i] = float(std::tan(angle));
     levels.perTan[i] = float(1 / std::tan(angle));
     levels.secant[i] = float(1 / std::cos(angle));
-    levels.belowCode[i] = float(suns.back().code) + 1;
-    levels.perCode[i] = 1 / (levels.belowCode[i] - float(suns.front().code));
+    setWeights(suns, i, levels);
 }
+
+// Months have their suns of one azimuth at few altitudes: those of each level count from where its own begin.
+void addWeightsOfSets(std::vector<LeafySun> suns, std::size_t level,
+                      std::map<std::size_t, CrownLevels>& ofSets) {
+    std::ranges::stable_sort(suns, {}, &LeafySun::set);
+    for (std::size_t first = 0, end = 0; first < suns.size(); first = end) {
+        while (end < suns.size() && suns[end].set == suns[first].set) ++end;
+        setWeights(std::span(suns).subspan(first, end - first), level, ofSets[suns[first].set]);
+    }
+}
+
+/// The levels of a bin, and the same by set.
+struct LevelsOfBin {
+    CrownLevels all;
+    std::vector<CrownLevelsOfSet> ofSets;
+};
 
 // By equal numbers of suns, but for the first and last; suns of one code stay together. Levels of
 // neighbouring bins begin at different shares of their suns, by the golden ratio, because crowns have edges
 // at the same altitude in many bins: errors at equal levels would add up instead of cancelling out.
-CrownLevels splitIntoLevels(std::size_t bin, std::vector<LeafySun> suns) {
+LevelsOfBin splitIntoLevels(std::size_t bin, std::vector<LeafySun> suns) {
     constexpr double goldenRatio = 0.6180339887498949;
     std::ranges::sort(suns, {}, &LeafySun::code);
     CrownLevels levels;
+    std::map<std::size_t, CrownLevels> ofSets;
     const double size = std::max(1.0, double(suns.size()) / double(CrownSweep::maxLevels - 1));
     const double share = double(bin + 1) * goldenRatio;
     double limit = size * (share - std::floor(share));
@@ -48,10 +71,14 @@ CrownLevels splitIntoLevels(std::size_t bin, std::vector<LeafySun> suns) {
         std::size_t end = last ? suns.size() : std::min(std::size_t(std::lround(limit)), suns.size());
         if (end <= first) continue;
         while (end < suns.size() && suns[end].code == suns[end - 1].code) ++end;
-        addLevel(std::span(suns).subspan(first, end - first), levels);
+        const std::span<const LeafySun> own = std::span(suns).subspan(first, end - first);
+        addLevel(own, levels);
+        addWeightsOfSets({own.begin(), own.end()}, levels.count - 1, ofSets);
         first = end;
     }
-    return levels;
+    LevelsOfBin split{levels, {}};
+    for (const auto& [set, own] : ofSets) split.ofSets.push_back({set, own});
+    return split;
 }
 
 CrownOnBlock shapeOf(const Crown& crown, double datumM) {
@@ -74,15 +101,17 @@ const std::array<HorizonCode, ReceiverBlocks::cells>& levelHorizons() {
 
 }  // namespace
 
-void CrownSums::begin(std::size_t blocks, std::size_t steps) {
+void CrownSums::begin(std::size_t sets, std::size_t blocks, std::size_t steps) {
     constexpr double finest = 4096;
     const double maximum = double(std::numeric_limits<std::int32_t>::max()) / double(steps + 1);
     fractions_ = float(std::min(finest, std::exp2(std::floor(std::log2(maximum)))));
-    blocks_.assign(2 * blocks, {});
+    blocksOfSet_ = blocks;
+    blocks_.assign(2 * sets * blocks, {});
 }
 
-CrownSums::Steps CrownSums::steps(std::size_t block, std::size_t cell) const {
-    const Block &straight = blocks_[2 * block], &swapped = blocks_[2 * block + 1];
+CrownSums::Steps CrownSums::steps(std::size_t set, std::size_t block, std::size_t cell) const {
+    const std::size_t first = 2 * (set * blocksOfSet_ + block);
+    const Block &straight = blocks_[first], &swapped = blocks_[first + 1];
     const std::size_t other = cell % side * side + cell / side;
     const auto sum = [&](std::int32_t a, std::int32_t b) {
         return (double(a) + double(b)) / double(fractions_);
@@ -91,13 +120,17 @@ CrownSums::Steps CrownSums::steps(std::size_t block, std::size_t cell) const {
             sum(straight.seasonal[cell], swapped.seasonal[other])};
 }
 
-CrownSweep::CrownSweep(const CrownScene& scene, const BinnedSun& binned, const Grid& grid, double datumM)
-    : cellM_(grid.cellM), steps_(binned.places.size()) {
+CrownSweep::CrownSweep(const CrownScene& scene, const BinnedSun& binned, const StepSets& sets,
+                       const Grid& grid, double datumM)
+    : cellM_(grid.cellM), steps_(binned.places.size()), sets_(sets.names.size()) {
     std::vector<std::vector<LeafySun>> suns(binned.bins.size());
     for (std::size_t step = 0; step < binned.places.size(); ++step)
-        suns[binned.places[step].bin].push_back({binned.places[step].sun, scene.inLeaf[step] != 0});
+        suns[binned.places[step].bin].push_back(
+            {binned.places[step].sun, scene.inLeaf[step] != 0, sets.ofStep[step]});
     for (std::size_t bin = 0; bin < suns.size(); ++bin) {
-        levels_.push_back(splitIntoLevels(bin, std::move(suns[bin])));
+        LevelsOfBin split = splitIntoLevels(bin, std::move(suns[bin]));
+        levels_.push_back(split.all);
+        levelsOfSets_.push_back(std::move(split.ofSets));
         away_.push_back(binned.bins[bin].away);
     }
     for (const Crown& crown : scene.crowns) {
@@ -176,9 +209,11 @@ void CrownBatch::add(std::size_t bin, std::size_t blockIndex, const ReceiverBloc
     if (codes == nullptr) codes = levelHorizons().data();
     setGround(view, ground, receivers);
     if (findVisible(view, codes, receivers) && addCrowns(squares_[bin - firstBin_], view)) {
-        CrownSums::Block& block = sums.at(blockIndex, swapped);
-        weighBlock(view.levels, depths_, codes, sums.fractions(), block.evergreen, block.seasonal);
-        for (const HiddenGap& gap : gaps_) takeGap(gap, view, sums.fractions(), block);
+        for (const CrownLevelsOfSet& of : sweep_->levelsOfSets(bin)) {
+            CrownSums::Block& block = sums.at(of.set, blockIndex, swapped);
+            weighBlock(of.levels, depths_, codes, sums.fractions(), block.evergreen, block.seasonal);
+            for (const HiddenGap& gap : gaps_) takeGap(gap, of.levels, swapped, sums.fractions(), block);
+        }
         std::ranges::fill(depths_.touched, std::uint16_t{0});
     }
     gaps_.clear();
@@ -265,13 +300,12 @@ bool CrownBatch::addCrown(const PlacedCrown& placed, const BlockView& view) {
 }
 
 // Suns that an overhang hides are not the crowns'.
-void CrownBatch::takeGap(const HiddenGap& gap, const BlockView& view, float fractions,
+void CrownBatch::takeGap(const HiddenGap& gap, const CrownLevels& levels, bool swapped, float fractions,
                          CrownSums::Block& sums) const {
     const std::size_t across = gap.cell % side, down = gap.cell / side;
-    const std::size_t row = view.swapped ? across : down, cell = view.swapped ? down : across;
-    const CrownLevels& levels = view.levels;
+    const std::size_t row = swapped ? across : down, cell = swapped ? down : across;
     float evergreen = 0, seasonal = 0;
-    for (unsigned bits = depths_.touched[row]; bits != 0; bits &= bits - 1) {
+    for (unsigned bits = depths_.touched[row] & levels.weighed; bits != 0; bits &= bits - 1) {
         const auto i = std::size_t(std::countr_zero(bits));
         const auto above = [&](HorizonCode code) {
             return std::clamp((levels.belowCode[i] - float(code)) * levels.perCode[i], 0.0F, 1.0F);

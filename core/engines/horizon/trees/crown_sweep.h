@@ -8,8 +8,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/engines/api/step_sets.h"
 #include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/geometry/horizon_code.h"
 #include "core/engines/horizon/geometry/receiver_blocks.h"
@@ -29,7 +33,14 @@ struct CrownLevels {
     alignas(64) float perCode[maximum] = {};    ///< 1 / (belowCode - code of its lowest sun)
     alignas(64) float inLeaf[maximum] = {}, bare[maximum] =
                                                 {};  ///< numbers of suns in and out of the leaf season
+    std::uint16_t weighed = 0;                       ///< levels that have suns, as bits
     [[nodiscard]] std::uint16_t all() const { return std::uint16_t((1U << count) - 1); }
+};
+
+/// The suns of one set of steps (StepSets) in the levels of their bin.
+struct CrownLevelsOfSet {
+    std::size_t set;
+    CrownLevels levels;
 };
 
 /// A crown before a block. Its axis is `distance` along the azimuth from the block's first cell, towards the
@@ -66,13 +77,14 @@ void findVisibleLevels(const CrownLevels& levels, const HorizonCode* codes,
                        const ReceiverBlocks::Masks& receivers, std::uint16_t* visible);
 
 /// Adds the steps that crowns take from a block's cells, of those that their horizons leave, times
-/// `fractions`: each sun counts 1 - exp(-optical depth). A level that a horizon cuts counts by the share of
-/// its codes. Sums are 16 a row; those of cells that are no receivers are of no use.
+/// `fractions`, at the levels that have suns: each sun counts 1 - exp(-optical depth). A level that a horizon
+/// cuts counts by the share of its codes. Sums are 16 a row; those of cells that are no receivers are of no
+/// use.
 void weighBlock(const CrownLevels& levels, const CrownDepths& depths, const HorizonCode* codes,
                 float fractions, std::int32_t* evergreen, std::int32_t* seasonal);
 
-/// Steps taken by crowns from each cell of a tile's blocks, in fractions of a step, so that sums are the same
-/// in whatever order they are made. For one thread.
+/// Steps of each set taken by crowns from each cell of a tile's blocks, in fractions of a step, so that sums
+/// are the same in whatever order they are made. For one thread.
 class CrownSums {
 public:
     struct Block {
@@ -82,20 +94,23 @@ public:
     struct Steps {
         double evergreen = 0, seasonal = 0;
     };
+    /// Memory of each set and block.
+    static constexpr std::size_t bytesPerBlock = 2 * sizeof(Block);
     /// `steps`: of the period; a cell's sum is at most all of them.
-    void begin(std::size_t blocks, std::size_t steps);
+    void begin(std::size_t sets, std::size_t blocks, std::size_t steps);
     [[nodiscard]] bool begun() const { return !blocks_.empty(); }
     void end() { blocks_.clear(); }
     [[nodiscard]] float fractions() const { return fractions_; }
     /// Sums row by row, column by column if swapped.
-    [[nodiscard]] Block& at(std::size_t block, bool swapped) {
-        return blocks_[2 * block + (swapped ? 1 : 0)];
+    [[nodiscard]] Block& at(std::size_t set, std::size_t block, bool swapped) {
+        return blocks_[2 * (set * blocksOfSet_ + block) + (swapped ? 1 : 0)];
     }
     /// `cell`: row by row.
-    [[nodiscard]] Steps steps(std::size_t block, std::size_t cell) const;
+    [[nodiscard]] Steps steps(std::size_t set, std::size_t block, std::size_t cell) const;
 
 private:
     float fractions_ = 1;
+    std::size_t blocksOfSet_ = 0;
     std::vector<Block> blocks_;
 };
 
@@ -105,14 +120,20 @@ public:
     /// At most so many levels a bin.
     static constexpr std::size_t maxLevels = 12;
     static_assert(maxLevels <= CrownLevels::maximum);
-    /// `scene` and `binned` are of the same steps; `datumM`: local z from which heights count.
-    CrownSweep(const CrownScene& scene, const BinnedSun& binned, const Grid& grid, double datumM);
+    /// `scene`, `binned` and `sets` are of the same steps; `datumM`: local z from which heights count.
+    CrownSweep(const CrownScene& scene, const BinnedSun& binned, const StepSets& sets, const Grid& grid,
+               double datumM);
 
     /// Where crowns stand: metres from the grid's south-western corner.
     [[nodiscard]] std::span<const glm::dvec2> places() const { return places_; }
     /// The crowns, but for where they stand before a block.
     [[nodiscard]] std::span<const CrownOnBlock> crowns() const { return crowns_; }
     [[nodiscard]] const CrownLevels& levels(std::size_t bin) const { return levels_[bin]; }
+    /// The same suns by set: those that have some in the bin.
+    [[nodiscard]] std::span<const CrownLevelsOfSet> levelsOfSets(std::size_t bin) const {
+        return levelsOfSets_[bin];
+    }
+    [[nodiscard]] std::size_t sets() const { return sets_; }
     [[nodiscard]] glm::dvec2 away(std::size_t bin) const { return away_[bin]; }
     [[nodiscard]] double cellM() const { return cellM_; }
     [[nodiscard]] float widestM() const { return widestM_; }    ///< the largest radius
@@ -123,10 +144,11 @@ private:
     std::vector<glm::dvec2> places_;
     std::vector<CrownOnBlock> crowns_;
     std::vector<CrownLevels> levels_;  // one a bin
+    std::vector<std::vector<CrownLevelsOfSet>> levelsOfSets_;
     std::vector<glm::dvec2> away_;
     double cellM_;
     float widestM_ = 0, highestM_ = 0;
-    std::size_t steps_;
+    std::size_t steps_, sets_;
 };
 
 /// The crowns at one bin after the other. Reuses its memory; one per thread.
@@ -175,7 +197,8 @@ private:
                             const ReceiverBlocks::Masks& receivers);
     bool addCrowns(const Squares& squares, const BlockView& view);
     bool addCrown(const PlacedCrown& placed, const BlockView& view);
-    void takeGap(const HiddenGap& gap, const BlockView& view, float fractions, CrownSums::Block& sums) const;
+    void takeGap(const HiddenGap& gap, const CrownLevels& levels, bool swapped, float fractions,
+                 CrownSums::Block& sums) const;
 
     const CrownSweep* sweep_ = nullptr;
     std::size_t firstBin_ = 0;
@@ -184,5 +207,12 @@ private:
     std::vector<HiddenGap> gaps_;
     CrownDepths depths_;
 };
+
+/// What crowns take of the sun that buildings leave, in one sweep for all sets. `crowns`: with one; of the
+/// same receivers and steps. Costs as a sweep of gross shadow with trees
+/// (core/engines/horizon/horizon_sweep.cpp), and some half of it more for months.
+Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const Receivers& receivers,
+                               const SunSteps& sun, const StepSets& sets, Progress& progress,
+                               const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <unordered_map>
 
-#include "core/city/trees/tree.h"
 #include "core/io/files/plain_file.h"
 #include "core/study/tiles/by_place_measure.h"
 #include "core/sun/zone_country.h"
@@ -110,10 +108,6 @@ public:
     }
 
 private:
-    struct Found {
-        std::vector<SunOfPlace> sun;
-        std::vector<SunChange> changes;
-    };
     /// Of one city, over the tiles.
     struct OfCity {
         std::set<std::string> engines;
@@ -121,7 +115,7 @@ private:
         std::vector<JoinedError> dateErrors;
         std::vector<ShownError> errors;
         Warnings warnings;
-        std::size_t tilesWithTrees = 0;
+        std::string treesHow;
     };
 
     // Each once, in the order in which they are read.
@@ -160,24 +154,21 @@ private:
             for (std::size_t date = 0; date < own.dateErrors.size(); ++date)
                 if (own.dateErrors[date]) city.dateErrors.at(date).add(*own.dateErrors[date]);
             for (const ShownError& error : own.errors) addError(city.errors, error);
-            takeWarnings(city, own.warnings);
+            std::ranges::copy(own.warnings, std::back_inserter(city.warnings));
+            if (!own.treesHow.empty()) city.treesHow = own.treesHow;
         }
-    }
-
-    // Each tile has trees of its own extent, some of them in several.
-    static void takeWarnings(OfCity& city, const Warnings& ofTile) {
-        const auto isAboutTrees = [about = makeTreeWarning({})](const Warning& warning) {
-            return warning.what == about.what;
-        };
-        city.tilesWithTrees += std::size_t(std::ranges::count_if(ofTile, isAboutTrees));
-        std::ranges::copy_if(ofTile, std::back_inserter(city.warnings), std::not_fn(isAboutTrees));
     }
 
     void takePlace(PlaceLine line) {
         if (line.sun.size() != cities_.size() || line.changes.size() + 1 != cities_.size())
             throw std::invalid_argument("a place of other cities");
         auto& place = lines_.at(index_.at(line.name));
-        if (!place) place = Found{std::move(line.sun), std::move(line.changes)};
+        for (const PlaceLine::WithTrees& with : line.withTrees)
+            if (with.sun.size() != line.sun.size() || with.changes.size() != line.changes.size())
+                throw std::invalid_argument("trees of other cities");
+        if (columns_.empty())
+            for (const PlaceLine::WithTrees& with : line.withTrees) columns_.push_back(with.column);
+        if (!place) place = std::move(line);
     }
 
     Result<SunOfCities> join(const std::stop_token& stop) {
@@ -193,6 +184,12 @@ private:
             if (auto framed = frameSun(compared.sun, observer, stop); !framed)
                 return tl::make_unexpected(framed.error());
             for (const auto& line : lines_) compared.changes.push_back(line->changes[i - 1]);
+            for (const TreeColumns column : columns_) {
+                auto& changes = compared.changesWithTrees.emplace_back();
+                for (const auto& line : lines_)
+                    changes.push_back((withTrees(*line, column) ? withTrees(*line, column)->changes
+                                                                : line->changes)[i - 1]);
+            }
             all.compared.push_back(std::move(compared));
         }
         questionTheZone(all.baseline);
@@ -215,7 +212,7 @@ private:
 
     void leaveOutMissing() {
         std::vector<Place> places;
-        std::vector<std::optional<Found>> lines;
+        std::vector<std::optional<PlaceLine>> lines;
         for (std::size_t i = 0; i < places_.size(); ++i) {
             if (lines_[i]) {
                 places.push_back(std::move(places_[i]));
@@ -241,10 +238,25 @@ private:
         for (const JoinedError& error : own.dateErrors) sun.dateErrors.push_back(error.get());
         sun.errors = own.errors;
         sun.warnings = own.warnings;
-        if (own.tilesWithTrees > 0)
-            sun.warnings.push_back(makeTreeWarning(fmt::format("in {} tiles", own.tilesWithTrees)));
+        sun.treesHow = own.treesHow;
+        for (const TreeColumns column : columns_) sun.withTrees.push_back({column, listSun(column, city)});
         sun.seconds = {{"total", seconds_}};
         return sun;
+    }
+
+    // Null: no tree reaches a place of its tile, so that it has the sun without trees.
+    static const PlaceLine::WithTrees* withTrees(const PlaceLine& line, TreeColumns column) {
+        const auto found = std::ranges::find(line.withTrees, column, &PlaceLine::WithTrees::column);
+        return found == line.withTrees.end() ? nullptr : &*found;
+    }
+
+    [[nodiscard]] std::vector<SunOfPlace> listSun(TreeColumns column, std::size_t city) const {
+        std::vector<SunOfPlace> all;
+        for (const auto& line : lines_) {
+            const PlaceLine::WithTrees* with = withTrees(*line, column);
+            all.push_back((with == nullptr ? line->sun : with->sun)[city]);
+        }
+        return all;
     }
 
     const fs::path& folder_;
@@ -253,7 +265,8 @@ private:
     const StudySettings& study_;
     const std::vector<City>& cities_;
     std::vector<Place> places_;
-    std::vector<std::optional<Found>> lines_;  // of each place
+    std::vector<std::optional<PlaceLine>> lines_;  // of each place
+    std::vector<TreeColumns> columns_;             // that some tile has trees for
     std::unordered_map<std::string, std::size_t> index_;
     std::vector<OfCity> found_;  // of each city
     double seconds_ = 0;

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/city/trees/tree.h"
 #include "core/io/write_city.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/tile_tasks/merge/merge_tiles.h"
@@ -165,8 +164,8 @@ TEST_P(ByPlacePlan, WhatIsDoneIsNotComputedAgainAndWhatIsMissingIsSaid) {
     }));
 }
 
-// Tiles read trees of their own extent, some of them in several tiles, and measure none.
-TEST_P(ByPlacePlan, TreesThatNoTileMeasuresAreSaidOnce) {
+// Tiles read trees of their own extent, and most of them have none.
+TEST_P(ByPlacePlan, TreesCountInTheTilesThatTheyReach) {
     const LonLat at = placesFrame.lonLatFromLocal({30, 30});
     request.reading.treeFiles = {folder
                                      .file("trees.csv", fmt::format("tree_dbh,spc_latin,latitude,longitude\n"
@@ -175,17 +174,25 @@ TEST_P(ByPlacePlan, TreesThatNoTileMeasuresAreSaidOnce) {
                                      .string()};
     const TaskPlan made = plan();
     runAll(made);
-    const Warning trees = makeTreeWarning({});
-    std::vector<std::string> said;
     const auto merged = merge(made);
     ASSERT_TRUE(merged) << merged.error().text();
-    for (const Warning& warning : merged->sun.baseline.warnings)
-        if (warning.what == trees.what) said.push_back(warning.where);
-    EXPECT_THAT(said, testing::ElementsAre(HasSubstr("in ")));
-    const Warnings whole = onOneMachine().warnings;
-    EXPECT_TRUE(std::ranges::any_of(whole, [&](const Warning& warning) {
-        return warning.what == trees.what && warning.where == "1 tree";
-    }));
+    const SunByPlace whole = onOneMachine();
+    const SunByPlace& tiled = merged->sun.baseline;
+    ASSERT_EQ(whole.withTrees.size(), 2U);
+    ASSERT_EQ(tiled.withTrees.size(), 2U);
+    EXPECT_EQ(tiled.treesHow, whole.treesHow);
+    double taken = 0;
+    for (std::size_t i = 0; i < whole.sun.size(); ++i) {
+        if (whole.sun[i].cells == 0) continue;
+        for (std::size_t column = 0; column < 2; ++column) {
+            const SunOfPlace &a = tiled.withTrees[column].sun[i], &b = whole.withTrees[column].sun[i];
+            for (const Figure& figure : sunFiguresWithTrees(whole.withTrees[column].column))
+                EXPECT_NEAR(figure.get(&a), figure.get(&b), 1e-4) << whole.places[i].name;
+            EXPECT_NEAR(a.dateHours[0], b.dateHours[0], 1e-4);
+            taken = std::max(taken, whole.sun[i].meanHours - b.meanHours);
+        }
+    }
+    EXPECT_GT(taken, 0.01) << "the tree takes something from some place";
 }
 
 TEST_P(ByPlacePlan, OtherPlacesOrThresholdsAreAnotherPlan) {
