@@ -11,11 +11,18 @@
 #include "core/city/building_heights.h"
 #include "core/city/terrain/building_ground.h"
 #include "core/city/trees/tree_facts.h"
+#include "core/describe/field.h"
 #include "core/io/terrain/buildings_on_terrain.h"
 
 namespace noonmark {
 
 namespace {
+
+// "0.5 to 120 m"
+std::string formatTreeRange(std::string_view key) {
+    const Field& field = *std::ranges::find(treeFactFields().rows(), key, &Field::key);
+    return fmt::format("{:g} to {:g} {}", field.range->min, field.range->max, field.unit);
+}
 
 std::vector<std::size_t> matching(const City& city, const std::string& text, std::string Building::*field) {
     std::vector<std::size_t> found;
@@ -269,7 +276,9 @@ private:
         if (!isPlausibleTreeHeight(double(tree.heightM)) || !isPlausibleCrown(double(tree.crownDiameterM)))
             return failure(fmt::format("A tree cannot be {:g} m high with a crown {:g} m wide", tree.heightM,
                                        tree.crownDiameterM),
-                           tree.sourceId, "Give a height of 0.5 to 120 m and a crown of 0.3 to 50 m");
+                           tree.sourceId,
+                           fmt::format("Give a height of {} and a crown of {}", formatTreeRange("height_m"),
+                                       formatTreeRange("crown_diameter_m")));
         if (!(tree.crownBaseM >= 0 && tree.crownBaseM < tree.heightM))
             return failure("The crown's base lies above the tree's top", tree.sourceId,
                            "Give a base of 0 m or more, below the height");

@@ -200,10 +200,16 @@ std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database) 
 
 Project readProject(Database& database) {
     Project project;
-    project.city = readCityTables(database);
+    Warnings warnings;
+    project.city = readCityTables(database, warnings);
     project.attribution = readFact(database, "attribution");
     project.inputs = readInputs(database);
     project.reading = readReading(database);
+    if (!warnings.empty()) {
+        auto reading = std::make_shared<CityReading>(*project.reading);
+        reading->warnings.insert(reading->warnings.end(), warnings.begin(), warnings.end());
+        project.reading = std::move(reading);
+    }
     project.lots = readLots(database);
     project.regions = readRegions(database);
     project.places = readPlaces(database);

@@ -370,6 +370,26 @@ TEST_F(ProjectFileTest, ATreeThatAGisProgramLeftIncompleteIsCompleted) {
     EXPECT_EQ(city.trees->trees.at(1), sampleProject().city->trees->trees[1]);
 }
 
+// Of the first tree the shape is a word that is none, and its crown begins 40 m up, above its top.
+TEST_F(ProjectFileTest, TreesOfUnknownWordsAreCompletedAndCounted) {
+    made();
+    Database(file(), Database::Access::write)
+        .execute("UPDATE trees SET shape = 'blob', crown_base_m = 40 WHERE fid = 1");
+    const Project project = opened();
+    const Tree& tree = project.city->trees->trees.at(0);
+    const Tree drawn = completeTree({.species = tree.species});
+    EXPECT_EQ(tree.shape, drawn.shape);
+    EXPECT_LT(tree.crownBaseM, tree.heightM);
+    EXPECT_EQ(tree.heightM, sampleProject().city->trees->trees[0].heightM) << "what is stated well stays";
+    const auto counted = [&](std::string_view what) {
+        return std::ranges::count_if(project.reading->warnings, [&](const Warning& one) {
+            return one.what.starts_with(what) && one.where == "layer trees (1)";
+        });
+    };
+    EXPECT_EQ(counted("unknown words for the shape"), 1);
+    EXPECT_EQ(counted("the crown's base lies above"), 1);
+}
+
 TEST_F(ProjectFileTest, TreesThatMakeNoSenseAreDamage) {
     for (const char* harm : {"UPDATE trees SET height_m = -3", "UPDATE trees SET leaf_on = 1.5",
                              "UPDATE trees SET geom = x'01'", "UPDATE trees SET crown_diameter_m = 'wide'",

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/stop_scope.h"
+
 namespace noonmark {
 
 namespace {
@@ -51,7 +53,7 @@ float readCoarse(Values& coarse, int column, int row) {
 // grids left of their cells. A few rounds do, as the coarser grids were relaxed before.
 void relax(Values& values, const std::vector<std::size_t>& filled) {
     constexpr int rounds = 8;
-    for (int round = 0; round < rounds; ++round)
+    for (int round = 0; round < rounds && !StopScope::isStopped(); ++round)
         for (const std::size_t cell : filled) {
             const int column = int(cell % std::size_t(values.columns));
             const int row = int(cell / std::size_t(values.columns));
@@ -66,6 +68,7 @@ std::size_t fillLevel(Values& fine) {
     for (std::size_t cell = 0; cell < fine.of.size(); ++cell)
         if (std::isnan(fine.of[cell])) gaps.push_back(cell);
     if (gaps.empty() || gaps.size() == fine.of.size()) return 0;
+    if (StopScope::isStopped()) return 0;
     Values coarse = halve(fine);
     fillLevel(coarse);
     for (const std::size_t cell : gaps)

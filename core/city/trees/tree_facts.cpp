@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/describe/field.h"
 #include "generated/shipped_tree_defaults.h"
 
 namespace noonmark {
@@ -199,8 +200,27 @@ Tree growTree(const Tree& tree, double years) {
     return grown;
 }
 
-bool isPlausibleTreeHeight(double metres) { return metres >= 0.5 && metres <= 120; }
-bool isPlausibleCrown(double metres) { return metres >= 0.3 && metres <= 50; }
-bool isPlausibleStem(double metres) { return metres >= 0.01 && metres <= 5; }
+namespace {
+
+ValueRange treeRangeOf(std::string_view key) {
+    return *std::ranges::find(treeFactFields().rows(), key, &Field::key)->range;
+}
+
+}  // namespace
+
+bool isPlausibleTreeHeight(double metres) {
+    static const ValueRange range = treeRangeOf("height_m");
+    return range.holds(metres);
+}
+
+bool isPlausibleCrown(double metres) {
+    static const ValueRange range = treeRangeOf("crown_diameter_m");
+    return range.holds(metres);
+}
+
+bool isPlausibleStem(double metres) {
+    static const ValueRange range = treeRangeOf("stem_diameter_m");
+    return range.holds(metres);
+}
 
 }  // namespace noonmark

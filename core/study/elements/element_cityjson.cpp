@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/json_number.h"
 #include "core/base/memory_guard.h"
 #include "core/geo/crs.h"
 #include "core/geo/frame.h"
@@ -263,7 +264,7 @@ private:
     }
 
     static void writeHours(CityJson& semantic, const SurfaceHours& hours) {
-        const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
+        const auto rounded = [](double value) { return roundAsText(value, 4); };
         semantic["sunlight_hours_per_day_mean"] = rounded(hours.mean);
         semantic["sunlight_hours_per_day_min"] = rounded(hours.minimum);
         semantic["sunlight_hours_per_day_max"] = rounded(hours.maximum);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <unordered_map>
 #include <unordered_set>
@@ -12,6 +13,7 @@
 #include "core/base/safe_text.h"
 #include "core/city/map_context.h"
 #include "core/city/trees/tree_facts.h"
+#include "core/describe/field.h"
 #include "core/io/settings/read_settings.h"
 #include "core/study/text/height_facts_text.h"
 #include "core/study/text/terrain_text.h"
@@ -131,7 +133,7 @@ double numberOf(Database& database, const std::string& key, const NumberLimits& 
 
 }  // namespace
 
-std::shared_ptr<const City> readCityTables(Database& database) {
+std::shared_ptr<const City> readCityTables(Database& database, Warnings& warnings) {
     auto city = std::make_shared<City>();
     const LonLat origin{numberOf(database, "origin_lon_deg", {-360, 360}),
                         numberOf(database, "origin_lat_deg", {-90, 90})};
@@ -139,7 +141,7 @@ std::shared_ptr<const City> readCityTables(Database& database) {
     city->buildings = readBuildings(database);
     city->terrain = readTerrain(database);
     city->context = readContext(database);
-    city->trees = readTreeTable(database, *city);
+    city->trees = readTreeTable(database, *city, warnings);
     return city;
 }
 
@@ -148,9 +150,12 @@ std::shared_ptr<const City> readCityTables(Database& database) {
 namespace {
 
 constexpr const char* leafDaysKey = "leaf_days";
-constexpr NumberLimits treeHeightLimitsM{0.01, 1000};
-constexpr NumberLimits crownWidthLimitsM{0.01, 1000};
-constexpr NumberLimits transmissivityLimits{0, 1};
+constexpr double thinnestM = 0.01;  // a tree has some height and a crown some width
+
+NumberLimits limitsOf(const char* key, double lowest = 0) {
+    const ValueRange range = *std::ranges::find(treeRecordFields().rows(), key, &Field::key)->range;
+    return {std::max(range.min, lowest), range.max};
+}
 
 LeafDays readLeafDays(Database& database, const City& city) {
     const std::string text = readFact(database, leafDaysKey);
@@ -162,65 +167,93 @@ LeafDays readLeafDays(Database& database, const City& city) {
     return {on, off};
 }
 
+/// Trees whose layer states what is not used.
+struct TreeRepairs {
+    std::size_t words = 0;  ///< that are unknown
+    std::size_t bases = 0;  ///< of crowns, not below the top
+
+    [[nodiscard]] Warnings list() const {
+        Warnings warnings;
+        const auto say = [&](const char* what, std::size_t count) {
+            if (count > 0)
+                warnings.push_back({WarningKind::repaired, what, fmt::format("layer trees ({})", count)});
+        };
+        say("unknown words for the shape or the sources of trees; those of their genus are used", words);
+        say("the crown's base lies above the tree's top; a share of the height is used", bases);
+        return warnings;
+    }
+};
+
 /// One row of the layer, which a GIS program may have left incomplete.
 class TreeRow {
 public:
-    explicit TreeRow(const Statement& row) : row_(row), checked_(row, "trees") {}
+    TreeRow(const Statement& row, TreeRepairs& repairs)
+        : row_(row), checked_(row, "trees"), repairs_(repairs) {}
 
     [[nodiscard]] Tree read() const {
         const auto points = toPoints(row_.blob(1));
         if (!points || points->size() != 1) checked_.refuse("a tree has no place");
         TreeFacts facts{.sourceId = cleanText(row_.text(2)),
                         .species = cleanText(row_.text(3)),
-                        .heightM = stated(4, "height_m", treeHeightLimitsM),
-                        .crownDiameterM = stated(5, "crown_diameter_m", crownWidthLimitsM),
-                        .crownBaseM = stated(6, "crown_base_m", {0, treeHeightLimitsM.high})};
+                        .heightM = stated(4, "height_m", thinnestM),
+                        .crownDiameterM = stated(5, "crown_diameter_m", thinnestM),
+                        .crownBaseM = stated(6, "crown_base_m")};
         if (facts.sourceId.empty()) facts.sourceId = fmt::format("tree {}", row_.integer(0));
         if (!row_.isNull(8)) facts.evergreen = row_.integer(8) != 0;
         Tree tree = completeTree(facts);
         tree.place = glm::dvec2(points->front());
         takeStated(tree);
-        if (!(tree.heightM > tree.crownBaseM)) checked_.refuse("the crown's base lies above the tree's top");
+        if (facts.crownBaseM && !(float(*facts.crownBaseM) < tree.heightM)) ++repairs_.bases;
         return tree;
     }
 
 private:
-    [[nodiscard]] std::optional<double> stated(int column, const char* name,
-                                               const NumberLimits& limits) const {
+    [[nodiscard]] std::optional<double> stated(int column, const char* name, double lowest = 0) const {
         if (row_.isNull(column)) return std::nullopt;
-        return checked_.number(column, name, limits);
+        return checked_.number(column, name, limitsOf(name, lowest));
     }
 
     void takeStated(Tree& tree) const {
-        tree.shape = parseCrownShape(row_.text(7)).value_or(tree.shape);
-        tree.heightSource = parseTreeSource(row_.text(9)).value_or(tree.heightSource);
-        tree.crownSource = parseTreeSource(row_.text(10)).value_or(tree.crownSource);
-        if (const auto share = stated(11, "leaf_on", transmissivityLimits))
-            tree.leafOnTransmissivity = float(*share);
-        if (const auto share = stated(12, "leaf_off", transmissivityLimits))
-            tree.leafOffTransmissivity = float(*share);
+        const std::array known{takeWord(7, parseCrownShape, tree.shape),
+                               takeWord(9, parseTreeSource, tree.heightSource),
+                               takeWord(10, parseTreeSource, tree.crownSource)};
+        if (std::ranges::find(known, false) != known.end()) ++repairs_.words;
+        if (const auto share = stated(11, "leaf_on")) tree.leafOnTransmissivity = float(*share);
+        if (const auto share = stated(12, "leaf_off")) tree.leafOffTransmissivity = float(*share);
+    }
+
+    // False if the row states a word that is none.
+    template <class Word>
+    bool takeWord(int column, std::optional<Word> (*parse)(std::string_view), Word& word) const {
+        const auto text = row_.text(column);
+        const std::optional<Word> found = parse(text);
+        word = found.value_or(word);
+        return found || text.empty();
     }
 
     const Statement& row_;
     CheckedRow checked_;
+    TreeRepairs& repairs_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Trees> readTreeTable(Database& database, const City& city) {
+std::shared_ptr<const Trees> readTreeTable(Database& database, const City& city, Warnings& warnings) {
     Trees trees{.trees = {}, .leafDays = readLeafDays(database, city)};
     Statement row = database.prepare(
         "SELECT fid, geom, tree_id, species, height_m, crown_diameter_m, crown_base_m, shape, evergreen, "
         "height_source, crown_source, leaf_on, leaf_off FROM trees WHERE geom IS NOT NULL ORDER BY fid");
     std::unordered_set<std::string> used;
+    TreeRepairs repairs;
     while (row.step()) {
-        Tree tree = TreeRow(row).read();
+        Tree tree = TreeRow(row, repairs).read();
         const std::string own = tree.sourceId;  // a copied row of a GIS program has that of its original
         for (int copy = 2; !used.insert(tree.sourceId).second; ++copy)
             tree.sourceId = fmt::format("{} ({})", own, copy);
         tree.groundM = groundAt(city, tree.place);
         trees.trees.push_back(std::move(tree));
     }
+    std::ranges::move(repairs.list(), std::back_inserter(warnings));
     return trees.trees.empty() ? nullptr : std::make_shared<const Trees>(std::move(trees));
 }
 
