@@ -2328,6 +2328,13 @@ Opens the panel Review.</source>
             <numerusform>%1 Zellen; in der Untersuchung selbst %2.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 cell(s), each counted whole, also at the edge of the place</source>
+        <translation>
+            <numerusform>%1 Zelle, ganz gezählt, auch am Rand des Ortes</numerusform>
+            <numerusform>%1 Zellen, jede ganz gezählt, auch am Rand des Ortes</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -4677,6 +4684,22 @@ Opens the panel Review.</source>
         <source>not known</source>
         <translation>nicht bekannt</translation>
     </message>
+    <message>
+        <source>With trees as evergreens it is %1 a day.</source>
+        <translation>Mit immergrünen Bäumen sind es %1 am Tag.</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season it is %1 a day.</source>
+        <translation>Mit Bäumen, die je nach Jahreszeit kahl sind, sind es %1 am Tag.</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens: %1; %2 of its area has %3 or more.</source>
+        <translation>Mit immergrünen Bäumen: %1; %2 seiner Fläche hat %3 oder mehr.</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season: %1; %2 of its area has %3 or more.</source>
+        <translation>Mit Bäumen, die je nach Jahreszeit kahl sind: %1; %2 seiner Fläche hat %3 oder mehr.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -6317,6 +6340,10 @@ Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfa
     <message>
         <source>receivers</source>
         <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>Time and legend</source>
+        <translation>Zeit und Legende</translation>
     </message>
 </context>
 <context>
@@ -8586,10 +8613,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Kein Szenario ist nach Monaten bewertet: Alle bewerten drücken</translation>
     </message>
     <message>
-        <source>No scenario has months: tick Each month by itself in the dock Study, and press Measure all</source>
-        <translation>Kein Szenario hat Monate: Jeder Monat für sich im Feld Untersuchung anhaken und Alle messen drücken</translation>
-    </message>
-    <message>
         <source>The first %1 of %2 scenarios; CSV saves all of them</source>
         <translation>Die ersten %1 von %2 Szenarien; CSV speichert alle</translation>
     </message>
@@ -8616,6 +8639,14 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>All of these together</source>
         <translation>Alle diese zusammen</translation>
+    </message>
+    <message>
+        <source>No scenario has months yet. %1</source>
+        <translation>Noch hat kein Szenario Monate. %1</translation>
+    </message>
+    <message>
+        <source>Measure all by month</source>
+        <translation>Alle nach Monaten messen</translation>
     </message>
 </context>
 <context>
@@ -10349,6 +10380,10 @@ Zuerst ein Gebäude anklicken.</translation>
         <source>%1 is saved with the project: the list above the results shows it again</source>
         <translation>%1 ist mit dem Projekt gespeichert: Die Liste über den Ergebnissen zeigt es wieder</translation>
     </message>
+    <message>
+        <source>months</source>
+        <translation>Monate</translation>
+    </message>
 </context>
 <context>
     <name>std</name>
@@ -10679,6 +10714,14 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>Sun, trees with their seasons</source>
         <translation>Sonne, Bäume mit Jahreszeiten</translation>
+    </message>
+    <message>
+        <source>trees as evergreens</source>
+        <translation>Bäume als immergrün</translation>
+    </message>
+    <message>
+        <source>trees with their seasons</source>
+        <translation>Bäume mit ihren Jahreszeiten</translation>
     </message>
 </context>
 </TS>

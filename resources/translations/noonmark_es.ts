@@ -2328,6 +2328,13 @@ Abre el panel Evaluación.</translation>
             <numerusform>%1 celdas; en el propio estudio %2.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 cell(s), each counted whole, also at the edge of the place</source>
+        <translation>
+            <numerusform>%1 celda, contada entera, también en el borde del lugar</numerusform>
+            <numerusform>%1 celdas, cada una contada entera, también en el borde del lugar</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -4677,6 +4684,22 @@ Abre el panel Evaluación.</translation>
         <source>not known</source>
         <translation>desconocido</translation>
     </message>
+    <message>
+        <source>With trees as evergreens it is %1 a day.</source>
+        <translation>Con los árboles como perennes es %1 al día.</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season it is %1 a day.</source>
+        <translation>Con los árboles que pierden las hojas según la estación es %1 al día.</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens: %1; %2 of its area has %3 or more.</source>
+        <translation>Con los árboles como perennes: %1; %2 de su superficie tiene %3 o más.</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season: %1; %2 of its area has %3 or more.</source>
+        <translation>Con los árboles que pierden las hojas según la estación: %1; %2 de su superficie tiene %3 o más.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -6317,6 +6340,10 @@ Aproximado: la leyenda indica el error medido. Deshacer recupera el método ante
     <message>
         <source>receivers</source>
         <translation>receptores</translation>
+    </message>
+    <message>
+        <source>Time and legend</source>
+        <translation>Tiempo y leyenda</translation>
     </message>
 </context>
 <context>
@@ -8586,10 +8613,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Ningún escenario se ha puntuado por mes: pulse Puntuar todos</translation>
     </message>
     <message>
-        <source>No scenario has months: tick Each month by itself in the dock Study, and press Measure all</source>
-        <translation>Ningún escenario tiene meses: marque Cada mes por separado en el panel Estudio y pulse Medir todos</translation>
-    </message>
-    <message>
         <source>The first %1 of %2 scenarios; CSV saves all of them</source>
         <translation>Los primeros %1 de %2 escenarios; CSV los guarda todos</translation>
     </message>
@@ -8616,6 +8639,14 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>All of these together</source>
         <translation>Todos estos juntos</translation>
+    </message>
+    <message>
+        <source>No scenario has months yet. %1</source>
+        <translation>Ningún escenario tiene meses todavía. %1</translation>
+    </message>
+    <message>
+        <source>Measure all by month</source>
+        <translation>Medir todos por meses</translation>
     </message>
 </context>
 <context>
@@ -10349,6 +10380,10 @@ Haga clic antes en un edificio.</translation>
         <source>%1 is saved with the project: the list above the results shows it again</source>
         <translation>%1 está guardado con el proyecto: la lista sobre los resultados lo vuelve a mostrar</translation>
     </message>
+    <message>
+        <source>months</source>
+        <translation>meses</translation>
+    </message>
 </context>
 <context>
     <name>std</name>
@@ -10679,6 +10714,14 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>Sun, trees with their seasons</source>
         <translation>Sol, árboles con sus estaciones</translation>
+    </message>
+    <message>
+        <source>trees as evergreens</source>
+        <translation>árboles como perennes</translation>
+    </message>
+    <message>
+        <source>trees with their seasons</source>
+        <translation>árboles con sus estaciones</translation>
     </message>
 </context>
 </TS>

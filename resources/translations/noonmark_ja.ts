@@ -2300,6 +2300,12 @@ Opens the panel Review.</source>
             <numerusform>%1 セル。調査自体では %2。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 cell(s), each counted whole, also at the edge of the place</source>
+        <translation>
+            <numerusform>%1 セル。場所の縁にあるものもそれぞれ 1 つと数えます</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -4649,6 +4655,22 @@ Opens the panel Review.</source>
         <source>not known</source>
         <translation>不明</translation>
     </message>
+    <message>
+        <source>With trees as evergreens it is %1 a day.</source>
+        <translation>樹木を常緑とすると 1 日 %1 です。</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season it is %1 a day.</source>
+        <translation>季節に葉を落とす樹木では 1 日 %1 です。</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens: %1; %2 of its area has %3 or more.</source>
+        <translation>樹木を常緑とした場合: %1。面積の %2 が %3 以上です。</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season: %1; %2 of its area has %3 or more.</source>
+        <translation>季節に葉を落とす樹木の場合: %1。面積の %2 が %3 以上です。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -6283,6 +6305,10 @@ Approximate: the legend states the measured error. Undo takes the method of the 
     <message>
         <source>receivers</source>
         <translation>測定点</translation>
+    </message>
+    <message>
+        <source>Time and legend</source>
+        <translation>時刻と凡例</translation>
     </message>
 </context>
 <context>
@@ -8536,10 +8562,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>月別に採点したシナリオがありません。「すべて採点」を押してください</translation>
     </message>
     <message>
-        <source>No scenario has months: tick Each month by itself in the dock Study, and press Measure all</source>
-        <translation>月別の値があるシナリオがありません。パネル「検討」で「月ごとに分ける」を選び、「すべて測定」を押してください</translation>
-    </message>
-    <message>
         <source>The first %1 of %2 scenarios; CSV saves all of them</source>
         <translation>%2 件中最初の %1 件のシナリオ。CSV にはすべて保存されます</translation>
     </message>
@@ -8566,6 +8588,14 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>All of these together</source>
         <translation>これらすべて</translation>
+    </message>
+    <message>
+        <source>No scenario has months yet. %1</source>
+        <translation>まだ月別の結果を持つシナリオがありません。%1</translation>
+    </message>
+    <message>
+        <source>Measure all by month</source>
+        <translation>すべてを月別に測定</translation>
     </message>
 </context>
 <context>
@@ -10299,6 +10329,10 @@ Click a building first.</source>
         <source>%1 is saved with the project: the list above the results shows it again</source>
         <translation>%1 をプロジェクトに保存しました。結果の上の一覧から再び表示できます</translation>
     </message>
+    <message>
+        <source>months</source>
+        <translation>月</translation>
+    </message>
 </context>
 <context>
     <name>std</name>
@@ -10629,6 +10663,14 @@ Click a building first.</source>
     <message>
         <source>Sun, trees with their seasons</source>
         <translation>日照、樹木は季節による</translation>
+    </message>
+    <message>
+        <source>trees as evergreens</source>
+        <translation>常緑とした樹木</translation>
+    </message>
+    <message>
+        <source>trees with their seasons</source>
+        <translation>季節のある樹木</translation>
     </message>
 </context>
 </TS>
