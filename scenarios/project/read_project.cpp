@@ -206,8 +206,12 @@ Project readProject(Database& database) {
     project.inputs = readInputs(database);
     project.reading = readReading(database);
     if (!warnings.empty()) {
-        auto reading = std::make_shared<CityReading>(*project.reading);
-        reading->warnings.insert(reading->warnings.end(), warnings.begin(), warnings.end());
+        auto reading = std::make_shared<CityReading>(project.reading ? *project.reading : CityReading());
+        for (const Warning& warning : warnings)  // those of an earlier opening may be saved among them
+            if (std::ranges::none_of(reading->warnings, [&](const Warning& known) {
+                    return known.what == warning.what && known.where == warning.where;
+                }))
+                reading->warnings.push_back(warning);
         project.reading = std::move(reading);
     }
     project.lots = readLots(database);

@@ -292,6 +292,7 @@ std::vector<KnownAnswer> Workbench::listUnmeasured() {
 }
 
 void Workbench::measureAllByMonth() {
+    if (!city_) return;
     StudySettings settings = document_.settings();
     settings.byMonth = true;
     document_.change(settings, tr("months"));

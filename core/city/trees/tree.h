@@ -88,7 +88,8 @@ struct Trees {
 /// Leaf-on and leaf-off of a latitude, where none are stated: an assumption (docs/trees.md).
 LeafDays assumeLeafDays(double latDeg);
 
-/// Why trees are left out by the questions that measure without them: all but the study.
+/// Why trees are left out by the questions that measure without them: all but studies, comparisons and sun by
+/// place.
 inline constexpr std::string_view treesNotMeasured =
     "this question measures the shadow of buildings and terrain only";
 

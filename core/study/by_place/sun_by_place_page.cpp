@@ -240,7 +240,7 @@ Sentence describeChange(const ComparedSun& compared, std::size_t place) {
 }  // namespace
 
 AnswerPage makePage(const SunOfCities& sun) {
-    const SunByPlace& shown = sun.compared.empty() ? sun.baseline : sun.compared.back().sun;
+    const SunByPlace& shown = shownCity(sun);
     AnswerPage page{countDark(shown), {describeMean(shown)}, chartsOf(sun)};
     for (Sentence& sentence : describeWithTrees(shown)) page.findings.push_back(std::move(sentence));
     for (Sentence& sentence : judgeCities(sun)) page.findings.push_back(std::move(sentence));
@@ -252,7 +252,7 @@ AnswerPage makePage(const SunOfCities& sun) {
 }
 
 AnswerPage makePage(const SunOfCities& sun, std::size_t place) {
-    const SunByPlace& shown = sun.compared.empty() ? sun.baseline : sun.compared.back().sun;
+    const SunByPlace& shown = shownCity(sun);
     const SunOfPlace& of = shown.sun[place];
     AnswerPage page{headlineOf(shown.places[place].name, of, shown.settings.enoughHours)};
     if (std::isnan(of.meanHours)) return page;

@@ -152,7 +152,7 @@ namespace {
 constexpr const char* leafDaysKey = "leaf_days";
 constexpr double thinnestM = 0.01;  // a tree has some height and a crown some width
 
-NumberLimits limitsOf(const char* key, double lowest = 0) {
+NumberLimits treeLimitsOf(const char* key, double lowest = 0) {
     const ValueRange range = *std::ranges::find(treeRecordFields().rows(), key, &Field::key)->range;
     return {std::max(range.min, lowest), range.max};
 }
@@ -178,7 +178,9 @@ struct TreeRepairs {
             if (count > 0)
                 warnings.push_back({WarningKind::repaired, what, fmt::format("layer trees ({})", count)});
         };
-        say("unknown words for the shape or the sources of trees; those of their genus are used", words);
+        say("unknown words for the shape of trees or the source of a figure; what follows from their species "
+            "is used",
+            words);
         say("the crown's base lies above the tree's top; a share of the height is used", bases);
         return warnings;
     }
@@ -210,7 +212,7 @@ public:
 private:
     [[nodiscard]] std::optional<double> stated(int column, const char* name, double lowest = 0) const {
         if (row_.isNull(column)) return std::nullopt;
-        return checked_.number(column, name, limitsOf(name, lowest));
+        return checked_.number(column, name, treeLimitsOf(name, lowest));
     }
 
     void takeStated(Tree& tree) const {

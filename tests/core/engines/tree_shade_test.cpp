@@ -274,9 +274,9 @@ TEST(TreeShade, OfOneSweepByMonthAddsUpToThatOfThePeriod) {
         const auto ofPeriod = [&](const ShadowField& column) {
             return (double(column.grossMin[cell]) - double(sweep.grossMin[cell])) * 3;
         };
-        // A level that a horizon cuts has its months in other shares than their sum.
-        EXPECT_NEAR(sumOfSets(taken->evergreen, i), ofPeriod(*sweep.trees->evergreen), 2.5);
-        EXPECT_NEAR(sumOfSets(taken->seasonal, i), ofPeriod(*sweep.trees->seasonal), 2.5);
+        // A level that a horizon cuts has its months in other shares than their sum: at most 1.0 min apart.
+        EXPECT_NEAR(sumOfSets(taken->evergreen, i), ofPeriod(*sweep.trees->evergreen), 1.2);
+        EXPECT_NEAR(sumOfSets(taken->seasonal, i), ofPeriod(*sweep.trees->seasonal), 1.2);
         added += sumOfSets(taken->evergreen, i) / double(receivers.cells.size());
     }
     EXPECT_GT(added, 15);
@@ -297,7 +297,7 @@ TEST(TreeShade, OfTheSweepByMonthIsThatOfRays) {
         for (std::size_t i = 0; i < receivers.cells.size(); ++i)
             off += std::abs(double(sweep.seasonal[month][i]) - double(rays.seasonal[month][i])) /
                    double(receivers.cells.size());
-        EXPECT_LT(off, 0.003 * sunlit[month]) << months.names[month];
+        EXPECT_LT(off, 1e-4 * sunlit[month]) << months.names[month];
     }
     for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
         EXPECT_LE(rays.seasonal[0][i], rays.evergreen[0][i]) << "most are bare in January";
@@ -316,7 +316,7 @@ TEST(TreeShade, BySetsIsPutOnTopOfWhatBuildingsTake) {
     const auto some =
         shadeTreeSets(city, receivers, sun, without, TreeColumns::seasonal, quiet, {}).value().value();
     EXPECT_FALSE(some.evergreen);
-    EXPECT_EQ(some.treesUsed, 10U);
+    EXPECT_EQ(some.treesUsed, findCrowns(city, receivers, sun).crowns.size());
     for (std::size_t month = 0; month < 3; ++month)
         for (std::size_t i = 0; i < receivers.cells.size(); ++i)
             EXPECT_FLOAT_EQ(some.seasonal->minutes[month][i],

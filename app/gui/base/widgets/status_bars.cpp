@@ -59,14 +59,19 @@ MessageBar::MessageBar(QWidget* parent)
     followTheme(*this, [this] { paintColours(); });
 }
 
-// A click closes the message, unless it ends a selection of its text.
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-    const bool isClick = watched == label_ && event->type() == QEvent::MouseButtonRelease;
-    if (isClick && !label_->hasSelectedText()) hide();
+    if (watched == label_ && event->type() == QEvent::MouseButtonRelease)
+        closeByClick(*static_cast<QMouseEvent*>(event));
     return QFrame::eventFilter(watched, event);
 }
 
-void MessageBar::mouseReleaseEvent(QMouseEvent*) { hide(); }
+void MessageBar::mouseReleaseEvent(QMouseEvent* event) { closeByClick(*event); }
+
+// Not one that ends a selection of the text or opens its menu; what offers a remedy waits for its buttons.
+void MessageBar::closeByClick(const QMouseEvent& event) {
+    const bool offers = remedy_.button->isVisible() || other_.button->isVisible();
+    if (event.button() == Qt::LeftButton && !label_->hasSelectedText() && !offers) hide();
+}
 
 void MessageBar::showError(const Error& error) {
     isError_ = true;

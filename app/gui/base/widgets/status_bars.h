@@ -39,6 +39,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
+    void closeByClick(const QMouseEvent& event);
     void show(const QString& text);
     void unfold(bool all);
     void paintColours();

@@ -93,26 +93,29 @@ void PlaceSunModel::addColumn(FigureColumn column, const std::function<double(st
 void PlaceSunModel::makeColumns() {
     columns_.clear();
     if (!sun_) return;
-    const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
-    const auto add = [&](const Figure& figure) {
-        const double factor = isShare(figure) ? percentOfShare : 1;
-        addColumn({columnHeading(figure),
-                   translatedSentence(figure.definition),
-                   isShare(figure) ? 0 : figure.shownDecimals,
-                   summaryOf(figure),
-                   {}},
-                  [&](std::size_t i) { return figure.get(&sun[i]) * factor; });
-    };
+    const SunByPlace& shown = shownCity(*sun_);
     for (const Figure& figure : sunOfPlaceFigures().rows()) {
         if (figure.use == FigureUse::basis) continue;
         if (figure.key == enoughKey) enough_ = columns_.size();
-        add(figure);
+        addFigure(figure, shown.sun);
     }
     addChanges();
     addDates();
     describeEnough(sun_->baseline.settings.enoughHours);
+    for (const SunWithTrees& with : shown.withTrees)
+        addFigure(sunFiguresWithTrees(with.column).front(), with.sun);
     for (const Figure& figure : sunOfPlaceFigures().rows())
-        if (figure.use == FigureUse::basis) add(figure);
+        if (figure.use == FigureUse::basis) addFigure(figure, shown.sun);
+}
+
+void PlaceSunModel::addFigure(const Figure& figure, const std::vector<SunOfPlace>& sun) {
+    const double factor = isShare(figure) ? percentOfShare : 1;
+    addColumn({columnHeading(figure),
+               translatedSentence(figure.definition),
+               isShare(figure) ? 0 : figure.shownDecimals,
+               summaryOf(figure),
+               {}},
+              [&](std::size_t i) { return figure.get(&sun[i]) * factor; });
 }
 
 // The columns of the shares, which a threshold changes.

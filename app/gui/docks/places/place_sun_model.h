@@ -21,10 +21,10 @@ struct ShownSun {
 };
 
 /// The places that were measured as a table whose columns are the figures of their tables
-/// (sunOfPlaceFigures(), sunChangeFigures()), those of the dates between. Pieces without a name of their own
-/// stand below the place that they lie in, or together below one row of their kind; grouped, all stand below
-/// their kind. Rows above places have the means of their places, by area, the least and the most of them, or
-/// the sum; what is part of a listed place does not count again.
+/// (sunOfPlaceFigures(), sunChangeFigures()), those of the dates between, and the mean with each shade of
+/// trees. Pieces without a name of their own stand below the place that they lie in, or together below one
+/// row of their kind; grouped, all stand below their kind. Rows above places have the means of their places,
+/// by area, the least and the most of them, or the sum; what is part of a listed place does not count again.
 class PlaceSunModel final : public QAbstractItemModel {
     Q_OBJECT
 public:
@@ -81,6 +81,7 @@ private:
     void makeColumns();
     void describeEnough(double hours);
     void fillEnough(std::size_t column, const std::function<double(const SunOfPlace&)>& share);
+    void addFigure(const Figure& figure, const std::vector<SunOfPlace>& sun);
     void addColumn(FigureColumn column, const std::function<double(std::size_t)>& valueOf);
     void addDates();
     void addChanges();

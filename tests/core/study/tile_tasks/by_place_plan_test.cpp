@@ -166,12 +166,12 @@ TEST_P(ByPlacePlan, WhatIsDoneIsNotComputedAgainAndWhatIsMissingIsSaid) {
 
 // Tiles read trees of their own extent, and most of them have none.
 TEST_P(ByPlacePlan, TreesCountInTheTilesThatTheyReach) {
-    const LonLat at = placesFrame.lonLatFromLocal({30, 30});
-    request.reading.treeFiles = {folder
-                                     .file("trees.csv", fmt::format("tree_dbh,spc_latin,latitude,longitude\n"
-                                                                    "20,Pinus nigra,{:.7f},{:.7f}\n",
-                                                                    at.latDeg, at.lonDeg))
-                                     .string()};
+    std::string trees = "tree_dbh,spc_latin,latitude,longitude\n";
+    for (double x = 24; x < 60; x += 12) {
+        const LonLat at = placesFrame.lonLatFromLocal({x, 30});
+        trees += fmt::format("20,Pinus nigra,{:.7f},{:.7f}\n", at.latDeg, at.lonDeg);
+    }
+    request.reading.treeFiles = {folder.file("trees.csv", trees).string()};
     const TaskPlan made = plan();
     runAll(made);
     const auto merged = merge(made);
@@ -192,7 +192,7 @@ TEST_P(ByPlacePlan, TreesCountInTheTilesThatTheyReach) {
             taken = std::max(taken, whole.sun[i].meanHours - b.meanHours);
         }
     }
-    EXPECT_GT(taken, 0.01) << "the tree takes something from some place";
+    EXPECT_GT(taken, 0.01) << "trees take something from some place";
 }
 
 TEST_P(ByPlacePlan, OtherPlacesOrThresholdsAreAnotherPlan) {
