@@ -111,6 +111,7 @@ constexpr auto listedFieldNames() {
         {"roofelev", topElevation},
         {"topelev", topElevation},            // Vancouver, TOPELEV_M
         {"topheight", topElevation, "", m},   // Hong Kong, above the principal datum
+        {"rooflevel", topElevation, "", m},   // Hong Kong, iB1000
         {"okote", topElevation, "", m},       // Vienna's Flaechenmehrzweckkarte
         {"hoehedach", topElevation, top, m},  // LoD2-DE
         {"dachmax", topElevation, top, m},    // swissBUILDINGS3D
@@ -231,6 +232,7 @@ constexpr auto listedFieldNames() {
         {"surfelev", groundElevation, "", {}, "Portland, Oregon"},
         {"surfaceelevation", other},  // URBANopt: in feet beside heights in metres
         {"baseelev", groundElevation},
+        {"baselevel", groundElevation, "", m},  // Hong Kong, iB1000
         {"baseelevation", groundElevation, "", {}, "Philadelphia"},
 
         // What kind of object a feature is.

@@ -170,6 +170,9 @@ TEST(FieldRoles, NeighboursSettleWhatANameMeans) {
     const auto hongKong = knownFields({"BASEHEIGHT", "TOPHEIGHT"}, {}, false);
     EXPECT_THAT(namesOf(hongKong, groundElevation), ElementsAre("BASEHEIGHT"));
     EXPECT_FALSE(hasRole(hongKong, minHeight));
+    const auto newer = knownFields({"BASELEVEL", "ROOFLEVEL"}, {}, false);
+    EXPECT_THAT(namesOf(newer, groundElevation), ElementsAre("BASELEVEL"));
+    EXPECT_THAT(namesOf(newer, topElevation), ElementsAre("ROOFLEVEL"));
     EXPECT_TRUE(hasRole(knownFields({"height", "base_height"}, {}, false), minHeight));
     // An elevation of the roof alone is no height, and makes an elevation of the ground's height.
     EXPECT_FALSE(hasRole(knownFields({"AbsHMax"}, {}, false), height));
