@@ -46,7 +46,7 @@ protected:
 };
 
 TEST_F(VerifyCommand, AgreesWithAReportAndItsRecord) {
-    for (const char* report : {"out/report.pdf", "out/study.json"}) {
+    for (const char* report : {"out/report.pdf", "out/study.json", "out"}) {
         const CommandOutput output = verify(report);
         EXPECT_EQ(output.code, exitOk) << output.err << output.out;
         const auto json = output.json();
@@ -236,7 +236,8 @@ TEST_F(VerifyCommand, ComputesNothingFromOtherInputs) {
 TEST_F(VerifyCommand, RefusesWhatIsNoReport) {
     std::ofstream(folder_.path("empty.pdf")) << "%PDF-1.4\n";
     std::ofstream(folder_.path("text.json")) << "{}";
-    for (const char* file : {"empty.pdf", "text.json", "houses.geojson", "gone.pdf", "out"}) {
+    std::filesystem::create_directory(folder_.path("bare"));
+    for (const char* file : {"empty.pdf", "text.json", "houses.geojson", "gone.pdf", "bare"}) {
         const CommandOutput output = verify(file);
         EXPECT_EQ(output.code, exitUsage) << file;
         EXPECT_FALSE(output.err.empty()) << file;
