@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -207,6 +208,7 @@ TEST_F(AnswersWindow, ACopyOfAScenarioBearsItsOwnNameInLegendAndFigures) {
 TEST_F(AnswersWindow, AllWordsOfTheResultsAreSeenWhateverWasShownBefore) {
     auto* dock = window->findChild<ResultsDock*>();
     const auto expectWhole = [&](const char* when) {
+        window->findChild<QDockWidget*>(QStringLiteral("resultsDock"))->show();  // hidden without an answer
         for (int i = 0; i < 20; ++i) QCoreApplication::processEvents();
         int seen = 0;
         for (const QLabel* label : dock->findChildren<QLabel*>()) {

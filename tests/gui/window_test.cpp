@@ -235,7 +235,7 @@ TEST_F(WindowTest, LayoutIsKept) {
     window.close();
     EXPECT_FALSE(settings.value(QStringLiteral("docks")).toByteArray().isEmpty());
     MainWindow next(settings);
-    EXPECT_TRUE(next.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), 12));
+    EXPECT_TRUE(next.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), 13));
 }
 
 }  // namespace
