@@ -62,10 +62,6 @@ struct PlacesRead {
 Result<PlacesRead> readPlaces(const std::filesystem::path& file, const PlaceSettings& settings,
                               const Frame& frame, Progress& progress, const std::stop_token& stop);
 
-/// The layers of which a user has to choose one with places, or with lines of streets; none where nobody has
-/// to, or where the file cannot be read.
-std::vector<std::string> listLayersToChoose(const std::filesystem::path& file, const PlaceSettings& settings);
-
 /// Whether a file other than OpenStreetMap's has a layer of lines, which may be streets.
 bool hasStreetLines(const std::filesystem::path& file);
 

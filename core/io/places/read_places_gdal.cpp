@@ -194,20 +194,6 @@ Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, c
                    "Check that the file is complete, or export it again");
 }
 
-std::vector<std::string> listLayersToChoose(const Path& file, const PlaceSettings& settings) {
-    if (!settings.layer.empty() || !checkPlainFile(file) || findOsmFormat(file)) return {};
-    const auto dataset = openDataset(file, DatasetContent::vectors);
-    if (!dataset) return {};
-    std::vector<OGRLayer*> layers;
-    for (OGRLayer* layer : (*dataset)->GetLayers()) {
-        if (PlaceLayer::isOfProject(*layer)) return {};
-        if (isWantedLayer(*layer, false, settings)) layers.push_back(layer);
-    }
-    layers = keepStated(layers);
-    const bool known = layers.size() < 2 || PlaceLayer::statesKinds(*layers.front());
-    return known ? std::vector<std::string>() : namesOf(layers);
-}
-
 bool hasStreetLines(const Path& file) {
     if (!checkPlainFile(file) || findOsmFormat(file)) return false;
     const auto dataset = openDataset(file, DatasetContent::vectors);

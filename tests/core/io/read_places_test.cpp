@@ -286,10 +286,7 @@ TEST_F(ReadPlaces, OfSeveralLayersTheUserNamesOne) {
     };
     const auto unknown = folder_.file("unknown.kml", kml(layer("houses", -73.98) + layer("lawns", -73.97)));
     EXPECT_THAT(readFrom(unknown).error().text(), HasSubstr("houses, lawns"));
-    EXPECT_THAT(listLayersToChoose(unknown, {}), ElementsAre("houses", "lawns"));
     EXPECT_EQ(readFrom(unknown, {.layer = "lawns"}).value().places.front().name, "lawns 1");
-    EXPECT_TRUE(listLayersToChoose(folder_.file("parks.geojson", parksGeoJson), {}).empty())
-        << "there is one";
 }
 
 TEST_F(ReadPlaces, AFileCutOffAnywhereGivesAnErrorOrFewerPlaces) {
