@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <QWindow>
+
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/project_window.h"
 
@@ -94,6 +97,20 @@ TEST_F(ProjectWindow, AQuitWhoseSaveAsIsCancelledStaysOpenAndALaterSaveDoesNotCl
     EXPECT_FALSE(window->close()) << "it is being saved";
     ASSERT_TRUE(waitFor([this] { return !window->isVisible(); }));
     EXPECT_EQ(ProjectFile::open(name.toStdString()).value().project().lots.size(), lots);
+}
+
+TEST_F(ProjectWindow, AMessageAfterTheWindowIsClosedOpensNoWindow) {
+    window->panel().messages().showHelp(QStringLiteral("Open"));
+    QCoreApplication::processEvents();
+    ASSERT_TRUE(window->panel().messages().windowHandle());
+    ASSERT_TRUE(window->close());
+    QCoreApplication::processEvents();
+    ASSERT_FALSE(window->panel().messages().windowHandle()->handle());
+    window->panel().messages().showHelp(QStringLiteral("Closed"));
+    QCoreApplication::processEvents();
+    window->resize(800, 500);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(window->panel().messages().windowHandle()->handle());
 }
 
 TEST_F(ProjectWindow, WorkDoneWhileAQuitSavesIsAskedAboutAndACancelledSecondQuitEndsTheFirst) {

@@ -146,7 +146,8 @@ void ViewPanel::placeMessages() {
     const int width = std::clamp(room.width(), 0, maxMessageWidth);
     const int height = std::min(room.height(), messages_->heightForWidth(width));
     messages_->setGeometry(room.left() + (room.width() - width) / 2, room.top(), width, height);
-    messages_->raise();
+    // Raised while hidden, it would have a window again after the panel's was closed; Qt loses one of the two.
+    if (messages_->isVisible()) messages_->raise();
 }
 
 void ViewPanel::setCovered(int left, int right) {
