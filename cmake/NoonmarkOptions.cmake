@@ -33,12 +33,25 @@ function(noonmark_check_headers target)
   set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
 endfunction()
 
+# Compiles `target` in half the time: what waits for people, files and libraries need not be optimised further. The shadows are counted in
+# core, the pictures made in render and report.
+function(noonmark_optimise_lightly target)
+  target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Og -Wno-maybe-uninitialized>)
+endfunction()
+
 # Precompiles what most sources of `target` include: the standard library and core's own libraries, and the headers in ARGN.
 function(noonmark_precompile_headers target)
   if(NOONMARK_PCH)
     target_precompile_headers(${target} PRIVATE
       <algorithm> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <string> <vector>
       <fmt/format.h> <glm/glm.hpp> <nlohmann/json.hpp> <tl/expected.hpp> ${ARGN})
+  endif()
+endfunction()
+
+# Those of `other`, which must be compiled with the same options.
+function(noonmark_reuse_precompiled_headers target other)
+  if(NOONMARK_PCH)
+    target_precompile_headers(${target} REUSE_FROM ${other})
   endif()
 endfunction()
 
@@ -58,16 +71,17 @@ function(noonmark_compile_kernels)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_DEFINITIONS "${definitions}")
 endfunction()
 
-# A unity build compiles some ten neighbouring sources together: the whole project in a third of the time. The files listed in
-# unity_exclusions.txt have names in their anonymous namespaces that others have too, and compile alone.
+# A unity build compiles neighbouring sources of a target together, about 100 kB of them: their headers and templates, which take most of
+# the time, are compiled once. The files listed in unity_exclusions.txt have names in their anonymous namespaces that neighbours have too,
+# and are grouped with each other.
 if(CMAKE_UNITY_BUILD)
   target_compile_options(noonmark_flags INTERFACE -Wno-shadow)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/unity_exclusions.txt)
   file(STRINGS ${CMAKE_SOURCE_DIR}/cmake/unity_exclusions.txt NOONMARK_UNITY_EXCLUSIONS)
 endif()
+set(NOONMARK_UNITY_BYTES 100000)
 
-# Groups the sources of this folder's targets for the unity build. The group follows from a source's folder and name, so that a new
-# file changes one group only. Call it last in a CMakeLists.txt: source properties belong to a folder.
+# Groups the sources of this folder's targets for the unity build. Call it last in a CMakeLists.txt: source properties belong to a folder.
 function(noonmark_group_for_unity)
   if(NOT CMAKE_UNITY_BUILD)
     return()
@@ -78,33 +92,36 @@ function(noonmark_group_for_unity)
     if(type MATCHES "STATIC_LIBRARY|OBJECT_LIBRARY|EXECUTABLE")
       set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
       get_target_property(sources ${target} SOURCES)
-      noonmark_group_sources(${sources})
+      noonmark_group_sources(${target} ${sources})
     endif()
   endforeach()
 endfunction()
 
-function(noonmark_group_sources)
+function(noonmark_group_sources target)
   list(FILTER ARGN INCLUDE REGEX "\\.cpp$")
   foreach(source IN LISTS ARGN)
     get_filename_component(path ${source} ABSOLUTE)
     file(RELATIVE_PATH path ${CMAKE_SOURCE_DIR} ${path})
-    get_filename_component(folder ${path} DIRECTORY)
-    string(MAKE_C_IDENTIFIER ${folder} folder)
-    list(APPEND folders ${folder})
-    list(APPEND files_${folder} ${path})
+    get_source_file_property(alone ${CMAKE_SOURCE_DIR}/${path} SKIP_UNITY_BUILD_INCLUSION)
+    if(alone OR NOT EXISTS ${CMAKE_SOURCE_DIR}/${path})
+      continue()
+    elseif(path IN_LIST NOONMARK_UNITY_EXCLUSIONS)
+      list(APPEND apart ${path})
+    else()
+      list(APPEND together ${path})
+    endif()
   endforeach()
-  list(REMOVE_DUPLICATES folders)
-  foreach(folder IN LISTS folders)
-    list(LENGTH files_${folder} count)
-    math(EXPR groups "(${count} + 9) / 10")
-    foreach(path IN LISTS files_${folder})
-      string(MD5 hash ${path})
-      string(SUBSTRING ${hash} 0 4 digits)
-      math(EXPR group "0x${digits} % ${groups}")
-      set_source_files_properties(${CMAKE_SOURCE_DIR}/${path} PROPERTIES UNITY_GROUP ${folder}_${group})
-      if(path IN_LIST NOONMARK_UNITY_EXCLUSIONS)
-        set_source_files_properties(${CMAKE_SOURCE_DIR}/${path} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-      endif()
-    endforeach()
+  noonmark_cut_into_groups(${target} ${together})
+  noonmark_cut_into_groups(${target}_apart ${apart})
+endfunction()
+
+function(noonmark_cut_into_groups name)
+  list(SORT ARGN)
+  set(bytes 0)
+  foreach(path IN LISTS ARGN)
+    math(EXPR group "${bytes} / ${NOONMARK_UNITY_BYTES}")
+    set_source_files_properties(${CMAKE_SOURCE_DIR}/${path} PROPERTIES UNITY_GROUP ${name}_${group})
+    file(SIZE ${CMAKE_SOURCE_DIR}/${path} size)
+    math(EXPR bytes "${bytes} + ${size}")
   endforeach()
 endfunction()

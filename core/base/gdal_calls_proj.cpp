@@ -33,7 +33,7 @@ const std::vector<fs::path>& projFolders() {
     return folders;
 }
 
-bool isPlain(const fs::path& file) {
+bool isPlainFile(const fs::path& file) {
     std::error_code error;
     return fs::is_regular_file(file, error);
 }
@@ -41,7 +41,7 @@ bool isPlain(const fs::path& file) {
 bool liesInProjFolder(const fs::path& file) {
     const fs::path folder = file.lexically_normal().parent_path();
     for (const fs::path& own : projFolders())
-        if (folder == own || folder / "" == own) return isPlain(file);
+        if (folder == own || folder / "" == own) return isPlainFile(file);
     return false;
 }
 
@@ -87,7 +87,7 @@ void confineProj() {
 bool isProjFile(const std::string& name) {
     if (fs::path(name).has_parent_path()) return false;
     for (const fs::path& folder : projFolders())
-        if (isPlain(folder / name)) return true;
+        if (isPlainFile(folder / name)) return true;
     return false;
 }
 

@@ -81,7 +81,7 @@ bool hasGrids(std::string_view list) {
 
 std::string shortened(const std::string& text) {
     constexpr std::size_t maximum = 80;
-    return text.size() <= maximum ? text : text.substr(0, maximum) + "...";
+    return text.size() <= maximum ? text : fmt::format("{}...", std::string_view(text).substr(0, maximum));
 }
 
 tl::unexpected<Error> unknownCrs(const std::string& text) {

@@ -24,7 +24,7 @@ double areaM2(const Region& region) {
     return sum;
 }
 
-Result<std::string> add(const RegionOptions& options, Project& project) {
+Result<std::string> addRegion(const RegionOptions& options, Project& project) {
     auto region = readRegion(options.place, project.city->frame);
     if (!region) return tl::make_unexpected(region.error());
     region->name = options.name;
@@ -32,7 +32,7 @@ Result<std::string> add(const RegionOptions& options, Project& project) {
     return fmt::format("{}: {} m2\n", options.name, withCommas(std::size_t(std::llround(areaM2(*region)))));
 }
 
-std::vector<Listed> list(const Project& project) {
+std::vector<Listed> listRegions(const Project& project) {
     std::vector<Listed> lines;
     for (const Region& region : project.regions)
         lines.push_back({region.name,
@@ -41,7 +41,7 @@ std::vector<Listed> list(const Project& project) {
     return lines;
 }
 
-Result<std::string> remove(const RemoveOptions& options, Project& project) {
+Result<std::string> removeRegions(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.regions, options.names, [](const Region& region) { return region.name; },
         [&](const std::string& name) { return findRegion(project, name); });
@@ -53,15 +53,15 @@ void addProjectRegion(CLI::App& project, Run& run) {
     CLI::App* group = project.add_subcommand("region", "Where shadow is measured");
     group->require_subcommand(1);
     const auto options = std::make_shared<RegionOptions>();
-    CLI::App* command = addChangeCommand(*group, "add", "Add a region", options, add, run);
+    CLI::App* command = addChangeCommand(*group, "add", "Add a region", options, addRegion, run);
     command->add_option("name", options->name, "Name of the region")->required()->type_name("NAME");
     command
         ->add_option("place", options->place,
                      "west,south,east,north in degrees, POLYGON ((lon lat, ...)), or a polygon file")
         ->required()
         ->type_name("W,S,E,N|WKT|FILE");
-    addListCommand(*group, "List the regions", list, run);
-    addRemoveCommand(*group, "Remove regions", remove, run);
+    addListCommand(*group, "List the regions", listRegions, run);
+    addRemoveCommand(*group, "Remove regions", removeRegions, run);
 }
 
 }  // namespace noonmark::cli

@@ -14,7 +14,7 @@ std::string cityOf(const SavedResult& result) {
                                    : fmt::format("{} -> {}", result.baseline, result.scenario);
 }
 
-std::vector<Listed> list(const Project& project) {
+std::vector<Listed> listResults(const Project& project) {
     std::vector<Listed> lines;
     for (const SharedResult& result : project.results)
         lines.push_back(
@@ -24,7 +24,7 @@ std::vector<Listed> list(const Project& project) {
     return lines;
 }
 
-Result<std::string> remove(const RemoveOptions& options, Project& project) {
+Result<std::string> removeResults(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.results, options.names, [](const SharedResult& result) { return result->name; },
         [&](const std::string& name) { return findResult(project, name); });
@@ -35,8 +35,8 @@ Result<std::string> remove(const RemoveOptions& options, Project& project) {
 void addProjectResult(CLI::App& project, Run& run) {
     CLI::App* group = project.add_subcommand("result", "Results of impact and score saved in the project");
     group->require_subcommand(1);
-    addListCommand(*group, "List the saved results", list, run);
-    addRemoveCommand(*group, "Remove saved results", remove, run);
+    addListCommand(*group, "List the saved results", listResults, run);
+    addRemoveCommand(*group, "Remove saved results", removeResults, run);
 }
 
 }  // namespace noonmark::cli

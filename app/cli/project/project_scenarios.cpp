@@ -15,7 +15,7 @@ struct NameOptions {
     std::string name;
 };
 
-struct AddOptions : NameOptions {
+struct AddScenarioOptions : NameOptions {
     std::string base;
 };
 
@@ -27,7 +27,7 @@ struct RemoveEditOptions : EditOptions {
     std::vector<std::size_t> numbers;  // from 1, as listed by `info`
 };
 
-Result<std::string> add(const AddOptions& options, Project& project) {
+Result<std::string> addScenario(const AddScenarioOptions& options, Project& project) {
     const std::string base = options.base == existingCity ? "" : options.base;
     project.scenarios.push_back({options.name, base, {}});
     return validate(project.scenarios).map([&] {
@@ -47,7 +47,7 @@ Result<std::string> rename(const RenameOptions& options, Project& project) {
     });
 }
 
-Result<std::string> remove(const NameOptions& options, Project& project) {
+Result<std::string> removeScenarios(const NameOptions& options, Project& project) {
     return removeScenario(project.scenarios, options.name).map([&] {
         return fmt::format("{}: removed\n", options.name);
     });
@@ -82,9 +82,9 @@ void addNames(CLI::App& command, RenameOptions& options) {
 }  // namespace
 
 void addProjectScenarios(CLI::App& project, Run& run) {
-    const auto adding = std::make_shared<AddOptions>();
+    const auto adding = std::make_shared<AddScenarioOptions>();
     CLI::App* command =
-        addChangeCommand(project, "add-scenario", "Add a scenario without edits", adding, add, run);
+        addChangeCommand(project, "add-scenario", "Add a scenario without edits", adding, addScenario, run);
     command->add_option("name", adding->name, "Name of the scenario")->required()->type_name("NAME");
     command->add_option("--base", adding->base, "The scenario that it starts from")
         ->default_val(existingCity)
@@ -99,7 +99,8 @@ void addProjectScenarios(CLI::App& project, Run& run) {
                                renaming, rename, run),
              *renaming);
     const auto removing = std::make_shared<NameOptions>();
-    addChangeCommand(project, "remove-scenario", "Remove a scenario and its edits", removing, remove, run)
+    addChangeCommand(project, "remove-scenario", "Remove a scenario and its edits", removing, removeScenarios,
+                     run)
         ->add_option("name", removing->name, "The scenario")
         ->required()
         ->type_name("NAME");

@@ -13,7 +13,7 @@ namespace noonmark::cli {
 
 namespace {
 
-struct AddOptions {
+struct AddWeightsOptions {
     ChangeOptions change;
     std::string name;
     std::string table;
@@ -25,14 +25,14 @@ struct ShowOptions {
     bool json = false;
 };
 
-Result<std::string> add(const AddOptions& options, Project& project) {
+Result<std::string> addWeights(const AddWeightsOptions& options, Project& project) {
     auto weights = readWeights(options.table, options.name);
     if (!weights) return tl::make_unexpected(weights.error());
     project.weights.push_back(*std::move(weights));
     return fmt::format("{}: {} intervals\n", options.name, project.weights.back().intervals.size());
 }
 
-std::vector<Listed> list(const Project& project) {
+std::vector<Listed> listWeights(const Project& project) {
     std::vector<Listed> lines;
     for (const TimeWeights& table : project.weights)
         lines.push_back({table.name,
@@ -41,7 +41,7 @@ std::vector<Listed> list(const Project& project) {
     return lines;
 }
 
-Result<std::string> remove(const RemoveOptions& options, Project& project) {
+Result<std::string> removeWeights(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.weights, options.names, [](const TimeWeights& table) { return table.name; },
         [&](const std::string& name) { return findWeights(project, name); });
@@ -72,8 +72,8 @@ void addProjectWeights(CLI::App& project, Run& run) {
     CLI::App* group =
         project.add_subcommand("weights", "Time weights: when shade is wanted and shadow is not");
     group->require_subcommand(1);
-    const auto options = std::make_shared<AddOptions>();
-    CLI::App* command = addChangeCommand(*group, "add", "Add a time-weight table", options, add, run);
+    const auto options = std::make_shared<AddWeightsOptions>();
+    CLI::App* command = addChangeCommand(*group, "add", "Add a time-weight table", options, addWeights, run);
     command->add_option("name", options->name, "Name of the table")->required()->type_name("NAME");
     command
         ->add_option("table", options->table,
@@ -81,9 +81,9 @@ void addProjectWeights(CLI::App& project, Run& run) {
                      "(HH:MM), weight (-1 to 1); `weights show` prints one to start from")
         ->required()
         ->type_name("FILE");
-    addListCommand(*group, "List the tables", list, run);
+    addListCommand(*group, "List the tables", listWeights, run);
     addShow(*group, run);
-    addRemoveCommand(*group, "Remove tables", remove, run);
+    addRemoveCommand(*group, "Remove tables", removeWeights, run);
 }
 
 }  // namespace noonmark::cli

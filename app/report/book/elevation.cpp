@@ -15,7 +15,7 @@ namespace {
 constexpr std::array elevationScales{50.0,   100.0,  150.0,  200.0,  250.0,   300.0,
                                      400.0,  500.0,  750.0,  1000.0, 1250.0,  1500.0,
                                      2000.0, 2500.0, 4000.0, 5000.0, 10000.0, 20000.0};
-constexpr double titlePt = 10, floorsPt = 13, panelGapPt = 6, marginPt = 3;
+constexpr double titlePt = 10, floorsPt = 13, panelGapPt = 6, panelMarginPt = 3;
 constexpr double minStoreyTextPt = 5.5;
 const QColor wallColour(0xf4, 0xf4, 0xf5), wallLine(0x85, 0x88, 0x90);
 
@@ -24,9 +24,10 @@ QSizeF roomOf(const QSizeF& areaPt, std::size_t panels, bool stacked, double tex
     const auto count = double(panels);
     const double columns = stacked ? 1 : count, rows = stacked ? count : 1;
     const double height = areaPt.height() - captionPt(textScale);
-    return {(areaPt.width() - (columns - 1) * panelGapPt * textScale) / columns -
-                (floorsPt + 2 * marginPt) * textScale,
-            (height - (rows - 1) * panelGapPt * textScale) / rows - (titlePt + 2 * marginPt) * textScale};
+    return {
+        (areaPt.width() - (columns - 1) * panelGapPt * textScale) / columns -
+            (floorsPt + 2 * panelMarginPt) * textScale,
+        (height - (rows - 1) * panelGapPt * textScale) / rows - (titlePt + 2 * panelMarginPt) * textScale};
 }
 
 bool fitsAt(glm::dvec2 sizeM, double scale, const QSizeF& room) {
@@ -54,10 +55,10 @@ public:
         const double width = (elevation_.high.x - elevation_.low.x) * perM_;
         const double height = (elevation_.high.y - elevation_.low.y) * perM_;
         title_ = QRectF(area.left(), area.top(), area.width(), titlePt * unit_);
-        const double left = area.left() + (floorsPt + marginPt) * unit_;
-        const double room = area.right() - marginPt * unit_ - left;
-        picture_ = QRectF(left + std::max(0.0, (room - width) / 2), title_.bottom() + marginPt * unit_, width,
-                          height);
+        const double left = area.left() + (floorsPt + panelMarginPt) * unit_;
+        const double room = area.right() - panelMarginPt * unit_ - left;
+        picture_ = QRectF(left + std::max(0.0, (room - width) / 2), title_.bottom() + panelMarginPt * unit_,
+                          width, height);
     }
 
     void paint() {
@@ -234,7 +235,7 @@ std::optional<ElevationLayout> fitElevationAt(glm::dvec2 sizeM, std::size_t pane
 
 double elevationHeightPt(glm::dvec2 sizeM, std::size_t panels, const ElevationLayout& layout,
                          double textScale) {
-    const double panel = (titlePt + 2 * marginPt) * textScale + sizeM.y * pointsPerMetre(layout.scale);
+    const double panel = (titlePt + 2 * panelMarginPt) * textScale + sizeM.y * pointsPerMetre(layout.scale);
     const double rows = layout.stacked ? double(panels) : 1;
     return captionPt(textScale) + rows * panel + (rows - 1) * panelGapPt * textScale;
 }

@@ -23,7 +23,7 @@ namespace noonmark {
 
 namespace {
 
-using Points = std::vector<glm::dvec3>;
+using Points3d = std::vector<glm::dvec3>;
 
 constexpr double nowhereM = std::numeric_limits<double>::infinity();
 constexpr double deepestRevealM = 0.8;
@@ -35,7 +35,7 @@ struct IfcBody {
     double lowM = nowhereM, highM = -nowhereM;
     glm::dvec2 middle{0};
 
-    void add(const Points& points, const MeshPiece& piece) {
+    void add(const Points3d& points, const MeshPiece& piece) {
         auto corner = piece.corners.begin();
         for (const std::uint32_t count : piece.cornerCounts) {
             addFan(points, corner, count);
@@ -57,7 +57,7 @@ struct IfcBody {
 
 private:
     // What cannot be placed, and corners that the file lacks, is left out.
-    void addFan(const Points& points, std::vector<std::uint32_t>::const_iterator corner,
+    void addFan(const Points3d& points, std::vector<std::uint32_t>::const_iterator corner,
                 std::uint32_t count) {
         const auto good = [&](std::uint32_t i) {
             return i < points.size() && std::isfinite(points[i].x + points[i].y + points[i].z);
@@ -96,7 +96,7 @@ struct IfcPane {
     double halfWidthM = 0, halfHeightM = 0, halfDepthM = 0;
 
     [[nodiscard]] PaneAxes axes() const { return findPaneAxes(normal); }
-    [[nodiscard]] Points corners() const {
+    [[nodiscard]] Points3d corners() const {
         const auto [along, up] = axes();
         const glm::dvec3 across = halfWidthM * along, upward = halfHeightM * up;
         return {middle - across - upward, middle + across - upward, middle + across + upward,

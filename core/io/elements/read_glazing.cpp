@@ -94,31 +94,31 @@ Result<GlazingRead> readCityGmlGlazing(const std::filesystem::path& file, const 
 
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr const char* surfaceAdvice = "Give CityJSON whose first value is of type CityJSON";
 
-const Json& memberOf(const Json& object, const char* key) {
-    static const Json none;
+const nlohmann::json& memberOf(const nlohmann::json& object, const char* key) {
+    static const nlohmann::json none;
     if (!object.is_object()) return none;
     const auto found = object.find(key);
     return found != object.end() ? *found : none;
 }
 
-std::string textIn(const Json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
+std::string textIn(const nlohmann::json& value) {
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
 
-double numberOrNan(const Json& value) {
+double numberOrNan(const nlohmann::json& value) {
     return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-glm::dvec3 tripleOr(const Json& value, glm::dvec3 otherwise) {
+glm::dvec3 tripleOr(const nlohmann::json& value, glm::dvec3 otherwise) {
     if (!value.is_array() || value.size() < 3) return otherwise;
     return {numberOrNan(value[0]), numberOrNan(value[1]), numberOrNan(value[2])};
 }
 
 /// A level of detail is a text ("3.1") or, before version 1.1, a number.
-double lodOf(const Json& geometry) {
-    const Json& lod = memberOf(geometry, "lod");
+double lodOf(const nlohmann::json& geometry) {
+    const nlohmann::json& lod = memberOf(geometry, "lod");
     if (lod.is_number()) return lod.get<double>();
     const std::string text = textIn(lod);
     double number = 0;
@@ -138,15 +138,15 @@ class OpeningFinder {
 public:
     OpeningFinder(std::string file, GlazingRead& read) : file_(std::move(file)), read_(read) {}
 
-    void readHeader(const Json& root) {
-        const Json& transform = memberOf(root, "transform");
+    void readHeader(const nlohmann::json& root) {
+        const nlohmann::json& transform = memberOf(root, "transform");
         scale_ = tripleOr(memberOf(transform, "scale"), glm::dvec3(1));
         translate_ = tripleOr(memberOf(transform, "translate"), glm::dvec3(0));
         crs_ = textIn(memberOf(memberOf(root, "metadata"), "referenceSystem"));
     }
 
-    void addObjects(const Json& root) {
-        const Json& objects = memberOf(root, "CityObjects");
+    void addObjects(const nlohmann::json& root) {
+        const nlohmann::json& objects = memberOf(root, "CityObjects");
         if (!objects.is_object()) return;
         vertices_ = &memberOf(root, "vertices");
         for (const auto& [id, object] : objects.items()) addObject(id, object);
@@ -156,30 +156,32 @@ public:
     [[nodiscard]] const std::vector<FileOpening>& openings() const { return openings_; }
 
 private:
-    void addObject(const std::string& id, const Json& object) {
+    void addObject(const std::string& id, const nlohmann::json& object) {
         ++read_.features;
-        const Json& geometries = memberOf(object, "geometry");
+        const nlohmann::json& geometries = memberOf(object, "geometry");
         if (!geometries.is_array()) return;
-        std::vector<const Json*> sorted;
-        for (const Json& geometry : geometries) sorted.push_back(&geometry);
-        std::ranges::stable_sort(sorted, [](const Json* a, const Json* b) { return lodOf(*a) > lodOf(*b); });
+        std::vector<const nlohmann::json*> sorted;
+        for (const nlohmann::json& geometry : geometries) sorted.push_back(&geometry);
+        std::ranges::stable_sort(
+            sorted, [](const nlohmann::json* a, const nlohmann::json* b) { return lodOf(*a) > lodOf(*b); });
         counts_ = {};
-        for (const Json* geometry : sorted) {
+        for (const nlohmann::json* geometry : sorted) {
             const std::size_t before = openings_.size();
             addGeometry(id, *geometry);
             if (openings_.size() > before) return;
         }
     }
 
-    void addGeometry(const std::string& id, const Json& geometry) {
-        const Json& semantics = memberOf(geometry, "semantics");
+    void addGeometry(const std::string& id, const nlohmann::json& geometry) {
+        const nlohmann::json& semantics = memberOf(geometry, "semantics");
         const int depth = depthOf(textIn(memberOf(geometry, "type")));
         if (depth < 0 || !semantics.is_object()) return;
         surfaces_ = &memberOf(semantics, "surfaces");
         addLists(id, memberOf(geometry, "boundaries"), memberOf(semantics, "values"), depth);
     }
 
-    void addLists(const std::string& id, const Json& boundaries, const Json& values, int depth) {
+    void addLists(const std::string& id, const nlohmann::json& boundaries, const nlohmann::json& values,
+                  int depth) {
         if (!boundaries.is_array() || !values.is_array()) return;
         for (std::size_t i = 0; i < std::min(boundaries.size(), values.size()); ++i) {
             if (depth > 0)
@@ -189,11 +191,11 @@ private:
         }
     }
 
-    void addSurface(const std::string& id, const Json& surface, const Json& value) {
+    void addSurface(const std::string& id, const nlohmann::json& surface, const nlohmann::json& value) {
         if (!value.is_number_unsigned() || !surfaces_->is_array() ||
             value.get<std::size_t>() >= surfaces_->size())
             return;
-        const Json& semantic = (*surfaces_)[value.get<std::size_t>()];
+        const nlohmann::json& semantic = (*surfaces_)[value.get<std::size_t>()];
         const std::string type = textIn(memberOf(semantic, "type"));
         if (type != "Window" && type != "Door") return;
         FileOpening opening{idOf(id, semantic, type == "Window"), {}};
@@ -205,7 +207,7 @@ private:
         openings_.push_back(std::move(opening));
     }
 
-    std::string idOf(const std::string& object, const Json& semantic, bool isWindow) {
+    std::string idOf(const std::string& object, const nlohmann::json& semantic, bool isWindow) {
         std::size_t& count = counts_[isWindow ? 0 : 1];
         ++count;
         for (const char* key : {"id", "name"})
@@ -213,9 +215,9 @@ private:
         return fmt::format("{} {} {}", cleanName(object), isWindow ? "window" : "door", count);
     }
 
-    bool addCorners(const Json& ring, std::vector<glm::dvec3>& corners) const {
+    bool addCorners(const nlohmann::json& ring, std::vector<glm::dvec3>& corners) const {
         if (!ring.is_array() || ring.size() < 3 || !vertices_->is_array()) return false;
-        for (const Json& index : ring) {
+        for (const nlohmann::json& index : ring) {
             if (!index.is_number_unsigned() || index.get<std::size_t>() >= vertices_->size()) return false;
             const glm::dvec3 vertex = tripleOr((*vertices_)[index.get<std::size_t>()],
                                                glm::dvec3(std::numeric_limits<double>::quiet_NaN())) *
@@ -230,8 +232,8 @@ private:
     std::string file_, crs_;
     GlazingRead& read_;
     glm::dvec3 scale_{1}, translate_{0};
-    const Json* vertices_ = nullptr;
-    const Json* surfaces_ = nullptr;
+    const nlohmann::json* vertices_ = nullptr;
+    const nlohmann::json* surfaces_ = nullptr;
     std::array<std::size_t, 2> counts_{};  // of an object: windows, doors
     std::vector<FileOpening> openings_;
 };
@@ -247,12 +249,13 @@ Result<void> parseInto(OpeningFinder& finder, const std::filesystem::path& file,
     bool isFirst = true;
     for (std::size_t at = 0; at < text.size();) {
         if (stop.stop_requested()) return cancelled();
-        Json root = Json::parse(text.begin() + std::ptrdiff_t(at), text.end(), nullptr, false);
+        nlohmann::json root =
+            nlohmann::json::parse(text.begin() + std::ptrdiff_t(at), text.end(), nullptr, false);
         std::size_t end = text.size();
         if (root.is_discarded()) {
             end = std::min(text.size(), text.find('\n', at));
-            root = Json::parse(text.begin() + std::ptrdiff_t(at), text.begin() + std::ptrdiff_t(end), nullptr,
-                               false);
+            root = nlohmann::json::parse(text.begin() + std::ptrdiff_t(at),
+                                         text.begin() + std::ptrdiff_t(end), nullptr, false);
         }
         if (isFirst && textIn(memberOf(root, "type")) != "CityJSON")
             return failure("This is not CityJSON", file.filename().string(), surfaceAdvice);

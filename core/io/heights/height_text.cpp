@@ -77,9 +77,9 @@ constexpr double inchM = 0.0254;
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 // Parses a folded text from the left; every function consumes what it recognises and leaves the rest.
-class Reader {
+class TextReader {
 public:
-    explicit Reader(std::string_view text) : rest_(text) {}
+    explicit TextReader(std::string_view text) : rest_(text) {}
 
     [[nodiscard]] bool atEnd() const { return rest_.empty(); }
 
@@ -154,8 +154,8 @@ std::optional<double> metresOf(std::string_view unit) {
 }
 
 // The inches after feet: "4\"", "11 in". 0 if the text ends; nothing if something else follows.
-std::optional<double> takeInches(Reader& reader) {
-    Reader ahead = reader;
+std::optional<double> takeInches(TextReader& reader) {
+    TextReader ahead = reader;
     ahead.skipBlanks();
     const auto inches = ahead.takeNumber();
     if (!inches) return 0.0;
@@ -165,7 +165,7 @@ std::optional<double> takeInches(Reader& reader) {
     return *inches * inchM;
 }
 
-std::optional<double> takeLength(Reader& reader, double bareUnitM) {
+std::optional<double> takeLength(TextReader& reader, double bareUnitM) {
     const bool negative = reader.take("-");
     if (!negative) reader.take("+");
     const auto number = reader.takeNumber();
@@ -182,7 +182,7 @@ std::optional<double> takeLength(Reader& reader, double bareUnitM) {
 }
 
 // "4.60m (15'1\")": the same height repeated in another unit. Tolerance 5 %: people round to whole feet.
-bool repeats(Reader& reader, double metres, double bareUnitM) {
+bool repeats(TextReader& reader, double metres, double bareUnitM) {
     if (!reader.take("(")) return false;
     const auto again = takeLength(reader, bareUnitM);
     reader.skipBlanks();
@@ -193,7 +193,7 @@ bool repeats(Reader& reader, double metres, double bareUnitM) {
 
 std::optional<double> parseMetres(std::string_view text, LengthUnit bareUnit) {
     const std::string folded = foldText(text);
-    Reader reader(folded);
+    TextReader reader(folded);
     const auto metres = takeLength(reader, metresPer(bareUnit));
     if (!metres) return std::nullopt;
     reader.skipBlanks();
@@ -231,7 +231,7 @@ std::string withDecimalPoint(std::string_view text) {
 
 std::optional<double> parseLevels(std::string_view text) {
     const std::string folded = foldText(text);
-    Reader reader(folded);
+    TextReader reader(folded);
     const auto levels = reader.takeNumber();
     return reader.atEnd() ? levels : std::nullopt;
 }

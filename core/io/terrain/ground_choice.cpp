@@ -17,8 +17,8 @@ namespace noonmark {
 
 namespace {
 
-SharedBuildings allBuildings(const std::vector<GroundFile>& files) {
-    SharedBuildings all;
+BuildingList allBuildings(const std::vector<GroundFile>& files) {
+    BuildingList all;
     for (const GroundFile& file : files)
         all.insert(all.end(), file.piece->buildings.begin(), file.piece->buildings.end());
     return all;
@@ -83,7 +83,7 @@ private:
 
     const std::vector<GroundFile>& files_;
     TerrainShows shows_;
-    SharedBuildings buildings_;
+    BuildingList buildings_;
     OutlineSteps steps_;
     const GroundFile *ground_ = nullptr, *surface_ = nullptr;
     GroundChoice choice_;

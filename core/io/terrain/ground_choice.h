@@ -18,7 +18,7 @@ namespace noonmark {
 /// surface_model_gdal.cpp.
 void fillFromAround(std::vector<float>& values, int columns, int rows, const std::stop_token& stop = {});
 
-using SharedBuildings = std::vector<std::shared_ptr<const Building>>;
+using BuildingList = std::vector<std::shared_ptr<const Building>>;
 
 /// How a terrain steps at the outlines of buildings: the median over an outline of the elevation a cell and a
 /// half inside minus that outside, where no other building stands. A slope rises on one side as it falls on
@@ -32,13 +32,13 @@ struct OutlineSteps {
 };
 
 /// `buildings`: their z need not be that of the terrain. On all cores. When stopped, without meaning.
-OutlineSteps measureOutlineSteps(const Terrain& terrain, const SharedBuildings& buildings,
+OutlineSteps measureOutlineSteps(const Terrain& terrain, const BuildingList& buildings,
                                  const std::stop_token& stop = {});
 
 /// The ground of a surface model: posts within the outlines of buildings, or within a cell and 1 m of them,
 /// and those of trees and the like (surface_model.cpp) get elevations interpolated from the posts around.
 /// When stopped, the surface.
-Terrain takeGroundAround(const Terrain& surface, const SharedBuildings& buildings,
+Terrain takeGroundAround(const Terrain& surface, const BuildingList& buildings,
                          const std::stop_token& stop = {});
 
 /// The height of a part above the lowest ground under its building: the median of the surface a cell inside

@@ -119,7 +119,7 @@ Ring onPosts(const Ring& ring, const PostGrid& posts) {
 }
 
 // Which posts lie in the outlines of buildings that stand on the ground.
-std::vector<char> findCovered(const PostGrid& posts, const SharedBuildings& buildings,
+std::vector<char> findCovered(const PostGrid& posts, const BuildingList& buildings,
                               const std::stop_token& stop) {
     std::vector<char> covered(posts.size());
     const Grid grid{-0.5, -0.5, 1, posts.columns, posts.rows};
@@ -233,7 +233,7 @@ std::vector<double> sampleInside(const Footprint& footprint, const Terrain& surf
 
 }  // namespace
 
-OutlineSteps measureOutlineSteps(const Terrain& terrain, const SharedBuildings& buildings,
+OutlineSteps measureOutlineSteps(const Terrain& terrain, const BuildingList& buildings,
                                  const std::stop_token& stop) {
     OutlineSteps all;
     if (terrain.grid.cellM > widestCellM) return all;
@@ -254,8 +254,7 @@ OutlineSteps measureOutlineSteps(const Terrain& terrain, const SharedBuildings& 
     return all;
 }
 
-Terrain takeGroundAround(const Terrain& surface, const SharedBuildings& buildings,
-                         const std::stop_token& stop) {
+Terrain takeGroundAround(const Terrain& surface, const BuildingList& buildings, const std::stop_token& stop) {
     Terrain ground = surface;
     const PostGrid& posts = ground.grid;
     std::vector<char> covered = findCovered(posts, buildings, stop);

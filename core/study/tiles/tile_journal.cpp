@@ -12,26 +12,24 @@
 
 namespace noonmark {
 
-using Json = nlohmann::json;
-
 namespace {
 
-Json toJson(const ComparedCell& cell) {
+nlohmann::json toJson(const ComparedCell& cell) {
     return {cell.centreM.x,         cell.centreM.y,     cell.grossMin,
             cell.referenceGrossMin, cell.continuousMin, cell.referenceContinuousMin};
 }
 
 // NaN (not counted) is null in JSON.
-double minutesFrom(const Json& json) {
+double minutesFrom(const nlohmann::json& json) {
     return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
 
-ComparedCell comparedCellFrom(const Json& json) {
+ComparedCell comparedCellFrom(const nlohmann::json& json) {
     return {{json.at(0), json.at(1)}, json.at(2), json.at(3), minutesFrom(json.at(4)), json.at(5)};
 }
 
-TileResult resultFrom(const Json& json) {
-    const Json& sums = json.at("sums");
+TileResult resultFrom(const nlohmann::json& json) {
+    const nlohmann::json& sums = json.at("sums");
     TileResult result{.number = wholeNumberFrom<std::size_t>(json.at("tile")),
                       .sums = {wholeNumberFrom<std::size_t>(sums.at(0)), minutesFrom(sums.at(1)),
                                minutesFrom(sums.at(2)), sums.at(3), sums.at(4)}};
@@ -45,7 +43,7 @@ TileResult resultFrom(const Json& json) {
     result.cost.seconds = json.at("stages");
     result.engineKey = json.at("engine");
     result.engine = json.at("engine_settings");
-    for (const Json& cell : json.at("compared")) result.compared.push_back(comparedCellFrom(cell));
+    for (const nlohmann::json& cell : json.at("compared")) result.compared.push_back(comparedCellFrom(cell));
     result.seconds = json.at("seconds");
     result.errorSeconds = json.at("error_seconds");
     if (!json.contains("content")) return result;
@@ -57,21 +55,22 @@ TileResult resultFrom(const Json& json) {
 
 }  // namespace
 
-Json toJson(const TileResult& result) {
+nlohmann::json toJson(const TileResult& result) {
     const ShadowSums& sums = result.sums;
-    Json compared = Json::array();
+    nlohmann::json compared = nlohmann::json::array();
     for (const ComparedCell& cell : result.compared) compared.push_back(toJson(cell));
-    Json json{{"tile", result.number},
-              {"sums",
-               {sums.receivers, sums.grossMin, sums.continuousMin, sums.maxGrossMin, sums.maxContinuousMin}},
-              {"rays", result.cost.rays},
-              {"skipped", result.cost.skipped},
-              {"stages", result.cost.seconds},
-              {"engine", result.engineKey},
-              {"engine_settings", result.engine},
-              {"compared", compared},
-              {"seconds", result.seconds},
-              {"error_seconds", result.errorSeconds}};
+    nlohmann::json json{
+        {"tile", result.number},
+        {"sums",
+         {sums.receivers, sums.grossMin, sums.continuousMin, sums.maxGrossMin, sums.maxContinuousMin}},
+        {"rays", result.cost.rays},
+        {"skipped", result.cost.skipped},
+        {"stages", result.cost.seconds},
+        {"engine", result.engineKey},
+        {"engine_settings", result.engine},
+        {"compared", compared},
+        {"seconds", result.seconds},
+        {"error_seconds", result.errorSeconds}};
     if (!result.monthMinutes.empty()) json["months"] = result.monthMinutes;
     if (!result.figures.empty()) json["figures"] = result.figures;
     if (result.lines > 0) json["lines"] = result.lines;
@@ -83,7 +82,7 @@ Json toJson(const TileResult& result) {
     return json;
 }
 
-std::optional<TileResult> tileResultFrom(const Json& json) try {
+std::optional<TileResult> tileResultFrom(const nlohmann::json& json) try {
     return resultFrom(json);
 } catch (const std::exception&) {  // of another structure, or numbers out of range
     return std::nullopt;
@@ -99,7 +98,8 @@ tl::unexpected<Error> notSaved(const std::filesystem::path& folder) {
 }
 
 std::string firstLine(const std::string& studyHash, const TilePlan& plan) {
-    return Json{{"noonmark_tiles", 1}, {"study", studyHash}, {"side", plan.side}, {"tiles", plan.count()}}
+    return nlohmann::json{
+        {"noonmark_tiles", 1}, {"study", studyHash}, {"side", plan.side}, {"tiles", plan.count()}}
         .dump();
 }
 
@@ -175,7 +175,7 @@ Result<void> TileJournal::read(const std::string& text, const std::string& first
 }
 
 void TileJournal::take(const std::string& line, const TilePlan& plan) {
-    auto result = tileResultFrom(Json::parse(line, nullptr, false));
+    auto result = tileResultFrom(nlohmann::json::parse(line, nullptr, false));
     if (!result || result->number >= plan.count()) return;
     const std::size_t tile = result->number;
     if (result->empty() || isWhole(fileOf(*result), *result)) finished_[tile] = *std::move(result);

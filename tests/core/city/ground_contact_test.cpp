@@ -27,20 +27,20 @@ Part houseWithEaves(float liftM) {
     return part;
 }
 
-double computeArea(const std::vector<Footprint>& polygons) {
+double areaOf(const std::vector<Footprint>& polygons) {
     double sum = 0;
     for (const Footprint& polygon : polygons) sum += area(polygon);
     return sum;
 }
 
 TEST(GroundContact, AStandingPartIsItsFootprintAndAHangingPrismNothing) {
-    EXPECT_DOUBLE_EQ(computeArea(findGroundContact(prism(square(0, 10), 0, 5, false), 0)), 100);
+    EXPECT_DOUBLE_EQ(areaOf(findGroundContact(prism(square(0, 10), 0, 5, false), 0)), 100);
     EXPECT_TRUE(findGroundContact(prism(square(0, 10), 4, 5, true), 0).empty());
 }
 
 TEST(GroundContact, EavesDoNotTakeTheGroundBelowThem) {
-    EXPECT_NEAR(computeArea(findGroundContact(houseWithEaves(0), 0)), 36, 1e-4);
-    EXPECT_NEAR(computeArea(findGroundContact(houseWithEaves(20), 20)), 36, 1e-4);
+    EXPECT_NEAR(areaOf(findGroundContact(houseWithEaves(0), 0)), 36, 1e-4);
+    EXPECT_NEAR(areaOf(findGroundContact(houseWithEaves(20), 20)), 36, 1e-4);
     EXPECT_TRUE(findGroundContact(houseWithEaves(4), 0).empty());  // all of it above the ground
 }
 
@@ -51,7 +51,7 @@ TEST(GroundContact, AShellOpenBelowTakesWhatItsWallsEnclose) {
         return open.vertices[t.x].z + open.vertices[t.y].z + open.vertices[t.z].z == 0;
     });
     part.mesh = std::make_shared<const TriangleMesh>(open);
-    EXPECT_NEAR(computeArea(findGroundContact(part, 0)), 36, 1e-4);
+    EXPECT_NEAR(areaOf(findGroundContact(part, 0)), 36, 1e-4);
 }
 
 // The ground under a canopy with a wall on one side is free.

@@ -16,7 +16,8 @@ namespace {
 
 using namespace tests;
 
-ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& sun, double binDeg = 0.5) {
+ShadowField sweptShadow(const City& city, const Receivers& receivers, const SunSteps& sun,
+                        double binDeg = 0.5) {
     NoProgress progress;
     return HorizonSweep({.binDeg = binDeg}).accumulate(city, receivers, sun, progress, {}).value();
 }
@@ -48,7 +49,7 @@ TEST(HorizonNumbers, DifferFromDoubleByRoundingOnly) {
     for (const double altitude : {2.0, 14.0, 47.0}) {
         for (const Sun& sun : oneSunABin(altitude)) {
             if (int(sun.azimuthDeg) % 5 != 0) continue;
-            const ShadowField field = swept(city, receivers, oneDay({sun}));
+            const ShadowField field = sweptShadow(city, receivers, oneDay({sun}));
             const glm::dvec3 direction(towardsSun(sun.azimuthDeg, sun.altitudeDeg));
             const glm::dvec3 up(towardsSun(sun.azimuthDeg, sun.altitudeDeg + 0.001)),
                 down(towardsSun(sun.azimuthDeg, sun.altitudeDeg - 0.001));
@@ -76,7 +77,7 @@ TEST(HorizonNumbers, SlopesOfATenThousandthAndOfTenThousand) {
             if (altitude > 89.99 || altitude < 0.004) continue;
             if (cell % 7 != 0) continue;
             const ShadowField field =
-                swept(city, receivers, oneDay({{180, altitude - 0.002}, {180, altitude + 0.002}}));
+                sweptShadow(city, receivers, oneDay({{180, altitude - 0.002}, {180, altitude + 0.002}}));
             EXPECT_EQ(field.grossMin[cell], 1) << height << ' ' << north;
         }
     }
@@ -86,8 +87,8 @@ TEST(HorizonNumbers, TenKilometresFromTheOriginAreLikeThere) {
     const SunSteps sun = oneDay(oneSunABin(20));
     const City here = cityOf(standOnTerrain(8, 5)),
                there = cityOf(standOnTerrain(8, 5, {10'000, -10'000, 0}));
-    const ShadowField a = swept(here, receiversOver(here, -20, -20, 120, 120), sun),
-                      b = swept(there, receiversOver(there, 9980, -10'020, 10'120, -9880), sun);
+    const ShadowField a = sweptShadow(here, receiversOver(here, -20, -20, 120, 120), sun),
+                      b = sweptShadow(there, receiversOver(there, 9980, -10'020, 10'120, -9880), sun);
     ASSERT_EQ(a.grossMin.size(), b.grossMin.size());
     std::size_t different = 0;
     for (std::size_t cell = 0; cell < a.grossMin.size(); ++cell) {
@@ -109,7 +110,7 @@ TEST(HorizonNumbers, EdgesAlongTheAzimuthAndReceiversOnThem) {
     const City city = cityOf(boxes);
     const Receivers receivers = receiversOver(city, -20, -20, 110, 110);
     for (const double azimuth : {0.0, 90.0, 180.0, 270.0, 45.0}) {
-        const ShadowField field = swept(city, receivers, oneDay({{azimuth, 30}}));
+        const ShadowField field = sweptShadow(city, receivers, oneDay({{azimuth, 30}}));
         const glm::dvec3 direction(towardsSun(azimuth, 30));
         for (const std::uint32_t cell : receivers.cells) {
             const glm::dvec3 origin(receivers.position(cell));
@@ -139,7 +140,7 @@ TEST(HorizonNumbers, RunningResultsGrowToTheWhole) {
     const ShadowField whole =
         HorizonSweep({.binDeg = 0.5}).accumulate(city, receivers, sun, collect, {}).value();
     ASSERT_GT(collect.taken.size(), 5U);
-    const ShadowField alone = swept(city, receivers, sun);
+    const ShadowField alone = sweptShadow(city, receivers, sun);
     double share = 0;
     for (const PartialField& partial : collect.taken) {
         EXPECT_GT(partial.share, share);

@@ -23,7 +23,7 @@ using testing::HasSubstr;
 constexpr double houseSideM = 10, heightM = 12;
 
 // The ground rises by 1 in 10 towards the east.
-double slope(double x, double /*y*/) { return 100 + x / 10; }
+double steepSlope(double x, double /*y*/) { return 100 + x / 10; }
 
 // Nine houses in rows, 12 m high.
 std::vector<glm::dvec2> corners() {
@@ -35,7 +35,7 @@ std::vector<glm::dvec2> corners() {
 
 class StandingTest : public tests::CityReading {
 protected:
-    std::filesystem::path hill(double (*ground)(double, double) = slope) {
+    std::filesystem::path hill(double (*ground)(double, double) = steepSlope) {
         return writeTerrain(folder.path("hill.tif"), manhattan, ground);
     }
 
@@ -44,7 +44,7 @@ protected:
         std::string features;
         int i = 0;
         for (const glm::dvec2 low : corners()) {
-            const double ground = slope(low.x, low.y) + gapM(i++);
+            const double ground = steepSlope(low.x, low.y) + gapM(i++);
             features += (features.empty() ? "" : ",") +
                         feature(sizedRectangle(float(low.x), float(low.y), houseSideM, houseSideM),
                                 fmt::format(R"("height":{},"ground_elevation":{})", heightM, ground));
@@ -157,7 +157,7 @@ TEST_F(StandingTest, CityJsonAtHeightZeroIsSetDownOnAHill) {
             maker.boxSolid({low.x, low.y, -2}, {low.x + houseSideM, low.y + houseSideM, heightM - 2}));
     const auto city = folder.file("town.city.json", maker.document().dump());
     const LonLat middle = read({city}).city.frame.origin();
-    const CityRead read = this->read({city, writeTerrain(folder.path("amsterdam.tif"), middle, slope)});
+    const CityRead read = this->read({city, writeTerrain(folder.path("amsterdam.tif"), middle, steepSlope)});
     EXPECT_EQ(read.heights.bases.at(0).rule, StandRule::setDown);
     EXPECT_NEAR(read.heights.bases[0].gapM, -100, 1);
     expectOnGround(read);
@@ -170,20 +170,21 @@ TEST_F(StandingTest, AMeshAtItsOwnZeroIsSetDownOnAHill) {
 }
 
 TEST_F(StandingTest, AMeshWithElevationsThatFitStays) {
-    const CityRead read = readObj(boxesObj([](glm::dvec2 low) { return slope(low.x, low.y); }), true);
+    const CityRead read = readObj(boxesObj([](glm::dvec2 low) { return steepSlope(low.x, low.y); }), true);
     EXPECT_EQ(read.heights.bases.at(0).rule, StandRule::asStated);
     expectOnGround(read);
 }
 
 TEST_F(StandingTest, AMeshWithElevationsOfAnotherDatumIsShifted) {
-    const CityRead read = readObj(boxesObj([](glm::dvec2 low) { return slope(low.x, low.y) + 47; }), true);
+    const CityRead read =
+        readObj(boxesObj([](glm::dvec2 low) { return steepSlope(low.x, low.y) + 47; }), true);
     EXPECT_EQ(read.heights.bases.at(0).rule, StandRule::shifted);
     expectOnGround(read);
 }
 
 // A mesh that counts from its highest base: by their height alone, the bases could be basements below a zero.
 TEST_F(StandingTest, AMeshWhoseBasesFollowTheTerrainBelowItsZeroIsShifted) {
-    const auto belowHighest = [](glm::dvec2 low) { return slope(low.x, low.y) - slope(50, 0); };
+    const auto belowHighest = [](glm::dvec2 low) { return steepSlope(low.x, low.y) - steepSlope(50, 0); };
     const CityRead read = readObj(boxesObj(belowHighest), true);
     EXPECT_EQ(read.heights.bases.at(0).rule, StandRule::shifted);
     EXPECT_EQ(read.heights.bases[0].aloft, 0U);
@@ -202,7 +203,7 @@ TEST_F(StandingTest, BasesThatRangeOverMoreThanBasementsAreElevations) {
 }
 
 TEST_F(StandingTest, AMeshWithElevationsAndNoTerrainGetsOneFromItsBases) {
-    const CityRead read = readObj(boxesObj([](glm::dvec2 low) { return slope(low.x, low.y); }), false);
+    const CityRead read = readObj(boxesObj([](glm::dvec2 low) { return steepSlope(low.x, low.y); }), false);
     ASSERT_NE(read.city.terrain, nullptr);
     EXPECT_EQ(read.city.terrain->source.method, TerrainMethod::fromBases);
     expectOnGround(read, 0, 0.3);

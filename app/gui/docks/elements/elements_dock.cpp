@@ -31,7 +31,7 @@ const std::string& textIn(const MeasuredElement& element, int column) {
     return element.buildingName.empty() ? element.building : element.buildingName;
 }
 
-constexpr double minutesOfHour = 60;
+constexpr double minutesAnHour = 60;
 
 const Figure& figureOf(int column) { return pointFigures().rows()[std::size_t(column - ElementModel::sun)]; }
 
@@ -46,7 +46,7 @@ double numberIn(const MeasuredElement& element, double possibleMin, int column) 
     const Figure& figure = figureOf(column);
     const MapPoint point{&element, possibleMin};
     const double value = figure.get(&point);
-    return isInHours(figure) ? value / minutesOfHour : value;
+    return isInHours(figure) ? value / minutesAnHour : value;
 }
 
 bool isText(int column) { return column == ElementModel::id || column == ElementModel::building; }

@@ -25,7 +25,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int frameWidth = 3;
+constexpr int borderWidth = 3;
 constexpr int gap = 10;
 constexpr int textWidth = 300;
 constexpr int barsPx = 70;  // menus and toolbar at the top, which the text must not cover
@@ -40,15 +40,15 @@ TourFrame::TourFrame(QWidget* parent) : QWidget(parent) {
 void TourFrame::put(const QRect& control) {
     setVisible(!control.isEmpty());
     if (control.isEmpty()) return;
-    setGeometry(control.adjusted(-frameWidth, -frameWidth, frameWidth, frameWidth));
+    setGeometry(control.adjusted(-borderWidth, -borderWidth, borderWidth, borderWidth));
     raise();
 }
 
 void TourFrame::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(QColor(0xe0, 0x6c, 0x10), frameWidth));
-    const qreal half = frameWidth / 2.0;
+    painter.setPen(QPen(QColor(0xe0, 0x6c, 0x10), borderWidth));
+    const qreal half = borderWidth / 2.0;
     painter.drawRoundedRect(QRectF(rect()).adjusted(half, half, -half, -half), 4, 4);
 }
 

@@ -131,7 +131,7 @@ std::vector<std::string> listOthers(const ProjectSession& session) {
 
 namespace {
 
-constexpr double reachPx = 8;
+constexpr double dividerReachPx = 8;
 constexpr double minShare = 0.02;  // so that the divider can be found again
 
 }  // namespace
@@ -150,7 +150,7 @@ void DividerHandle::setActive(bool active) {
 }
 
 bool DividerHandle::isAt(QPointF pixel) const {
-    return active_ && std::abs(pixel.x() - view_.sides().divider * view_.width()) <= reachPx;
+    return active_ && std::abs(pixel.x() - view_.sides().divider * view_.width()) <= dividerReachPx;
 }
 
 bool DividerHandle::grab(QPointF pixel) { return isAt(pixel); }

@@ -9,8 +9,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr int side = ReceiverBlocks::side;
-
 bool any(const ReceiverBlocks::Masks& masks) {
     return std::ranges::any_of(masks, [](std::uint16_t mask) { return mask != 0; });
 }
@@ -101,7 +99,7 @@ void BinEdit::leaveOutRaised(const TileEdit& edit, std::size_t i, const HorizonC
     if (added == nullptr) return;
     const ReceiverBlocks::Masks all = masks;
     forEachPlace(all, [&](std::uint32_t row, std::uint32_t place) {
-        const std::uint32_t at = row * side + place;
+        const std::uint32_t at = row * ReceiverBlocks::side + place;
         if (added[at] >= now[at]) masks[row] &= std::uint16_t(~(1U << place));
     });
 }
@@ -111,7 +109,7 @@ void BinEdit::recompute(const TileEdit& edit) {
     for (const Lost& lost : lost_) {
         const ReceiverBlocks::Block& block = edit.blocks.blocks()[lost.block];
         const glm::dvec2 low(block.column, block.row);
-        extent.addBox(axes_, low - 1.0, low + double(side));
+        extent.addBox(axes_, low - 1.0, low + double(ReceiverBlocks::side));
     }
     edit.walls.across(axes_, extent, prisms_);
     allSweep_.begin(edit.walls.list(), edit.walls.before(prisms_), away_, extent, bin_->lowest, edit.cellM,
@@ -127,8 +125,9 @@ void BinEdit::recompute(const TileEdit& edit, const Lost& lost) {
     std::copy_n(page != nullptr ? page : bin_->codes.data() + block.first, ReceiverBlocks::cells,
                 base.values);
     forEachPlace(lost.masks, [&](std::uint32_t row, std::uint32_t place) {
-        const std::uint32_t cell = axes_.swapped ? place * side + row : row * side + place;
-        base.values[cell] = swept == nullptr ? noHorizon : swept[row * side + place];
+        const std::uint32_t cell =
+            axes_.swapped ? place * ReceiverBlocks::side + row : row * ReceiverBlocks::side + place;
+        base.values[cell] = swept == nullptr ? noHorizon : swept[row * ReceiverBlocks::side + place];
     });
     bin_->base.setLowest(lost.block, edit.blocks.blocks().size(), BaselineCodes::unknown);
     raise(edit, lost.block, &base);
@@ -191,13 +190,16 @@ HorizonCode BinEdit::lowestIn(const TileEdit& edit, std::size_t block, const Hor
 // New receivers start from noHorizon, so that all their hidden suns are counted.
 void BinEdit::write(const TileEdit& edit, std::size_t block, const BlockCodes& codes) {
     HorizonCode* now = bin_->codes.data() + edit.blocks.blocks()[block].first;
-    forEachPlace(edit.cells.newRows[block],
-                 [&](std::uint32_t row, std::uint32_t x) { now[row * side + x] = noHorizon; });
+    forEachPlace(edit.cells.newRows[block], [&](std::uint32_t row, std::uint32_t x) {
+        now[row * ReceiverBlocks::side + x] = noHorizon;
+    });
     ReceiverBlocks::Masks differ;
     findDifferences(codes.values, now, edit.known.masks(block, false), differ);
     count(edit, block, codes, differ);
     for (std::size_t row = 0; row < differ.size(); ++row)
-        if (differ[row] != 0) std::copy_n(codes.values + row * side, side, now + row * side);
+        if (differ[row] != 0)
+            std::copy_n(codes.values + row * ReceiverBlocks::side, ReceiverBlocks::side,
+                        now + row * ReceiverBlocks::side);
 }
 
 // Counts receivers only. A part of 64 numbers is marked as changed only if some sum changed; otherwise its
@@ -212,10 +214,11 @@ void BinEdit::count(const TileEdit& edit, std::size_t block, const BlockCodes& c
     for (const CountChange& suns : suns_)
         rows |= suns.addDifference(now, codes.values, counted, steps_->more.data() + first);
     for (; rows != 0; rows &= rows - 1)
-        steps_->parts[(first + std::uint32_t(std::countr_zero(rows) * side)) / lanesPerPart] = 1;
+        steps_->parts[(first + std::uint32_t(std::countr_zero(rows) * ReceiverBlocks::side)) / lanesPerPart] =
+            1;
     if (!edit.isOverhanging) return;
     forEachPlace(counted, [&](std::uint32_t row, std::uint32_t x) {
-        const std::uint32_t cell = row * side + x;
+        const std::uint32_t cell = row * ReceiverBlocks::side + x;
         changes_.push_back({first + cell, now[cell], codes.values[cell]});
     });
 }

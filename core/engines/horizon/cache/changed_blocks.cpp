@@ -5,9 +5,7 @@
 
 namespace noonmark {
 
-namespace {
-constexpr int side = ReceiverBlocks::side;
-}
+namespace {}
 
 void BlockMarks::begin(std::size_t blocks) {
     if (marks_.size() != blocks || ++turn_ == 0) {
@@ -46,13 +44,15 @@ void ShadedBlocks::find(const Shadow& shadow, const ReceiverBlocks& blocks, cons
     const int alongs = axes.swapped ? blocks.blockCounts().x : blocks.blockCounts().y,
               acrosses = axes.swapped ? blocks.blockCounts().y : blocks.blockCounts().x;
     for (int row = 0; row < alongs; ++row) {
-        const double one = axes.sign * (from + row * side), last = one + axes.sign * (side - 1);
+        const double one = axes.sign * (from + row * ReceiverBlocks::side),
+                     last = one + axes.sign * (ReceiverBlocks::side - 1);
         if (std::max(one, last) < extent.lowAlong || std::min(one, last) > extent.highAlong) continue;
-        const double a = axes.k * axes.sign * (from + row * side), b = a + axes.k * axes.sign * side;
+        const double a = axes.k * axes.sign * (from + row * ReceiverBlocks::side),
+                     b = a + axes.k * axes.sign * ReceiverBlocks::side;
         const double low = extent.lowQ + std::min(a, b) - other - 1,
                      high = extent.highQ + std::max(a, b) - other + 1;
-        const int first = int(std::clamp(std::floor(low / side), 0.0, double(acrosses))),
-                  end = int(std::clamp(std::floor(high / side) + 1, 0.0, double(acrosses)));
+        const int first = int(std::clamp(std::floor(low / ReceiverBlocks::side), 0.0, double(acrosses))),
+                  end = int(std::clamp(std::floor(high / ReceiverBlocks::side) + 1, 0.0, double(acrosses)));
         for (int i = first; i < end; ++i) {
             const int block = axes.swapped ? blocks.blockAt(row, i) : blocks.blockAt(i, row);
             if (block >= 0 && marks.mark(std::size_t(block))) found.push_back(std::size_t(block));
@@ -64,7 +64,9 @@ bool ShadedBlocks::mayRaise(const ReceiverBlocks::Block& block, const ShadowAxes
                             HorizonCode code) const {
     const double steepness = double(toSteepness(code)) * (1 - 1e-5);
     const double one = axes.from({block.column, block.row}).along,
-                 other = axes.from({block.column + side - 1, block.row + side - 1}).along;
+                 other = axes.from({block.column + ReceiverBlocks::side - 1,
+                                    block.row + ReceiverBlocks::side - 1})
+                             .along;
     return std::ranges::any_of(shadows_, [&](const Shadow& shadow) {
         const double distance = std::min(one, other) - shadow.foot;
         return shadow.rise * (1 - steepness) > steepness * (distance - 0.1);

@@ -9,7 +9,6 @@ namespace noonmark {
 
 OverhangTile::OverhangTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM)
     : box(blocks.box()) {
-    constexpr int side = ReceiverBlocks::side;
     if (!receivers.flat()) groundsM.resize(blocks.numbers());
     const glm::ivec2 all = blocks.blockCounts();
     blockNumbers.assign(std::size_t(all.x) * std::size_t(all.y), {0, 0});
@@ -21,8 +20,8 @@ OverhangTile::OverhangTile(const Receivers& receivers, const ReceiverBlocks& blo
         numbers.resize(first + ReceiverBlocks::cells, -1);
         const std::uint8_t* places = blocks.places(block, false);
         for (std::uint32_t n = 0; n < block.count; ++n) {
-            const int column = block.column - box.firstColumn + places[n] % side,
-                      row = block.row - box.firstRow + places[n] / side;
+            const int column = block.column - box.firstColumn + places[n] % ReceiverBlocks::side,
+                      row = block.row - box.firstRow + places[n] / ReceiverBlocks::side;
             if (column >= box.columns || row >= box.rows) continue;
             const std::uint32_t number = block.first + n, cell = blocks.cell(number);
             numbers[first + places[n]] = std::int32_t(number);
@@ -33,8 +32,6 @@ OverhangTile::OverhangTile(const Receivers& receivers, const ReceiverBlocks& blo
 }
 
 namespace {
-
-constexpr int side = ReceiverBlocks::side;
 
 // One level higher than the actual code, which exceeds rounding; vertical if the block is not behind the
 // overhang.
@@ -83,7 +80,8 @@ void OverhangSweep::findInReach(double lowestTan) {
     const TileBox& box = view_->tile.box;
     ShadowExtent tile;
     tile.addBox(axes_, glm::dvec2(box.firstColumn, box.firstRow) - spare,
-                glm::dvec2(box.firstColumn + box.columns, box.firstRow + box.rows) + double(side) + spare);
+                glm::dvec2(box.firstColumn + box.columns, box.firstRow + box.rows) +
+                    double(ReceiverBlocks::side) + spare);
     inReach_.clear();
     for (const OverhangShapes* shapes : view_->shapes) {
         ShadowExtent extent;
@@ -105,9 +103,9 @@ void OverhangSweep::findBlocks(std::uint32_t layer, const OverhangLayer& of, dou
                  highAlong = std::min(of.highestAlong + of.highestRise / lowestTan + 1, within.highAlong);
     const int low = axes_.swapped ? box.firstColumn : box.firstRow,
               rows = axes_.swapped ? box.columns : box.rows;
-    for (int row = 0; row * side < rows; ++row) {
-        const double one = axes_.sign * (low + row * side),
-                     other = axes_.sign * (low + row * side + side - 1);
+    for (int row = 0; row * ReceiverBlocks::side < rows; ++row) {
+        const double one = axes_.sign * (low + row * ReceiverBlocks::side),
+                     other = axes_.sign * (low + row * ReceiverBlocks::side + ReceiverBlocks::side - 1);
         const double nearest = std::min(one, other), farthest = std::max(one, other);
         if (farthest < lowAlong || nearest > highAlong) continue;
         const Range across{lowQ + std::min(axes_.k * one, axes_.k * other),
@@ -119,9 +117,10 @@ void OverhangSweep::findBlocks(std::uint32_t layer, const OverhangLayer& of, dou
 void OverhangSweep::addBlocks(std::uint32_t layer, int row, const Range& across, HorizonCode maximum) {
     const TileBox& box = view_->tile.box;
     const int low = axes_.swapped ? box.firstRow : box.firstColumn,
-              count = ((axes_.swapped ? box.rows : box.columns) + side - 1) / side;
-    const int first = std::max(0, int(std::floor((across.low - low - 1) / side))),
-              last = std::min(count - 1, int(std::floor((across.high - low + 1) / side)));
+              count = ((axes_.swapped ? box.rows : box.columns) + ReceiverBlocks::side - 1) /
+                      ReceiverBlocks::side;
+    const int first = std::max(0, int(std::floor((across.low - low - 1) / ReceiverBlocks::side))),
+              last = std::min(count - 1, int(std::floor((across.high - low + 1) / ReceiverBlocks::side)));
     for (int place = first; place <= last; ++place) {
         const std::size_t block = axes_.swapped ? std::size_t(place) * columns() + std::size_t(row)
                                                 : std::size_t(row) * columns() + std::size_t(place);
@@ -132,7 +131,7 @@ void OverhangSweep::addBlocks(std::uint32_t layer, int row, const Range& across,
 }
 
 std::size_t OverhangSweep::columns() const {
-    return std::size_t((view_->tile.box.columns + side - 1) / side);
+    return std::size_t((view_->tile.box.columns + ReceiverBlocks::side - 1) / ReceiverBlocks::side);
 }
 
 bool OverhangSweep::maySee(std::size_t block, HorizonCode lowest) const {
@@ -151,7 +150,8 @@ HorizonCode OverhangSweep::lowestIn(std::size_t block, std::span<const HorizonCo
 
 glm::ivec2 OverhangSweep::firstOf(std::size_t block) const {
     const TileBox& box = view_->tile.box;
-    return {box.firstColumn + int(block % columns()) * side, box.firstRow + int(block / columns()) * side};
+    return {box.firstColumn + int(block % columns()) * ReceiverBlocks::side,
+            box.firstRow + int(block / columns()) * ReceiverBlocks::side};
 }
 
 BlockAxes OverhangSweep::axesOf(std::size_t block) const {
@@ -166,7 +166,9 @@ ViewingBlock OverhangSweep::blockAt(std::size_t block, std::span<const HorizonCo
     ViewingBlock at;
     at.groundsM = tile.groundsM.empty() ? nullptr : groundsM_.data();
     for (int cell = 0; cell < ReceiverBlocks::cells; ++cell) {
-        const int place = axes_.swapped ? cell % side * side + cell / side : cell;
+        const int place =
+            axes_.swapped ? cell % ReceiverBlocks::side * ReceiverBlocks::side + cell / ReceiverBlocks::side
+                          : cell;
         const std::int32_t number = first < 0 ? -1 : tile.numbers[std::size_t(first + place)];
         numbers_[std::size_t(cell)] = number;
         at.horizons.values[cell] = number < 0 ? blind : horizons[std::size_t(number)];

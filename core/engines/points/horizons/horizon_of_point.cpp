@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t binCount = SunBins::count;
+constexpr std::size_t sunBinCount = SunBins::count;
 constexpr float always = BinDirections::always;
 
 }  // namespace
@@ -27,7 +27,7 @@ HorizonScene::HorizonScene(const SkyObstacles& obstacles, const SunSteps& sun, b
 }
 
 HorizonOfPoint::HorizonOfPoint(const HorizonScene& scene)
-    : scene_(scene), firstOf_(binCount + 1), firstJoined_(binCount + 1) {}
+    : scene_(scene), firstOf_(sunBinCount + 1), firstJoined_(sunBinCount + 1) {}
 
 namespace {
 
@@ -84,10 +84,10 @@ void HorizonOfPoint::boundFacing(glm::vec3 normal) {
     };
     bounds_.touch.tan.fill(always);
     bounds_.cover.tan.fill(always);
-    for (std::size_t bin = 0; bin < binCount; ++bin) {
+    for (std::size_t bin = 0; bin < sunBinCount; ++bin) {
         if (scene_.bins.highestTan[bin] <= 0) continue;
-        const auto [minimum, maximum] =
-            std::minmax({tanIn((bin + binCount - 1) % binCount), tanIn(bin), tanIn((bin + 1) % binCount)});
+        const auto [minimum, maximum] = std::minmax(
+            {tanIn((bin + sunBinCount - 1) % sunBinCount), tanIn(bin), tanIn((bin + 1) % sunBinCount)});
         constexpr float bent = 1e-5F;
         bounds_.cover.tan[bin] = minimum * (1 - bent);
         bounds_.touch.tan[bin] = normal.z <= -upright ? always : maximum * (1 + bent);
@@ -96,8 +96,8 @@ void HorizonOfPoint::boundFacing(glm::vec3 normal) {
 
 // An overhang may reach a bin from the middle of the next one.
 void HorizonOfPoint::touchGaps() {
-    for (std::size_t bin = 0; bin < binCount; ++bin)
-        for (const std::size_t other : {(bin + binCount - 1) % binCount, bin, (bin + 1) % binCount})
+    for (std::size_t bin = 0; bin < sunBinCount; ++bin)
+        for (const std::size_t other : {(bin + sunBinCount - 1) % sunBinCount, bin, (bin + 1) % sunBinCount})
             if (scene_.bins.highestTan[other] > 0)
                 bounds_.touch.tan[bin] = std::max(bounds_.touch.tan[bin], horizon_.topTan(other));
 }
@@ -105,15 +105,16 @@ void HorizonOfPoint::touchGaps() {
 // What overhangs hide at the middle of a bin and at those beside it, they hide between.
 void HorizonOfPoint::coverGaps() {
     bounds_.cover.gaps.clear();
-    for (std::size_t bin = 0; bin < binCount; ++bin) {
+    for (std::size_t bin = 0; bin < sunBinCount; ++bin) {
         bounds_.cover.firstGap[bin] = std::uint32_t(bounds_.cover.gaps.size());
         coverGapsOf(bin);
     }
-    bounds_.cover.firstGap[binCount] = std::uint32_t(bounds_.cover.gaps.size());
+    bounds_.cover.firstGap[sunBinCount] = std::uint32_t(bounds_.cover.gaps.size());
 }
 
 void HorizonOfPoint::coverGapsOf(std::size_t bin) {
-    const auto before = joinedOf((bin + binCount - 1) % binCount), after = joinedOf((bin + 1) % binCount);
+    const auto before = joinedOf((bin + sunBinCount - 1) % sunBinCount),
+               after = joinedOf((bin + 1) % sunBinCount);
     if (before.empty() || after.empty()) return;
     for (const HiddenAltitudes& own : joinedOf(bin))
         for (const HiddenAltitudes& one : before)
@@ -135,7 +136,7 @@ void HorizonOfPoint::coverBy(std::size_t bin, const HiddenAltitudes& gap) {
 void HorizonOfPoint::faceTowards(glm::vec3 normal) {
     constexpr float upright = 1e-7F;
     horizon_.tan.fill(always);
-    for (std::size_t bin = 0; bin < binCount; ++bin) {
+    for (std::size_t bin = 0; bin < sunBinCount; ++bin) {
         const float towards = normal.x * scene_.bins.sine[bin] + normal.y * scene_.bins.cosine[bin];
         const float highest = scene_.bins.highestTan[bin];
         if (highest <= 0 || (std::abs(normal.z) < upright && towards <= 0)) continue;
@@ -162,13 +163,13 @@ void HorizonOfPoint::joinGaps() {
     if (gaps_.empty()) return;
     sortGaps();
     joined_.clear();
-    for (std::size_t bin = 0; bin < binCount; ++bin) {
+    for (std::size_t bin = 0; bin < sunBinCount; ++bin) {
         horizon_.firstGap[bin] = std::uint32_t(horizon_.gaps.size());
         firstJoined_[bin] = std::uint32_t(joined_.size());
         if (firstOf_[bin] < firstOf_[bin + 1]) joinGapsOf(bin);
     }
-    horizon_.firstGap[binCount] = std::uint32_t(horizon_.gaps.size());
-    firstJoined_[binCount] = std::uint32_t(joined_.size());
+    horizon_.firstGap[sunBinCount] = std::uint32_t(horizon_.gaps.size());
+    firstJoined_[sunBinCount] = std::uint32_t(joined_.size());
 }
 
 // Keeps what lies above the horizon. A gap that begins at or below it raises it.

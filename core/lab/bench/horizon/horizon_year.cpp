@@ -14,7 +14,7 @@ namespace noonmark::bench {
 
 namespace {
 
-constexpr double hoursADay = 8;
+constexpr double yearHoursADay = 8;
 
 /// A sweep and its settings.
 struct Sweep {
@@ -114,7 +114,7 @@ Result<Finding> benchHorizonYear(const BenchSite& site, const Extent& extent, co
     work.progress.report(0, "a year by the horizon sweep");
     const auto receivers = pickMiddleReceivers(site, work.stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
-    const auto sun = computeYearSun(site, hoursADay);
+    const auto sun = computeYearSun(site, yearHoursADay);
     if (!sun) return tl::make_unexpected(sun.error());
     const Scene scene{site.city, *receivers, *sun};
     const auto truth = computeTruth(scene, sampleOf(*receivers, extent.sampleReceivers, site.seed), work);
@@ -214,7 +214,7 @@ void addGrowth(Finding& finding) {
 
 Result<Finding> benchHorizonScale(const BenchSite& site, const Extent& extent, const Work& work) {
     work.progress.report(0, "growth of the horizon sweep");
-    const auto sun = computeYearSun(site, hoursADay);
+    const auto sun = computeYearSun(site, yearHoursADay);
     if (!sun) return tl::make_unexpected(sun.error());
     Finding finding;
     finding.key = "horizon_scale";

@@ -144,7 +144,7 @@ Result<Finding> benchSunLinearity(const BenchSite& site, const Extent& extent, c
 
 namespace {
 
-constexpr int hourSteps = 60;
+constexpr int stepsAnHour = 60;
 constexpr std::size_t levelsOfPaper = 3;
 
 /// Errors of all levels in one hour; the first element is for one level.
@@ -189,7 +189,7 @@ public:
         const CivilDate date = pickRandomDays(site_, 365)[random_() % 365];
         const auto day = daylightOf(site_, date);
         if (!day) return tl::make_unexpected(day.error());
-        const std::size_t count = std::min<std::size_t>(hourSteps, day->steps.size());
+        const std::size_t count = std::min<std::size_t>(stepsAnHour, day->steps.size());
         const std::size_t first = random_() % (day->steps.size() - count + 1);
         const SunSteps sun = stretchOf(*day, first, count);
         return errorsIn({site_.city, *receivers, sun}, levels, work_).map([&](LevelErrors errors) {

@@ -92,7 +92,7 @@ void addSpeedup(Finding& finding, const Times& times) {
             {"IAM without graph / with", formatThreeDigits(bare->second.back().seconds / with.seconds), ""});
 }
 
-Finding emptyFinding(const Extent& extent) {
+Finding emptyScalingFinding(const Extent& extent) {
     Finding finding;
     finding.key = "time_by_days";
     finding.title = "Time by days";
@@ -112,7 +112,7 @@ Finding emptyFinding(const Extent& extent) {
 }  // namespace
 
 Finding benchTimeByDays(const std::vector<PeriodRun>& runs, const Extent& extent) {
-    Finding finding = emptyFinding(extent);
+    Finding finding = emptyScalingFinding(extent);
     if (runs.empty()) return finding;
     Times times;
     for (const Contestant& contestant : runs.back().contestants) {
@@ -265,7 +265,7 @@ void addGrowth(Finding& finding, int finest) {
     }
 }
 
-Finding emptyFinding(const BenchSite& site, const Extent& extent, const StartList& engines) {
+Finding emptyScalingFinding(const BenchSite& site, const Extent& extent, const StartList& engines) {
     Finding finding;
     finding.key = "time_by_resolution";
     finding.title = "Time by resolution";
@@ -289,7 +289,7 @@ Finding emptyFinding(const BenchSite& site, const Extent& extent, const StartLis
 
 Finding benchTimeByResolution(const std::vector<ResolutionRun>& runs, const BenchSite& site,
                               const Extent& extent, const StartList& engines) {
-    Finding finding = emptyFinding(site, extent, engines);
+    Finding finding = emptyScalingFinding(site, extent, engines);
     for (const ResolutionRun& run : runs) addTo(finding, run.cellsASide, engines, run.placings);
     addGrowth(finding, extent.resolutions.back());
     return finding;
@@ -304,7 +304,7 @@ struct PaperMemory {
     const char* name;
     double mebibytesAt2048;
 };
-const std::map<std::string, PaperMemory, std::less<>>& paperTable() {
+const std::map<std::string, PaperMemory, std::less<>>& paperMemory() {
     static const std::map<std::string, PaperMemory, std::less<>> table{{"shadow-map-gl", {"Shadow map", 16}},
                                                                        {"sam", {"Shadow accrual map", 960}},
                                                                        {"ray", {"Ray tracing", 16}},
@@ -320,8 +320,8 @@ void addTo(Finding& finding, std::size_t place, const Contestant& engine, int re
 }
 
 std::string paperBytesACell(const std::string& engine) {
-    const auto paper = paperTable().find(engine);
-    if (paper == paperTable().end()) return {};
+    const auto paper = paperMemory().find(engine);
+    if (paper == paperMemory().end()) return {};
     return fmt::format("{:.0f}", paper->second.mebibytesAt2048 * mebibyte / (2048.0 * 2048.0));
 }
 
@@ -338,7 +338,7 @@ void addComparison(Finding& finding, int finest) {
 }
 
 void addPaper(Finding& finding, const Extent& extent) {
-    for (const auto& [key, paper] : paperTable()) {
+    for (const auto& [key, paper] : paperMemory()) {
         ChartSeries series{
             .name = std::string(paper.name) + ", paper", .colourOf = key, .marked = false, .estimated = true};
         for (const int resolution : {extent.resolutions.front(), extent.resolutions.back()})
@@ -349,7 +349,7 @@ void addPaper(Finding& finding, const Extent& extent) {
     }
 }
 
-Finding emptyFinding(const StartList& engines, const Extent& extent) {
+Finding emptyScalingFinding(const StartList& engines, const Extent& extent) {
     Finding finding;
     finding.key = "memory_by_resolution";
     finding.title = "Memory by resolution";
@@ -371,7 +371,7 @@ Finding emptyFinding(const StartList& engines, const Extent& extent) {
 
 Finding benchMemoryByResolution(const std::vector<ResolutionRun>& runs, const Extent& extent,
                                 const StartList& engines) {
-    Finding finding = emptyFinding(engines, extent);
+    Finding finding = emptyScalingFinding(engines, extent);
     for (const ResolutionRun& run : runs)
         for (std::size_t i = 0; i < run.placings.size(); ++i)
             if (const Placing& placing = run.placings[i]; placing.timed())

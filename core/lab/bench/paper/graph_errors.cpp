@@ -141,7 +141,7 @@ ChartSeries paperPoint(double y) {
     return {.name = "paper", .colourOf = "paper", .points = {{paperBoundDeg, y, {}}}, .estimated = true};
 }
 
-Finding emptyFinding(const Extent& extent) {
+Finding emptyGraphFinding(const Extent& extent) {
     Finding finding;
     finding.key = "graph_bound";
     finding.title = "The direction graph: number of intervals and similarity";
@@ -172,7 +172,7 @@ Result<Finding> benchGraphBound(const BenchSite& site, const Extent& extent, con
     std::mt19937 random(site.seed);
     std::vector<std::size_t> times(std::size_t(extent.sunTimes));
     for (std::size_t& time : times) time = random();
-    Finding finding = emptyFinding(extent);
+    Finding finding = emptyGraphFinding(extent);
     Pieces pieces(work, "the direction graph", boundsDeg.size());
     for (const double boundDeg : boundsDeg) {
         pieces.next();

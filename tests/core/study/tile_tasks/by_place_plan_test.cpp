@@ -20,12 +20,11 @@ namespace {
 
 using namespace tests;
 using testing::HasSubstr;
-using Json = nlohmann::json;
 
 const Frame placesFrame({-73.98, 40.75});
 
-Json boxFeature(const std::string& name, glm::dvec2 low, glm::dvec2 high) {
-    Json ring = Json::array();
+nlohmann::json boxFeature(const std::string& name, glm::dvec2 low, glm::dvec2 high) {
+    nlohmann::json ring = nlohmann::json::array();
     for (const glm::dvec2 corner : {low, {high.x, low.y}, high, {low.x, high.y}, low}) {
         const LonLat at = placesFrame.lonLatFromLocal(corner);
         ring.push_back({at.lonDeg, at.latDeg});
@@ -44,7 +43,7 @@ protected:
         city.buildings.push_back(cityOf({{{300, 300, 0}, {340, 340, 30}}}).buildings.front());
         city.frame = placesFrame;
         EXPECT_TRUE(writeCityGeoPackage(folder.path("town.gpkg"), city));
-        const Json places{
+        const nlohmann::json places{
             {"type", "FeatureCollection"},
             {"features",
              {boxFeature("Green", {20.5, 22.25}, {45, 40}), boxFeature("Long Meadow", {30, 20}, {165.5, 170}),

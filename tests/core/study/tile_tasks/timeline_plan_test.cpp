@@ -18,12 +18,11 @@ namespace {
 using namespace tests;
 using testing::HasSubstr;
 using testing::StartsWith;
-using Json = nlohmann::json;
 
 const Frame frame({-73.98, 40.75});
 
-Json ringAround(glm::dvec2 low, glm::dvec2 high) {
-    Json ring = Json::array();
+nlohmann::json ringAround(glm::dvec2 low, glm::dvec2 high) {
+    nlohmann::json ring = nlohmann::json::array();
     for (const glm::dvec2 corner : {low, {high.x, low.y}, high, {low.x, high.y}, low}) {
         const LonLat at = frame.lonLatFromLocal(corner);
         ring.push_back({at.lonDeg, at.latDeg});
@@ -31,7 +30,7 @@ Json ringAround(glm::dvec2 low, glm::dvec2 high) {
     return {{"type", "Polygon"}, {"coordinates", {ring}}};
 }
 
-Json featureOf(const std::string& name, glm::dvec2 low, glm::dvec2 high) {
+nlohmann::json featureOf(const std::string& name, glm::dvec2 low, glm::dvec2 high) {
     return {{"type", "Feature"}, {"properties", {{"name", name}}}, {"geometry", ringAround(low, high)}};
 }
 
@@ -42,7 +41,7 @@ protected:
         City city = cityOf(randomBoxes(11, 10));
         city.frame = frame;
         EXPECT_TRUE(writeCityGeoPackage(folder.path("town.gpkg"), city));
-        const Json places{
+        const nlohmann::json places{
             {"type", "FeatureCollection"},
             {"features",
              {featureOf("Green", {20, 22}, {45, 40}), featureOf("Long Meadow", {30, 20}, {165, 170}),
@@ -71,14 +70,14 @@ protected:
         NoProgress progress;
         return mergeTimelines(folder.path("plan"), plan, partial, progress, {});
     }
-    [[nodiscard]] std::vector<Json> mergedLines() const {
+    [[nodiscard]] std::vector<nlohmann::json> mergedLines() const {
         std::ifstream stream(folder.path("plan/merged/timelines.jsonl"));
-        std::vector<Json> lines;
-        for (std::string line; std::getline(stream, line);) lines.push_back(Json::parse(line));
+        std::vector<nlohmann::json> lines;
+        for (std::string line; std::getline(stream, line);) lines.push_back(nlohmann::json::parse(line));
         return lines;
     }
     /// The same places measured at once, in a city that was read whole.
-    [[nodiscard]] std::map<std::string, Json> onOneMachine() const {
+    [[nodiscard]] std::map<std::string, nlohmann::json> onOneMachine() const {
         NoProgress progress;
         const City city = readCity({request.files.front()}, request.reading, progress, {}).value().city;
         auto places =
@@ -89,9 +88,10 @@ protected:
                           {.period = request.settings.period, .cellM = request.settings.receivers.cellM},
                           *engine, progress, {})
                 .value();
-        std::map<std::string, Json> lines;
+        std::map<std::string, nlohmann::json> lines;
         for (const PlaceTimeline& place : study.places)
-            lines[place.place.name] = Json::parse(timelineJson(study, place, timelines.labels).dump());
+            lines[place.place.name] =
+                nlohmann::json::parse(timelineJson(study, place, timelines.labels).dump());
         return lines;
     }
 
@@ -108,8 +108,8 @@ TEST_F(TimelinePlan, EqualsThePlacesMeasuredAtOnce) {
     ASSERT_TRUE(merged) << merged.error().text();
     EXPECT_EQ(merged->places, 2U);
     const auto expected = onOneMachine();
-    for (const Json& line : mergedLines()) {
-        const Json& own = expected.at(line.at("place"));
+    for (const nlohmann::json& line : mergedLines()) {
+        const nlohmann::json& own = expected.at(line.at("place"));
         EXPECT_GT(own.at("baseline").at("duration_min"), 0) << "shadow is there to be measured";
         EXPECT_EQ(line, own);
     }
@@ -124,7 +124,7 @@ TEST_F(TimelinePlan, APlaceIsMeasuredWholeWhereItsBoxReachesBeyondTheRegion) {
     ASSERT_TRUE(merge(made));
     const auto expected = onOneMachine();
     ASSERT_EQ(mergedLines().size(), 1U);
-    const Json line = mergedLines().front();
+    const nlohmann::json line = mergedLines().front();
     EXPECT_EQ(line.at("place"), "Long Meadow");
     EXPECT_EQ(line.at("area_m2"), expected.at("Long Meadow").at("area_m2"));
 }
