@@ -21,6 +21,7 @@
 #include "app/gui/docks/places/places_dock.h"
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/docks/study_form/study_dock.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/answers_window.h"
 
@@ -440,13 +441,48 @@ TEST_F(SunByPlaceWindow, ASavedAnswerComesBack) {
     const auto measured = sun();
     keep("Sunny");
     workbench().showStudyAgain();
-    EXPECT_FALSE(sun()) << "another answer is in front";
+    EXPECT_FALSE(window->panel().results().showsPlaces()) << "another answer is in front";
     showSaved("Sunny");
     ASSERT_TRUE(sun());
     ASSERT_EQ(sun()->baseline.places, measured->baseline.places);
     EXPECT_NEAR(sun()->baseline.sun[0].meanHours, measured->baseline.sun[0].meanHours, 1e-4);
     EXPECT_FALSE(dock().view()->marked);
     EXPECT_EQ(window->panel().legend().legend()->title, QStringLiteral("Sun by place"));
+}
+
+TEST_F(SunByPlaceWindow, WhileTheStudyIsShownThePlacesAreSetAside) {
+    study();
+    measure();
+    const auto measured = sun();
+    workbench().showStudyAgain();
+    EXPECT_EQ(sun(), measured) << "the table stays";
+    EXPECT_FALSE(window->panel().results().showsPlaces());
+    EXPECT_FALSE(field<QSlider>("placesSlider").isEnabled()) << "the answer states its threshold";
+    QTest::mouseClick(&field<QPushButton>("placesReturn"), Qt::LeftButton);
+    EXPECT_EQ(sunOf(workbench().answer()), measured);
+    EXPECT_TRUE(window->panel().results().showsPlaces());
+    EXPECT_FALSE(field<QPushButton>("placesReturn").isVisibleTo(&dock()));
+    EXPECT_TRUE(field<QSlider>("placesSlider").isEnabled());
+}
+
+TEST_F(SunByPlaceWindow, MeasuringAllScenariosLeavesThePlacesInFront) {
+    measure();
+    chooseDays(1);
+    workbench().measureAll();
+    ASSERT_TRUE(waitFor([&] { return workbench().measuredScenarios().size() == 2; }));
+    EXPECT_TRUE(sunOf(workbench().answer()));
+}
+
+// Without another result there is nothing to return to: the list has the hidden one all the same.
+TEST_F(SunByPlaceWindow, AHiddenAnswerIsInTheListOfAnswers) {
+    measure();
+    workbench().showStudyAgain();
+    auto& list = field<QComboBox>("answers");
+    ASSERT_EQ(list.count(), 1);
+    EXPECT_FALSE(list.isHidden());
+    EXPECT_EQ(list.currentIndex(), -1);
+    Q_EMIT list.activated(0);
+    EXPECT_TRUE(window->panel().results().showsPlaces());
 }
 
 // Its cells are not saved: the map and the count follow the threshold, shares of the area cannot.

@@ -282,7 +282,7 @@ void MainWindow::connectDocks() {
         if (!place.empty() && docks_.contributions->isInFront()) contributions_.choose(place);
     });
     connect(&display_, &ResultDisplay::chosen, this, [this] { showDock(docks_.results); });
-    connect(&display_, &ResultDisplay::answerCame, this, &MainWindow::showAnswerPanel);
+    connect(&workbench_, &Workbench::ran, this, &MainWindow::showAnswerPanel);
     docks_.results->setActions(results_.saveResult(), scenarios_.compareAction(), results_.exportAction());
     connect(&panel_->legend(), &LegendStrip::shownChosen, this, [this] { view_.rememberShown(); });
     connect(docks_.results, &ResultsDock::commandWanted, this, [this] {
@@ -529,6 +529,7 @@ void MainWindow::showProject() {
     opening_.showGuesses();
     hideAnswerPanels();
     study_.repeatSaved();
+    if (workbench_.running().busy()) showAnswerPanel();  // what was shown when it was saved
     recovery_.offer();
     if (mode_.mode() == ViewMode::exploration) time_.showPresent();
 }

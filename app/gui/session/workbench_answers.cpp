@@ -258,7 +258,8 @@ void Workbench::adoptStudies(Result<std::vector<Measured>> made) {
         remember(study, !again_);
         answerSeconds_ = study.answer->seconds();
     }
-    putInFront(nullptr);
+    const bool staysInFront = made->size() > 1 && sunOf(front_);  // the table of scenarios has the studies
+    putInFront(staysInFront ? front_ : nullptr);
     if (!again_) Q_EMIT ran();
     reportAll(*made);
 }

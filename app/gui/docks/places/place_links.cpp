@@ -25,7 +25,12 @@ PlaceLinks::PlaceLinks(Workbench& workbench, const ResultDisplay& display, Place
         follow();
         if (sunOf(workbench_.answer())) Q_EMIT dockWanted();
     });
-    connect(&dock_, &PlacesDock::viewChanged, this, [this] { panel_.results().setPlaces(dock_.view()); });
+    connect(&workbench_, &Workbench::projectOpened, this, [this] {
+        if (!isDisplayed_) kept_ = {};
+        follow();
+    });
+    connect(&dock_, &PlacesDock::returnWanted, this, &PlaceLinks::showKept);
+    connect(&dock_, &PlacesDock::viewChanged, this, &PlaceLinks::paint);
     connect(&panel_.legend(), &LegendStrip::choiceChanged, this,
             [this] { dock_.setColours(panel_.legend().choice()); });
     connect(&dock_, &PlacesDock::pointedAt, this, [this](std::size_t place) {
@@ -45,9 +50,28 @@ void PlaceLinks::follow() {
     const auto past = workbench_.answer() ? nullptr : workbench_.past();
     const auto answer = past ? past : workbench_.answer();
     const auto sun = sunOf(answer);
-    const bool outdated = past || isAged(answer);
-    dock_.show(sun, outdated ? tr("Outdated: buildings have changed") : QString(), outdated);
-    panel_.results().setPlaces(dock_.view());
+    isDisplayed_ = sun != nullptr;
+    if (sun) keep(sun);
+    const bool isKeptAged = kept_.measured && workbench_.isOutdated(*kept_.measured);
+    const bool outdated = sun ? past || isAged(answer) : isKeptAged;
+    dock_.setAside(isDisplayed_ || !kept_.sun ? QString() : nameOfKept());
+    dock_.show(kept_.sun, outdated ? tr("Outdated: buildings have changed") : QString(), outdated);
+    paint();
+}
+
+void PlaceLinks::paint() { panel_.results().setPlaces(isDisplayed_ ? dock_.view() : nullptr); }
+
+void PlaceLinks::keep(std::shared_ptr<const SunOfCities> sun) {
+    kept_ = {std::move(sun), workbench_.measuredShown(), workbench_.savedName()};
+}
+
+QString PlaceLinks::nameOfKept() const {
+    return QString::fromStdString(kept_.measured ? kept_.measured->name() : kept_.saved);
+}
+
+void PlaceLinks::showKept() {
+    if (kept_.measured) return workbench_.showMeasured(*kept_.measured);
+    if (!kept_.saved.empty()) workbench_.showSaved(kept_.saved);
 }
 
 const std::string& PlaceLinks::nameOf(std::size_t place) const {

@@ -2,16 +2,20 @@
 
 #include <QObject>
 #include <QPointF>
+#include <memory>
 
 namespace noonmark {
 
+class MeasuredAnswer;
 class PlacesDock;
 class ResultDisplay;
+struct SunOfCities;
 class ViewPanel;
 class Workbench;
 
 /// Shows the workbench's answer about sun by place in its table and in the view, new or saved, and connects
-/// both: the current row is outlined in the view, a click on a place selects its row.
+/// both: the current row is outlined in the view, a click on a place selects its row. While another answer is
+/// displayed the table stays, set aside, and brings its own back.
 class PlaceLinks final : public QObject {
     Q_OBJECT
 public:
@@ -26,12 +30,24 @@ Q_SIGNALS:
 
 private:
     void follow();
+    void paint();
+    void keep(std::shared_ptr<const SunOfCities> sun);
+    [[nodiscard]] QString nameOfKept() const;
+    void showKept();
     void click(QPointF pixel);
     [[nodiscard]] const std::string& nameOf(std::size_t place) const;
 
     Workbench& workbench_;
     PlacesDock& dock_;
     ViewPanel& panel_;
+    /// The answer about places that was displayed last: in this session, or a saved one of this name.
+    struct Kept {
+        std::shared_ptr<const SunOfCities> sun;
+        std::shared_ptr<const MeasuredAnswer> measured;
+        std::string saved;
+    };
+    Kept kept_;
+    bool isDisplayed_ = false;  ///< by the view and the results
 };
 
 }  // namespace noonmark

@@ -101,6 +101,9 @@ int widthOfNames(const QTreeView& table, const QModelIndex& parent = {}) {
 
 PlacesDock::PlacesDock(QWidget* parent)
     : QWidget(parent),
+      aside_(new QLabel),
+      return_(pushButton(tr("Show it"), "placesReturn",
+                         tr("Shows this answer in the view and in the results again"))),
       model_(new PlaceSunModel(this)),
       filter_(new PlaceSunFilter(this)),
       count_(new QLabel),
@@ -134,12 +137,32 @@ void PlacesDock::placeFields() {
     listed_->setObjectName(QStringLiteral("placesListed"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
+    column->addWidget(makeAside());
     column->addWidget(count_);
     column->addLayout(lowRow({{shown_, 1}, {makeThreshold(), 1}}));
     column->addWidget(makeFilters());
     column->addWidget(table_, 1);
     column->addLayout(lowRow({{listed_, 1}, {contributors_, 0}}));
     contributors_->setEnabled(false);
+}
+
+QWidget* PlacesDock::makeAside() {
+    aside_->setObjectName(QStringLiteral("placesAside"));
+    aside_->setWordWrap(true);
+    connect(return_, &QPushButton::clicked, this, &PlacesDock::returnWanted);
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(aside_, 1);
+    line->addWidget(return_);
+    row->hide();
+    return row;
+}
+
+void PlacesDock::setAside(const QString& name) {
+    aside_->setText(name.isEmpty() ? QString() : tr("The view shows another result than %1").arg(name));
+    aside_->parentWidget()->setHidden(name.isEmpty());
+    enableThreshold();
 }
 
 QWidget* PlacesDock::makeThreshold() {
@@ -361,11 +384,15 @@ void PlacesDock::colour() {
                       [this, what](glm::dvec2 point) { return describeAt(point, what); }});
     }
     table_->viewport()->update();
-    const bool ofHours = shown().what != ShownSun::What::change;
-    for (QWidget* field : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(threshold_)})
-        field->setEnabled(model_->sun() && ofHours);
+    enableThreshold();
     describeCount();
     Q_EMIT viewChanged();
+}
+
+void PlacesDock::enableThreshold() {
+    const bool ofHours = shown().what != ShownSun::What::change;
+    for (QWidget* field : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(threshold_)})
+        field->setEnabled(model_->sun() && ofHours && aside_->text().isEmpty());
 }
 
 QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown) const {

@@ -27,6 +27,9 @@ public:
 
     /// Null: none. `note`: stands beside the legend instead of the error; `outdated`: as a warning.
     void show(std::shared_ptr<const SunOfCities> sun, const QString& note, bool outdated);
+    /// Not empty: the view shows something else than this answer, whose name it is; its threshold stays as
+    /// the answer states it.
+    void setAside(const QString& name);
     void setColours(const LegendChoice& choice);  ///< those that the user chose for legends
     void select(std::size_t place);               ///< without wanted(); a filter that hides it is emptied
     /// What the view shows of it; null: nothing.
@@ -39,6 +42,7 @@ public:
 Q_SIGNALS:
     /// Double click, or the button below the table: what buildings take from the place is to be shown.
     void contributorsWanted(std::size_t place);
+    void returnWanted();                 ///< the answer set aside is to be shown again
     void viewChanged();                  ///< view()
     void pointedAt(std::size_t place);   ///< the current row
     void wanted(std::size_t place);      ///< a click on its row, or Enter
@@ -47,6 +51,7 @@ Q_SIGNALS:
 private:
     void placeFields();
     QWidget* makeThreshold();
+    QWidget* makeAside();
     QWidget* makeFilters();
     void makeTable();
     void connectFields();
@@ -56,6 +61,7 @@ private:
     void showWordsLast();
     void follow(double hours);
     void colour();
+    void enableThreshold();
     void describeCount();
     [[nodiscard]] bool hasSun(std::optional<std::size_t> place) const;
     [[nodiscard]] bool isCounted(std::size_t place) const;  ///< of the kind that is listed
@@ -65,6 +71,8 @@ private:
     [[nodiscard]] QString describeError(const ShownSun& shown) const;
     [[nodiscard]] QString describeAt(glm::dvec2 point, const ShownSun& shown) const;
 
+    QLabel* aside_;
+    QPushButton* return_;
     PlaceSunModel* model_;
     PlaceSunFilter* filter_;
     QLabel* count_;

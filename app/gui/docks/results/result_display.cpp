@@ -66,7 +66,7 @@ void ResultDisplay::showCity() {
     update();
 }
 
-void ResultDisplay::forget() { anyShown_ = agedShown_ = false; }
+void ResultDisplay::forget() { anyShown_ = false; }
 
 void ResultDisplay::setHint(const QString& hint) { places_.figures.setHint(hint); }
 
@@ -74,16 +74,13 @@ void ResultDisplay::showAnswered() {
     const auto answer = workbench_.answer();
     if (contentOf<SavedContent>(answer)) mode_.showStudies();
     place_.reset();
-    const bool isRepeated = agedShown_;
     show();
-    if (!isRepeated) Q_EMIT answerCame();
     if (answer && answer->points()) Q_EMIT elementsShown();
     if (answer && !answer->question().ofRun) Q_EMIT chosen();
 }
 
 void ResultDisplay::show() {
     const auto answer = workbench_.answer();
-    agedShown_ = !answer && workbench_.past();
     if (!answer) return showPast();
     showInView(viewerOf(*answer).layer ? answer : workbench_.behind());
     showFigures(answer);

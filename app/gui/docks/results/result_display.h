@@ -49,8 +49,7 @@ Q_SIGNALS:
     void updated();                                     ///< the answer, or what is stated about it
     void elementsShown();                               ///< an answer of points: its table should be visible
     void contributorsWanted(const std::string& place);  ///< what buildings take from it is to be shown
-    void answerCame();  ///< to a question of the user's, not to one repeated because buildings changed
-    void chosen();      ///< an answer beside those of Run, asked for just now: its figures should be visible
+    void chosen();  ///< an answer beside those of Run, asked for just now: its figures should be visible
 
 private:
     void showAnswered();
@@ -75,7 +74,6 @@ private:
     const EditPreview& preview_;
     Places places_;
     std::vector<std::function<void()>> listed_;  ///< shows the answers of the list, in its order
-    bool agedShown_ = false;                     ///< the figures are those of buildings that have changed
     bool anyShown_ = false;
     StudySettings settings_;
     ShownAs shown_ = ShownAs::shadow;   ///< what the figures tell of

@@ -125,6 +125,7 @@ ResultsDock::ResultsDock(QWidget* parent)
     answers_->setObjectName(QStringLiteral("answers"));
     answers_->setToolTip(tr("The answers of this session and those saved in the project, newest first"));
     answers_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    answers_->setPlaceholderText(tr("Show an earlier result"));
     setAnswers({}, -1);
     connect(answers_, &QComboBox::activated, this, &ResultsDock::answerChosen);
     connect(back_, &QPushButton::clicked, this, &ResultsDock::studyWanted);
@@ -177,7 +178,7 @@ void ResultsDock::setAnswers(const QStringList& names, int shown) {
     answers_->clear();
     answers_->addItems(names);
     answers_->setCurrentIndex(shown);
-    answers_->setVisible(names.size() > 1);
+    answers_->setVisible(names.size() > 1 || (!names.isEmpty() && shown < 0));
 }
 
 void ResultsDock::addSection(QWidget* section) {
