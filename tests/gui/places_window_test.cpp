@@ -1,4 +1,5 @@
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -143,6 +144,8 @@ TEST_F(PlacesWindow, PlacesAreNamedInTheViewAndOneIsZoomedTo) {
 TEST_F(PlacesWindow, OnlyChosenPlacesAndThatUnderTheCursorHaveOutlines) {
     read(polygonFile());
     PlaceMarks& marks = window->panel().view().places();
+    EXPECT_EQ(marks.outlined(), places().size()) << "they were just read";
+    window->places().outlinesAction()->setChecked(false);
     EXPECT_EQ(marks.outlined(), 0U);
     marks.hover(0);
     EXPECT_EQ(marks.outlined(), 1U);
@@ -250,6 +253,38 @@ TEST_F(PlacesWindow, AFileWithoutPolygonsIsRefused) {
     read(bad.fileName());
     EXPECT_TRUE(places().empty());
     EXPECT_FALSE(message().isEmpty());
+}
+
+// Nobody but the user knows whether houses or lawns are the places.
+TEST_F(PlacesWindow, OfSeveralLayersWithoutKindsOneIsAskedFor) {
+    const auto folderOf = [](const char* name, double west) {
+        return QStringLiteral(
+                   "<Folder><name>%1</name><Placemark><name>%1 1</name><Polygon><outerBoundaryIs>"
+                   "<LinearRing><coordinates>%2,40.7605 %3,40.7605 %3,40.7612 %2,40.7612 "
+                   "%2,40.7605</coordinates></LinearRing></outerBoundaryIs></Polygon>"
+                   "</Placemark></Folder>")
+            .arg(QLatin1String(name))
+            .arg(west, 0, 'f', 4)
+            .arg(west + 0.001, 0, 'f', 4);
+    };
+    QFile file(folder.filePath(QStringLiteral("layers.kml")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QStringLiteral("<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>%1%2</Document></kml>")
+                   .arg(folderOf("houses", -73.9805), folderOf("lawns", -73.9795))
+                   .toUtf8());
+    file.close();
+    read(file.fileName());
+    EXPECT_TRUE(places().empty()) << "houses are no parks";
+    auto* layer = window->findChild<QComboBox*>(QStringLiteral("placeLayer"));
+    auto* kind = window->findChild<QComboBox*>(QStringLiteral("placeKind"));
+    ASSERT_TRUE(layer && kind);
+    ASSERT_EQ(layer->count(), 2);
+    layer->setCurrentIndex(1);
+    kind->setCurrentIndex(kind->findData(int(PlaceKind::schoolyard)));
+    qobject_cast<QDialog*>(layer->window())->findChild<QDialogButtonBox*>()->accepted();
+    ASSERT_TRUE(waitFor([this] { return places().size() == 1; }));
+    EXPECT_EQ(places()[0].name, "lawns 1");
+    EXPECT_EQ(places()[0].kind, PlaceKind::schoolyard);
 }
 
 TEST_F(PlacesWindow, RoadsAlongALotAreAnUndoStep) {

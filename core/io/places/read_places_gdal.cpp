@@ -194,6 +194,35 @@ Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, c
                    "Check that the file is complete, or export it again");
 }
 
+namespace {
+
+UnknownLayer describeLayer(OGRLayer& layer) {
+    UnknownLayer made{layer.GetName(), std::size_t(std::max<GIntBig>(0, layer.GetFeatureCount())), {}};
+    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
+    for (int i = 0; i < fields.GetFieldCount(); ++i)
+        if (fields.GetFieldDefn(i)->GetType() == OFTString)
+            made.textFields.emplace_back(fields.GetFieldDefn(i)->GetNameRef());
+    return made;
+}
+
+}  // namespace
+
+std::vector<UnknownLayer> listUnknownLayers(const Path& file, const PlaceSettings& settings) {
+    if (!settings.layer.empty() || !checkPlainFile(file) || findOsmFormat(file)) return {};
+    const auto dataset = openDataset(file, DatasetContent::vectors);
+    if (!dataset) return {};
+    std::vector<OGRLayer*> layers;
+    for (OGRLayer* layer : (*dataset)->GetLayers()) {
+        if (PlaceLayer::isOfProject(*layer)) return {};
+        if (isWantedLayer(*layer, false, settings)) layers.push_back(layer);
+    }
+    layers = keepStated(layers);
+    if (layers.size() < 2 || PlaceLayer::statesKinds(*layers.front())) return {};
+    std::vector<UnknownLayer> unknown;
+    for (OGRLayer* layer : layers) unknown.push_back(describeLayer(*layer));
+    return unknown;
+}
+
 bool hasStreetLines(const Path& file) {
     if (!checkPlainFile(file) || findOsmFormat(file)) return false;
     const auto dataset = openDataset(file, DatasetContent::vectors);

@@ -1,4 +1,5 @@
 #include "core/io/places/read_places.h"
+#include "core/io/places/place_layer.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -286,7 +287,14 @@ TEST_F(ReadPlaces, OfSeveralLayersTheUserNamesOne) {
     };
     const auto unknown = folder_.file("unknown.kml", kml(layer("houses", -73.98) + layer("lawns", -73.97)));
     EXPECT_THAT(readFrom(unknown).error().text(), HasSubstr("houses, lawns"));
+    const auto asked = listUnknownLayers(unknown, {});
+    ASSERT_EQ(asked.size(), 2U);
+    EXPECT_EQ(asked[1].name, "lawns");
+    EXPECT_EQ(asked[1].features, 1U);
+    EXPECT_THAT(asked[1].textFields, testing::Contains("Name"));
     EXPECT_EQ(readFrom(unknown, {.layer = "lawns"}).value().places.front().name, "lawns 1");
+    EXPECT_TRUE(listUnknownLayers(unknown, {.layer = "lawns"}).empty()) << "it is chosen";
+    EXPECT_TRUE(listUnknownLayers(folder_.file("parks.geojson", parksGeoJson), {}).empty()) << "there is one";
 }
 
 TEST_F(ReadPlaces, AFileCutOffAnywhereGivesAnErrorOrFewerPlaces) {

@@ -1,8 +1,14 @@
 #include "app/gui/frame/actions/place_actions.h"
 
+#include <QComboBox>
 #include <QCursor>
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
 #include <QMenu>
+#include <QPushButton>
 #include <algorithm>
 #include <glm/common.hpp>
 
@@ -12,6 +18,7 @@
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/project/project_dock.h"
 #include "app/gui/frame/actions/opening_actions.h"
+#include "app/gui/session/study/region_text.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/tools/editing/edit_tools.h"
 #include "app/gui/tools/photograph/photograph_actions.h"
@@ -50,6 +57,81 @@ PlaceActions::Dropped askByMenu() {
     if (chosen == places) return PlaceActions::Dropped::readPlaces;
     return chosen == city ? PlaceActions::Dropped::open : PlaceActions::Dropped::nothing;
 }
+
+QComboBox* layerField(QFormLayout& form, const QString& label, const char* name) {
+    auto* list = new QComboBox;
+    list->setObjectName(QString::fromLatin1(name));
+    form.addRow(label, list);
+    return list;
+}
+
+// Which layer holds the places, what they are and which field names them. Not modal, as the form for files
+// that are opened.
+class LayerForm final : public QDialog {
+public:
+    using Chosen = std::function<void(const PlaceSettings&)>;
+    LayerForm(std::vector<UnknownLayer> layers, PlaceSettings first, Chosen chosen, QWidget& parent)
+        : QDialog(&parent),
+          layers_(std::move(layers)),
+          settings_(std::move(first)),
+          form_(new QFormLayout(this)),
+          layer_(layerField(*form_, QObject::tr("&Layer"), "placeLayer")),
+          name_(layerField(*form_, QObject::tr("&Name"), "placeNameField")),
+          chosen_(std::move(chosen)) {
+        setAttribute(Qt::WA_DeleteOnClose);
+        fill();
+        connect(layer_, &QComboBox::currentIndexChanged, this, [this] { listNames(); });
+        auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+        buttons->button(QDialogButtonBox::Ok)->setText(QObject::tr("Read"));
+        connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+            accept();
+            chosen_(settings());
+        });
+        connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+        form_->addRow(buttons);
+    }
+
+private:
+    void fill() {
+        for (const UnknownLayer& layer : layers_)
+            layer_->addItem(QObject::tr("%1 (%2 features)")
+                                .arg(QString::fromStdString(layer.name), formatCount(layer.features)));
+        listNames();
+        if (settings_.streets) return;
+        kind_ = layerField(*form_, QObject::tr("&Kind"), "placeKind");
+        for (const PlaceKind kind : placeKinds) kind_->addItem(describeKinds(kind), int(kind));
+        kind_->setCurrentIndex(kind_->findData(int(settings_.kind)));
+    }
+
+    void listNames() {
+        name_->clear();
+        name_->addItem(QObject::tr("The usual field of names"), QString());
+        for (const std::string& field : layers_[std::size_t(layer_->currentIndex())].textFields)
+            name_->addItem(QString::fromStdString(field), QString::fromStdString(field));
+    }
+
+    [[nodiscard]] PlaceSettings settings() const {
+        PlaceSettings made = settings_;
+        made.layer = layers_[std::size_t(layer_->currentIndex())].name;
+        made.nameField = name_->currentData().toString().toStdString();
+        if (kind_ != nullptr) made.kind = PlaceKind(kind_->currentData().toInt());
+        return made;
+    }
+
+    std::vector<UnknownLayer> layers_;
+    PlaceSettings settings_;
+    QFormLayout* form_;
+    QComboBox* layer_;
+    QComboBox* name_;
+    QComboBox* kind_ = nullptr;  // null: all are streets
+    Chosen chosen_;
+};
+
+// Where layers are listed, nothing was read: one of them is to be chosen first.
+struct PlacesOrLayers {
+    PlacesRead places;
+    std::vector<UnknownLayer> layers{};
+};
 
 QString describeMoreKinds(std::size_t kinds) {
     return QObject::tr("%1 more kind(s) of notes", "", pluralNumber(kinds)).arg(formatCount(kinds));
@@ -168,7 +250,8 @@ void PlaceActions::readStreets() {
         return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
     QStringList files;
     const auto add = [&files](const QString& file) {
-        const bool hasStreets = isOsmFile(file.toStdString()) || isParkSample(file.toStdString());
+        const std::string name = file.toStdString();
+        const bool hasStreets = isOsmFile(name) || isParkSample(name) || hasStreetLines(name);
         if (hasStreets && !files.contains(file)) files << file;
     };
     for (const QString& file : workbench_.source().files) add(file);
@@ -185,17 +268,40 @@ void PlaceActions::read(const QStringList& files, const PlaceSettings& settings,
     if (files.isEmpty() || !workbench_.city()) return;
     std::vector<std::string> names;
     for (const QString& file : files) names.push_back(file.toStdString());
-    reading_.start<PlacesRead>(
+    reading_.start<PlacesOrLayers>(
         tr("Reading places"),
-        [names, settings, frame = workbench_.city()->city().frame](Progress& progress,
-                                                                   const std::stop_token& stop) {
-            return isParkSample(names.front()) ? loadCityPlaces(names, settings, frame, progress, stop)
-                                               : loadPlaceFiles(names, settings, frame, {}, progress, stop);
+        [names, settings, frame = workbench_.city()->city().frame](
+            Progress& progress, const std::stop_token& stop) -> Result<PlacesOrLayers> {
+            const bool isSample = isParkSample(names.front());
+            if (names.size() == 1 && !isSample)
+                if (auto layers = listUnknownLayers(names.front(), settings); !layers.empty())
+                    return PlacesOrLayers{{}, std::move(layers)};
+            auto read = isSample ? loadCityPlaces(names, settings, frame, progress, stop)
+                                 : loadPlaceFiles(names, settings, frame, {}, progress, stop);
+            return read.map([](PlacesRead& places) { return PlacesOrLayers{std::move(places)}; });
         },
-        [this, earlier](Result<PlacesRead> read) {
-            if (read) return take(*read, earlier);
-            if (!isCancelled(read.error())) panel_.messages().showError(read.error());
+        [this, settings, earlier, file = files.front()](Result<PlacesOrLayers> read) {
+            if (read && !read->layers.empty()) return askForLayer(file, read->layers, settings, earlier);
+            if (!read && isCancelled(read.error())) return;
+            read ? take(read->places, earlier) : panel_.messages().showError(read.error());
+            if (settings.streets && (!read || read->places.places.empty())) offerFile(settings, earlier);
         });
+}
+
+// The city's own file may have no streets, though its layers might hold lines.
+void PlaceActions::offerFile(const PlaceSettings& settings, Earlier earlier) {
+    panel_.messages().offer(tr("Choose a file..."), [this, settings, earlier] {
+        read(askForPlaces(&window_, folderOfCity()), settings, earlier);
+    });
+}
+
+void PlaceActions::askForLayer(const QString& file, const std::vector<UnknownLayer>& layers,
+                               const PlaceSettings& settings, Earlier earlier) {
+    auto* form = new LayerForm(
+        layers, settings,
+        [this, file, earlier](const PlaceSettings& chosen) { read({file}, chosen, earlier); }, window_);
+    form->setWindowTitle(tr("Which layer of %1 holds the places?").arg(QFileInfo(file).fileName()));
+    form->show();
 }
 
 void PlaceActions::take(const PlacesRead& read, Earlier earlier) {
@@ -207,6 +313,7 @@ void PlaceActions::take(const PlacesRead& read, Earlier earlier) {
     Project next = join(workbench_.session().project(), read.places, added);
     const bool changes = added.added + added.replaced > 0;
     if (changes && !workbench_.session().change(std::move(next), tr("read places"))) return;
+    if (earlier == Earlier::areReplaced) outlines_->setChecked(true);  // asked for: they are to be seen
     const QString text = describePlacesRead(read.places.size(), added, read.warnings);
     read.warnings.empty() ? panel_.messages().showNote(text) : panel_.messages().showHelp(text);
 }

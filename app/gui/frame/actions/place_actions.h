@@ -8,7 +8,7 @@
 
 #include "app/gui/base/jobs/job.h"
 #include "app/gui/session/project/project_changes.h"
-#include "core/io/places/read_places.h"
+#include "core/io/places/place_layer.h"
 
 class QAction;
 class QWidget;
@@ -37,10 +37,12 @@ public:
 
     /// What becomes of the project's places of the same source: read again, they are replaced.
     enum class Earlier { areReplaced, stay };
-    /// Reads places into the open project.
+    /// Reads places into the open project. Of a single file with several layers that state no kinds of places
+    /// one is asked for.
     void read(const QStringList& files, const PlaceSettings& settings = {},
               Earlier earlier = Earlier::areReplaced);
-    /// Reads the streets of the city's OpenStreetMap files, or of files that the user chooses.
+    /// Reads the streets of the city's files: of OpenStreetMap, or layers of lines; where it has none, of
+    /// files that the user chooses.
     void readStreets();
     /// Files dropped on the window. A mesh dropped on an open city becomes a proposal, placed on the lot
     /// under `pixel` or there on the ground. Other files are opened, or, if a city is open and they may hold
@@ -67,6 +69,9 @@ private:
     void askForFiles();
     [[nodiscard]] QString folderOfCity() const;
     void addPhotograph(const QString& file);
+    void askForLayer(const QString& file, const std::vector<UnknownLayer>& layers,
+                     const PlaceSettings& settings, Earlier earlier);
+    void offerFile(const PlaceSettings& settings, Earlier earlier);
     void take(const PlacesRead& read, Earlier earlier);
     void takeDrawn(const std::vector<Footprint>& pieces);
     void add(Place place, const QString& what);
