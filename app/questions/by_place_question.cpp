@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/describe/field_values.h"
 #include "core/describe/text.h"
+#include "core/study/by_place/sun_by_place_page.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "scenarios/project/results/save_result.h"
@@ -71,7 +72,7 @@ public:
                                                ofPlaces_);
     }
 
-    [[nodiscard]] AnswerPage page(ShownAs) const override { return makePage(content()); }
+    [[nodiscard]] AnswerPage page(ShownAs show) const override { return makePage(content(), show); }
     [[nodiscard]] Result<std::string> command() const override {
         return makeRepeatCommand(content().baseline, content().compared);
     }
@@ -159,7 +160,9 @@ SavedForm savedPlaces() {
     return {[](const SavedContent& saved) {
                 return savedPlaceNames(saved.as<SavedSunByPlace>()->sun.baseline.settings.dates);
             },
-            [](const SavedContent& saved, ShownAs) { return makePage(saved.as<SavedSunByPlace>()->sun); },
+            [](const SavedContent& saved, ShownAs show) {
+                return makePage(saved.as<SavedSunByPlace>()->sun, show);
+            },
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
                const AnswerFiles& how) {
                 return writeSavedPlaces(*saved.result, saved.as<SavedSunByPlace>()->sun,

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeView>
 #include <cmath>
 #include <filesystem>
@@ -243,6 +244,41 @@ TEST_F(SunByPlaceWindow, TheLegendTakesRangeAndClassesInHours) {
     EXPECT_EQ(strip.legend()->colours->breaks, (std::vector<double>{1, 5}));
     kinds.setCurrentIndex(int(LegendClasses::Kind::continuous));
     EXPECT_EQ(strip.legend()->colours->breaks.size(), 5U) << "those of the threshold again";
+}
+
+// Sun and shadow add up to the sunlit time.
+TEST_F(SunByPlaceWindow, OneSwitchShowsMinutesOfShadowEverywhereAndStays) {
+    measure();
+    LegendStrip& strip = window->panel().legend();
+    const auto& results = *window->findChild<ResultsDock*>();
+    const auto colours = dock().view()->picture.pixels;
+    const double hours = sun()->baseline.sun[0].meanHours, possible = sun()->baseline.possibleHours;
+    const QModelIndex first = table().model()->index(0, PlaceSunModel::firstFigure);
+    EXPECT_NEAR(first.data(PlaceSunModel::valueRole).toDouble(), hours, 1e-9);
+    ASSERT_FALSE(field<QToolButton>("showShadow").isHidden());
+    EXPECT_TRUE(field<QToolButton>("showSun").isChecked()) << "it is asked for as sun";
+    field<QToolButton>("showShadow").click();
+    const QModelIndex now = table().model()->index(0, PlaceSunModel::firstFigure);
+    EXPECT_NEAR(now.data(PlaceSunModel::valueRole).toDouble(), (possible - hours) * 60, 1e-6);
+    EXPECT_TRUE(table()
+                    .model()
+                    ->headerData(PlaceSunModel::firstFigure, Qt::Horizontal)
+                    .toString()
+                    .contains(QStringLiteral("shadow, min")));
+    EXPECT_EQ(dock().view()->picture.pixels, colours) << "the same places are the dark ones";
+    EXPECT_EQ(strip.legend()->title, QStringLiteral("Shadow by place"));
+    const auto& breaks = strip.legend()->colours->breaks;
+    EXPECT_TRUE(std::ranges::is_sorted(breaks));
+    EXPECT_EQ(breaks[2], std::round((possible - 2) * 60)) << "the threshold of two hours of sun";
+    EXPECT_TRUE(results.headline().contains(QStringLiteral("in shadow for more than")))
+        << results.headline().toStdString();
+    dock().select(0);
+    EXPECT_TRUE(results.headline().contains(QStringLiteral("of shadow a day")))
+        << results.headline().toStdString();
+    EXPECT_EQ(settings.value(QStringLiteral("placesShow")).toString(), QStringLiteral("shadow"));
+    field<QToolButton>("showSun").click();
+    EXPECT_EQ(strip.legend()->title, QStringLiteral("Sun by place"));
+    EXPECT_EQ(dock().view()->picture.pixels, colours);
 }
 
 TEST_F(SunByPlaceWindow, TheColumnOfNamesIsWideEnoughForThem) {

@@ -183,11 +183,16 @@ QList<QAction*> makeSideSwitches(QMainWindow& window) {
 
 namespace {
 
-const QString shownKey = QStringLiteral("legendShow");
+const QString shownKey = QStringLiteral("legendShow"), placesShownKey = QStringLiteral("placesShow");
 
-ShownAs lastShown(const QSettings& settings) {
-    const std::string key = settings.value(shownKey).toString().toStdString();
-    return findChoice(shownChoices(), key).value_or(ShownAs::shadow);
+ShownAs lastShown(const QSettings& settings, const QString& of, ShownAs usual) {
+    const std::string key = settings.value(of).toString().toStdString();
+    return findChoice(shownChoices(), key).value_or(usual);
+}
+
+void remember(QSettings& settings, const QString& of, ShownAs shown) {
+    const std::string_view key = keyOf(shownChoices(), shown);
+    settings.setValue(of, QString::fromUtf8(key.data(), qsizetype(key.size())));
 }
 
 // The region with ground around it; of a city that is smaller than that only the city with some ground.
@@ -201,8 +206,8 @@ Box2 firstSight(const Region& region, const Box2& city) {
 }  // namespace
 
 void WindowView::rememberShown() {
-    const std::string_view key = keyOf(shownChoices(), panel_.legend().choice().show);
-    settings_.setValue(shownKey, QString::fromUtf8(key.data(), qsizetype(key.size())));
+    remember(settings_, shownKey, panel_.legend().choice().show);
+    remember(settings_, placesShownKey, panel_.legend().shownOfPlaces());
 }
 
 std::map<std::string, std::string> WindowView::toSave() const {
@@ -230,12 +235,13 @@ void WindowView::restore() { restore(workbench_.openedView()); }
 
 void WindowView::restore(const ViewState& view) {
     review_.restore(view.review);
+    panel_.legend().setShownOfPlaces(lastShown(settings_, placesShownKey, ShownAs::sun));
     if (workbench_.session().file() || &view != &workbench_.openedView()) {
         mode_.setMode(view.mode);
         panel_.legend().setMeasure(view.measure);
         panel_.legend().setChoice(view.legend);
     } else {
-        panel_.legend().setChoice({.show = lastShown(settings_)});
+        panel_.legend().setChoice({.show = lastShown(settings_, shownKey, ShownAs::shadow)});
     }
     panel_.legend().setChangeScale(view.changeScale);
     panel_.section().set(view.section);

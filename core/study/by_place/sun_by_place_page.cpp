@@ -1,3 +1,5 @@
+#include "core/study/by_place/sun_by_place_page.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -5,7 +7,6 @@
 
 #include "core/describe/text.h"
 #include "core/receivers/place_names.h"
-#include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark {
 
@@ -14,6 +15,9 @@ namespace {
 constexpr double minutesOfHour = 60;
 
 Amount hoursOf(double hours) { return {hours * minutesOfHour, FigureUnit::hours}; }
+Amount shadowOf(double sunHours, double possibleHours) {
+    return {(possibleHours - sunHours) * minutesOfHour, FigureUnit::minutes, 0};
+}
 Amount countOf(std::size_t count) { return {double(count), FigureUnit::none, 0}; }
 
 // Over the area of the places; NaN: none has a cell. `of`: NaN counts as no cell.
@@ -28,62 +32,77 @@ double meanOver(const SunByPlace& sun, Of of) {
     return area > 0 ? sum / area : SunOfPlace::none;
 }
 
-Sentence countDark(const SunByPlace& sun) {
+// How the sun of a day of the period is told.
+struct Told {
+    ShownAs show;
+    double possibleHours;
+
+    [[nodiscard]] bool isSun() const { return show == ShownAs::sun; }
+    [[nodiscard]] Amount amount(double sunHours) const {
+        return isSun() ? hoursOf(sunHours) : shadowOf(sunHours, possibleHours);
+    }
+};
+
+Sentence countDark(const SunByPlace& sun, const Told& told) {
     std::size_t dark = 0, all = 0;
     for (const SunOfPlace& place : sun.sun) {
         if (std::isnan(place.meanHours)) continue;
         ++all;
         if (place.meanHours < sun.settings.enoughHours) ++dark;
     }
-    return {NM_TEXT("%1 of %2 places have less than %3 of sun a day"),
-            {countOf(dark), countOf(all), hoursOf(sun.settings.enoughHours)}};
+    return {told.isSun() ? NM_TEXT("%1 of %2 places have less than %3 of sun a day")
+                         : NM_TEXT("%1 of %2 places lie in shadow for more than %3 a day"),
+            {countOf(dark), countOf(all), told.amount(sun.settings.enoughHours)}};
 }
 
-Sentence countDark(const SunByPlace& sun, std::size_t date) {
+Sentence countDarkOn(const SunByPlace& sun, std::size_t date, const Told& told) {
     std::size_t dark = 0, all = 0;
     for (const SunOfPlace& place : sun.sun) {
         if (date >= place.dateHours.size() || std::isnan(place.dateHours[date])) continue;
         ++all;
         if (place.dateHours[date] < sun.settings.enoughHours) ++dark;
     }
-    return {NM_TEXT("On %1, %2 of %3 places have less than %4."),
+    return {told.isSun() ? NM_TEXT("On %1, %2 of %3 places have less than %4.")
+                         : NM_TEXT("On %1, %2 of %3 places have less than %4 of sun."),
             {formatText(sun.settings.dates[date]), countOf(dark), countOf(all),
              hoursOf(sun.settings.enoughHours)}};
 }
 
 // The places with names of their own that have least and most sun; nothing of fewer than two.
-std::optional<Sentence> describeExtremes(const SunByPlace& sun) {
+std::optional<Sentence> describeExtremes(const SunByPlace& sun, const Told& told) {
     std::vector<std::size_t> named;
     for (std::size_t i = 0; i < sun.sun.size(); ++i)
         if (hasOwnName(sun.places[i]) && !std::isnan(sun.sun[i].meanHours)) named.push_back(i);
     if (named.size() < 2) return std::nullopt;
     const auto [minimum, maximum] =
         std::ranges::minmax(named, {}, [&](std::size_t i) { return sun.sun[i].meanHours; });
-    return Sentence{NM_TEXT("%1 has the least sun, %2 a day, and %3 the most, %4."),
-                    {sun.places[minimum].name, hoursOf(sun.sun[minimum].meanHours), sun.places[maximum].name,
-                     hoursOf(sun.sun[maximum].meanHours)}};
+    return Sentence{told.isSun() ? NM_TEXT("%1 has the least sun, %2 a day, and %3 the most, %4.")
+                                 : NM_TEXT("%1 has the most shadow, %2 a day, and %3 the least, %4."),
+                    {sun.places[minimum].name, told.amount(sun.sun[minimum].meanHours),
+                     sun.places[maximum].name, told.amount(sun.sun[maximum].meanHours)}};
 }
 
-Sentence describeMean(const SunByPlace& sun) {
-    return {NM_TEXT("On average over their area %1 a day, of %2 without any shadow."),
-            {hoursOf(meanOver(sun, [&](std::size_t i) { return sun.sun[i].meanHours; })),
+Sentence describeMean(const SunByPlace& sun, const Told& told) {
+    return {told.isSun() ? NM_TEXT("On average over their area %1 a day, of %2 without any shadow.")
+                         : NM_TEXT("On average over their area %1 of shadow a day, of %2 of daylight."),
+            {told.amount(meanOver(sun, [&](std::size_t i) { return sun.sun[i].meanHours; })),
              hoursOf(sun.possibleHours)}};
 }
 
 // What wanted shade leaves of the sun.
-std::vector<Sentence> describeWithTrees(const SunByPlace& sun) {
+std::vector<Sentence> describeWithTrees(const SunByPlace& sun, const Told& told) {
     std::vector<Sentence> sentences;
     for (const SunWithTrees& with : sun.withTrees) {
         const double hours = meanOver(sun, [&](std::size_t i) { return with.sun[i].meanHours; });
         sentences.push_back({with.column == TreeColumns::evergreen
                                  ? NM_TEXT("With trees as evergreens it is %1 a day.")
                                  : NM_TEXT("With trees that lose their leaves by season it is %1 a day."),
-                             {hoursOf(hours)}});
+                             {told.amount(hours)}});
     }
     return sentences;
 }
 
-Sentence describeLosses(const ComparedSun& compared) {
+Sentence describeLosses(const ComparedSun& compared, const Told& told) {
     constexpr double minuteHours = 1.0 / 60;  // less is left to the table
     std::size_t losing = 0;
     double largest = 0;
@@ -91,7 +110,9 @@ Sentence describeLosses(const ComparedSun& compared) {
         if (change.meanHours < -minuteHours) ++losing;
         largest = std::fmax(largest, change.maxLossMin);
     }
-    return {NM_TEXT("%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot."),
+    return {told.isSun()
+                ? NM_TEXT("%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot.")
+                : NM_TEXT("%1 adds more than a minute of shadow a day to %2 places, at most %3 at one spot."),
             {compared.sun.name, countOf(losing), Amount{largest, FigureUnit::minutes}}};
 }
 
@@ -126,6 +147,24 @@ Bars monthBars(const SunOfCities& sun, const HoursOf& hoursOf) {
     return bars;
 }
 
+double possibleIn(const SunByPlace& sun, std::size_t month) {
+    const auto wanted = parseMonth(sun.months[month]);
+    return possibleHoursOn(sun,
+                           [wanted](const CivilDate& day) { return day.year() / day.month() == wanted; });
+}
+
+// As minutes of shadow where the days of the months are known.
+Bars toldBars(Bars hours, const SunOfCities& sun, const Told& told) {
+    if (told.isSun() || sun.baseline.months.empty() || std::isnan(possibleIn(sun.baseline, 0))) return hours;
+    hours.title = NM_TEXT("Minutes of shadow a day by month");
+    for (std::size_t month = 0; month < hours.groups.size(); ++month) {
+        hours.groups[month].tone = BarTone::amount;
+        for (double& value : hours.groups[month].values)
+            value = shadowOf(value, possibleIn(sun.baseline, month)).value;
+    }
+    return hours;
+}
+
 // In minutes, as the table and the map state changes.
 Bars changesInMinutes(const Bars& hours, std::string_view title) {
     Bars changes = changesOf(hours, title);
@@ -134,9 +173,10 @@ Bars changesInMinutes(const Bars& hours, std::string_view title) {
     return changes;
 }
 
-std::vector<Bars> monthCharts(const SunOfCities& sun, const Bars& months) {
-    if (sun.compared.empty()) return {months};
-    return {months, changesInMinutes(months, NM_TEXT("Change of the minutes of sun a day by month"))};
+std::vector<Bars> monthCharts(const SunOfCities& sun, const Bars& months, const Told& told) {
+    if (sun.compared.empty()) return {toldBars(months, sun, told)};
+    return {toldBars(months, sun, told),
+            changesInMinutes(months, NM_TEXT("Change of the minutes of sun a day by month"))};
 }
 
 std::vector<std::size_t> listMostChanged(const SunOfCities& sun) {
@@ -172,10 +212,11 @@ Bars placeBars(const SunOfCities& sun) {
 }
 
 // Of several cities side by side, each with what changes against the baseline.
-std::vector<Bars> chartsOf(const SunOfCities& sun) {
-    std::vector<Bars> charts = monthCharts(sun, monthBars(sun, [](const SunByPlace& city, std::size_t month) {
-                                               return monthHours(city, month);
-                                           }));
+std::vector<Bars> chartsOf(const SunOfCities& sun, const Told& told) {
+    std::vector<Bars> charts = monthCharts(
+        sun,
+        monthBars(sun, [](const SunByPlace& city, std::size_t month) { return monthHours(city, month); }),
+        told);
     if (sun.compared.empty()) return charts;
     charts.push_back(placeBars(sun));
     charts.push_back(
@@ -202,22 +243,23 @@ std::vector<Sentence> judgeCities(const SunOfCities& sun) {
               inMinutes(meanLossMin(*maximum))}}};
 }
 
-Sentence headlineOf(const std::string& name, const SunOfPlace& of, double enoughHours) {
+Sentence headlineOf(const std::string& name, const SunOfPlace& of, double enoughHours, const Told& told) {
     if (std::isnan(of.meanHours)) return {NM_TEXT("%1: no open ground was measured"), {name}};
-    return {
-        NM_TEXT("%1: %2 of sun a day; %3 of its area has %4 or more"),
-        {name, hoursOf(of.meanHours), Amount{of.enoughShare, FigureUnit::share, 0}, hoursOf(enoughHours)}};
+    return {told.isSun() ? NM_TEXT("%1: %2 of sun a day; %3 of its area has %4 or more")
+                         : NM_TEXT("%1: %2 of shadow a day; %3 of its area has %4 of sun or more"),
+            {name, told.amount(of.meanHours), Amount{of.enoughShare, FigureUnit::share, 0},
+             hoursOf(enoughHours)}};
 }
 
-std::vector<Sentence> describeWithTrees(const SunByPlace& sun, std::size_t place) {
+std::vector<Sentence> describeWithTrees(const SunByPlace& sun, std::size_t place, const Told& told) {
     std::vector<Sentence> sentences;
     for (const SunWithTrees& with : sun.withTrees)
         sentences.push_back(
             {with.column == TreeColumns::evergreen
                  ? NM_TEXT("With trees as evergreens: %1; %2 of its area has %3 or more.")
                  : NM_TEXT("With trees that lose their leaves by season: %1; %2 of its area has %3 or more."),
-             {hoursOf(with.sun[place].meanHours), Amount{with.sun[place].enoughShare, FigureUnit::share, 0},
-              hoursOf(sun.settings.enoughHours)}});
+             {told.amount(with.sun[place].meanHours),
+              Amount{with.sun[place].enoughShare, FigureUnit::share, 0}, hoursOf(sun.settings.enoughHours)}});
     return sentences;
 }
 
@@ -227,42 +269,65 @@ Sentence describeDate(const SunByPlaceSettings& settings, const SunOfPlace& of, 
              Amount{of.belowShare[date], FigureUnit::share, 0}, hoursOf(settings.enoughHours)}};
 }
 
-Sentence describeChange(const ComparedSun& compared, std::size_t place) {
+Sentence describeChange(const ComparedSun& compared, std::size_t place, const Told& told) {
     const SunChange& change = compared.changes[place];
     const double lossMin = -minutesOfHour * change.meanHours;
     if (lossMin < 0)
-        return {NM_TEXT("%1 gives it %2 of sun a day, at most %3 at one spot."),
+        return {told.isSun() ? NM_TEXT("%1 gives it %2 of sun a day, at most %3 at one spot.")
+                             : NM_TEXT("%1 spares it %2 of shadow a day, at most %3 at one spot."),
                 {compared.sun.name, inMinutes(-lossMin), inMinutes(change.maxGainMin)}};
-    return {NM_TEXT("%1 takes %2 of sun a day from it, at most %3 at one spot."),
+    return {told.isSun() ? NM_TEXT("%1 takes %2 of sun a day from it, at most %3 at one spot.")
+                         : NM_TEXT("%1 adds %2 of shadow a day to it, at most %3 at one spot."),
             {compared.sun.name, inMinutes(lossMin), inMinutes(change.maxLossMin)}};
 }
 
 }  // namespace
 
-AnswerPage makePage(const SunOfCities& sun) {
+double possibleHoursOn(const SunByPlace& sun, const std::function<bool(const CivilDate&)>& has) {
+    std::size_t steps = 0, days = 0;
+    for (const SunDay& day : sun.daylight.days) {
+        if (!has(day.date)) continue;
+        steps += day.count;
+        ++days;
+    }
+    return days == 0 ? SunOfPlace::none
+                     : double(steps) * sun.daylight.stepMinutes / minutesOfHour / double(days);
+}
+
+AnswerPage makePage(const SunOfCities& sun) { return makePage(sun, ShownAs::sun); }
+
+AnswerPage makePage(const SunOfCities& sun, std::size_t place) { return makePage(sun, place, ShownAs::sun); }
+
+AnswerPage makePage(const SunOfCities& sun, ShownAs show) {
     const SunByPlace& shown = shownCity(sun);
-    AnswerPage page{countDark(shown), {describeMean(shown)}, chartsOf(sun)};
-    for (Sentence& sentence : describeWithTrees(shown)) page.findings.push_back(std::move(sentence));
+    const Told told{show, sun.baseline.possibleHours};
+    AnswerPage page{countDark(shown, told), {describeMean(shown, told)}, chartsOf(sun, told)};
+    for (Sentence& sentence : describeWithTrees(shown, told)) page.findings.push_back(std::move(sentence));
     for (Sentence& sentence : judgeCities(sun)) page.findings.push_back(std::move(sentence));
-    for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeLosses(compared));
+    for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeLosses(compared, told));
     for (std::size_t date = 0; date < shown.settings.dates.size(); ++date)
-        page.findings.push_back(countDark(shown, date));
-    if (const auto extremes = describeExtremes(shown)) page.findings.push_back(*extremes);
+        page.findings.push_back(countDarkOn(shown, date, told));
+    if (const auto extremes = describeExtremes(shown, told)) page.findings.push_back(*extremes);
     return page;
 }
 
-AnswerPage makePage(const SunOfCities& sun, std::size_t place) {
+AnswerPage makePage(const SunOfCities& sun, std::size_t place, ShownAs show) {
     const SunByPlace& shown = shownCity(sun);
     const SunOfPlace& of = shown.sun[place];
-    AnswerPage page{headlineOf(shown.places[place].name, of, shown.settings.enoughHours)};
+    const Told told{show, sun.baseline.possibleHours};
+    AnswerPage page{headlineOf(shown.places[place].name, of, shown.settings.enoughHours, told)};
     if (std::isnan(of.meanHours)) return page;
-    for (Sentence& sentence : describeWithTrees(shown, place)) page.findings.push_back(std::move(sentence));
-    for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeChange(compared, place));
+    for (Sentence& sentence : describeWithTrees(shown, place, told))
+        page.findings.push_back(std::move(sentence));
+    for (const ComparedSun& compared : sun.compared)
+        page.findings.push_back(describeChange(compared, place, told));
     for (std::size_t date = 0; date < of.dateHours.size(); ++date)
         page.findings.push_back(describeDate(shown.settings, of, date));
-    page.charts = monthCharts(sun, monthBars(sun, [place](const SunByPlace& city, std::size_t month) {
-                                  return monthHours(city.sun[place], month);
-                              }));
+    page.charts =
+        monthCharts(sun,
+                    monthBars(sun, [place](const SunByPlace& city,
+                                           std::size_t month) { return monthHours(city.sun[place], month); }),
+                    told);
     return page;
 }
 

@@ -131,9 +131,9 @@ void ContributionLinks::refresh() {
            "shade it."));
 }
 
-// Sun by place tells of sun, whatever the legend of other answers shows.
+// Sun by place has a switch of its own.
 ShownAs ContributionLinks::told() const {
-    return sunOf(workbench_.answer()) ? ShownAs::sun : panel_.legend().choice().show;
+    return sunOf(workbench_.answer()) ? panel_.legend().shownOfPlaces() : panel_.legend().choice().show;
 }
 
 void ContributionLinks::showSun() {

@@ -33,6 +33,8 @@ PlaceLinks::PlaceLinks(Workbench& workbench, const ResultDisplay& display, Place
     connect(&dock_, &PlacesDock::viewChanged, this, &PlaceLinks::paint);
     connect(&panel_.legend(), &LegendStrip::choiceChanged, this,
             [this] { dock_.setColours(panel_.legend().choice()); });
+    connect(&panel_.legend(), &LegendStrip::placesShownChanged, this,
+            [this] { dock_.setShown(panel_.legend().shownOfPlaces()); });
     connect(&dock_, &PlacesDock::pointedAt, this, [this](std::size_t place) {
         panel_.highlightPlace(nameOf(place));
         Q_EMIT chosen(place);

@@ -9,6 +9,7 @@
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/study/region_text.h"
 #include "core/receivers/place_names.h"
+#include "core/study/by_place/sun_by_place_page.h"
 
 namespace noonmark {
 
@@ -40,6 +41,20 @@ bool isShare(const Figure& figure) { return figure.unit == FigureUnit::share; }
 // Changes are told in minutes throughout.
 bool isChangeOfHours(const Figure& figure) { return figure.isChange && figure.unit == FigureUnit::none; }
 
+bool isHoursOfSun(const Figure& figure) {
+    return !isShare(figure) && !isChangeOfHours(figure) && figure.unit != FigureUnit::squareMetres &&
+           figure.unit != FigureUnit::minutesADay;
+}
+
+// Least sun is most shadow.
+QString shadowHeading(const Figure& figure) {
+    if (figure.key == minKey) return QObject::tr("Max shadow, min");
+    if (figure.key == maxKey) return QObject::tr("Min shadow, min");
+    return figure.key == std::string_view("hours_mean")
+               ? QObject::tr("Mean shadow, min")
+               : QObject::tr("%1: minutes of shadow").arg(translated(figure.label));
+}
+
 QString columnHeading(const Figure& figure) {
     const QString label = translated(figure.label);
     if (isChangeOfHours(figure)) return QObject::tr("%1, min").arg(label);
@@ -60,6 +75,32 @@ void PlaceSunModel::show(std::shared_ptr<const SunOfCities> sun) {
     makeColumns();
     makeNodes();
     endResetModel();
+}
+
+void PlaceSunModel::setShown(ShownAs show) {
+    if (show == show_) return;
+    beginResetModel();
+    show_ = show;
+    makeColumns();
+    makeNodes();
+    endResetModel();
+}
+
+double PlaceSunModel::possibleHours(const ShownSun& shown) const {
+    if (shown.what == ShownSun::What::period) return sun_->baseline.possibleHours;
+    const CivilDate& date = sun_->baseline.settings.dates[shown.date];
+    return possibleHoursOn(sun_->baseline, [&](const CivilDate& day) { return day == date; });
+}
+
+bool PlaceSunModel::showsSun(const ShownSun& shown) const {
+    if (show_ == ShownAs::sun) return true;
+    return shown.what != ShownSun::What::change && std::isnan(possibleHours(shown));
+}
+
+double PlaceSunModel::shownOf(double hours, const ShownSun& shown) const {
+    const bool sun = showsSun(shown);
+    if (shown.what == ShownSun::What::change) return (sun ? hours : -hours) * minutesPerHour;
+    return sun ? hours : (possibleHours(shown) - hours) * minutesPerHour;
 }
 
 void PlaceSunModel::restate(std::shared_ptr<const SunOfCities> sun) {
@@ -110,12 +151,20 @@ void PlaceSunModel::makeColumns() {
 
 void PlaceSunModel::addFigure(const Figure& figure, const std::vector<SunOfPlace>& sun) {
     const double factor = isShare(figure) ? percentOfShare : 1;
-    addColumn({columnHeading(figure),
-               translatedSentence(figure.definition),
-               isShare(figure) ? 0 : figure.shownDecimals,
-               summaryOf(figure),
-               {}},
-              [&](std::size_t i) { return figure.get(&sun[i]) * factor; });
+    const bool inShadow = isHoursOfSun(figure) && !showsSun({});
+    FigureColumn column{inShadow ? shadowHeading(figure) : columnHeading(figure),
+                        inShadow ? tr("Minutes of shadow a day: the sunlit time without the sun")
+                                 : translatedSentence(figure.definition),
+                        isShare(figure) || inShadow ? 0 : figure.shownDecimals,
+                        summaryOf(figure),
+                        {}};
+    if (inShadow && column.above != FigureColumn::Above::mean)
+        column.above = column.above == FigureColumn::Above::minimum ? FigureColumn::Above::maximum
+                                                                    : FigureColumn::Above::minimum;
+    addColumn(std::move(column), [&](std::size_t i) {
+        const double value = figure.get(&sun[i]);
+        return inShadow ? shownOf(value, {}) : value * factor;
+    });
 }
 
 // The columns of the shares, which a threshold changes.
@@ -165,12 +214,15 @@ void PlaceSunModel::addDates() {
     const SunByPlaceSettings& settings = sun_->baseline.settings;
     firstDate_ = columns_.size();
     for (std::size_t date = 0; date < settings.dates.size(); ++date) {
-        addColumn({tr("%1, h").arg(nameOf(settings.dates[date])),
-                   tr("Hours of sun on this day, mean over the place"),
-                   2,
+        const ShownSun of{ShownSun::What::date, date};
+        const bool isSun = showsSun(of);
+        addColumn({(isSun ? tr("%1, h") : tr("%1: shadow, min")).arg(nameOf(settings.dates[date])),
+                   isSun ? tr("Hours of sun on this day, mean over the place")
+                         : tr("Minutes of shadow on this day, mean over the place"),
+                   isSun ? 2 : 0,
                    {},
                    {}},
-                  [&](std::size_t i) { return sun[i].dateHours[date]; });
+                  [&](std::size_t i) { return shownOf(sun[i].dateHours[date], of); });
         addColumn({{}, {}, 0, {}, {}},
                   [&](std::size_t i) { return sun[i].belowShare[date] * percentOfShare; });
     }
@@ -180,14 +232,20 @@ void PlaceSunModel::addChanges() {
     if (sun_->compared.empty()) return;
     const ComparedSun& compared = sun_->compared.back();
     for (const Figure& figure : sunChangeFigures().rows()) {
-        const double factor = isShare(figure) ? percentOfShare : isChangeOfHours(figure) ? minutesPerHour : 1;
-        const QString meaning = isChangeOfHours(figure)
+        const bool inShadow = isChangeOfHours(figure) && show_ != ShownAs::sun;
+        const double factor = isShare(figure)           ? percentOfShare
+                              : inShadow                ? -minutesPerHour
+                              : isChangeOfHours(figure) ? minutesPerHour
+                                                        : 1;
+        const QString meaning = inShadow ? tr("Minutes of shadow a day more than in the baseline, mean over "
+                                              "the days and the place; negative: less")
+                                : isChangeOfHours(figure)
                                     ? tr("Minutes of sun a day more than in the baseline, mean over the days "
                                          "and the place; negative: less")
                                     : translatedSentence(figure.definition);
         const QString tip = tr("%1 (baseline: %2)").arg(meaning, QString::fromStdString(sun_->baseline.name));
         const int decimals = isShare(figure) ? 0 : isChangeOfHours(figure) ? 1 : figure.shownDecimals;
-        addColumn({columnHeading(figure), tip, decimals, {}, {}},
+        addColumn({inShadow ? tr("Change of shadow, min") : columnHeading(figure), tip, decimals, {}, {}},
                   [&](std::size_t i) { return figure.get(&compared.changes[i]) * factor; });
     }
 }

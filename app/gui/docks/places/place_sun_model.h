@@ -42,6 +42,12 @@ public:
     explicit PlaceSunModel(QObject* parent = nullptr);
 
     void show(std::shared_ptr<const SunOfCities> sun);  ///< null: no rows
+    /// Hours of sun, or minutes of shadow where the sunlit time of the period or date is known.
+    void setShown(ShownAs show);
+    /// Of a place, in the unit shown: hours of sun, minutes of shadow or, of a change, minutes of either.
+    [[nodiscard]] double shownOf(double hours, const ShownSun& shown) const;
+    /// Whether that is hours of sun, or more of it.
+    [[nodiscard]] bool showsSun(const ShownSun& shown) const;
     void setGrouped(bool grouped);
     /// The same places with other hours that are enough: rows, their order and what is open stay.
     void restate(std::shared_ptr<const SunOfCities> sun);
@@ -78,6 +84,7 @@ private:
         std::vector<int> children{};
         std::vector<double> values{};  ///< of a row above places
     };
+    [[nodiscard]] double possibleHours(const ShownSun& shown) const;
     void makeColumns();
     void describeEnough(double hours);
     void fillEnough(std::size_t column, const std::function<double(const SunOfPlace&)>& share);
@@ -95,6 +102,7 @@ private:
     [[nodiscard]] QString textOf(const Node& node, int column) const;
 
     std::shared_ptr<const SunOfCities> sun_;
+    ShownAs show_ = ShownAs::sun;
     bool grouped_ = false;
     std::vector<FigureColumn> columns_;
     std::size_t enough_ = 0;       ///< of the columns, the share with enough sun

@@ -73,17 +73,6 @@ QColor colourOf(const ColourScale& scale, double hours) {
     return toColour(scale.colourOf(ofChange ? hours * minutesOfHour : hours));
 }
 
-Legend legendOf(const ColourScale& scale) {
-    Legend legend{QStringLiteral(NM_TEXT("Sun by place")), QStringLiteral(NM_TEXT("hours of sun a day"))};
-    if (scale.of == ColourScale::Of::change) {
-        legend.title = QStringLiteral(NM_TEXT("Change of sun by place"));
-        legend.unit = QStringLiteral(NM_TEXT("minutes of sun a day"));
-    }
-    legend.scale = {scale.high, scale.tick};
-    legend.colours = scale;
-    return legend;
-}
-
 // Also before the table is shown: a view measures only the rows that it shows.
 int widthOfNames(const QTreeView& table, const QModelIndex& parent = {}) {
     constexpr int iconAndMargins = 30;
@@ -337,6 +326,17 @@ ShownSun PlacesDock::shown() const {
                                                       : ShownSun{ShownSun::What::change, 0};
 }
 
+void PlacesDock::setShown(ShownAs show) {
+    const QModelIndex current = filter_->mapToSource(table_->currentIndex());
+    const auto place = current.isValid() ? model_->placeOf(current.siblingAtColumn(0)) : std::nullopt;
+    model_->setShown(show);
+    if (!model_->sun()) return;
+    model_->setEnough(threshold_->value());
+    if (grouped_->isChecked()) table_->expandToDepth(0);
+    colour();
+    if (place) select(*place);
+}
+
 void PlacesDock::setColours(const LegendChoice& choice) {
     if (choice == choice_) return;
     choice_ = choice;
@@ -379,7 +379,7 @@ void PlacesDock::colour() {
         }
         model_->setColours(std::move(colours));
         view_ = std::make_shared<const PlaceView>(
-            PlaceView{picture_.coloured(pixels), legendOf(scale),
+            PlaceView{picture_.coloured(pixels), legendOf(toldScale(scale, what), what),
                       note_.isEmpty() ? describeError(what) : note_, outdated_, threshold_->value(),
                       [this, what](glm::dvec2 point) { return describeAt(point, what); }});
     }
@@ -395,12 +395,51 @@ void PlacesDock::enableThreshold() {
         field->setEnabled(model_->sun() && ofHours && aside_->text().isEmpty());
 }
 
+// The same colours for the same places: less sun is more shadow.
+ColourScale PlacesDock::toldScale(ColourScale scale, const ShownSun& shown) const {
+    if (model_->showsSun(shown)) return scale;
+    const bool ofChange = shown.what == ShownSun::What::change;
+    const auto told = [&](double one) {
+        return ofChange ? -one : std::max(0.0, std::round(model_->shownOf(one, shown)));
+    };
+    std::swap(scale.low, scale.high);
+    for (double* end : {&scale.low, &scale.high}) *end = told(*end);
+    std::ranges::reverse(scale.breaks);
+    for (double& one : scale.breaks) one = told(one);
+    scale.reversed = !scale.reversed;
+    scale.tick = (scale.high - scale.low) / 4;
+    return scale;
+}
+
+Legend PlacesDock::legendOf(const ColourScale& scale, const ShownSun& shown) const {
+    const bool isSun = model_->showsSun(shown);
+    Legend legend{
+        isSun ? QStringLiteral(NM_TEXT("Sun by place")) : QStringLiteral(NM_TEXT("Shadow by place")),
+        isSun ? QStringLiteral(NM_TEXT("hours of sun a day"))
+              : QStringLiteral(NM_TEXT("minutes of shadow a day"))};
+    if (scale.of == ColourScale::Of::change) {
+        legend.title = isSun ? QStringLiteral(NM_TEXT("Change of sun by place"))
+                             : QStringLiteral(NM_TEXT("Change of shadow by place"));
+        legend.unit = isSun ? QStringLiteral(NM_TEXT("minutes of sun a day"))
+                            : QStringLiteral(NM_TEXT("minutes of shadow a day"));
+    }
+    legend.scale = {scale.high, scale.tick};
+    legend.colours = scale;
+    return legend;
+}
+
 QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown) const {
     const auto place = picture_.placeAt(point);
     if (!place || !model_->sun()) return {};
     const QString name = QString::fromStdString(model_->sun()->baseline.places[*place].name);
     const double hours = model_->hoursOf(*place, shown);
     if (std::isnan(hours)) return tr("%1: no cell on open ground").arg(name);
+    if (!model_->showsSun(shown)) {
+        const QString minutes = groupDigits(std::abs(model_->shownOf(hours, shown)));
+        if (shown.what != ShownSun::What::change) return tr("%1: %2 min of shadow a day").arg(name, minutes);
+        return hours < 0 ? tr("%1: %2 min of shadow a day more").arg(name, minutes)
+                         : tr("%1: %2 min of shadow a day less").arg(name, minutes);
+    }
     if (shown.what == ShownSun::What::change)
         return hours < 0 ? tr("%1: %2 min of sun a day less").arg(name, groupDigits(-hours * 60))
                          : tr("%1: %2 min of sun a day more").arg(name, groupDigits(hours * 60));

@@ -31,6 +31,7 @@ public:
     /// the answer states it.
     void setAside(const QString& name);
     void setColours(const LegendChoice& choice);  ///< those that the user chose for legends
+    void setShown(ShownAs show);                  ///< hours of sun, or minutes of shadow
     void select(std::size_t place);               ///< without wanted(); a filter that hides it is emptied
     /// What the view shows of it; null: nothing.
     [[nodiscard]] std::shared_ptr<const PlaceView> view() const { return view_; }
@@ -68,6 +69,8 @@ private:
     void listed();
     [[nodiscard]] ShownSun shown() const;
     [[nodiscard]] ColourScale scaleOf(const ShownSun& shown) const;
+    [[nodiscard]] ColourScale toldScale(ColourScale scale, const ShownSun& shown) const;
+    [[nodiscard]] Legend legendOf(const ColourScale& scale, const ShownSun& shown) const;
     [[nodiscard]] QString describeError(const ShownSun& shown) const;
     [[nodiscard]] QString describeAt(glm::dvec2 point, const ShownSun& shown) const;
 

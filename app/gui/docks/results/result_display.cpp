@@ -12,6 +12,7 @@
 #include "app/gui/view/panel/result_layer.h"
 #include "app/gui/view/panel/view_presets.h"
 #include "app/questions/saved_question.h"
+#include "core/study/by_place/sun_by_place_page.h"
 
 namespace noonmark {
 
@@ -57,6 +58,7 @@ ResultDisplay::ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditP
     connect(&workbench_.session(), &ProjectSession::changed, this, &ResultDisplay::update);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &ResultDisplay::show);
     connect(&places_.legend, &LegendStrip::choiceChanged, this, &ResultDisplay::followLegend);
+    connect(&places_.legend, &LegendStrip::placesShownChanged, this, &ResultDisplay::followLegend);
     connect(&preview_, &EditPreview::shownChanged, this, &ResultDisplay::showOutdated);
 }
 
@@ -116,11 +118,11 @@ void ResultDisplay::showLayer(const std::optional<AnswerLayer>& layer, bool isSt
 }
 
 void ResultDisplay::showFigures(const std::shared_ptr<const Answer>& answer) {
-    shown_ = places_.legend.choice().show;
+    shown_ = toldOf(answer);
     const auto sun = sunOf(answer);
     if (!sun || (place_ && *place_ >= sun->baseline.places.size())) place_.reset();
     if (place_) {
-        places_.figures.show(makePage(*sun, *place_), rowsOfPlace(*answer, *sun));
+        places_.figures.show(makePage(*sun, *place_, shown_), rowsOfPlace(*answer, *sun));
         places_.figures.offerAllPlaces(sun->baseline.places.size());
     } else {
         places_.figures.show(answer->page(shown_), viewerOf(*answer).rows(*answer, shown_));
@@ -128,11 +130,15 @@ void ResultDisplay::showFigures(const std::shared_ptr<const Answer>& answer) {
     places_.figures.setWarningCount(answer->warnings().size());
 }
 
+ShownAs ResultDisplay::toldOf(const std::shared_ptr<const Answer>& answer) const {
+    return sunOf(answer) ? places_.legend.shownOfPlaces() : places_.legend.choice().show;
+}
+
 // How it was made is the same for all places.
 std::vector<ResultRow> ResultDisplay::rowsOfPlace(const Answer& answer, const SunOfCities& sun) const {
     const auto& all = answer.ofPlaces();
     const auto kept = std::ranges::find(all, sun.baseline.places[*place_].name, &KeptContributions::place);
-    auto rows = makePlaceRows(sun, *place_, kept == all.end() ? nullptr : &*kept);
+    auto rows = makePlaceRows(sun, *place_, shown_, kept == all.end() ? nullptr : &*kept);
     for (const ResultRow& row : viewerOf(answer).rows(answer, shown_))
         if (row.isMethod) rows.push_back(row);
     return rows;
@@ -160,8 +166,7 @@ void ResultDisplay::repeatFigures() {
 
 // The figures speak of shadow or of sun as the legend does.
 void ResultDisplay::followLegend() {
-    if (places_.legend.choice().show == shown_) return;
-    repeatFigures();
+    if (toldOf(workbench_.answer() ? workbench_.answer() : workbench_.past()) != shown_) repeatFigures();
 }
 
 // The measured ones, newest first, then those saved under a name, in the project's order.

@@ -26,18 +26,20 @@ std::string errorOf(const SunByPlace& sun) {
                        gross.percent(gross.maxMin));
 }
 
-std::vector<ResultRow> rowsOfPlaces(const Answer& answer, ShownAs) {
+std::vector<ResultRow> rowsOfPlaces(const Answer& answer, ShownAs show) {
     const auto& sun = *answer.as<SunOfCities>();
     const SunByPlace& baseline = sun.baseline;
-    return makeRows(PlaceFigures{sun, baseline.daylight.steps.size(), baseline.daylight.belowHorizon,
-                                 answer.seconds(), formatText(answer.settings()->period), errorOf(baseline),
-                                 baseline.field.engine});
+    return makeRows(
+        PlaceFigures{sun, baseline.daylight.steps.size(), baseline.daylight.belowHorizon, answer.seconds(),
+                     formatText(answer.settings()->period), errorOf(baseline), baseline.field.engine},
+        show);
 }
 
-std::vector<ResultRow> rowsOfSavedPlaces(const SavedContent& saved, ShownAs) {
+std::vector<ResultRow> rowsOfSavedPlaces(const SavedContent& saved, ShownAs show) {
     const auto& places = *saved.as<SavedSunByPlace>();
     return makeRows(PlaceFigures{places.sun, places.steps, places.belowHorizon, places.seconds,
-                                 saved.answer.origin.period, places.error, saved.answer.origin.engine});
+                                 saved.answer.origin.period, places.error, saved.answer.origin.engine},
+                    show);
 }
 
 QString titleOfPlaces(const Answer& answer) {
@@ -50,8 +52,21 @@ QString titleOfPlaces(const Answer& answer) {
 
 QString hoursText(double hours) { return QObject::tr("%1 h of sun a day").arg(groupDigits(hours, 2)); }
 
+// As the user wants the sun of places to be told.
+struct ToldPlaces {
+    ShownAs show;
+    double possibleHours;
+
+    [[nodiscard]] bool isSun() const { return show == ShownAs::sun; }
+    [[nodiscard]] QString text(double sunHours) const {
+        if (isSun()) return hoursText(sunHours);
+        return QObject::tr("%1 min of shadow a day").arg(groupDigits((possibleHours - sunHours) * 60));
+    }
+};
+
 // Of the place with least, or with most. Those without a name of their own only where no other has one.
-ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPlace& sun, bool maximum) {
+ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPlace& sun, bool maximum,
+                     const ToldPlaces& told) {
     std::optional<std::size_t> found;
     const bool anyNamed = std::ranges::any_of(sun.places, hasOwnName);
     for (std::size_t i = 0; i < sun.sun.size(); ++i) {
@@ -63,7 +78,7 @@ ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPla
     if (!found) return {name, QObject::tr("none"), meaning};
     return {name,
             QStringLiteral("%1\n%2").arg(QString::fromStdString(sun.places[*found].name),
-                                         hoursText(sun.sun[*found].meanHours)),
+                                         told.text(sun.sun[*found].meanHours)),
             meaning};
 }
 
@@ -74,12 +89,21 @@ QString countText(const SunByPlace& sun) {
     return without == 0 ? all : QObject::tr("%1, %2 without a cell").arg(all, formatCount(without));
 }
 
-ResultRow figureRow(const Figure& figure, const SunOfPlace& of) {
+// Least sun is most shadow.
+QString shadowLabel(const Figure& figure) {
+    return figure.key == "hours_min"   ? QObject::tr("Max shadow")
+           : figure.key == "hours_max" ? QObject::tr("Min shadow")
+                                       : QObject::tr("Mean shadow");
+}
+
+ResultRow placeFigureRow(const Figure& figure, const SunOfPlace& of, const ToldPlaces& told) {
     const double value = figure.get(&of);
     const QString text = figure.unit == FigureUnit::share ? QObject::tr("%1 %").arg(groupDigits(100 * value))
                          : figure.unit == FigureUnit::squareMetres ? describeArea(value)
-                                                                   : hoursText(value);
-    return {translated(figure.label), text, translatedSentence(figure.definition)};
+                                                                   : told.text(value);
+    const bool isHours = figure.unit != FigureUnit::share && figure.unit != FigureUnit::squareMetres;
+    return {isHours && !told.isSun() ? shadowLabel(figure) : translated(figure.label), text,
+            translatedSentence(figure.definition)};
 }
 
 ResultRow contributorRow(const Contribution& one) {
@@ -99,7 +123,7 @@ std::shared_ptr<const SunOfCities> sunOf(const std::shared_ptr<const Answer>& an
     return places ? std::shared_ptr<const SunOfCities>(saved, &places->sun) : nullptr;
 }
 
-std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place,
+std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place, ShownAs show,
                                      const KeptContributions* contributions) {
     const SunByPlace& shown = shownCity(sun);
     const SunOfPlace& of = shown.sun[place];
@@ -107,7 +131,8 @@ std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place,
     for (const std::string_view remark : listRemarks(of))
         rows.push_back({QObject::tr("Remark"), translatedSentence(remark), {}});
     if (!std::isnan(of.meanHours))
-        for (const Figure& figure : sunOfPlaceFigures().rows()) rows.push_back(figureRow(figure, of));
+        for (const Figure& figure : sunOfPlaceFigures().rows())
+            rows.push_back(placeFigureRow(figure, of, {show, sun.baseline.possibleHours}));
     if (contributions == nullptr) return rows;
     constexpr std::size_t maximum = 8;  // the panel Contributions lists all
     for (std::size_t i = 0; i < std::min(maximum, contributions->rows.size()); ++i)
@@ -124,14 +149,17 @@ const AnswerViewer& byPlaceViewer() {
     return viewer;
 }
 
-std::vector<ResultRow> makeRows(const PlaceFigures& shown) {
+std::vector<ResultRow> makeRows(const PlaceFigures& shown, ShownAs show) {
+    const ToldPlaces told{show, shown.sun.baseline.possibleHours};
     const SunByPlace& sun = shownCity(shown.sun);
     std::vector<ResultRow> rows{
         {QObject::tr("Places"), countText(sun), QObject::tr("Each is a row of the panel Places")},
         {QObject::tr("Without shadow"), hoursText(shown.sun.baseline.possibleHours),
          QObject::tr("Sun above the horizon, mean over the days")},
-        extremeRow(QObject::tr("Least sun"), QObject::tr("The place with the lowest mean"), sun, false),
-        extremeRow(QObject::tr("Most sun"), QObject::tr("The place with the highest mean"), sun, true)};
+        extremeRow(told.isSun() ? QObject::tr("Least sun") : QObject::tr("Most shadow"),
+                   QObject::tr("The place with least sun in the mean"), sun, false, told),
+        extremeRow(told.isSun() ? QObject::tr("Most sun") : QObject::tr("Least shadow"),
+                   QObject::tr("The place with most sun in the mean"), sun, true, told)};
     rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(shown.period)));
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
                              describeSteps(shown.belowHorizon)));

@@ -94,11 +94,11 @@ struct PlaceFigures {
     std::string engine;
 };
 /// How many places were measured, the sunniest and the darkest of them, and how.
-std::vector<ResultRow> makeRows(const PlaceFigures& figures);
+std::vector<ResultRow> makeRows(const PlaceFigures& figures, ShownAs show);
 
 /// One of its places: its sun, what is remarked about it, and the buildings that take most from it, where
 /// that is known: null is not.
-std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place,
+std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place, ShownAs show,
                                      const KeptContributions* contributions);
 
 /// "Jan 2026"

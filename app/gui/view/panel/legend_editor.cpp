@@ -215,11 +215,13 @@ void LegendEditor::showEnabled() {
     for (QWidget* field : {static_cast<QWidget*>(ramp_), static_cast<QWidget*>(reversed_)})
         field->setEnabled(fitted_.has_value());
     for (QWidget* field : {static_cast<QWidget*>(range_), static_cast<QWidget*>(locked_)})
-        field->setEnabled(hasClasses && !aroundZero());
+        field->setEnabled(hasClasses && !aroundZero() && hoursShown_);
     kind_->setEnabled(hasClasses);
     count_->setEnabled(hasClasses && (kind == Kind::equal || kind == Kind::quantiles));
-    breaks_->setEnabled(hasClasses && kind == Kind::breaks);
-    problem_->setText(!fitted_       ? tr("What is shown has fixed colours: there is nothing to choose")
+    breaks_->setEnabled(hasClasses && kind == Kind::breaks && hoursShown_);
+    problem_->setText(!fitted_ ? tr("What is shown has fixed colours: there is nothing to choose")
+                      : !hoursShown_
+                          ? tr("Range and numbers are hours of sun a day: switch to Sun to change them")
                       : isOfPlaces() ? tr("Range and numbers are hours of sun a day")
                       : aroundZero() ? tr("A difference has its range beside the legend; a score is fitted")
                                      : QString());

@@ -23,6 +23,8 @@ public:
     /// The choice to be edited. `fitted`: the scale of the map on display, whose range a click locks; none:
     /// the map is one of differences or of a moment, whose colours are their own.
     void setChoice(const LegendChoice& choice, const std::optional<ColourScale>& fitted);
+    /// Whether the map of places shows the hours that range and numbers are of; before setChoice().
+    void setHoursShown(bool shown) { hoursShown_ = shown; }
     void setCanUndo(bool can);
 
     /// Whether a scale is of hours of sun by place, which has no other measure.
@@ -53,6 +55,7 @@ private:
     void showEnabled();
 
     LegendChoice choice_;
+    bool hoursShown_ = true;
     std::optional<ColourScale> fitted_;
     QComboBox* show_;
     QComboBox* ramp_;

@@ -165,11 +165,32 @@ LegendStrip::LegendStrip(QWidget* parent)
 
 void LegendStrip::connectShown() {
     const auto show = [this](ShownAs as) {
+        if (isOfPlaces()) {
+            setShownOfPlaces(as);
+            return Q_EMIT shownChosen();
+        }
         const auto& colours = legend_ ? legend_->colours : std::nullopt;
         if (choice_.show != as) choose(showAs(choice_, as, colours ? colours->quantity.sunlitMin : 0));
     };
     connect(shadow_, &QToolButton::clicked, this, [show] { show(ShownAs::shadow); });
     connect(sun_, &QToolButton::clicked, this, [show] { show(ShownAs::sun); });
+}
+
+bool LegendStrip::isOfPlaces() const {
+    return legend_ && legend_->colours && LegendEditor::isOfPlaces(*legend_->colours);
+}
+
+void LegendStrip::setShownOfPlaces(ShownAs show) {
+    if (show == shownOfPlaces_) return;
+    shownOfPlaces_ = show;
+    checkShown();
+    Q_EMIT placesShownChanged();
+    updateEditor();
+}
+
+void LegendStrip::checkShown() {
+    const ShownAs show = isOfPlaces() ? shownOfPlaces_ : choice_.show;
+    (show == ShownAs::shadow ? shadow_ : sun_)->setChecked(true);
 }
 
 void LegendStrip::setChoice(const LegendChoice& choice) {
@@ -195,7 +216,7 @@ void LegendStrip::undoChoice() {
 
 void LegendStrip::takeChoice(const LegendChoice& choice) {
     choice_ = choice;
-    (choice.show == ShownAs::shadow ? shadow_ : sun_)->setChecked(true);
+    checkShown();
     Q_EMIT choiceChanged();
     updateEditor();
 }
@@ -226,6 +247,7 @@ void LegendStrip::takeKeys() {
 
 void LegendStrip::updateEditor() {
     if (!editor_) return;
+    editor_->setHoursShown(!isOfPlaces() || shownOfPlaces_ == ShownAs::sun);
     editor_->setChoice(choice_, legend_ ? legend_->colours : std::nullopt);
     editor_->setCanUndo(!before_.empty());
 }
@@ -255,9 +277,9 @@ void LegendStrip::setLegend(std::optional<Legend> legend) {
     legend_ = std::move(legend);
     scale_->setVisible(legend_ && legend_->change && !legend_->instant &&
                        legend_->colours->of == ColourScale::Of::change);
-    const bool ofPlaces = legend_ && legend_->colours && LegendEditor::isOfPlaces(*legend_->colours);
-    for (QWidget* choice : std::initializer_list<QWidget*>{measure_, shadow_, sun_})
-        choice->setHidden(ofPlaces);
+    const bool ofPlaces = isOfPlaces();
+    measure_->setHidden(ofPlaces);
+    checkShown();
     updateEditor();
     update();
 }

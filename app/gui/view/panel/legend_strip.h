@@ -44,8 +44,11 @@ public:
 
     [[nodiscard]] const LegendChoice& choice() const { return choice_; }
     void setChoice(const LegendChoice& choice);  ///< cannot be undone
-    void edit();                                 ///< opens the editor of the legend
-    void undoChoice();                           ///< does nothing if there is none to undo
+    /// How the sun by place is shown: its switch is not that of other results, since it is asked for as sun.
+    [[nodiscard]] ShownAs shownOfPlaces() const { return shownOfPlaces_; }
+    void setShownOfPlaces(ShownAs show);
+    void edit();        ///< opens the editor of the legend
+    void undoChoice();  ///< does nothing if there is none to undo
 
     [[nodiscard]] QRectF noteArea() const;      ///< the note's place; empty: no note
     [[nodiscard]] QRectF legendArea() const;    ///< beside the note
@@ -55,7 +58,8 @@ Q_SIGNALS:
     void measureChanged();
     void changeScaleChanged();
     void choiceChanged();
-    void shownChosen();  ///< the user switched between shadow and sun: choice().show
+    void placesShownChanged();  ///< shownOfPlaces()
+    void shownChosen();         ///< the user switched between shadow and sun: choice().show, shownOfPlaces()
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -69,6 +73,8 @@ private:
     [[nodiscard]] QSizeF noteRoom() const;
     void placeNote();
     void connectShown();
+    [[nodiscard]] bool isOfPlaces() const;
+    void checkShown();
     void choose(const LegendChoice& choice);
     void takeChoice(const LegendChoice& choice);
     void updateEditor();
@@ -83,6 +89,7 @@ private:
     LegendEditor* editor_ = nullptr;  ///< null until it is first opened
     ChangeScale changeScale_;
     LegendChoice choice_;
+    ShownAs shownOfPlaces_ = ShownAs::sun;
     std::vector<LegendChoice> before_;  ///< to be undone, the latest last
     QString hint_;
     QString note_;
