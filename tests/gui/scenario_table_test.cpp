@@ -123,6 +123,14 @@ struct ScenarioTableWindow : ProjectWindow {
     }
 };
 
+TEST_F(ScenarioTableWindow, WhatIsBeingComputedIsNotCalledMissing) {
+    EXPECT_EQ(text(2, "score_m2"), QStringLiteral("not scored"));
+    window->findChild<QPushButton*>(QStringLiteral("scoreAll"))->click();
+    EXPECT_EQ(text(2, "score_m2"), QStringLiteral("being scored"));
+    settle();
+    EXPECT_TRUE(hasValue(2, "score_m2")) << text(2, "score_m2").toStdString();
+}
+
 TEST_F(ScenarioTableWindow, StatesHeightAndFloorAreaOfWhatAScenarioAdds) {
     EXPECT_EQ(text(0, "height"), QString()) << "the existing city adds nothing";
     EXPECT_EQ(text(0, "floor_area"), QString());

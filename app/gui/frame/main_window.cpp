@@ -22,6 +22,7 @@
 #include "app/gui/docks/review/place_list.h"
 #include "app/gui/docks/review/review_dock.h"
 #include "app/gui/docks/scenarios/scenario_bar.h"
+#include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
 #include "app/gui/docks/search/city_search.h"
 #include "app/gui/docks/sheets/sheet_form.h"
@@ -125,6 +126,7 @@ MainWindow::MainWindow(QSettings& settings, std::shared_ptr<Workbench> workbench
     fillMenus(placeDocks(*this, docks_) + makeSideSwitches(*this));
     makeStatusBar();
     connectJobs();
+    connectScenarioJobs();
     connectWorkbench();
     connectDocks();
     connectModes();
@@ -245,9 +247,27 @@ void MainWindow::connectJobs() {
     connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {
         docks_.study->setRunning(true);
         mode_.showStudies();
+        if (!panel_->legend().legend()) panel_->legend().setHint(tr("The answer is being computed"));
     });
-    connect(&workbench_.running(), &JobSlot::ended, docks_.study,
-            [this] { docks_.study->setRunning(false); });
+    connect(&workbench_.running(), &JobSlot::ended, docks_.study, [this] {
+        docks_.study->setRunning(false);
+        if (!panel_->legend().legend()) panel_->results().show();  // with its own hint again
+    });
+}
+
+// What fills the table of scenarios is seen beside it.
+void MainWindow::connectScenarioJobs() {
+    ScenarioTable& table = docks_.scenarios->table();
+    const auto follow = [this, &table](JobSlot& slot, ScenarioWork work) {
+        docks_.scenarios->progress().follow(slot);
+        connect(&slot, &JobSlot::ended, &table, [&table, work] { table.setWorking(work, false); });
+        if (work == ScenarioWork::measuring) return;  // or it measures the displayed one alone
+        connect(&slot, &JobSlot::started, &table, [&table, work] { table.setWorking(work, true); });
+    };
+    follow(workbench_.running(), ScenarioWork::measuring);
+    follow(answers_.scoring(), ScenarioWork::scoring);
+    for (JobSlot* slot : {&review_.runningAll(), &glazingReview_.runningAll()})
+        follow(*slot, ScenarioWork::reviewing);
 }
 
 void MainWindow::connectWorkbench() {

@@ -110,6 +110,7 @@ private:
     void fillMenus(const QList<QAction*>& docks);
     void fitScreen();
     void connectJobs();
+    void connectScenarioJobs();
     void connectWorkbench();
     void connectDocks();
     void connectStudyForm();

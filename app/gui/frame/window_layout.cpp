@@ -128,7 +128,8 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", docks.results);
     QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
     QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);
-    QDockWidget* scenarios = dockOf(QObject::tr("Scenarios"), "scenariosDock", docks.scenarios);
+    QDockWidget* scenarios =
+        dockOf(QObject::tr("Scenarios"), "scenariosDock", scrolled(docks.scenarios, sideWidth));
     QDockWidget* weights = dockOf(QObject::tr("Weights"), "weightsDock", scrolled(docks.weights, sideWidth));
     QDockWidget* building =
         dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));

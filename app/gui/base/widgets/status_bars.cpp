@@ -186,7 +186,7 @@ void ProgressStrip::begin(const JobSlot& slot, Jobs jobs, const QWidget* other, 
     if (jobs == Jobs::often && shown_ && shown_ != &slot) return;
     shown_ = &slot;
     cancel_->setVisible(jobs != Jobs::whole);
-    label_->setText(what);
+    label_->setText(tr("%1: starting").arg(what));
     bar_->setValue(0);
     connect(&job, &Job::progressed, this, [this, &slot, other, what](double fraction, const QString& stage) {
         if (shown_ != &slot) return;

@@ -53,6 +53,12 @@ QString notDone(ScenarioWork work) {
                                            : ScenarioTable::tr("not measured");
 }
 
+QString beingDone(ScenarioWork work) {
+    if (work == ScenarioWork::scoring) return ScenarioTable::tr("being scored");
+    return work == ScenarioWork::reviewing ? ScenarioTable::tr("being reviewed")
+                                           : ScenarioTable::tr("being measured");
+}
+
 constexpr ScenarioWork allWork[] = {ScenarioWork::measuring, ScenarioWork::comparing, ScenarioWork::scoring,
                                     ScenarioWork::reviewing};
 
@@ -144,6 +150,12 @@ void ScenarioTable::noteFailure(const std::string& scenario, ScenarioWork work, 
     showAgain();
 }
 
+void ScenarioTable::setWorking(ScenarioWork work, bool isWorking) {
+    if (working_.contains(work) == isWorking) return;
+    isWorking ? void(working_.insert(work)) : void(working_.erase(work));
+    showAgain();
+}
+
 void ScenarioTable::forgetPast() {
     past_.clear();
     failures_.clear();
@@ -225,6 +237,7 @@ QString ScenarioTable::lackAt(const Row& row, const ScenarioColumn& column) cons
     if (!row.city) return tr("base missing");
     if (work == ScenarioWork::scoring && !basis_.hasWeights) return tr("no weights");
     if (work == ScenarioWork::reviewing && basis_.rule.empty()) return tr("no rule");
+    if (working_.contains(work)) return beingDone(work);
     if (failures_.contains({row.scenario, work})) return tr("failed");
     return past_.contains({row.scenario, work}) ? tr("out of date") : notDone(work);
 }

@@ -105,6 +105,8 @@ public:
     void setShadeWanted(bool wanted);
     /// Why the last attempt to fill these columns of a scenario failed, until it has a value.
     void noteFailure(const std::string& scenario, ScenarioWork work, const QString& error);
+    /// Whether what is missing of these columns is being computed.
+    void setWorking(ScenarioWork work, bool isWorking);
     /// Forgets which values were there before, and failures: of another project.
     void forgetPast();
 
@@ -152,6 +154,7 @@ private:
     Basis basis_;
     bool differences_ = false, shadeWanted_ = false;
     using Filled = std::pair<std::string, ScenarioWork>;
+    std::set<ScenarioWork> working_;
     std::set<Filled> past_;  ///< had a value before
     std::map<Filled, QString> failures_;
 };

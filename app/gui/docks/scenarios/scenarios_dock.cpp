@@ -17,6 +17,7 @@
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
+#include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/base/widgets/table_columns.h"
 #include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/session/answers/bar_charts.h"
@@ -180,7 +181,10 @@ QCheckBox* switchOf(const QString& text, const char* name, QSettings& settings, 
 }  // namespace
 
 ScenariosDock::ScenariosDock(ProjectSession& session, QSettings& settings, QWidget* parent)
-    : QWidget(parent), table_(new ScenarioTable(session, this)), sorted_(new QSortFilterProxyModel(this)) {
+    : QWidget(parent),
+      table_(new ScenarioTable(session, this)),
+      progress_(new ProgressStrip(QBoxLayout::TopToBottom)),
+      sorted_(new QSortFilterProxyModel(this)) {
     QTableView* view = makeView(settings);
     auto* hint = new QLabel(
         tr("Only the existing city so far. Select a building and change it, or design a tower on a lot: the "
@@ -210,6 +214,7 @@ ScenariosDock::ScenariosDock(ProjectSession& session, QSettings& settings, QWidg
     column->addWidget(makeSwitches(settings));
     column->addWidget(hint);
     column->addWidget(makeButtons());
+    column->addWidget(progress_);
     column->addWidget(charts, 1);
     connect(view, &QTableView::doubleClicked, this, [this, &session](const QModelIndex& index) {
         session.goTo(table_->scenarioAt(sorted_->mapToSource(index).row()));

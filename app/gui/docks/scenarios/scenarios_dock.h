@@ -17,6 +17,7 @@ class QTableView;
 namespace noonmark {
 
 class BarCharts;
+class ProgressStrip;
 class ScenarioTable;
 
 /// The months of all scenarios side by side: a figure that is chosen from a list, and below it its changes
@@ -61,6 +62,7 @@ public:
     ScenariosDock(ProjectSession& session, QSettings& settings, QWidget* parent = nullptr);
 
     [[nodiscard]] ScenarioTable& table() { return *table_; }
+    [[nodiscard]] ProgressStrip& progress() { return *progress_; }  ///< of what fills the table
     /// As it is sorted.
     [[nodiscard]] const QAbstractItemModel& shownTable() const;
 
@@ -79,6 +81,7 @@ private:
     QWidget* makeSwitches(QSettings& settings);
 
     ScenarioTable* table_;
+    ProgressStrip* progress_;
     QSortFilterProxyModel* sorted_;
 };
 

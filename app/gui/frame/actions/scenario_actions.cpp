@@ -59,15 +59,18 @@ ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, P
     compare_->setObjectName(QStringLiteral("compareExisting"));
     compare_->setCheckable(true);
     ProjectSession& session = workbench.session();
+    // A second click while the first one's scenario is being prepared makes no other.
+    for (QAction* action : {newScenario_, newFromThis_}) {
+        connect(&workbench.following(), &JobSlot::started, action, [action] { action->setEnabled(false); });
+        connect(&workbench.following(), &JobSlot::ended, action, [action] { action->setEnabled(true); });
+    }
     connect(newScenario_, &QAction::triggered, this, [&tree] { tree.addScenario({}); });
     connect(newFromThis_, &QAction::triggered, this,
             [&tree, &session] { tree.addScenario(session.scenario()); });
     connect(compare_, &QAction::triggered, this, &ScenarioActions::compare);
     connect(&session, &ProjectSession::changed, this,
             [this, &session] { compare_->setChecked(session.baseline() == existingCity); });
-    connect(measureAll_, &QAction::triggered, &workbench, &Workbench::measureAll);
-    connect(&scenarios, &ScenariosDock::measureAllRequested, &workbench, &Workbench::measureAll);
-    connect(&scenarios, &ScenariosDock::measureMonthsRequested, &workbench, &Workbench::measureAllByMonth);
+    connectMeasuring();
     connect(scoreAll_, &QAction::triggered, &answers, &LatestAnswers::scoreAll);
     connect(&scenarios, &ScenariosDock::scoreAllRequested, &answers, &LatestAnswers::scoreAll);
     connect(reviewAll_, &QAction::triggered, &answers, &LatestAnswers::reviewAll);
@@ -85,6 +88,26 @@ ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, P
             [this] { saveTable(askForTable(&dock_, QStringLiteral("scenarios.csv"))); });
     connect(&scenarios, &ScenariosDock::monthsExportRequested, this,
             [this] { saveMonths(askForTable(&dock_, QStringLiteral("scenario_months.csv"))); });
+}
+
+void ScenarioActions::connectMeasuring() {
+    connect(measureAll_, &QAction::triggered, this, [this] { measure(&Workbench::measureAll); });
+    connect(&dock_, &ScenariosDock::measureAllRequested, this, [this] { measure(&Workbench::measureAll); });
+    connect(&dock_, &ScenariosDock::measureMonthsRequested, this,
+            [this] { measure(&Workbench::measureAllByMonth); });
+    // Its time may be estimated first, in a run of its own.
+    connect(&workbench_.running(), &JobSlot::started, this,
+            [this] { dock_.table().setWorking(ScenarioWork::measuring, measuring_); });
+    connect(&workbench_, &Workbench::answered, this, [this] { measuring_ = false; });
+    connect(&workbench_, &Workbench::studyStopped, this, [this](bool cancelled) {
+        if (cancelled) measuring_ = false;
+    });
+}
+
+void ScenarioActions::measure(void (Workbench::*all)()) {
+    measuring_ = true;
+    (workbench_.*all)();
+    if (!workbench_.running().busy()) measuring_ = false;
 }
 
 // The difference at once where it is known. Else both scenarios side by side, with the shadows of the present

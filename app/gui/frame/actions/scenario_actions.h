@@ -37,6 +37,8 @@ Q_SIGNALS:
     void comparisonShown();  ///< the one that was wanted is there
 
 private:
+    void connectMeasuring();
+    void measure(void (Workbench::*all)());
     void compare(bool on);
     void save(const QString& file, const std::string& csv);
     void awaitComparison();
@@ -49,6 +51,7 @@ private:
     QAction* compare_;  ///< checkable
     QAction* beside_ = nullptr;
     std::unique_ptr<QObject> awaited_;  ///< while a comparison is computed
+    bool measuring_ = false;            ///< all scenarios, until their figures are there
     QAction* measureAll_;
     QAction* scoreAll_;
     QAction* reviewAll_;
