@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDockWidget>
 
 #include "app/gui/docks/results/results_dock.h"
+#include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/answers_window.h"
 
@@ -59,6 +61,35 @@ TEST_F(MeasuredAnswersWindow, MeasuredAnswersOfOtherBuildingsAreMarkedTomorrow) 
                list->itemText(list->findText(QStringLiteral("Study of Tower"), Qt::MatchStartsWith))
                    .contains(QStringLiteral("buildings have changed"));
     }));
+}
+
+TEST_F(MeasuredAnswersWindow, TheQuestionAskedLastIsThereAgain) {
+    auto& form = *window->findChild<StudyDock*>();
+    form.choose(StudyKind::places);
+    window->saving().save();
+    ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
+    form.choose(StudyKind::shadow);
+    const auto before = workbench().city();
+    window->open({QString::fromStdString(session().file()->path().string())});
+    ASSERT_TRUE(waitFor([&] { return !workbench().opening().busy() && workbench().city() != before; }));
+    EXPECT_EQ(form.kind(), StudyKind::places);
+    EXPECT_EQ(workbench().document().settings().period.days, 365) << "of the whole year, as it was asked";
+}
+
+// A panel that was closed opens for what the user asks, not for what is computed again by itself.
+TEST_F(MeasuredAnswersWindow, ResultsOpenForEveryRunOfTheUser) {
+    auto* results = window->findChild<QDockWidget*>(QStringLiteral("resultsDock"));
+    study();
+    EXPECT_FALSE(results->isHidden());
+    results->hide();
+    session().goTo("Tower");
+    ASSERT_TRUE(waitFor([this] {
+        return !workbench().following().busy() && !workbench().running().busy() && workbench().study();
+    })) << "a quick study is repeated";
+    EXPECT_TRUE(results->isHidden());
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
+    EXPECT_FALSE(results->isHidden());
 }
 
 TEST_F(MeasuredAnswersWindow, TheSameQuestionIsListedOnce) {

@@ -44,6 +44,7 @@ namespace noonmark {
 namespace {
 
 constexpr const char* chosenWeightsKey = "weights";  // in Project::view: the table of the dock Weights
+constexpr const char* kindKey = "question";          // likewise: what the dock Study asks
 constexpr int layoutVersion = 13;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
@@ -303,6 +304,8 @@ void MainWindow::connectDocks() {
     });
     connect(&display_, &ResultDisplay::chosen, this, [this] { showDock(docks_.results); });
     connect(&workbench_, &Workbench::ran, this, &MainWindow::showAnswerPanel);
+    connect(docks_.contributions, &ContributionsDock::exportWanted, &results_,
+            &ResultActions::askForContributions);
     docks_.results->setActions(results_.saveResult(), scenarios_.compareAction(), results_.exportAction());
     connect(&panel_->legend(), &LegendStrip::shownChosen, this, [this] { view_.rememberShown(); });
     connect(docks_.results, &ResultsDock::commandWanted, this, [this] {
@@ -527,6 +530,7 @@ ProjectSaving::Compose MainWindow::projectToSave() {
     Project project = workbench_.session().project();
     project.view = view_.toSave();
     project.view[chosenWeightsKey] = docks_.weights->model().table().name;
+    project.view[kindKey] = studyKindKeys[std::size_t(docks_.study->kind())];
     if (std::string figures = answers_.figuresToSave(); !figures.empty())
         project.view[viewFiguresKey] = std::move(figures);
     return [project = std::move(project), measured = workbench_.measured()] {
@@ -544,14 +548,27 @@ void MainWindow::showProject() {
     const auto& saved = workbench_.session().project().view;
     if (const auto weights = saved.find(chosenWeightsKey); weights != saved.end())
         docks_.weights->choose(weights->second);
+    showSavedKind();
     opening_.takeProject();
     showTitle();
     opening_.showGuesses();
     hideAnswerPanels();
     study_.repeatSaved();
+    if (workbench_.session().recovered()) help_.closeStart();
     if (workbench_.running().busy()) showAnswerPanel();  // what was shown when it was saved
     recovery_.offer();
     if (mode_.mode() == ViewMode::exploration) time_.showPresent();
+}
+
+// Whether a comparison is asked for follows from the baseline.
+void MainWindow::showSavedKind() {
+    const auto& saved = workbench_.session().project().view;
+    const auto key = saved.find(kindKey);
+    const auto found =
+        key == saved.end() ? studyKindKeys.end() : std::ranges::find(studyKindKeys, key->second);
+    if (found == studyKindKeys.end()) return;
+    const auto kind = StudyKind(found - studyKindKeys.begin());
+    if (kind != StudyKind::shadow && kind != StudyKind::change) docks_.study->restore(kind);
 }
 
 void MainWindow::showDocument() {
@@ -576,6 +593,7 @@ void MainWindow::takeOver(MainWindow& before) {
     showCity();
     view_.restore(parseViewState(before.view_.toSave()));
     docks_.weights->choose(before.docks_.weights->model().table().name);
+    docks_.study->restore(before.docks_.study->kind());
     opening_.takeProject();
     panel_->time().choose(before.panel_->time().look());
     showTitle();

@@ -133,6 +133,7 @@ private:
     void showCity();
     ProjectSaving::Compose projectToSave();
     void showProject();
+    void showSavedKind();
     void showDocument();
     void showTitle();
 

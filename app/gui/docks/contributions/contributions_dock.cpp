@@ -136,7 +136,9 @@ ContributionsDock::ContributionsDock(QWidget* parent)
       months_(new BarCharts),
       table_(new QTableView),
       colours_(new QCheckBox(tr("Colour the buildings"))),
-      legend_(makeLegend()) {
+      legend_(makeLegend()),
+      export_(pushButton(tr("Export..."), "exportContributions",
+                         tr("Writes this list with the answer, as CSV and JSON"))) {
     makeFields();
     makeTable();
     placeFields();
@@ -209,12 +211,14 @@ void ContributionsDock::placeFields() {
     column->addWidget(table_, 100);
     column->addWidget(colours_);
     column->addWidget(legend_);
+    column->addWidget(export_);
     column->addStretch();  // below what little there is without a table
 }
 
 void ContributionsDock::connectFields() {
     connect(place_, &QComboBox::activated, this,
             [this](int index) { chooseSubject(index == 0 ? QString() : place_->itemText(index)); });
+    connect(export_, &QPushButton::clicked, this, &ContributionsDock::exportWanted);
     connect(attribute_, &QPushButton::clicked, this, &ContributionsDock::attributionWanted);
     connect(colours_, &QCheckBox::toggled, this, [this](bool on) {
         legend_->setVisible(on);
@@ -265,7 +269,8 @@ void ContributionsDock::show(ContributionSheet sheet) {
     months_->show({sheet.months});
     const bool any = !sheet.rows.empty();
     model_->show(std::move(sheet));
-    for (QWidget* widget : std::initializer_list<QWidget*>{table_, colours_}) widget->setVisible(any);
+    for (QWidget* widget : std::initializer_list<QWidget*>{table_, colours_, export_})
+        widget->setVisible(any);
     legend_->setVisible(any && colours());
     if (first && any) {
         table_->resizeColumnsToContents();

@@ -67,6 +67,7 @@ public:
     [[nodiscard]] ProgressStrip& progress() { return *progress_; }
 
 Q_SIGNALS:
+    void exportWanted();
     void subjectChosen(const std::string& place);                        ///< empty: the whole region
     void attributionWanted();                                            ///< the button of explain()
     void pointedAt(std::shared_ptr<const noonmark::Building> building);  ///< the current row
@@ -99,6 +100,7 @@ private:
     QTableView* table_;
     QCheckBox* colours_;
     QWidget* legend_;
+    QPushButton* export_;
 };
 
 }  // namespace noonmark

@@ -198,6 +198,10 @@ void ExportDialog::offer(const std::vector<Subject>& subjects) {
     update();
 }
 
+void ExportDialog::choose(ExportChoice::Subject subject) {
+    if (const int at = subject_->findData(int(subject)); at >= 0) subject_->setCurrentIndex(at);
+}
+
 void ExportDialog::showWritten(const QString& folder) {
     message_->setText(tr("Written to %1").arg(folder));
     writtenTo_ = folder;
@@ -299,7 +303,10 @@ void ExportDialog::showSheets(const std::shared_ptr<const Book>& book) {
 
 // Without leaving the screen.
 void ExportDialog::growTo(const QSize& size) {
-    const QRect free = screen()->availableGeometry();
+    const QRect with = frameGeometry(), without = geometry();
+    const QRect free = screen()->availableGeometry().marginsRemoved(
+        {without.left() - with.left(), without.top() - with.top(), with.right() - without.right(),
+         with.bottom() - without.bottom()});
     QRect now = geometry();
     now.setSize(now.size().expandedTo(size).boundedTo(free.size()));
     now.moveLeft(std::clamp(now.left(), free.left(), free.right() + 1 - now.width()));

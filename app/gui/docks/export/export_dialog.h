@@ -48,6 +48,7 @@ public:
 
     /// At least one. The chosen one stays chosen if it is among them; at first it is the first.
     void offer(const std::vector<Subject>& subjects);
+    void choose(ExportChoice::Subject subject);  ///< where it is offered
     void showWritten(const QString& folder);
     void showError(const Error& error);
 

@@ -146,6 +146,11 @@ void StudyDock::choose(StudyKind kind) {
     takeKind(kind);
 }
 
+void StudyDock::restore(StudyKind kind) {
+    what_->show(kind, document_.settings().receivers.places, document_.elements());
+    showDocument();
+}
+
 // Reviews have a panel of their own, with its own button.
 void StudyDock::run() {
     const StudyKind kind = what_->kind();

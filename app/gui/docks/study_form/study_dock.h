@@ -53,8 +53,9 @@ public:
     void setComparing(bool comparing);  ///< run() compares the scenario with a baseline
     /// The kind of study that is chosen.
     [[nodiscard]] StudyKind kind() const { return what_->kind(); }
-    void choose(StudyKind kind);  ///< as the user does in the list
-    void run();                   ///< as the button does
+    void restore(StudyKind kind);  ///< as it was saved: its period is the document's
+    void choose(StudyKind kind);   ///< as the user does in the list
+    void run();                    ///< as the button does
     /// Wide enough for the forms without scrolling sideways.
     [[nodiscard]] QSize sizeHint() const override;
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
+#include <string_view>
 
 #include "core/receivers/receivers.h"
 #include "core/study/elements/place_elements.h"
@@ -49,6 +51,9 @@ enum class StudyKind {
     review,  ///< verdicts by a rule of a review board
     places,  ///< hours of sun of parks, streets and other places
 };
+/// Their keys in project files.
+inline constexpr std::array<std::string_view, 5> studyKindKeys{"shadow", "change", "score", "review",
+                                                               "places"};
 
 /// What: the kind of study, and the surfaces where it measures.
 class WhatForm final : public QWidget {

@@ -114,6 +114,11 @@ void ResultActions::askForExport() {
     dialog_->activateWindow();
 }
 
+void ResultActions::askForContributions() {
+    askForExport();
+    if (dialog_) dialog_->choose(ExportChoice::Subject::place);
+}
+
 void ResultActions::makeExportDialog() {
     dialog_ = new ExportDialog(
         last_, lastFolder_,

@@ -35,6 +35,7 @@ public:
     void copyPicture();                     ///< to the clipboard
     /// Opens the dialog of export. Without a city, the message bar says why.
     void askForExport();
+    void askForContributions();  ///< the same, of what buildings take from a place where that is shown
     void usePaper(const PageSetup& setup) {
         last_.book.setup = setup;
     }  ///< of sheets, until another is chosen

@@ -154,7 +154,7 @@ HelpActions::HelpActions(OpeningActions& opening, QSettings& settings, QMainWind
     connect(about_, &QAction::triggered, this, &HelpActions::showAbout);
     connect(&opening_, &OpeningActions::begun, this, [this] {
         waiting_ = startPage_ ? startPage_->waiting() : std::nullopt;
-        if (startPage_) startPage_->close();
+        closeStart();
     });
     connect(
         &opening_, &OpeningActions::opened, this,
@@ -174,6 +174,10 @@ void HelpActions::showStart(bool cityChosen) {
     startPage_->show();
     startPage_->raise();
     startPage_->setFocus();
+}
+
+void HelpActions::closeStart() {
+    if (startPage_) startPage_->close();
 }
 
 void HelpActions::connectStart(StartPage& page) {

@@ -88,6 +88,7 @@ public:
 
     /// What to open, and what to ask. `cityChosen`: the user has a city open, not only the first sample.
     void showStart(bool cityChosen = true);
+    void closeStart();  ///< does nothing if it is not shown
     GuideWindow& showGuide(const GuidePlace& place);
 
 Q_SIGNALS:

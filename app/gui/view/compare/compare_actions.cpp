@@ -304,6 +304,8 @@ QString CompareActions::describe(bool measured) const {
     if (time_.showsMoment()) return tr("sun and shadow of the same moment");
     if (panel_.results().showsExplored())
         return tr("explored: %1 only").arg(QString::fromStdString(workbench_.session().scenario()));
+    if (panel_.results().showsPlaces())
+        return tr("sun by place: %1 only").arg(QString::fromStdString(workbench_.session().scenario()));
     if (!panel_.results().showsStudy()) return {};
     return measured ? tr("the same study, in the same colours")
                     : tr("%1 was not measured yet: Scenario > Measure all scenarios")

@@ -189,7 +189,8 @@ void TimeDisplay::look(const TimeLook& look) {
 
 void TimeDisplay::show() {
     const auto answer = moments_.answer();
-    panel_.results().setTime(answer);
+    // Of two cities side by side both have the shadows of the sun: a study's cells are those of one.
+    panel_.results().setTime(otherShown_ && showsMoment() ? nullptr : answer);
     if (answer) panel_.time().setAnswer(answer->look, describeShare(answer->field));
 }
 
@@ -244,6 +245,7 @@ void TimeDisplay::lookFrom(const std::optional<SunView>& view) {
 void TimeDisplay::setOtherCity(std::shared_ptr<const City> city) {
     otherShown_ = city != nullptr;
     otherShadow_.setCity(std::move(city));
+    show();
     showSun();
 }
 
