@@ -43,6 +43,10 @@ bool isStated(const Described& settings, const Field& field, bool extras) {
 
 }  // namespace
 
+const Field& fieldWithKey(std::span<const Field> rows, std::string_view key) {
+    return *std::ranges::find(rows, key, &Field::key);
+}
+
 std::string rangeText(const Field& field) {
     if (field.kind == ValueKind::yesNo) return "yes or no";
     if (!field.range) return {};

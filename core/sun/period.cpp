@@ -17,7 +17,7 @@ using namespace std::chrono;
 constexpr auto firstYear = 1900y;
 constexpr auto lastYear = 2100y;
 
-std::optional<Error> troubleWithDates(const Period& period) {
+std::optional<Error> checkDates(const Period& period) {
     if (!period.start.ok())
         return Error{NM_TEXT("The start is not a date of the calendar"), "start",
                      NM_TEXT("Give a date such as 2026-03-21")};
@@ -29,7 +29,7 @@ std::optional<Error> troubleWithDates(const Period& period) {
                  NM_TEXT("Choose other dates; the position of the sun is known for these years only")};
 }
 
-std::optional<Error> troubleWithHours(const Period& period) {
+std::optional<Error> checkHours(const Period& period) {
     if (period.from < 0min || period.from > 24h) {
         return Error{NM_TEXT("The time of day at which the hours begin is out of range"), "from",
                      NM_TEXT("Give 00:00 to 24:00")};
@@ -42,7 +42,7 @@ std::optional<Error> troubleWithHours(const Period& period) {
     return std::nullopt;
 }
 
-std::optional<Error> troubleWithSolarHours(const SolarHours& window) {
+std::optional<Error> checkSolarHours(const SolarHours& window) {
     if (abs(window.afterSunrise) <= 12h && abs(window.beforeSunset) <= 12h) return std::nullopt;
     return Error{NM_TEXT("The hours after sunrise or before sunset are out of range"), "window",
                  NM_TEXT("Give at most 12 hours on either side")};
@@ -67,11 +67,11 @@ std::string offsetText(minutes offset) {
 Result<Period> validate(const Period& period) {
     if (auto ranges = checkRanges(periodFields().of(period)); !ranges)
         return tl::make_unexpected(ranges.error());
-    for (const auto& trouble : {troubleWithDates(period), troubleWithHours(period)}) {
-        if (trouble) return tl::make_unexpected(*trouble);
+    for (const auto& error : {checkDates(period), checkHours(period)}) {
+        if (error) return tl::make_unexpected(*error);
     }
     if (period.window) {
-        if (const auto trouble = troubleWithSolarHours(*period.window)) return tl::make_unexpected(*trouble);
+        if (const auto error = checkSolarHours(*period.window)) return tl::make_unexpected(*error);
     }
     if (const auto zone = Zone::named(period.zone); !zone) return tl::make_unexpected(zone.error());
     return period;

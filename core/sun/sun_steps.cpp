@@ -196,7 +196,7 @@ double maxStepsOf(const Period& period) {
 Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
                                  const std::stop_token& stop) {
     if (const auto good = validate(period); !good) return tl::make_unexpected(good.error());
-    if (const auto trouble = tooManySteps(maxStepsOf(period))) return tl::make_unexpected(*trouble);
+    if (const auto error = tooManySteps(maxStepsOf(period))) return tl::make_unexpected(*error);
     const auto zone = Zone::named(period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
     const Instant first = zone->instantAt(period.start, 0min) - days{2};
@@ -217,7 +217,7 @@ Result<SunSteps> computeSunSteps(std::span<const DayHours> windows, const StepRu
                                  const Observer& observer, const std::stop_token& stop) {
     double minutes = 0;
     for (const DayHours& window : windows) minutes += std::max(0.0, window.minutes);
-    if (auto trouble = tooManySteps(minutes / rule.stepMinutes)) return tl::make_unexpected(*trouble);
+    if (auto error = tooManySteps(minutes / rule.stepMinutes)) return tl::make_unexpected(*error);
     if (windows.empty()) return SunSteps{.stepMinutes = rule.stepMinutes};
     const Instant first = windows.front().from - days{2};
     const Instant last = windows.back().from + days{4};

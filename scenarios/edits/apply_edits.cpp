@@ -11,18 +11,12 @@
 #include "core/city/building_heights.h"
 #include "core/city/terrain/building_ground.h"
 #include "core/city/trees/tree_facts.h"
-#include "core/describe/field.h"
+#include "core/describe/field_values.h"
 #include "core/io/terrain/buildings_on_terrain.h"
 
 namespace noonmark {
 
 namespace {
-
-// "0.5 to 120 m"
-std::string formatTreeRange(std::string_view key) {
-    const Field& field = *std::ranges::find(treeFactFields().rows(), key, &Field::key);
-    return fmt::format("{:g} to {:g} {}", field.range->min, field.range->max, field.unit);
-}
 
 std::vector<std::size_t> matching(const City& city, const std::string& text, std::string Building::*field) {
     std::vector<std::size_t> found;
@@ -273,12 +267,14 @@ private:
 
     // Error: measures that no tree has.
     [[nodiscard]] Result<Tree> onGround(Tree tree) const {
+        const std::span<const Field> measures = treeFactFields().rows();
         if (!isPlausibleTreeHeight(double(tree.heightM)) || !isPlausibleCrown(double(tree.crownDiameterM)))
             return failure(fmt::format("A tree cannot be {:g} m high with a crown {:g} m wide", tree.heightM,
                                        tree.crownDiameterM),
                            tree.sourceId,
-                           fmt::format("Give a height of {} and a crown of {}", formatTreeRange("height_m"),
-                                       formatTreeRange("crown_diameter_m")));
+                           fmt::format("Give a height of {} and a crown of {}",
+                                       rangeText(fieldWithKey(measures, "height_m")),
+                                       rangeText(fieldWithKey(measures, "crown_diameter_m"))));
         if (!(tree.crownBaseM >= 0 && tree.crownBaseM < tree.heightM))
             return failure("The crown's base lies above the tree's top", tree.sourceId,
                            "Give a base of 0 m or more, below the height");

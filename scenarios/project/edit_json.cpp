@@ -291,8 +291,8 @@ std::string toJson(const Edit& edit) {
 
 Result<Edit> parseEdit(const std::string& kind, const std::string& json) try {
     return read(kind, Json::parse(json));
-} catch (const std::exception& trouble) {
-    return failure(std::string("An edit cannot be read (") + trouble.what() + ")", "edit '" + kind + "'",
+} catch (const std::exception& error) {
+    return failure(std::string("An edit cannot be read (") + error.what() + ")", "edit '" + kind + "'",
                    "The project file is damaged, or was written by another program");
 }
 

@@ -93,10 +93,10 @@ std::string newId() {
 template <class Work>
 auto guarded(const fs::path& file, Work&& work) -> decltype(work()) try {
     return work();
-} catch (const DatabaseTrouble& trouble) {
-    return tl::make_unexpected(errorOf(trouble, file));
-} catch (const std::exception& trouble) {
-    return failure(fmt::format("The project file cannot be used ({})", trouble.what()), file.string(),
+} catch (const DatabaseError& error) {
+    return tl::make_unexpected(errorOf(error, file));
+} catch (const std::exception& error) {
+    return failure(fmt::format("The project file cannot be used ({})", error.what()), file.string(),
                    "Check that there is enough memory and disk space");
 }
 

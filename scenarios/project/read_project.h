@@ -5,7 +5,7 @@
 
 namespace noonmark {
 
-/// Reads the project from tables of schemaVersion. Throws DatabaseTrouble, also for invalid content.
+/// Reads the project from tables of schemaVersion. Throws DatabaseError, also for invalid content.
 Project readProject(Database& database);
 
 /// The parts of readProject(). `warnings`: what was found wrong in layers that GIS programs may edit.

@@ -9,7 +9,7 @@ inline constexpr const char* groundPictureKey = "ground_picture";  ///< in the t
 
 /// Writes the differences between `before`, which the tables hold, and `after`; without `before` it writes
 /// everything. An unchanged city (same pointer) costs nothing; otherwise the rows of the buildings that
-/// differ are written, compared index by index. Runs inside the caller's transaction; throws DatabaseTrouble.
+/// differ are written, compared index by index. Runs inside the caller's transaction; throws DatabaseError.
 void writeChanges(Database& database, const Project* before, const Project& after);
 
 /// The parts of writeChanges().

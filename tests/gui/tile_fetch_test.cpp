@@ -35,7 +35,7 @@ struct TileFetchTest : ::testing::Test {
     std::map<QString, QByteArray> tiles;  ///< by path; others: 404
     QStringList asked;
     TileFetch fetch;
-    std::string trouble;
+    std::string error;
     bool finished = false;
 
     void SetUp() override {
@@ -44,7 +44,7 @@ struct TileFetchTest : ::testing::Test {
             QTcpSocket* socket = server.nextPendingConnection();
             QObject::connect(socket, &QTcpSocket::readyRead, socket, [this, socket] { answer(*socket); });
         });
-        QObject::connect(&fetch, &TileFetch::failed, [this](const Error& error) { trouble = error.text(); });
+        QObject::connect(&fetch, &TileFetch::failed, [this](const Error& error) { error = error.text(); });
         QObject::connect(&fetch, &TileFetch::finished, [this] { finished = true; });
     }
 
@@ -65,14 +65,14 @@ struct TileFetchTest : ::testing::Test {
 
     void fetchAll() {
         fetch.start(address(), {3, 4, 2, 2, 1});
-        ASSERT_TRUE(waitFor([this] { return finished || !trouble.empty(); }));
+        ASSERT_TRUE(waitFor([this] { return finished || !error.empty(); }));
     }
 };
 
 TEST_F(TileFetchTest, TilesAreJoined) {
     tiles = {{QStringLiteral("/3/4/2.png"), pngOf(Qt::red)}, {QStringLiteral("/3/5/2.png"), pngOf(Qt::blue)}};
     fetchAll();
-    EXPECT_EQ(trouble, "");
+    EXPECT_EQ(error, "");
     ASSERT_EQ(fetch.picture().size(), QSize(512, 256));
     EXPECT_EQ(fetch.picture().pixelColor(10, 200), QColor(Qt::red));
     EXPECT_EQ(fetch.picture().pixelColor(500, 20), QColor(Qt::blue));
@@ -90,13 +90,13 @@ TEST_F(TileFetchTest, WhatIsNoTileEndsTheFetch) {
     tiles = {{QStringLiteral("/3/4/2.png"), "<html>forbidden</html>"},
              {QStringLiteral("/3/5/2.png"), pngOf(Qt::blue)}};
     fetchAll();
-    EXPECT_THAT(trouble, HasSubstr("no picture of a tile"));
+    EXPECT_THAT(error, HasSubstr("no picture of a tile"));
     EXPECT_FALSE(fetch.busy());
 }
 
 TEST_F(TileFetchTest, AServerWithoutTilesOfThisPlaceIsReported) {
     fetchAll();
-    EXPECT_THAT(trouble, HasSubstr("no tile of this place"));
+    EXPECT_THAT(error, HasSubstr("no tile of this place"));
 }
 
 TEST_F(TileFetchTest, TheDialogFetchesNothingBeforeItsButtonIsPressed) {

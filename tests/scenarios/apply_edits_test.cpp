@@ -229,15 +229,15 @@ TEST(ApplyEdits, TheLastTreeFelledLeavesNone) {
 TEST(ApplyEdits, EditsOfTreesThatCannotBeAreRefused) {
     const City city = withTwoTrees();
     const Tree good = completeTree({.sourceId = "lime", .heightM = 6.0});
-    const auto trouble = [&](Edit edit) {
+    const auto error = [&](Edit edit) {
         const auto edited = applied(city, std::vector<Edit>{std::move(edit)});
         return edited ? std::string() : edited.error().what;
     };
-    EXPECT_THAT(trouble(PlantTree{good}), HasSubstr("has this id"));
-    EXPECT_THAT(trouble(FellTree{"oak"}), HasSubstr("no such tree"));
-    EXPECT_THAT(trouble(GrowTree{"lime", 300, 200, 3, 8}), HasSubstr("200 m high"));
-    EXPECT_THAT(trouble(GrowTree{"lime", 3, 9, 9, 8}), HasSubstr("base"));
-    EXPECT_THAT(trouble(MoveTree{"lime", {1e9, 0}}), HasSubstr("too far"));
+    EXPECT_THAT(error(PlantTree{good}), HasSubstr("has this id"));
+    EXPECT_THAT(error(FellTree{"oak"}), HasSubstr("no such tree"));
+    EXPECT_THAT(error(GrowTree{"lime", 300, 200, 3, 8}), HasSubstr("200 m high"));
+    EXPECT_THAT(error(GrowTree{"lime", 3, 9, 9, 8}), HasSubstr("base"));
+    EXPECT_THAT(error(MoveTree{"lime", {1e9, 0}}), HasSubstr("too far"));
 }
 
 TEST(ApplyEdits, TreesOfOneIdAreNumbered) {

@@ -52,14 +52,14 @@ protected:
     }
 
     /// The error of opening the file; empty if it opens.
-    [[nodiscard]] std::string trouble() const {
+    [[nodiscard]] std::string error() const {
         const auto opened = ProjectFile::open(file());
         return opened ? "" : opened.error().text();
     }
 
     void expectRefused(const std::string& statements, const std::string& about) {
         sql(statements);
-        EXPECT_THAT(trouble(), HasSubstr(about)) << statements;
+        EXPECT_THAT(error(), HasSubstr(about)) << statements;
         remake();
     }
 
@@ -316,7 +316,7 @@ TEST_F(PlantedJournal, ThatNamesAFileDeletesNothingAndIsRefused) {
     ASSERT_TRUE(opened);
     const std::string before = allBytes(file());
     plantJournal(file(), victim);
-    EXPECT_THAT(trouble(), HasSubstr("names another file"));
+    EXPECT_THAT(error(), HasSubstr("names another file"));
     const auto saved = opened->save(opened->project());
     ASSERT_FALSE(saved);
     EXPECT_THAT(saved.error().text(), HasSubstr("names another file"));
@@ -331,7 +331,7 @@ TEST_F(PlantedJournal, ThatNamesTheJournalOfAnotherProjectLeavesThatAlone) {
     fs::copy_file(file(), other);
     plantJournal(other);
     plantJournal(file(), other.string() + "-journal");
-    EXPECT_THAT(trouble(), HasSubstr("names another file"));
+    EXPECT_THAT(error(), HasSubstr("names another file"));
     EXPECT_TRUE(fs::exists(other.string() + "-journal"));
 }
 
@@ -339,7 +339,7 @@ TEST_F(PlantedJournal, ThatNamesTheJournalOfAnotherProjectLeavesThatAlone) {
 TEST_F(PlantedJournal, ReachesNoOtherFileThroughAConnection) {
     plantJournal(file(), victim);
     for (const auto access : {Database::Access::write, Database::Access::read})
-        EXPECT_THROW((void)Database(file(), access).value("SELECT count(*) FROM noonmark"), DatabaseTrouble);
+        EXPECT_THROW((void)Database(file(), access).value("SELECT count(*) FROM noonmark"), DatabaseError);
     expectUnharmed();
 }
 
@@ -355,7 +355,7 @@ TEST_F(PlantedJournal, BesideARecoveryFileDeletesNothing) {
 
 TEST_F(PlantedJournal, OfAKilledSaveIsStillRolledBack) {
     plantJournal(file());
-    EXPECT_EQ(trouble(), "");
+    EXPECT_EQ(error(), "");
     EXPECT_FALSE(fs::exists(beside("-journal")));
 }
 
@@ -365,14 +365,14 @@ TEST_F(PlantedJournal, ThatStatesASizeTheFileNeverHadIsRefused) {
     journal.replace(16, 4, bigEndian(0x7fffffff));  // pages of the database before the transaction
     std::ofstream(beside("-journal"), std::ios::binary) << journal;
     const auto before = fs::file_size(file());
-    EXPECT_THAT(trouble(), HasSubstr("a size that the file never had"));
+    EXPECT_THAT(error(), HasSubstr("a size that the file never had"));
     EXPECT_EQ(fs::file_size(file()), before);
 }
 
 TEST_F(PlantedJournal, OrLogThatIsALinkIsRefused) {
     for (const char* ending : {"-journal", "-wal", "-shm"}) {
         fs::create_symlink(victim, beside(ending));
-        EXPECT_THAT(trouble(), HasSubstr("a link")) << ending;
+        EXPECT_THAT(error(), HasSubstr("a link")) << ending;
         fs::remove(beside(ending));
     }
     expectUnharmed();
@@ -501,7 +501,7 @@ TEST_F(HostileProject, ResultsTakeNoMemoryThatTheirTilesDoNotExplain) {
 TEST_F(HostileProject, AValueLargerThanTheFileIsNotMade) {
     Database database(file(), Database::Access::read);
     database.limitValues(file());
-    EXPECT_THROW((void)database.value("SELECT length(hex(zeroblob(400000000)))"), DatabaseTrouble);
+    EXPECT_THROW((void)database.value("SELECT length(hex(zeroblob(400000000)))"), DatabaseError);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ protected:
     }
     [[nodiscard]] fs::path file() const { return folder_.path("town.noonmark.gpkg"); }
     [[nodiscard]] Project opened() const { return ProjectFile::open(file()).value().project(); }
-    [[nodiscard]] std::string troubleOfOpening() const {
+    [[nodiscard]] std::string errorOfOpening() const {
         const auto opened = ProjectFile::open(file());
         return opened ? "" : opened.error().text();
     }
@@ -299,7 +299,7 @@ TEST_F(ProjectFileTest, AFileOfVersion6IsOpened) {
 TEST_F(ProjectFileTest, AFileOfVersion6WithATableOfThatNameIsRefused) {
     fs::copy_file(testFile("scenarios/files/version-6.noonmark.gpkg"), file());
     Database(file(), Database::Access::write).execute("CREATE TABLE result_elements (fid INTEGER)");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("'result_elements'"));
+    EXPECT_THAT(errorOfOpening(), HasSubstr("'result_elements'"));
 }
 
 TEST_F(ProjectFileTest, AFileOfVersion7IsOpened) {
@@ -313,7 +313,7 @@ TEST_F(ProjectFileTest, AFileOfVersion7IsOpened) {
 TEST_F(ProjectFileTest, AFileOfVersion7WithAColumnOfThatNameIsRefused) {
     fs::copy_file(testFile("scenarios/files/version-7.noonmark.gpkg"), file());
     Database(file(), Database::Access::write).execute("ALTER TABLE saved_views ADD COLUMN Section TEXT");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("column 'section'"));
+    EXPECT_THAT(errorOfOpening(), HasSubstr("column 'section'"));
 }
 
 TEST_F(ProjectFileTest, AFileOfVersion8IsOpened) {
@@ -324,7 +324,7 @@ TEST_F(ProjectFileTest, AFileOfVersion8IsOpened) {
 TEST_F(ProjectFileTest, AFileOfVersion8WithAColumnOfThatNameIsRefused) {
     fs::copy_file(testFile("scenarios/files/version-8.noonmark.gpkg"), file());
     Database(file(), Database::Access::write).execute("ALTER TABLE periods ADD COLUMN Settings TEXT");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("column 'settings'"));
+    EXPECT_THAT(errorOfOpening(), HasSubstr("column 'settings'"));
 }
 
 TEST_F(ProjectFileTest, APeriodOfVersion8ThatMakesNoSenseIsDamage) {
@@ -333,7 +333,7 @@ TEST_F(ProjectFileTest, APeriodOfVersion8ThatMakesNoSenseIsDamage) {
         fs::remove(file());
         fs::copy_file(testFile("scenarios/files/version-8.noonmark.gpkg"), file());
         Database(file(), Database::Access::write).execute(std::string("UPDATE periods SET ") + harm);
-        EXPECT_THAT(troubleOfOpening(), HasSubstr("periods")) << harm;
+        EXPECT_THAT(errorOfOpening(), HasSubstr("periods")) << harm;
     }
 }
 
@@ -345,7 +345,7 @@ TEST_F(ProjectFileTest, AFileOfVersion9IsOpened) {
 TEST_F(ProjectFileTest, AFileOfVersion9WithATableOfThatNameIsRefused) {
     fs::copy_file(testFile("scenarios/files/version-9.noonmark.gpkg"), file());
     Database(file(), Database::Access::write).execute("CREATE TABLE Trees (fid INTEGER)");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("'trees'"));
+    EXPECT_THAT(errorOfOpening(), HasSubstr("'trees'"));
 }
 
 TEST_F(ProjectFileTest, AFileOfVersion10IsOpened) {
@@ -397,7 +397,7 @@ TEST_F(ProjectFileTest, TreesThatMakeNoSenseAreDamage) {
         fs::remove(file());
         made();
         Database(file(), Database::Access::write).execute(harm);
-        EXPECT_THAT(troubleOfOpening(), HasSubstr("damaged")) << harm;
+        EXPECT_THAT(errorOfOpening(), HasSubstr("damaged")) << harm;
     }
 }
 
@@ -425,7 +425,7 @@ TEST_F(ProjectFileTest, PointsThatMakeNoSenseAreDamage) {
         made(sampleWithPoints());
         Database(file(), Database::Access::write)
             .execute(std::string("UPDATE result_elements SET ") + harm + " WHERE fid = 2");
-        EXPECT_THAT(troubleOfOpening(), HasSubstr("result_elements")) << harm;
+        EXPECT_THAT(errorOfOpening(), HasSubstr("result_elements")) << harm;
     }
 }
 
@@ -444,7 +444,7 @@ TEST_F(ProjectFileTest, ViewsThatMakeNoSenseAreDamage) {
         made();
         Database(file(), Database::Access::write)
             .execute(std::string("UPDATE saved_views SET ") + harm + " WHERE id = 2");
-        EXPECT_THAT(troubleOfOpening(), HasSubstr("saved_views")) << harm;
+        EXPECT_THAT(errorOfOpening(), HasSubstr("saved_views")) << harm;
     }
 }
 
@@ -469,7 +469,7 @@ TEST_F(ProjectFileTest, AViewOutOfRangeIsRefusedBeforeItIsSaved) {
 TEST_F(ProjectFileTest, RoadsThatMakeNoSenseAreDamage) {
     made();
     Database(file(), Database::Access::write).execute("UPDATE lots SET roads = 'up=8'");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("names no side of a parcel"));
+    EXPECT_THAT(errorOfOpening(), HasSubstr("names no side of a parcel"));
     Database(file(), Database::Access::write).execute("UPDATE lots SET roads = NULL");
     EXPECT_TRUE(opened().lots.front().roads.empty());
 }
@@ -478,7 +478,7 @@ TEST_F(ProjectFileTest, ContextThatIsNoShapeIsDamage) {
     made();
     Database(file(), Database::Access::write)
         .execute("UPDATE context SET geom = x'0102' WHERE kind = 'street'");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("context"));
+    EXPECT_THAT(errorOfOpening(), HasSubstr("context"));
 }
 
 TEST_F(ProjectFileTest, ContextOfAKindFromALaterVersionIsIgnored) {
@@ -495,14 +495,14 @@ TEST_F(ProjectFileTest, TablesOfNewNamesThatAreNotOursAreNotOverwritten) {
         fs::remove(file());
         fs::copy_file(testFile("scenarios/files/version-2.noonmark.gpkg"), file());
         Database(file(), Database::Access::write).execute("CREATE TABLE " + name + " (x INTEGER)");
-        EXPECT_THAT(troubleOfOpening(), HasSubstr(name == "Places" ? "places" : name));
+        EXPECT_THAT(errorOfOpening(), HasSubstr(name == "Places" ? "places" : name));
     }
 }
 
 TEST_F(ProjectFileTest, AColumnOfANewNameThatIsNotOursIsNotTaken) {
     fs::copy_file(testFile("scenarios/files/version-4.noonmark.gpkg"), file());
     Database(file(), Database::Access::write).execute("ALTER TABLE lots ADD COLUMN Roads TEXT");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("column 'roads'"));
+    EXPECT_THAT(errorOfOpening(), HasSubstr("column 'roads'"));
 }
 
 TEST_F(ProjectFileTest, PlacesThatAGisProgramLeftIncompleteAreCompleted) {
@@ -517,7 +517,7 @@ TEST_F(ProjectFileTest, PlacesThatAGisProgramLeftIncompleteAreCompleted) {
     EXPECT_EQ(places[0].source, "place 1");
     EXPECT_EQ(places[1].name, "other (place 2)");
     Database(file(), Database::Access::write).execute("UPDATE places SET geom = x'0102'");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("place has an invalid outline"));
+    EXPECT_THAT(errorOfOpening(), HasSubstr("place has an invalid outline"));
 }
 
 // Not a test: writes the file of the current version for tests/scenarios/files into the working folder
@@ -543,7 +543,7 @@ TEST_F(ProjectFileTest, ReadingThatMakesNoSenseIsDamage) {
         fs::remove(file());
         made();
         Database(file(), Database::Access::write).execute(harm);
-        EXPECT_THAT(troubleOfOpening(), HasSubstr("damaged")) << harm;
+        EXPECT_THAT(errorOfOpening(), HasSubstr("damaged")) << harm;
     }
 }
 
@@ -616,7 +616,7 @@ TEST_F(ProjectFileTest, DamagedFilesGetAWordAndStayAsTheyAre) {
     for (const double share : {0.0, 0.0001, 0.01, 0.3, 0.7, 0.999}) {
         const std::string cut = whole.substr(0, std::size_t(share * double(whole.size())));
         std::ofstream(file(), std::ios::binary | std::ios::trunc) << cut;
-        EXPECT_THAT(troubleOfOpening(),
+        EXPECT_THAT(errorOfOpening(),
                     testing::AnyOf(HasSubstr("damaged"), HasSubstr("not a Noonmark project")))
             << share;
         EXPECT_EQ(readBytes(file()), cut);
@@ -651,11 +651,11 @@ TEST_F(ProjectFileTest, NewerAndForeignFilesAreSaid) {
         database.execute("UPDATE noonmark SET value = '99' WHERE key = 'schema_version'");
     }
     const std::string before = readBytes(file());
-    EXPECT_THAT(troubleOfOpening(), AllOf(HasSubstr("newer Noonmark"), HasSubstr("99")));
+    EXPECT_THAT(errorOfOpening(), AllOf(HasSubstr("newer Noonmark"), HasSubstr("99")));
     EXPECT_EQ(readBytes(file()), before);
     fs::remove(file());
     Database(file(), Database::Access::create).execute("CREATE TABLE t (x)");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("not a Noonmark project"));
+    EXPECT_THAT(errorOfOpening(), HasSubstr("not a Noonmark project"));
     EXPECT_THAT(ProjectFile::open(folder_.path("gone")).error().text(), HasSubstr("no such file"));
 }
 

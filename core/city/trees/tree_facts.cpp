@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/describe/field.h"
+#include "core/describe/field_values.h"
 #include "generated/shipped_tree_defaults.h"
 
 namespace noonmark {
@@ -202,25 +202,16 @@ Tree growTree(const Tree& tree, double years) {
 
 namespace {
 
-ValueRange treeRangeOf(std::string_view key) {
-    return *std::ranges::find(treeFactFields().rows(), key, &Field::key)->range;
+bool isInRange(std::string_view key, double metres) {
+    return fieldWithKey(treeFactFields().rows(), key).range->holds(metres);
 }
 
 }  // namespace
 
-bool isPlausibleTreeHeight(double metres) {
-    static const ValueRange range = treeRangeOf("height_m");
-    return range.holds(metres);
-}
+bool isPlausibleTreeHeight(double metres) { return isInRange("height_m", metres); }
 
-bool isPlausibleCrown(double metres) {
-    static const ValueRange range = treeRangeOf("crown_diameter_m");
-    return range.holds(metres);
-}
+bool isPlausibleCrown(double metres) { return isInRange("crown_diameter_m", metres); }
 
-bool isPlausibleStem(double metres) {
-    static const ValueRange range = treeRangeOf("stem_diameter_m");
-    return range.holds(metres);
-}
+bool isPlausibleStem(double metres) { return isInRange("stem_diameter_m", metres); }
 
 }  // namespace noonmark

@@ -58,7 +58,7 @@ const Fields<TreeFacts>& treeFactFields();
 /// "estimated".
 Tree growTree(const Tree& tree, double years);
 
-/// Height 0.5 to 120 m, crown 0.3 to 50 m wide, stem 0.01 to 5 m thick.
+/// Whether a tree may measure so many metres: within the ranges of treeFactFields().
 bool isPlausibleTreeHeight(double metres);
 bool isPlausibleCrown(double metres);
 bool isPlausibleStem(double metres);

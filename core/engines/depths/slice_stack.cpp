@@ -67,7 +67,7 @@ void SliceDrawer::drawFace(const CasterFace& face, CasterSide side, DepthSlice& 
     if (!face.twoSided && (area > 0) != (side == CasterSide::towardsSun)) return;
     if (area < 0) turnRound(polygon);
     ++cost.faces;
-    cost.rows += std::uint64_t(pen_.draw(polygon, slice));
+    cost.rows += std::uint64_t(painter_.draw(polygon, slice));
 }
 
 namespace {

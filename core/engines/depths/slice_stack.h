@@ -52,7 +52,7 @@ private:
     void drawFace(const CasterFace& face, CasterSide side, DepthSlice& slice, SliceCost& cost);
 
     std::vector<Seen> seen_;
-    DepthPainter pen_;
+    DepthPainter painter_;
 };
 
 /// Computes the shadow of all receivers at a step: bit i % 64 of word i / 64 is set if receiver i is in

@@ -99,7 +99,7 @@ void addDecided(const RunRays& rays, const Receivers& receivers, ShadowField& fi
                                 receivers.cells.size());
 }
 
-// A sum of rounded altitudes may exceed what is left of the time by a trifle.
+// At most the sunlit time, as in addTakenMinutes() (core/engines/shade_trees.cpp).
 void addTakenSteps(const ShadowField& without, const std::vector<std::uint32_t>& cells,
                    const std::vector<double>& steps, ShadowField& column) {
     for (std::size_t i = 0; i < cells.size(); ++i) {

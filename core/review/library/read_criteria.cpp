@@ -1,4 +1,4 @@
-#include "core/review/library/read_criteria.h"
+#include "core/review/library/rule_fields.h"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ SpotCondition readSpot(RuleFields fields) {
         spot.partMinutes = broken.numberOr("longest_part", 0, longestMinutes, 0);
         spot.maxParts = broken.wholeOr("most_parts", 1, 8, 0);
         broken.finish();
-        if (!spot.unbroken) fields.trouble("broken", "Only unbroken minutes have a broken alternative");
+        if (!spot.unbroken) fields.addProblem("broken", "Only unbroken minutes have a broken alternative");
     }
     fields.finish();
     return spot;
@@ -43,7 +43,7 @@ void readSeason(RuleFields& fields, Criterion& criterion) {
     const auto first = texts.size() == 2 ? parseRuleDay(texts[0]) : std::nullopt;
     const auto last = texts.size() == 2 ? parseRuleDay(texts[1]) : std::nullopt;
     if (!first || !last)
-        return fields.trouble("season", "Two days are needed here", R"(Write ["04-01", "10-31"])");
+        return fields.addProblem("season", "Two days are needed here", R"(Write ["04-01", "10-31"])");
     criterion.season.emplace(*first, *last);
 }
 
@@ -54,8 +54,8 @@ void readFacing(RuleFields& fields, Criterion& criterion) {
         return json.is_number() && json.get<double>() >= 0 && json.get<double>() <= 360;
     };
     if (bounds.size() != 2 || !isAzimuth(bounds[0]) || !isAzimuth(bounds[1]))
-        return fields.trouble("facing", "Two azimuths from 0 to 360 degrees are needed here",
-                              "Write [90, 270]");
+        return fields.addProblem("facing", "Two azimuths from 0 to 360 degrees are needed here",
+                                 "Write [90, 270]");
     criterion.facing = FacingRange{bounds[0].get<double>(), bounds[1].get<double>()};
 }
 
@@ -65,7 +65,7 @@ void readOwnHours(RuleFields& fields, Criterion& criterion) {
     const auto from = texts.size() == 2 ? parseRuleTime(texts[0]) : std::nullopt;
     const auto to = texts.size() == 2 ? parseRuleTime(texts[1]) : std::nullopt;
     if (!from || !to || *from >= *to)
-        return fields.trouble("hours", "Two times of day are needed here", R"(Write ["09:00", "15:00"])");
+        return fields.addProblem("hours", "Two times of day are needed here", R"(Write ["09:00", "15:00"])");
     criterion.hours.emplace(*from, *to);
 }
 
@@ -74,21 +74,21 @@ bool isShare(Measure measure) { return measure == Measure::share || measure == M
 void checkCriterion(RuleFields& fields, const Criterion& criterion) {
     for (const Limit& limit : criterion.limits) {
         if (!limit.ofFormer && isShare(criterion.measure) && limit.value > 1)
-            fields.trouble("limit", "A share is compared with 0 to 1");
+            fields.addProblem("limit", "A share is compared with 0 to 1");
         if (limit.ofFormer && criterion.quantity == Quantity::incremental)
-            fields.trouble("limit", "Incremental shadow has no former value",
-                           "Use the quantity shadow or sun");
+            fields.addProblem("limit", "Incremental shadow has no former value",
+                              "Use the quantity shadow or sun");
         if (limit.isLoss && criterion.quantity != Quantity::sun)
-            fields.trouble("limit", "Only sun is lost", "Use the quantity sun");
+            fields.addProblem("limit", "Only sun is lost", "Use the quantity sun");
     }
     if (criterion.measure == Measure::areaOver &&
         (criterion.quantity != Quantity::shadow || criterion.spot.unbroken))
-        fields.trouble("measure", "An area over so many minutes is about all shadow of its spots",
-                       "Use the quantity shadow, and a spot with minutes only");
+        fields.addProblem("measure", "An area over so many minutes is about all shadow of its spots",
+                          "Use the quantity shadow, and a spot with minutes only");
     if (criterion.measure == Measure::fullCover && criterion.quantity == Quantity::sun)
-        fields.trouble("measure", "Full cover is about shadow", "Use the quantity incremental");
+        fields.addProblem("measure", "Full cover is about shadow", "Use the quantity incremental");
     if (criterion.quantity == Quantity::sun && criterion.runs > 1 && criterion.measure == Measure::spotTotal)
-        fields.trouble("runs", "Only 'spot longest runs' sums runs");
+        fields.addProblem("runs", "Only 'spot longest runs' sums runs");
 }
 
 void readLimits(RuleFields& fields, Criterion& criterion, const std::string& source) {
@@ -133,11 +133,11 @@ std::vector<Criterion> readCriteria(RuleFields& rule, const std::string& ruleSou
     std::vector<Criterion> criteria;
     for (const auto& [key, json] : rule.members("criteria")) {
         if (!isRuleKey(key)) {
-            rule.trouble("criteria", "A key of a criterion has at most 60 of a to z, 0 to 9 and hyphens");
+            rule.addProblem("criteria", "A key of a criterion has at most 60 of a to z, 0 to 9 and hyphens");
             return {};
         }
-        criteria.push_back(readCriterion(RuleFields(json, rule.pathOf("criteria." + key), rule.troubles()),
-                                         key, ruleSource));
+        criteria.push_back(
+            readCriterion(RuleFields(json, rule.pathOf("criteria." + key), rule.problem()), key, ruleSource));
     }
     return criteria;
 }
@@ -152,8 +152,8 @@ GlazingPoint readGlazingPoint(RuleFields fields) {
         point.aboveSillM = fields.numberOr("above_sill_m", 0, 10, 0);
         point.aboveFloorM = fields.numberOr("above_floor_m", 0, 10, 0);
     } else if (fields.has("above_sill_m") || fields.has("above_floor_m")) {
-        fields.trouble("at", "The middle of a pane has no height above sill or floor",
-                       "Give \"sill middle\" or \"sill ends\"");
+        fields.addProblem("at", "The middle of a pane has no height above sill or floor",
+                          "Give \"sill middle\" or \"sill ends\"");
         fields.numberOr("above_sill_m", 0, 10, 0), fields.numberOr("above_floor_m", 0, 10, 0);
     }
     fields.finish();
@@ -201,17 +201,17 @@ SunshineTable readSunshine(RuleFields fields, const std::string& source) {
     SunshineTable table;
     const auto months = fields.elements("by_month");
     if (months.size() != table.byMonth.size())
-        fields.trouble("by_month", "Twelve probabilities are needed here, one for each month");
+        fields.addProblem("by_month", "Twelve probabilities are needed here, one for each month");
     for (std::size_t i = 0; i < std::min(months.size(), table.byMonth.size()); ++i) {
         const double value = months[i].is_number() ? months[i].get<double>() : -1;
         if (!(value >= 0 && value <= 1))
-            fields.trouble("by_month", "A probability from 0 to 1 is needed here");
+            fields.addProblem("by_month", "A probability from 0 to 1 is needed here");
         else
             table.byMonth[i] = value;
     }
     table.evidence = readEvidence(fields, source);
     if (std::ranges::max(table.byMonth) <= 0)
-        fields.trouble("by_month", "The sun must shine in one month at least");
+        fields.addProblem("by_month", "The sun must shine in one month at least");
     fields.finish();
     return table;
 }
@@ -227,14 +227,14 @@ void readAlternatives(RuleFields& fields, Rule& rule) {
         const std::string path = fmt::format("holds_if[{}]", rule.alternatives.size());
         auto& all = rule.alternatives.emplace_back();
         if (!json.is_array() || json.empty() || json.size() > 20) {
-            fields.troubles().add(path, "A list of one to 20 keys of criteria is needed here",
-                                  R"(Write [["annual", "winter"], ["loss"]])");
+            fields.problem().add(path, "A list of one to 20 keys of criteria is needed here",
+                                 R"(Write [["annual", "winter"], ["loss"]])");
             continue;
         }
         for (const RuleJson& key : json) {
             const std::string text = key.is_string() ? key.get<std::string>() : std::string();
             if (!isRuleKey(text) || !canDecide(rule, text))
-                fields.troubles().add(path, "This is no criterion with a limit", "Give keys of criteria");
+                fields.problem().add(path, "This is no criterion with a limit", "Give keys of criteria");
             all.push_back(text);
         }
     }
@@ -243,19 +243,19 @@ void readAlternatives(RuleFields& fields, Rule& rule) {
 void readShares(RuleFields& fields, Rule& rule) {
     for (const RuleJson& json : fields.elements("shares")) {
         const std::string path = fmt::format("shares[{}]", rule.shares.size());
-        rule.shares.push_back(readShare(RuleFields(json, path, fields.troubles()), rule.source));
+        rule.shares.push_back(readShare(RuleFields(json, path, fields.problem()), rule.source));
         const auto found = std::ranges::find(rule.criteria, rule.shares.back().criterion, &Criterion::key);
         if (found == rule.criteria.end() || found->limits.empty())
-            fields.troubles().add(path + ".criterion", "This is no criterion with a limit");
+            fields.problem().add(path + ".criterion", "This is no criterion with a limit");
     }
 }
 
 void refuseOfPlaces(RuleFields& fields, const Rule& rule) {
     for (const char* key : {"holds_if", "shares", "sunshine"})
-        if (fields.has(key)) fields.trouble(key, "The field needs receivers.surface \"windows\"");
+        if (fields.has(key)) fields.addProblem(key, "The field needs receivers.surface \"windows\"");
     for (const Criterion& criterion : rule.criteria)
         if (isOfGlazing(criterion.measure) || criterion.facing || criterion.hours)
-            fields.troubles().add(
+            fields.problem().add(
                 "criteria." + criterion.key,
                 "Measures vsc and apsh, facing and hours need receivers.surface \"windows\"");
 }
@@ -264,13 +264,13 @@ void checkOfGlazing(RuleFields& fields, const Rule& rule) {
     for (const Criterion& criterion : rule.criteria) {
         const std::string path = "criteria." + criterion.key;
         if (criterion.quantity != Quantity::sun)
-            fields.troubles().add(path + ".quantity", "Of windows the quantity is \"sun\"");
+            fields.problem().add(path + ".quantity", "Of windows the quantity is \"sun\"");
         if (!isOfSpots(criterion.measure) && !isOfGlazing(criterion.measure))
-            fields.troubles().add(path + ".measure", "A window has no area",
-                                  "Give one of the spot's measures, share, vsc or apsh");
+            fields.problem().add(path + ".measure", "A window has no area",
+                                 "Give one of the spot's measures, share, vsc or apsh");
         if (criterion.measure == Measure::skyComponent && rule.receivers.windows.unit != GlazingUnit::window)
-            fields.troubles().add(path + ".measure", "The sky component is of single windows",
-                                  "Omit receivers.unit");
+            fields.problem().add(path + ".measure", "The sky component is of single windows",
+                                 "Omit receivers.unit");
     }
 }
 

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <set>
 
-#include "core/review/library/read_criteria.h"
+#include "core/review/library/rule_fields.h"
 #include "core/review/places/review_columns.h"
 
 namespace noonmark {
@@ -58,13 +58,13 @@ std::map<std::string, std::vector<std::string>> choicesIn(RuleFields& fields) {
     for (const auto& [choice, json] : fields.members("choices")) {
         const std::string path = isPlainText(choice) ? "choices." + choice : "choices";
         if (!isPlainText(choice))
-            fields.troubles().add(path, "A choice needs a name without control characters");
+            fields.problem().add(path, "A choice needs a name without control characters");
         if (!json.is_object() || json.empty())
-            fields.troubles().add(path, "An object of options is needed here", "See docs/rules.md");
+            fields.problem().add(path, "An object of options is needed here", "See docs/rules.md");
         if (!json.is_object()) continue;
         for (const auto& [option, patch] : json.items()) {
-            if (!patch.is_object()) fields.troubles().add(path, "An option is an object of fields to change");
-            if (!isPlainText(option)) fields.troubles().add(path, "An option needs a plain name");
+            if (!patch.is_object()) fields.problem().add(path, "An option is an object of fields to change");
+            if (!isPlainText(option)) fields.problem().add(path, "An option needs a plain name");
             all[choice].push_back(option);
         }
     }
@@ -102,7 +102,7 @@ RuleChoices applyChoices(RuleJson& json, const std::map<std::string, std::vector
 std::vector<StatedFigure> readFigures(RuleFields& rule, const std::string& source) {
     std::vector<StatedFigure> figures;
     for (const RuleJson& json : rule.elements("figures")) {
-        RuleFields fields(json, fmt::format("figures[{}]", figures.size()), rule.troubles());
+        RuleFields fields(json, fmt::format("figures[{}]", figures.size()), rule.problem());
         figures.push_back({fields.text("text"), readEvidence(fields, source)});
         fields.finish();
     }
@@ -110,10 +110,10 @@ std::vector<StatedFigure> readFigures(RuleFields& rule, const std::string& sourc
 }
 
 void readHeading(RuleFields& fields, Rule& rule) {
-    if (fields.numberOr("schema", 1, 1, 0) != 1) fields.trouble("schema", "The schema must be 1");
+    if (fields.numberOr("schema", 1, 1, 0) != 1) fields.addProblem("schema", "The schema must be 1");
     rule.key = fields.text("key");
     if (!isRuleKey(rule.key))
-        fields.trouble("key", "A key has at most 60 of a to z, 0 to 9 and hyphens", "Write my-own-rule");
+        fields.addProblem("key", "A key has at most 60 of a to z, 0 to 9 and hyphens", "Write my-own-rule");
     rule.name = fields.text("name");
     rule.where = fields.textOr("where", {});
     rule.countries = fields.texts("countries");
@@ -121,12 +121,12 @@ void readHeading(RuleFields& fields, Rule& rule) {
         return code.size() == 2 && std::ranges::all_of(code, [](char c) { return c >= 'A' && c <= 'Z'; });
     };
     if (!std::ranges::all_of(rule.countries, isCode))
-        fields.trouble("countries", "A country is a code of two capital letters (ISO 3166-1)",
-                       "Write [\"US\"]");
+        fields.addProblem("countries", "A country is a code of two capital letters (ISO 3166-1)",
+                          "Write [\"US\"]");
     const std::string half = fields.textOr("hemisphere", "north");
     rule.isSouthern = half == "south";
     if (!rule.isSouthern && half != "north")
-        fields.trouble("hemisphere", "There is no such half of the earth", "Write north or south");
+        fields.addProblem("hemisphere", "There is no such half of the earth", "Write north or south");
     rule.summary = fields.text("summary");
     rule.source = fields.text("source");
 }
@@ -156,11 +156,11 @@ void readParts(RuleFields& fields, Rule& rule) {
 void checkRule(RuleFields& fields, const Rule& rule) {
     for (const Criterion& criterion : rule.criteria)
         if (criterion.belt != LineBelt::none && !rule.receivers.hasLines())
-            fields.trouble("criteria", "The criterion '" + criterion.key + "' needs receivers.lines_m");
+            fields.addProblem("criteria", "The criterion '" + criterion.key + "' needs receivers.lines_m");
     for (const RuleColumn& column : rule.deliverables.columns)
         if (!isReviewColumn(rule, column.key))
-            fields.trouble("deliverables.columns", fmt::format("There is no column '{}'", column.key),
-                           "docs/rules.md lists the keys");
+            fields.addProblem("deliverables.columns", fmt::format("There is no column '{}'", column.key),
+                              "docs/rules.md lists the keys");
 }
 
 }  // namespace
@@ -168,21 +168,21 @@ void checkRule(RuleFields& fields, const Rule& rule) {
 Result<Rule> parseRule(std::string_view text, const std::string& file, const RuleChoices& choices) {
     auto json = parseJson(text, file);
     if (!json) return tl::make_unexpected(json.error());
-    RuleProblem trouble{file, {}};
+    RuleProblem problem{file, {}};
     Rule rule;
-    RuleFields unchosen(*json, {}, trouble);
+    RuleFields unchosen(*json, {}, problem);
     rule.choices = choicesIn(unchosen);
-    if (trouble.error) return tl::make_unexpected(*trouble.error);
+    if (problem.error) return tl::make_unexpected(*problem.error);
     if (const auto good = checkChoices(rule.choices, choices, file); !good)
         return tl::make_unexpected(good.error());
     rule.chosen = applyChoices(*json, rule.choices, choices);
-    RuleFields fields(*json, {}, trouble);
+    RuleFields fields(*json, {}, problem);
     fields.members("choices");
     readHeading(fields, rule);
     readParts(fields, rule);
     checkRule(fields, rule);
     fields.finish();
-    if (trouble.error) return tl::make_unexpected(*trouble.error);
+    if (problem.error) return tl::make_unexpected(*problem.error);
     return rule;
 }
 

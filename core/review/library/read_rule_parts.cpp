@@ -1,4 +1,4 @@
-#include "core/review/library/read_criteria.h"
+#include "core/review/library/rule_fields.h"
 
 #include "core/review/rule/rule_names.h"
 
@@ -10,42 +10,42 @@ using std::chrono::month_day;
 
 constexpr auto dayAdvice = "Write month and day: 03-21";
 
-month_day dayFrom(const std::string& text, const std::string& path, RuleProblem& trouble) {
+month_day dayFrom(const std::string& text, const std::string& path, RuleProblem& problem) {
     const auto day = parseRuleDay(text);
-    if (!day && !text.empty()) trouble.add(path, "This is not a day of the year", dayAdvice);
+    if (!day && !text.empty()) problem.add(path, "This is not a day of the year", dayAdvice);
     return day.value_or(month_day{std::chrono::January / 1});
 }
 
-double timeFrom(const std::string& text, const std::string& path, RuleProblem& trouble) {
+double timeFrom(const std::string& text, const std::string& path, RuleProblem& problem) {
     const auto time = parseRuleTime(text);
     if (!time && !text.empty())
-        trouble.add(path, "This is not a time of day", "Write hours and minutes: 09:18");
+        problem.add(path, "This is not a time of day", "Write hours and minutes: 09:18");
     return time.value_or(0);
 }
 
 std::vector<double> timesFrom(RuleFields& fields, const char* key) {
     std::vector<double> times;
     for (const std::string& text : fields.texts(key))
-        times.push_back(timeFrom(text, fields.pathOf(key), fields.troubles()));
+        times.push_back(timeFrom(text, fields.pathOf(key), fields.problem()));
     return times;
 }
 
 /// "03-21", or an object with day, label, same_as, status and source.
-RuleDay readDay(const RuleJson& json, const std::string& path, RuleProblem& trouble,
+RuleDay readDay(const RuleJson& json, const std::string& path, RuleProblem& problem,
                 const Evidence& standard) {
-    if (json.is_string()) return {dayFrom(json.get<std::string>(), path, trouble), {}, {}, standard};
-    RuleFields fields(json, path, trouble);
-    RuleDay day{dayFrom(fields.text("day"), path, trouble), {}, fields.textOr("label", {}), standard};
+    if (json.is_string()) return {dayFrom(json.get<std::string>(), path, problem), {}, {}, standard};
+    RuleFields fields(json, path, problem);
+    RuleDay day{dayFrom(fields.text("day"), path, problem), {}, fields.textOr("label", {}), standard};
     for (const std::string& text : fields.texts("same_as"))
-        day.sameAs.push_back(dayFrom(text, path, trouble));
+        day.sameAs.push_back(dayFrom(text, path, problem));
     if (fields.has("status")) day.evidence = readEvidence(fields, standard.source);
     fields.finish();
     return day;
 }
 
 void readRange(RuleFields& fields, RuleDays& days) {
-    days.first = dayFrom(fields.text("from"), fields.pathOf("from"), fields.troubles());
-    days.last = dayFrom(fields.text("to"), fields.pathOf("to"), fields.troubles());
+    days.first = dayFrom(fields.text("from"), fields.pathOf("from"), fields.problem());
+    days.last = dayFrom(fields.text("to"), fields.pathOf("to"), fields.problem());
     days.everyDays = fields.wholeOr("every", 1, 31, 1);
     days.mirrored = fields.flagOr("mirrored", false);
 }
@@ -54,10 +54,10 @@ void checkDays(RuleFields& fields, const RuleDays& days) {
     for (std::size_t i = 0; i < days.fixed.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (days.fixed[i].day == days.fixed[j].day)
-                fields.trouble("on", "The day " + formatText(days.fixed[i].day) + " is there twice");
+                fields.addProblem("on", "The day " + formatText(days.fixed[i].day) + " is there twice");
     const bool wholeYear = days.first == std::chrono::January / 1 && days.last == std::chrono::December / 31;
     if (days.mirrored && !wholeYear)
-        fields.trouble("mirrored", "Only a whole year is mirrored", "Give from 01-01 and to 12-31");
+        fields.addProblem("mirrored", "Only a whole year is mirrored", "Give from 01-01 and to 12-31");
 }
 
 /// One bound, or a list of them.
@@ -67,17 +67,18 @@ std::vector<HoursBound> readBounds(RuleFields& fields, const char* key, const Ru
         json.is_array() ? std::vector<RuleJson>(json.begin(), json.end()) : std::vector<RuleJson>(1, json);
     for (const RuleJson& text : all) {
         const auto bound = text.is_string() ? parseHoursBound(text.get<std::string>()) : std::nullopt;
-        if (!bound) fields.trouble(key, "A time is needed here", "Write 09:18, sunrise+1.5h or sunset-90m");
+        if (!bound)
+            fields.addProblem(key, "A time is needed here", "Write 09:18, sunrise+1.5h or sunset-90m");
         bounds.push_back(bound.value_or(HoursBound{}));
     }
-    if (bounds.empty() || bounds.size() > 8) fields.trouble(key, "One to eight times are needed here");
+    if (bounds.empty() || bounds.size() > 8) fields.addProblem(key, "One to eight times are needed here");
     return bounds;
 }
 
-HoursOfDay readHours(const RuleJson& json, const std::string& path, RuleProblem& trouble) {
-    RuleFields pair(RuleJson::object(), path, trouble);
+HoursOfDay readHours(const RuleJson& json, const std::string& path, RuleProblem& problem) {
+    RuleFields pair(RuleJson::object(), path, problem);
     if (!json.is_array() || json.size() != 2) {
-        trouble.add(path, "Two times are needed here", R"(Write ["08:51", "14:53"])");
+        problem.add(path, "Two times are needed here", R"(Write ["08:51", "14:53"])");
         return {{HoursBound{}}, {HoursBound{}}};
     }
     return {readBounds(pair, "from", json[0]), readBounds(pair, "to", json[1])};
@@ -92,17 +93,17 @@ bool isOrdered(const HoursOfDay& hours) {
 }
 
 void checkHours(RuleFields& fields, const CountedHours& window) {
-    if (!isOrdered(window.hours)) fields.trouble("hours", "The hours end before they begin");
+    if (!isOrdered(window.hours)) fields.addProblem("hours", "The hours end before they begin");
     for (const auto& [day, hours] : window.byDay)
         if (!isOrdered(hours))
-            fields.trouble("by_day", "The hours of " + formatText(day) + " end before they begin");
+            fields.addProblem("by_day", "The hours of " + formatText(day) + " end before they begin");
 }
 
 std::vector<RuleColumn> readColumns(RuleFields& fields) {
     std::vector<RuleColumn> columns;
     for (const RuleJson& json : fields.elements("columns")) {
         RuleFields column(json, fmt::format("{}[{}]", fields.pathOf("columns"), columns.size()),
-                          fields.troubles());
+                          fields.problem());
         columns.push_back({column.text("title"), column.text("key")});
         column.finish();
     }
@@ -113,8 +114,8 @@ RuleDiagrams readDiagrams(RuleFields fields, const std::string& source) {
     RuleDiagrams diagrams;
     diagrams.timesMin = timesFrom(fields, "times");
     for (const auto& [key, json] : fields.members("by_day")) {
-        RuleFields day(RuleJson{{"times", json}}, fields.pathOf("by_day"), fields.troubles());
-        diagrams.byDay[dayFrom(key, fields.pathOf("by_day"), fields.troubles())] = timesFrom(day, "times");
+        RuleFields day(RuleJson{{"times", json}}, fields.pathOf("by_day"), fields.problem());
+        diagrams.byDay[dayFrom(key, fields.pathOf("by_day"), fields.problem())] = timesFrom(day, "times");
     }
     diagrams.views = fields.texts("views");
     diagrams.evidence = readEvidence(fields, source);
@@ -130,7 +131,7 @@ RuleDays readDays(RuleFields& rule, const std::string& ruleSource) {
     days.evidence = readEvidence(fields, ruleSource);
     for (const RuleJson& json : fields.elements("on"))
         days.fixed.push_back(readDay(json, fmt::format("{}[{}]", fields.pathOf("on"), days.fixed.size()),
-                                     fields.troubles(), days.evidence));
+                                     fields.problem(), days.evidence));
     if (days.fixed.empty()) readRange(fields, days);
     days.combination = fields.nameOr("must", combinationNames(), DayCombination::every);
     if (fields.has("year")) days.year = fields.wholeOr("year", 1901, 2099, 2026);
@@ -142,10 +143,10 @@ RuleDays readDays(RuleFields& rule, const std::string& ruleSource) {
 CountedHours readRuleHours(RuleFields& rule, const std::string& ruleSource) {
     RuleFields fields = rule.object("window");
     CountedHours window;
-    window.hours = readHours(fields.elements("hours"), fields.pathOf("hours"), fields.troubles());
+    window.hours = readHours(fields.elements("hours"), fields.pathOf("hours"), fields.problem());
     for (const auto& [key, json] : fields.members("by_day"))
-        window.byDay[dayFrom(key, fields.pathOf("by_day"), fields.troubles())] =
-            readHours(json, fields.pathOf("by_day"), fields.troubles());
+        window.byDay[dayFrom(key, fields.pathOf("by_day"), fields.problem())] =
+            readHours(json, fields.pathOf("by_day"), fields.problem());
     window.sunrise = fields.nameOr("sunrise", sunriseNames(), SunriseRule::upperLimb);
     window.minSunDeg = fields.numberOr("lowest_sun_deg", 0, 89, 0);
     window.evidence = readEvidence(fields, ruleSource);
@@ -171,7 +172,7 @@ RuleSampling readSampling(RuleFields& rule, const std::string& ruleSource) {
     sampling.stepMinutes = fields.number("step_min", 1.0 / 60, 240);
     sampling.roundTo = fields.wholeOr("round_to_min", 1, 60, 0);
     if (sampling.roundTo != 0 && 60 % sampling.roundTo != 0)
-        fields.trouble("round_to_min", "The minutes must divide an hour", "Give 60, 30, 20, 15, 10 or 5");
+        fields.addProblem("round_to_min", "The minutes must divide an hour", "Give 60, 30, 20, 15, 10 or 5");
     sampling.evidence = readEvidence(fields, ruleSource);
     fields.finish();
     return sampling;
@@ -186,7 +187,7 @@ std::optional<RoadShift> readRoadShift(RuleFields& receivers) {
     shift.fromFarSideM = fields.number("far_side_m", 0, 1000);
     fields.finish();
     if (shift.fromFarSideM > shift.narrowM)
-        fields.trouble("far_side_m", "The distance must be at most narrow_m");
+        fields.addProblem("far_side_m", "The distance must be at most narrow_m");
     return shift;
 }
 
@@ -197,7 +198,7 @@ RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource) {
     if (receivers.surface == RuleSurface::plane) receivers.planeM = fields.number("plane_m", 0, 1000);
     for (const std::string& text : fields.texts("kinds")) {
         const auto kind = parsePlaceKind(text);
-        if (!kind) fields.trouble("kinds", fmt::format("'{}' is no kind of place", text));
+        if (!kind) fields.addProblem("kinds", fmt::format("'{}' is no kind of place", text));
         receivers.kinds.push_back(kind.value_or(PlaceKind::other));
     }
     if (fields.has("lines_m")) {
@@ -206,10 +207,10 @@ RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource) {
         receivers.outerLineM = lines.number("outer", 0.1, 1000);
         lines.finish();
         if (receivers.innerLineM >= receivers.outerLineM)
-            fields.trouble("lines_m", "The outer line must be farther out than the inner one");
+            fields.addProblem("lines_m", "The outer line must be farther out than the inner one");
     }
     if (fields.has("road_shift") && !receivers.hasLines())
-        fields.trouble("road_shift", "The field needs lines_m");
+        fields.addProblem("road_shift", "The field needs lines_m");
     receivers.roads = readRoadShift(fields);
     if (receivers.surface == RuleSurface::windows) receivers.windows = readRuleGlazing(fields, ruleSource);
     receivers.evidence = readEvidence(fields, ruleSource);

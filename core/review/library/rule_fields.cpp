@@ -17,15 +17,15 @@ std::string_view kindOf(const RuleJson& json) { return json.type_name(); }
 
 bool isControl(char letter) { return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f; }
 
-std::string checkedText(const RuleJson& json, const std::string& path, RuleProblem& trouble) {
+std::string checkedText(const RuleJson& json, const std::string& path, RuleProblem& problem) {
     if (!json.is_string()) {
-        trouble.add(path, fmt::format("A text is needed here, not {}", kindOf(json)));
+        problem.add(path, fmt::format("A text is needed here, not {}", kindOf(json)));
         return {};
     }
     std::string text = json.get<std::string>();
     if (text.empty() || text.size() > longestText)
-        trouble.add(path, fmt::format("A text of 1 to {} bytes is needed here", longestText));
-    if (std::ranges::any_of(text, isControl)) trouble.add(path, "The text contains control characters");
+        problem.add(path, fmt::format("A text of 1 to {} bytes is needed here", longestText));
+    if (std::ranges::any_of(text, isControl)) problem.add(path, "The text contains control characters");
     return text;
 }
 
@@ -51,10 +51,10 @@ void RuleProblem::add(const std::string& path, std::string what, std::string adv
     if (!error) error = Error{std::move(what), file + ", " + path, std::move(advice)};
 }
 
-RuleFields::RuleFields(const RuleJson& json, std::string path, RuleProblem& trouble)
-    : json_(json), path_(std::move(path)), trouble_(&trouble), known_{"comment"} {
+RuleFields::RuleFields(const RuleJson& json, std::string path, RuleProblem& problem)
+    : json_(json), path_(std::move(path)), problem_(&problem), known_{"comment"} {
     if (json_.is_object()) return;
-    trouble_->add(path_.empty() ? "the whole file" : path_,
+    problem_->add(path_.empty() ? "the whole file" : path_,
                   fmt::format("An object is needed here, not {}", kindOf(json_)), "Write { ... }");
     json_ = RuleJson::object();
 }
@@ -63,8 +63,8 @@ std::string RuleFields::pathOf(const std::string& key) const {
     return path_.empty() ? key : path_ + "." + key;
 }
 
-void RuleFields::trouble(const char* key, std::string what, std::string advice) {
-    trouble_->add(pathOf(key), std::move(what), std::move(advice));
+void RuleFields::addProblem(const char* key, std::string what, std::string advice) {
+    problem_->add(pathOf(key), std::move(what), std::move(advice));
 }
 
 const RuleJson* RuleFields::find(const char* key) {
@@ -78,10 +78,10 @@ bool RuleFields::has(const char* key) const { return json_.contains(key); }
 std::string RuleFields::text(const char* key) {
     const RuleJson* found = find(key);
     if (!found) {
-        trouble(key, "The field is missing", "See docs/rules.md");
+        addProblem(key, "The field is missing", "See docs/rules.md");
         return {};
     }
-    return checkedText(*found, pathOf(key), *trouble_);
+    return checkedText(*found, pathOf(key), *problem_);
 }
 
 std::string RuleFields::textOr(const char* key, std::string otherwise) {
@@ -91,12 +91,12 @@ std::string RuleFields::textOr(const char* key, std::string otherwise) {
 double RuleFields::number(const char* key, double lowest, double highest) {
     const RuleJson* found = find(key);
     if (!found) {
-        trouble(key, "The field is missing", "See docs/rules.md");
+        addProblem(key, "The field is missing", "See docs/rules.md");
         return lowest;
     }
     const double value = found->is_number() ? found->get<double>() : std::nan("");
     if (value >= lowest && value <= highest) return value;
-    trouble(key, fmt::format("A number from {:g} to {:g} is needed here", lowest, highest));
+    addProblem(key, fmt::format("A number from {:g} to {:g} is needed here", lowest, highest));
     return lowest;
 }
 
@@ -106,7 +106,7 @@ double RuleFields::numberOr(const char* key, double lowest, double highest, doub
 
 int RuleFields::wholeOr(const char* key, int lowest, int highest, int otherwise) {
     const double value = numberOr(key, lowest, highest, otherwise);
-    if (value != std::floor(value)) trouble(key, "A whole number is needed here");
+    if (value != std::floor(value)) addProblem(key, "A whole number is needed here");
     return int(value);
 }
 
@@ -114,7 +114,7 @@ bool RuleFields::flagOr(const char* key, bool otherwise) {
     const RuleJson* found = find(key);
     if (!found) return otherwise;
     if (found->is_boolean()) return found->get<bool>();
-    trouble(key, "true or false is needed here");
+    addProblem(key, "true or false is needed here");
     return otherwise;
 }
 
@@ -123,7 +123,7 @@ std::vector<RuleJson> RuleFields::elements(const char* key) {
     if (!found) return {};
     if (found->is_array() && found->size() <= maxElements)
         return std::vector<RuleJson>(found->begin(), found->end());
-    trouble(key, fmt::format("A list of at most {} entries is needed here", maxElements), "Write [ ... ]");
+    addProblem(key, fmt::format("A list of at most {} entries is needed here", maxElements), "Write [ ... ]");
     return {};
 }
 
@@ -132,7 +132,7 @@ std::vector<std::pair<std::string, RuleJson>> RuleFields::members(const char* ke
     if (!found) return {};
     std::vector<std::pair<std::string, RuleJson>> all;
     if (!found->is_object() || found->size() > maxElements) {
-        trouble(key, fmt::format("An object of at most {} fields is needed here", maxElements));
+        addProblem(key, fmt::format("An object of at most {} fields is needed here", maxElements));
         return {};
     }
     for (const auto& [name, value] : found->items())
@@ -143,21 +143,21 @@ std::vector<std::pair<std::string, RuleJson>> RuleFields::members(const char* ke
 std::vector<std::string> RuleFields::texts(const char* key) {
     std::vector<std::string> all;
     for (const RuleJson& element : elements(key))
-        all.push_back(checkedText(element, fmt::format("{}[{}]", pathOf(key), all.size()), *trouble_));
+        all.push_back(checkedText(element, fmt::format("{}[{}]", pathOf(key), all.size()), *problem_));
     return all;
 }
 
 RuleFields RuleFields::object(const char* key) {
     const RuleJson* found = find(key);
-    if (!found) trouble(key, "The field is missing", "See docs/rules.md");
-    return {found ? *found : RuleJson::object(), pathOf(key), *trouble_};
+    if (!found) addProblem(key, "The field is missing", "See docs/rules.md");
+    return {found ? *found : RuleJson::object(), pathOf(key), *problem_};
 }
 
 void RuleFields::finish() {
     for (const auto& [key, value] : json_.items()) {
         if (known_.contains(key)) continue;
         const auto close = findCloseNames(key, {known_.begin(), known_.end()});
-        trouble_->add(pathOf(printable(key)), "There is no such field in a rule",
+        problem_->add(pathOf(printable(key)), "There is no such field in a rule",
                       close.empty() ? "See docs/rules.md" : fmt::format("Did you mean '{}'?", close.front()));
     }
 }

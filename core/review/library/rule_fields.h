@@ -31,10 +31,10 @@ struct RuleProblem {
 };
 
 /// Reads the fields of one JSON object and checks that there are no others. A field that is missing or wrong
-/// is recorded in the trouble, and a default is returned. "comment" is allowed everywhere.
+/// is added to `problem`, and a default is returned. "comment" is allowed everywhere.
 class RuleFields {
 public:
-    RuleFields(const RuleJson& json, std::string path, RuleProblem& trouble);
+    RuleFields(const RuleJson& json, std::string path, RuleProblem& problem);
 
     [[nodiscard]] bool has(const char* key) const;
     /// Not empty, at most 2,000 bytes, without control characters.
@@ -45,7 +45,7 @@ public:
     int wholeOr(const char* key, int lowest, int highest, int otherwise);
     bool flagOr(const char* key, bool otherwise);
     std::vector<std::string> texts(const char* key);  ///< empty if there is no such field
-    /// The object of that name; an empty object, and trouble, if it is missing.
+    /// The object of that name; an empty object, and a problem, if it is missing.
     RuleFields object(const char* key);
     /// The elements of an array of at most 400; empty if there is no such field.
     std::vector<RuleJson> elements(const char* key);
@@ -61,8 +61,8 @@ public:
             known.push_back(candidate);
         }
         if (!wanted.empty())
-            trouble(key, fmt::format("'{}' is not known", wanted),
-                    fmt::format("Give one of: {}", fmt::join(known, ", ")));
+            addProblem(key, fmt::format("'{}' is not known", wanted),
+                       fmt::format("Give one of: {}", fmt::join(known, ", ")));
         return names.front().first;
     }
     template <class E>
@@ -70,10 +70,10 @@ public:
         return has(key) ? name(key, names) : otherwise;
     }
 
-    void trouble(const char* key, std::string what, std::string advice = {});
-    RuleProblem& troubles() { return *trouble_; }
+    void addProblem(const char* key, std::string what, std::string advice = {});
+    RuleProblem& problem() { return *problem_; }
     [[nodiscard]] std::string pathOf(const std::string& key) const;
-    /// Trouble if a field has not been asked for.
+    /// Adds a problem if there is a field that none of these calls read.
     void finish();
 
 private:
@@ -81,8 +81,32 @@ private:
 
     RuleJson json_;
     std::string path_;
-    RuleProblem* trouble_;
+    RuleProblem* problem_;
     std::set<std::string> known_;
 };
+
+// The parts of a rule; each reads the field of its name (docs/rules.md).
+
+RuleDays readDays(RuleFields& rule, const std::string& ruleSource);
+CountedHours readRuleHours(RuleFields& rule, const std::string& ruleSource);
+RuleClock readClock(RuleFields& rule, const std::string& ruleSource);
+RuleSampling readSampling(RuleFields& rule, const std::string& ruleSource);
+RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource);
+RuleOccluders readOccluders(RuleFields& rule, const std::string& ruleSource);
+RuleBaseline readBaseline(RuleFields& rule, const std::string& ruleSource);
+Deliverables readDeliverables(RuleFields& rule, const std::string& ruleSource);
+
+/// Status and source of a part of a rule; the source of the rule where the part states none.
+Evidence readEvidence(RuleFields& fields, const std::string& ruleSource);
+
+/// The field `criteria` of a rule.
+std::vector<Criterion> readCriteria(RuleFields& rule, const std::string& ruleSource);
+
+/// The fields of `receivers` that are about windows: point, opening, sweep and unit.
+RuleGlazing readRuleGlazing(RuleFields& receivers, const std::string& ruleSource);
+
+/// The fields `holds_if`, `shares` and `sunshine` of a rule whose criteria have been read; a problem where
+/// they, or criteria about windows, are in a rule about places.
+void readGlazingVerdicts(RuleFields& fields, Rule& rule);
 
 }  // namespace noonmark

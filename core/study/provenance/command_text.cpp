@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/safe_text.h"
+#include "core/describe/field_values.h"
 #include "core/io/settings/read_settings.h"
 #include "core/study/study_fields.h"
 #include "core/study/text/error_text.h"
@@ -160,7 +161,7 @@ private:
 };
 
 std::string_view nameFlag(std::span<const Field> rows, std::string_view key) {
-    return std::ranges::find(rows, key, &Field::key)->flag;
+    return fieldWithKey(rows, key).flag;
 }
 
 // 500 m around the middle of the buildings, or all of them where that is less.

@@ -13,7 +13,7 @@
 #include "core/base/safe_text.h"
 #include "core/city/map_context.h"
 #include "core/city/trees/tree_facts.h"
-#include "core/describe/field.h"
+#include "core/describe/field_values.h"
 #include "core/io/settings/read_settings.h"
 #include "core/study/text/height_facts_text.h"
 #include "core/study/text/terrain_text.h"
@@ -153,7 +153,7 @@ constexpr const char* leafDaysKey = "leaf_days";
 constexpr double thinnestM = 0.01;  // a tree has some height and a crown some width
 
 NumberLimits treeLimitsOf(const char* key, double lowest = 0) {
-    const ValueRange range = *std::ranges::find(treeRecordFields().rows(), key, &Field::key)->range;
+    const ValueRange range = *fieldWithKey(treeRecordFields().rows(), key).range;
     return {std::max(range.min, lowest), range.max};
 }
 

@@ -25,12 +25,12 @@ class OwnFiles;
 using Bytes = std::string;  ///< a blob
 
 /// An error of SQLite. It is thrown only inside scenarios/project, where `guarded` turns it into an Error.
-struct DatabaseTrouble {
+struct DatabaseError {
     int code = 0;       ///< SQLite's primary result code
     std::string words;  ///< SQLite's message
 };
 
-/// A prepared statement. Columns count from 0; parameters are bound in order. Throws DatabaseTrouble.
+/// A prepared statement. Columns count from 0; parameters are bound in order. Throws DatabaseError.
 class Statement {
 public:
     Statement(sqlite3* database, std::string_view sql);
@@ -99,7 +99,7 @@ class Database {
 public:
     enum class Access { read, write, create };
 
-    /// Throws DatabaseTrouble. Waits at most half a second for another writer. See checkBeside() before.
+    /// Throws DatabaseError. Waits at most half a second for another writer. See checkBeside() before.
     Database(const std::filesystem::path& file, Access access);
     /// A copy of another database in memory; changes touch no file.
     struct InMemory {};
@@ -142,7 +142,7 @@ private:
 [[noreturn]] void throwDamaged(const std::string& words);
 
 /// Translates an SQLite error on a project file into an Error for the user.
-Error errorOf(const DatabaseTrouble& trouble, const std::filesystem::path& file);
+Error errorOf(const DatabaseError& error, const std::filesystem::path& file);
 
 /// Smallest and largest permitted value of a number in a project file, both inclusive.
 struct NumberLimits {
@@ -161,7 +161,7 @@ inline constexpr NumberLimits layerLimits{-1e9, 1e9};       ///< values of a res
 [[nodiscard]] bool isWithin(double value, const NumberLimits& limits);  ///< false for NaN
 
 /// Reads the numbers of one row of a project file and checks each one, because project files are untrusted.
-/// Throws DatabaseTrouble with table, row and column.
+/// Throws DatabaseError with table, row and column.
 class CheckedRow {
 public:
     /// Valid only while the statement stays on this row. `idColumn` holds the row's id.

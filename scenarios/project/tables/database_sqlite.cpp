@@ -13,7 +13,7 @@ namespace {
 constexpr int waitMs = 500;
 
 [[noreturn]] void fail(sqlite3* database, int code) {
-    throw DatabaseTrouble{code & 0xff, database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code)};
+    throw DatabaseError{code & 0xff, database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code)};
 }
 
 void check(sqlite3_stmt* statement, int code) {
@@ -122,9 +122,9 @@ std::filesystem::path pathOf(const std::filesystem::path& file) {
 Database::Database(const std::filesystem::path& file, Access access) : files_(std::make_unique<OwnFiles>()) {
     const int code = sqlite3_open_v2(pathOf(file).c_str(), &database_, flagsOf(access), files_->name());
     if (code != SQLITE_OK) {
-        DatabaseTrouble trouble{code & 0xff, sqlite3_errmsg(database_)};
+        DatabaseError error{code & 0xff, sqlite3_errmsg(database_)};
         sqlite3_close(database_);
-        throw trouble;
+        throw error;
     }
     harden(database_);
     sqlite3_progress_handler(database_, stepsBetweenLooks, isTooLong, &looks_);
@@ -167,7 +167,7 @@ Transaction::~Transaction() {
     if (!open_) return;
     try {
         database_.execute("ROLLBACK");
-    } catch (const DatabaseTrouble&) {
+    } catch (const DatabaseError&) {
         // SQLite also rolls back when the connection is closed.
     }
 }
@@ -177,11 +177,11 @@ void Transaction::commit() {
     open_ = false;
 }
 
-void throwDamaged(const std::string& words) { throw DatabaseTrouble{SQLITE_CORRUPT, words}; }
+void throwDamaged(const std::string& words) { throw DatabaseError{SQLITE_CORRUPT, words}; }
 
-Error errorOf(const DatabaseTrouble& trouble, const std::filesystem::path& file) {
+Error errorOf(const DatabaseError& error, const std::filesystem::path& file) {
     const std::string where = file.string();
-    switch (trouble.code) {
+    switch (error.code) {
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
             return {"Another program is writing the project", where, "Close it there, then try again"};
@@ -191,7 +191,7 @@ Error errorOf(const DatabaseTrouble& trouble, const std::filesystem::path& file)
         case SQLITE_CORRUPT:
         case SQLITE_NOTADB:
         case SQLITE_FORMAT:
-            return {fmt::format("The project file is damaged ({})", trouble.words), where,
+            return {fmt::format("The project file is damaged ({})", error.words), where,
                     "Take a copy of it, or the recovery file beside it; this file was not changed"};
         case SQLITE_CANTOPEN:
             return {"The project file cannot be opened", where,
@@ -201,7 +201,7 @@ Error errorOf(const DatabaseTrouble& trouble, const std::filesystem::path& file)
                 "The project file holds a value that is larger than the file: this program did not write it",
                 where, "Ask for the file again, or take an older copy"};
         case SQLITE_CONSTRAINT:
-            return {fmt::format("The project file has rows that contradict each other ({})", trouble.words),
+            return {fmt::format("The project file has rows that contradict each other ({})", error.words),
                     where, "Save it under another name; the file was not changed"};
         case SQLITE_INTERRUPT:
             return {"Reading the project file takes too long: this program did not write it", where,
@@ -210,7 +210,7 @@ Error errorOf(const DatabaseTrouble& trouble, const std::filesystem::path& file)
             return {"The disk is full", where,
                     "Free some space, or save elsewhere; the file was not changed"};
         default:
-            return {fmt::format("The project file cannot be used ({})", trouble.words), where,
+            return {fmt::format("The project file cannot be used ({})", error.words), where,
                     "Check that the disk is available and has free space"};
     }
 }

@@ -19,13 +19,13 @@ inline constexpr const char* noReadingText =
 void createSchema(Database& database, const std::string& localWkt);
 
 /// Fills the column `settings` of the table `periods`, which version 9 added, from the others. Throws
-/// DatabaseTrouble for a period that makes no sense.
+/// DatabaseError for a period that makes no sense.
 void addPeriodSettings(Database& database);
 
 /// Schema version of the file; 0 where it is not a Noonmark project.
 int versionOf(Database& database);
 
-/// Throws DatabaseTrouble where a table of schemaVersion is missing, is a view or a virtual table, or lacks a
+/// Throws DatabaseError where a table of schemaVersion is missing, is a view or a virtual table, or lacks a
 /// column. Generated columns count as missing. Other tables are ignored.
 void checkTables(Database& database);
 
@@ -38,7 +38,7 @@ void removeSpatialIndexes(Database& database);
 
 /// Makes our tables exactly ours again, before a save: a constraint or an index that another program added
 /// could make it lose rows in silence. A table that differs is copied into one of ours, with the columns that
-/// were added; foreign indexes are dropped. Throws DatabaseTrouble where its rows do not fit.
+/// were added; foreign indexes are dropped. Throws DatabaseError where its rows do not fit.
 void takeTablesBack(Database& database);
 
 /// Migrates the tables version by version to schemaVersion, inside the caller's transaction.

@@ -25,8 +25,7 @@ constexpr const char* centreName = "centre";
 
 // The range of a field of a period, which has one.
 NumberLimits limitsOf(std::string_view key) {
-    const auto fields = periodFields().rows();
-    const ValueRange range = std::ranges::find(fields, key, &Field::key)->range.value();
+    const ValueRange range = *fieldWithKey(periodFields().rows(), key).range;
     return {range.min, range.max};
 }
 

@@ -59,7 +59,7 @@ inline bool mayMeet(const Edge& e, const Edge& f) {
     return (e.number + 1) % e.ringSize == f.number || (f.number + 1) % f.ringSize == e.number;
 }
 
-inline std::string troubleOf(const Edge& e, const Edge& f) {
+inline std::string faultOf(const Edge& e, const Edge& f) {
     if (apart(e, f)) return "";
     const int crossing = turn(e.a, e.b, f.a) * turn(e.a, e.b, f.b);
     if (crossing < 0 && turn(f.a, f.b, e.a) * turn(f.a, f.b, e.b) < 0) return "edges cross";
@@ -75,7 +75,7 @@ inline std::string troubleOf(const Edge& e, const Edge& f) {
 }
 
 /// Why a footprint is not simple and oriented; empty if it is. O(points squared).
-inline std::string troubleOf(const Footprint& footprint) {
+inline std::string faultOf(const Footprint& footprint) {
     if (footprint.outer.size() < 3 || signedArea(footprint.outer) <= 0)
         return "outline is not counter-clockwise";
     for (const Ring& hole : footprint.holes)
@@ -84,7 +84,7 @@ inline std::string troubleOf(const Footprint& footprint) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
         if (edges[i].a == edges[i].b) return "a point is repeated";
         for (std::size_t j = 0; j < i; ++j)
-            if (const std::string trouble = troubleOf(edges[i], edges[j]); !trouble.empty()) return trouble;
+            if (const std::string fault = faultOf(edges[i], edges[j]); !fault.empty()) return fault;
     }
     return "";
 }
@@ -125,7 +125,7 @@ inline double computeVolume(const TriangleMesh& mesh) {
 
 /// Why a footprint's prism is not a solid: open edges, or a volume other than area x height; empty if it is
 /// one.
-inline std::string troubleOfSolid(const Footprint& footprint) {
+inline std::string faultOfSolid(const Footprint& footprint) {
     constexpr double heightM = 7.5;
     const Part part{.footprint = footprint, .bottomM = 1.25F, .topM = float(1.25 + heightM)};
     const TriangleMesh mesh = meshOf(part);

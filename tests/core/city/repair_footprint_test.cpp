@@ -52,8 +52,8 @@ double totalArea(const std::vector<Footprint>& pieces) {
 void expectGoodPieces(const std::vector<RawRing>& rings) {
     const RepairedFootprint repaired = repairFootprint(rings);
     for (const Footprint& piece : repaired.pieces) {
-        EXPECT_EQ(troubleOf(piece), "");
-        EXPECT_EQ(troubleOfSolid(piece), "");
+        EXPECT_EQ(faultOf(piece), "");
+        EXPECT_EQ(faultOfSolid(piece), "");
         EXPECT_GE(area(piece), 0.01);
     }
     EXPECT_EQ(cellsSharedBy(repaired.pieces), 0);
@@ -168,7 +168,7 @@ TEST(RepairFootprint, PointsThatFallTogetherInFloatAreMerged) {
                                             {10005, 10},
                                             {10000, 10}}});
     ASSERT_EQ(repaired.pieces.size(), 1U);
-    EXPECT_EQ(troubleOf(repaired.pieces[0]), "");
+    EXPECT_EQ(faultOf(repaired.pieces[0]), "");
     EXPECT_LE(repaired.pieces[0].outer.size(), 5U);
     EXPECT_NEAR(area(repaired.pieces[0]), 100, 0.01);
 }

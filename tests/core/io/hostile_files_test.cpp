@@ -46,10 +46,10 @@ std::map<std::string, std::string> contentOf(const fs::path& folder) {
 void runSql(const fs::path& file, const std::string& statements) {
     sqlite3* database = nullptr;
     sqlite3_open(file.c_str(), &database);
-    char* trouble = nullptr;
-    EXPECT_EQ(sqlite3_exec(database, statements.c_str(), nullptr, nullptr, &trouble), SQLITE_OK)
-        << (trouble != nullptr ? trouble : "");
-    sqlite3_free(trouble);
+    char* error = nullptr;
+    EXPECT_EQ(sqlite3_exec(database, statements.c_str(), nullptr, nullptr, &error), SQLITE_OK)
+        << (error != nullptr ? error : "");
+    sqlite3_free(error);
     sqlite3_close(database);
 }
 

@@ -80,8 +80,8 @@ protected:
         return readGroundRaster(file, frame, box, settings, progress, {});
     }
 
-    static std::string troubleOf(const Result<GroundRaster>& read) {
-        return read ? "no trouble" : read.error().text();
+    static std::string errorOf(const Result<GroundRaster>& read) {
+        return read ? "no error" : read.error().text();
     }
 
     static std::array<int, 4> colourAt(const GroundRaster& raster, double eastM, double northM) {
@@ -96,7 +96,7 @@ protected:
 
 TEST_F(ReadGroundRaster, ColoursLieWhereTheyBelong) {
     const auto raster = read(made({}));
-    ASSERT_TRUE(raster) << troubleOf(raster);
+    ASSERT_TRUE(raster) << errorOf(raster);
     EXPECT_THAT(colourAt(*raster, -40, 50), ElementsAre(200, 0, 0, 255));
     EXPECT_THAT(colourAt(*raster, 40, -50), ElementsAre(0, 0, 200, 255));
     EXPECT_NEAR(raster->grid.westM, -80, 0.1) << "no more than the picture covers";
@@ -115,7 +115,7 @@ TEST_F(ReadGroundRaster, OtherProjectionsAreReprojected) {
     double x = 4.45, y = 51.9;
     ASSERT_TRUE(transform->Transform(1, &x, &y));
     const auto raster = read(made({.crs = "EPSG:32631", .westM = x - 80, .northM = y + 80}));
-    ASSERT_TRUE(raster) << troubleOf(raster);
+    ASSERT_TRUE(raster) << errorOf(raster);
     EXPECT_THAT(colourAt(*raster, -20, 30), ElementsAre(200, 0, 0, 255));
     EXPECT_THAT(colourAt(*raster, 20, -30), ElementsAre(0, 0, 200, 255));
 }
@@ -130,29 +130,29 @@ TEST_F(ReadGroundRaster, SidesStayWithinTheLimit) {
 
 TEST_F(ReadGroundRaster, GreyAndIndexedPicturesAreRead) {
     const auto grey = read(made({.bands = 1}));
-    ASSERT_TRUE(grey) << troubleOf(grey);
+    ASSERT_TRUE(grey) << errorOf(grey);
     EXPECT_THAT(colourAt(*grey, -40, 0), ElementsAre(200, 200, 200, 255));
     const auto indexed = read(made({.bands = 1, .indexed = true}));
-    ASSERT_TRUE(indexed) << troubleOf(indexed);
+    ASSERT_TRUE(indexed) << errorOf(indexed);
     EXPECT_THAT(colourAt(*indexed, -40, 0), ElementsAre(0, 255, 0, 255));
     EXPECT_THAT(colourAt(*indexed, 40, 0), ElementsAre(255, 255, 0, 255));
 }
 
 TEST_F(ReadGroundRaster, WhatIsNoPictureOfThisPlaceIsRefused) {
-    EXPECT_THAT(troubleOf(read(folder.path("missing.tif"))), HasSubstr("missing.tif"));
-    EXPECT_THAT(troubleOf(read(folder.file("text.tif", "not a picture"))), HasSubstr("GeoTIFF"));
-    EXPECT_THAT(troubleOf(read(made({.type = GDT_Float32}))), HasSubstr("8 bits"));
-    EXPECT_THAT(troubleOf(read(made({.crs = ""}))), HasSubstr("coordinate reference system"));
-    EXPECT_THAT(troubleOf(read(made({.placed = false}))), HasSubstr("position"));
-    EXPECT_THAT(troubleOf(read(made({.westM = 50000}))), HasSubstr("no ground of this city"));
-    EXPECT_THAT(troubleOf(read(folder.file("virtual.tif", "<VRTDataset rasterXSize=\"1\"/>"))),
+    EXPECT_THAT(errorOf(read(folder.path("missing.tif"))), HasSubstr("missing.tif"));
+    EXPECT_THAT(errorOf(read(folder.file("text.tif", "not a picture"))), HasSubstr("GeoTIFF"));
+    EXPECT_THAT(errorOf(read(made({.type = GDT_Float32}))), HasSubstr("8 bits"));
+    EXPECT_THAT(errorOf(read(made({.crs = ""}))), HasSubstr("coordinate reference system"));
+    EXPECT_THAT(errorOf(read(made({.placed = false}))), HasSubstr("position"));
+    EXPECT_THAT(errorOf(read(made({.westM = 50000}))), HasSubstr("no ground of this city"));
+    EXPECT_THAT(errorOf(read(folder.file("virtual.tif", "<VRTDataset rasterXSize=\"1\"/>"))),
                 HasSubstr("virtual dataset"));
 }
 
 TEST_F(ReadGroundRaster, ADamagedFileIsAnError) {
     const auto file = made({});
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
-    EXPECT_THAT(troubleOf(read(file)), HasSubstr("picture.tif"));
+    EXPECT_THAT(errorOf(read(file)), HasSubstr("picture.tif"));
 }
 
 TEST_F(ReadGroundRaster, StopsWhenAsked) {

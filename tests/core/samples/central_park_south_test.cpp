@@ -72,7 +72,7 @@ TEST(CentralParkSouth, OtherBuildingsHaveNoNameAndPlausibleHeights) {
 
 TEST(CentralParkSouth, EveryBuildingIsAValidSolidAndStandsApart) {
     const City city = makeCentralParkSouthSample();
-    for (const auto& building : city.buildings) EXPECT_EQ(troubleOf(*building), "") << building->sourceId;
+    for (const auto& building : city.buildings) EXPECT_EQ(faultOf(*building), "") << building->sourceId;
     EXPECT_EQ(cellsInTwoBuildings(city, bounds(city), 0.5), 0U);
 }
 
@@ -80,7 +80,7 @@ TEST(CentralParkSouth, TheParkIsAParkOfItsSize) {
     const City city = makeCentralParkSouthSample();
     const Region park = centralParkRegion(city);
     ASSERT_EQ(park.polygons.size(), 1U);
-    EXPECT_EQ(tests::troubleOf(park.polygons[0]), "");
+    EXPECT_EQ(tests::faultOf(park.polygons[0]), "");
     EXPECT_NEAR(area(park.polygons[0]), 829 * 1016, 2000);
     for (const LonLat corner : {LonLat{-73.98180, 40.76810}, LonLat{-73.97300, 40.76432}}) {
         double nearest = 1e9;

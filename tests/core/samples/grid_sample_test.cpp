@@ -36,7 +36,7 @@ TEST(GridSample, IsTheSameOnEveryMachine) {
 
 TEST(GridSample, EveryBuildingIsAValidSolid) {
     for (const auto& building : grid({.buildings = 3000, .seed = 3, .roundness = 5}).buildings)
-        EXPECT_EQ(troubleOf(*building), "") << building->sourceId;
+        EXPECT_EQ(faultOf(*building), "") << building->sourceId;
 }
 
 TEST(GridSample, NoHeightOfItIsMeasured) {

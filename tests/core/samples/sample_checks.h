@@ -30,12 +30,12 @@ inline std::size_t cellsInTwoBuildings(const City& city, const Box2& box, double
 }
 
 /// The first defect of a building; empty if there is none.
-inline std::string troubleOf(const Building& building) {
+inline std::string faultOf(const Building& building) {
     if (building.parts.empty()) return "no parts";
     for (const Part& part : building.parts) {
         if (!(part.topM > part.bottomM) || part.bottomM < 0) return "no height";
-        if (const std::string trouble = troubleOf(part.footprint); !trouble.empty()) return trouble;
-        if (const std::string trouble = troubleOfSolid(part.footprint); !trouble.empty()) return trouble;
+        if (const std::string fault = faultOf(part.footprint); !fault.empty()) return fault;
+        if (const std::string fault = faultOfSolid(part.footprint); !fault.empty()) return fault;
     }
     return "";
 }

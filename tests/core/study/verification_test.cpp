@@ -23,7 +23,7 @@ Json aRecord() {
             {"seconds", {{"total", 1.5}}}};
 }
 
-std::string troubleOf(const Json& record) {
+std::string faultOf(const Json& record) {
     const auto parsed = parseResultRecord(record.dump(), known, "study.json");
     return parsed ? "" : parsed.error().text();
 }
@@ -49,7 +49,7 @@ TEST(ResultRecord, CommandsThatReachElsewhereAreNotRun) {
     const auto withCommand = [](const std::string& command) {
         Json record = aRecord();
         record["repeat"] = command;
-        return troubleOf(record);
+        return faultOf(record);
     };
     for (const char* command :
          {"noonmark-cli import x.osm --out repeated", "rm -r . --out repeated", "noonmark-cli study x.osm",
@@ -73,7 +73,7 @@ TEST(ResultRecord, WhatIsNoRecordIsRefused) {
     Json record = aRecord();
     record["repeat"] = nullptr;
     record["repeat_note"] = "the project has not been saved";
-    EXPECT_THAT(troubleOf(record), HasSubstr("has not been saved"));
+    EXPECT_THAT(faultOf(record), HasSubstr("has not been saved"));
 }
 
 TEST(FoundInputs, AreTheFilesWithTheRecordedHash) {

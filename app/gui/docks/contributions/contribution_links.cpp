@@ -120,8 +120,8 @@ std::optional<Place> ContributionLinks::subject() const {
 void ContributionLinks::refresh() {
     if (const auto comparison = workbench_.answerAs<ImpactAnswer>(); comparison && workbench_.city()) {
         const auto place = dock_.subject().empty() ? std::nullopt : subject();
-        return dock_.show(
-            makeContributionSheet(*comparison, workbench_.city()->city(), place ? &*place : nullptr, told()));
+        return dock_.show(makeContributionSheet(*comparison, workbench_.city()->city(),
+                                                place ? &*place : nullptr, shownAs()));
     }
     if (const auto saved = workbench_.answerAs<SavedContent>()) return showSaved(*saved);
     if (sun()) return showSun();
@@ -132,13 +132,13 @@ void ContributionLinks::refresh() {
 }
 
 // Sun by place has a switch of its own.
-ShownAs ContributionLinks::told() const {
+ShownAs ContributionLinks::shownAs() const {
     return sunOf(workbench_.answer()) ? panel_.legend().shownOfPlaces() : panel_.legend().choice().show;
 }
 
 void ContributionLinks::showSun() {
     if (const KeptContributions* known = kept(); known != nullptr && workbench_.city())
-        return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), told()));
+        return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), shownAs()));
     if (placeOfSun())
         return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
     dock_.explain(
@@ -147,15 +147,15 @@ void ContributionLinks::showSun() {
 }
 
 void ContributionLinks::showStudy(const Study& study) {
-    if (const auto answer = shown()) return dock_.show(makeContributionSheet(study, *answer, told()));
+    if (const auto answer = shown()) return dock_.show(makeContributionSheet(study, *answer, shownAs()));
     if (const KeptContributions* known = kept())
-        return dock_.show(makeContributionSheet(*known, study.city, told()));
+        return dock_.show(makeContributionSheet(*known, study.city, shownAs()));
     if (!dock_.subject().empty())
         return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
     if (study.settings.contributions && study.breakdown)
         return dock_.show(makeContributionSheet(
             study, *study.breakdown, listContributions(study.city, *study.breakdown, study.sun.dayCount()),
-            told()));
+            shownAs()));
     dock_.explain(tr("Click a place in the view to see which buildings shade it, or attribute the shadow of "
                      "the whole region."),
                   true, makeMonthBars(study));
@@ -164,10 +164,10 @@ void ContributionLinks::showStudy(const Study& study) {
 // What a place gets is computed from a study, which the project file does not hold.
 void ContributionLinks::showSaved(const SavedContent& saved) {
     if (const KeptContributions* known = kept(); known != nullptr && workbench_.city())
-        return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), told()));
+        return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), shownAs()));
     const auto* study = saved.as<SavedStudy>();
     if (study && study->contributions && dock_.subject().empty() && workbench_.city())
-        return dock_.show(makeContributionSheet(*study, workbench_.city()->city(), told()));
+        return dock_.show(makeContributionSheet(*study, workbench_.city()->city(), shownAs()));
     dock_.explain(tr("A saved result holds what buildings take from its whole region, if that was asked for. "
                      "Of places it holds those that were attributed before it was saved."),
                   false, study ? makeMonthBars(study->months, study->start, study->field.days) : Bars());

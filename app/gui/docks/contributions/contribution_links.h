@@ -49,7 +49,7 @@ private:
     void goTo(const Building& building);
     void markSelected();
     void colour();
-    [[nodiscard]] ShownAs told() const;
+    [[nodiscard]] ShownAs shownAs() const;
     [[nodiscard]] std::shared_ptr<const SunOfCities> sun() const;
     [[nodiscard]] std::optional<std::size_t> placeOfSun() const;
     [[nodiscard]] const KeptContributions* kept() const;

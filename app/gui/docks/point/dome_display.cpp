@@ -23,7 +23,8 @@ using Labels = std::vector<NameLabels::Label>;
 
 constexpr double shareOfDistance = 0.27;  // of the camera: near and far side fit the view
 constexpr double liftShare = 0.005;       // of the radius: the horizon does not lie in the ground
-constexpr double driftM = 0.02, leapM = 0.6, leapSize = 1.5;  // shares of the radius
+constexpr double smallMismatch = 0.02, largeMismatch = 0.6;  // of centre or size, shares of the radius
+constexpr double largeMismatchSize = 1.5;                    // a ratio of radii
 constexpr double tickShare = 0.06, quarterNameShare = 1.2, monthNameShare = 1.06, hourNameShare = 1.04;
 constexpr double minHourZ = 0.07;  // of 1: an hour that stays lower has no name
 constexpr int horizonStepDeg = 3;
@@ -113,8 +114,8 @@ DomePlace placeDome(const CameraPose& pose, const ViewLens& lens, double groundM
 DomeMismatch compareDomes(const DomePlace& shown, const DomePlace& wanted) {
     const double off = glm::distance(shown.centre, wanted.centre) / shown.radiusM;
     const double size = std::max(shown.radiusM / wanted.radiusM, wanted.radiusM / shown.radiusM);
-    if (off > leapM || size > leapSize) return DomeMismatch::large;
-    return off > driftM || size > 1 + driftM ? DomeMismatch::small : DomeMismatch::none;
+    if (off > largeMismatch || size > largeMismatchSize) return DomeMismatch::large;
+    return off > smallMismatch || size > 1 + smallMismatch ? DomeMismatch::small : DomeMismatch::none;
 }
 
 DomeMarks::Net drawDome(const SunPaths& paths, const glm::dmat3& frameFromPlace, const DomePlace& place) {
@@ -189,9 +190,9 @@ void DomeDisplay::followSun() {
 
 void DomeDisplay::followCamera() {
     if (!place_) return;
-    const DomeMismatch drift = compareDomes(*place_, wantedPlace());
-    if (drift == DomeMismatch::large) return settle();
-    drift == DomeMismatch::small ? rest_->start() : rest_->stop();
+    const DomeMismatch mismatch = compareDomes(*place_, wantedPlace());
+    if (mismatch == DomeMismatch::large) return settle();
+    mismatch == DomeMismatch::small ? rest_->start() : rest_->stop();
 }
 
 void DomeDisplay::settle() {

@@ -10,7 +10,6 @@
 #include "app/gui/tools/editing/selection_panel.h"
 #include "app/gui/tools/massing/massing_panel.h"
 #include "app/gui/tools/massing/massing_text.h"
-#include "app/gui/tools/massing/storey_lines.h"
 #include "app/gui/view/panel/ground_layers.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/copy_massing.h"
@@ -144,7 +143,7 @@ void EditTools::connectTools() {
     connect(massing_, &MassingPanel::designRequested, this, &EditTools::designOn);
     connect(massing_, &MassingPanel::editTowerRequested, this, &EditTools::editTower);
     connect(massing_, &MassingPanel::copyRequested, this, &EditTools::copyTower);
-    connect(&context_.preview, &EditPreview::told, this, &EditTools::hinted);
+    connect(&context_.preview, &EditPreview::hinted, this, &EditTools::hinted);
     connect(&context_.preview, &EditPreview::effectChanged, this, &EditTools::showEffect);
     connect(&context_.preview, &EditPreview::shapeChanged, this, &EditTools::showStoreys);
     connect(&tower_, &TowerEditing::editsMade, this, made);

@@ -117,7 +117,7 @@ EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizonCache> h
     connect(&facades_, &LiveFacades::changed, this, &EditPreview::showLiveFacades);
     connect(&facades_, &LiveFacades::failed, this, [this](const Error& error) {
         panel_.results().setLiveFacades(std::nullopt);
-        if (!isCancelled(error)) Q_EMIT told(tr("No live facades. %1").arg(describeError(error)));
+        if (!isCancelled(error)) Q_EMIT hinted(tr("No live facades. %1").arg(describeError(error)));
     });
 }
 
@@ -293,8 +293,8 @@ void EditPreview::showReason(const Error& error) {
     panel_.results().setLive(std::nullopt);
     panel_.view().overlay().showWorstSpot(std::nullopt);
     showEffect();
-    Q_EMIT told(isCancelled(error) ? tr("The live shadow was cancelled; it returns with the next design")
-                                   : tr("No live shadow. %1").arg(describeError(error)));
+    Q_EMIT hinted(isCancelled(error) ? tr("The live shadow was cancelled; it returns with the next design")
+                                     : tr("No live shadow. %1").arg(describeError(error)));
 }
 
 }  // namespace noonmark

@@ -55,7 +55,7 @@ public:
 Q_SIGNALS:
     /// What the edits change, in the words of describeEffect(); empty: not known yet, or no longer shown.
     void effectChanged(QString words);
-    void told(QString text);  ///< the reason why there is no live shadow
+    void hinted(QString text);  ///< the reason why there is no live shadow
     void shownChanged(bool shown);
     /// The city with the edits shown; null: they are no longer shown.
     void shapeChanged(std::shared_ptr<const noonmark::City> proposed);

@@ -1,14 +1,13 @@
-#include "app/gui/tools/massing/storey_lines.h"
+#include "core/city/meshes/mesh_section.h"
 
 #include <gtest/gtest.h>
 
 #include "scenarios/massing/massing.h"
-#include "tests/gui/small_city.h"
 
 namespace noonmark {
 namespace {
 
-Footprint plan() { return test::square({0, 0}, 20); }
+Footprint plan() { return {{{0, 0}, {20, 0}, {20, 20}, {0, 20}}, {}}; }
 
 TEST(StoreyLines, AreAtTheFloorsBetweenGroundAndTop) {
     Building building{.sourceId = "tower"};
