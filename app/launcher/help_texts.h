@@ -11,8 +11,8 @@ struct HelpText {
     std::string_view text;
 };
 
-/// Of all commands. The source is written by noonmark-commands when the programs are built, so that no option
-/// is described twice (app/cli/describe).
+/// The help of all commands. The source is written by noonmark-commands when the programs are built, so that
+/// no option is described twice (app/cli/describe).
 std::span<const HelpText> helpTexts();
 
 }  // namespace noonmark::launcher

@@ -45,10 +45,10 @@ struct SavedSource;
 
 /// What is shown and written of a question's results that were saved in a project.
 struct SavedForm {
-    /// That it writes. None: those of the figures.
+    /// The names of the files that it writes. None: those of the figures.
     std::function<std::vector<std::string>(const SavedContent&)> fileNames{};
-    /// Of what savedKinds() reads for the question's key (scenarios/project/results/saved_answer.h), else of
-    /// its figures.
+    /// The page of what savedKinds() reads for the question's key (scenarios/project/results/saved_answer.h),
+    /// else of its figures.
     std::function<AnswerPage(const SavedContent&, ShownAs)> page{};
     /// None: it writes its figures.
     std::function<Result<std::vector<std::filesystem::path>>(

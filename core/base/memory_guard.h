@@ -8,8 +8,8 @@
 
 namespace noonmark {
 
-/// What the error states where memory runs out: "There is not enough memory for this study".
-struct MemoryLack {
+/// What the error says if memory runs out: "There is not enough memory for this study".
+struct OutOfMemory {
     std::string what = "this study";  ///< the work
     std::string where = {};           ///< the part that needs it: "cached horizons"; may be empty
     std::string advice = "Choose a smaller region or larger cells";
@@ -23,7 +23,7 @@ struct MemoryLack {
 /// what is half done, and returns the error of `lack` (ErrorKind::limit). The one place that catches it, for
 /// everything that Engine's own functions do not guard.
 template <class Work, class Drop>
-std::invoke_result_t<Work> guardMemory(const MemoryLack& lack, Work&& work, Drop&& drop) {
+std::invoke_result_t<Work> guardMemory(const OutOfMemory& lack, Work&& work, Drop&& drop) {
     try {
         return std::forward<Work>(work)();
     } catch (const std::bad_alloc&) {
@@ -33,7 +33,7 @@ std::invoke_result_t<Work> guardMemory(const MemoryLack& lack, Work&& work, Drop
 }
 
 template <class Work>
-std::invoke_result_t<Work> guardMemory(const MemoryLack& lack, Work&& work) {
+std::invoke_result_t<Work> guardMemory(const OutOfMemory& lack, Work&& work) {
     return guardMemory(lack, std::forward<Work>(work), [] {});
 }
 

@@ -5,17 +5,17 @@
 
 namespace noonmark {
 
-// What the standard library does not tell about this process; process_posix.cpp asks POSIX.
+// What the standard library does not provide about this process; process_posix.cpp asks POSIX.
 
 /// A number that no other user of this computer has: for names of folders of the user.
 long userId();
 
-/// Whether this process may write to an existing file. Permission bits alone do not tell: they differ for
+/// Whether this process may write to an existing file. Permission bits alone do not show it: they differ for
 /// owner, group and others, and a file system may be mounted read-only.
 bool mayWrite(const std::filesystem::path& file);
 
 enum class StandardStream { output, error };
-/// Whether a person reads the stream, who likes a line of progress that changes.
+/// Whether the stream is a terminal, where a line of progress may be overwritten.
 bool isTerminal(StandardStream stream);
 
 /// A write beyond the size that the user allows files to have (ulimit -f) fails from now on, and is reported

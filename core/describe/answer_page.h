@@ -23,7 +23,7 @@ struct Amount {
 /// "4.3 h", "+1,204 m²", "not counted".
 std::string valueOf(const Amount& amount, UnitSystem units = UnitSystem::metric);
 
-/// A sentence about a result, which the GUI shows in the user's language.
+/// A sentence about a result, which the GUI translates.
 struct Sentence {
     using Argument = std::variant<std::string, Amount>;  ///< a name of the user's, or a number
 

@@ -37,7 +37,7 @@ struct ValueRange {
 /// text.
 enum class ValueKind { yesNo, whole, number, text, choice, numbers, texts, namedNumbers };
 
-/// How the type of a member stands in a Value.
+/// How a member of type M is converted to and from a Value.
 template <class M>
 struct Codec {
     ValueKind kind = ValueKind::text;
@@ -47,9 +47,9 @@ struct Codec {
 
 namespace fields {
 
-/// Of types that are an alternative of Value themselves.
+/// The codec of types that are an alternative of Value themselves.
 template <class M>
-Codec<M> heldCodec(ValueKind kind) {
+Codec<M> plainCodec(ValueKind kind) {
     return {kind, [](const M& value) { return Value(value); },
             [](const Value& value) -> Result<M> {
                 if (const auto* held = std::get_if<M>(&value)) return *held;
@@ -70,11 +70,11 @@ double writtenAs(float number);
 
 }  // namespace fields
 
-/// Of numbers, texts, yes or no, lists and named numbers.
+/// The codec of numbers, texts, yes or no, lists and named numbers.
 template <class M>
 Codec<M> codecOf() {
     if constexpr (std::is_same_v<M, bool>) {
-        return fields::heldCodec<M>(ValueKind::yesNo);
+        return fields::plainCodec<M>(ValueKind::yesNo);
     } else if constexpr (std::is_integral_v<M>) {
         return {ValueKind::whole, [](M value) { return Value(std::int64_t(value)); },
                 [](const Value& value) -> Result<M> {
@@ -101,11 +101,11 @@ Codec<M> codecOf() {
                     return failure({});
                 }};
     } else {
-        return fields::heldCodec<M>(fields::kindOf<M>());
+        return fields::plainCodec<M>(fields::kindOf<M>());
     }
 }
 
-/// Of what is written as text.
+/// The codec of a type that is written as text.
 template <class M>
 Codec<M> textCodec(std::function<std::string(const M&)> format, Result<M> (*parse)(std::string_view)) {
     return {ValueKind::text, [format](const M& held) { return Value(format(held)); },
@@ -115,7 +115,7 @@ Codec<M> textCodec(std::function<std::string(const M&)> format, Result<M> (*pars
             }};
 }
 
-/// Of an enumeration. The choices outlive the codec.
+/// The codec of an enumeration. The choices outlive the codec.
 template <class E>
 Codec<E> choiceCodec(std::span<const Choice<E>> choices) {
     return {ValueKind::choice, [choices](E held) { return Value(std::string(keyOf(choices, held))); },
@@ -127,7 +127,7 @@ Codec<E> choiceCodec(std::span<const Choice<E>> choices) {
             }};
 }
 
-/// The same of a member that may be unset; an empty text unsets it, too.
+/// The codec of a member that may be unset; an empty text unsets it, too.
 template <class M>
 Codec<std::optional<M>> orUnset(const Codec<M>& codec) {
     return {codec.kind,

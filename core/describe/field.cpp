@@ -22,7 +22,7 @@ void copyFields(const Described& from, const Editable& to, const std::set<std::s
         if (flags.contains(field.flag)) (void)to.set(field, from.get(field));  // it came from such an object
 }
 
-tl::unexpected<Error> unfitValue(const FieldFacts& facts) {
+tl::unexpected<Error> refuseValue(const FieldFacts& facts) {
     return failure(fmt::format("This is no value of '{}'", nameOf(facts)), std::string(nameOf(facts)),
                    std::string(facts.help));
 }

@@ -91,7 +91,7 @@ struct Editable {
 void copyFields(const Described& from, const Editable& to, const std::set<std::string, std::less<>>& flags);
 
 /// The error of a value that the field cannot take.
-tl::unexpected<Error> unfitValue(const FieldFacts& facts);
+tl::unexpected<Error> refuseValue(const FieldFacts& facts);
 
 /// The flag without its dashes, else the key: where an error lies.
 std::string_view nameOf(const FieldFacts& facts);
@@ -133,7 +133,7 @@ Field makeField(M S::*member, const Codec<M>& codec, FieldFacts facts) {
     row.set = [member, from = codec.fromValue, named = static_cast<const FieldFacts&>(row)](
                   void* object, const Value& value) -> Result<void> {
         auto read = from(value);
-        if (!read && read.error().what.empty()) return unfitValue(named);
+        if (!read && read.error().what.empty()) return refuseValue(named);
         if (!read) return tl::make_unexpected(read.error());
         static_cast<S*>(object)->*member = *std::move(read);
         return {};

@@ -62,7 +62,7 @@ Result<void> readField(const Editable& settings, const Field& field, const Json&
     if (found == json.end()) return {};
     return settings.set(field, valueFrom(field, *found));
 } catch (const std::exception&) {  // of another type, or out of the range of its type
-    return unfitValue(field);
+    return refuseValue(field);
 }
 
 const Json* groupIn(const Json& json, std::string_view group) {

@@ -8,8 +8,8 @@ namespace noonmark {
 
 /// Which fields a JSON states, and how.
 struct FieldJson {
-    /// Those that apply; all, for files that give back what does not apply now; those that apply and differ
-    /// from their default; or these with those that are always restated, as commands state them.
+    /// The fields that apply; all, for files that give back what does not apply now; those that apply and
+    /// differ from their default; or these with those that are always restated, as commands state them.
     enum class Which { applying, all, changed, stated };
     /// Numbers count choices from 0, as projects of all versions do for the settings of reading a city.
     enum class Choices { keys, numbers };

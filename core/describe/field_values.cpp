@@ -109,7 +109,7 @@ Field heldByKey(Field row) {
                   void* object, const Value& value) -> Result<void> {
         auto& numbers = *static_cast<NamedNumbers*>(object);
         const auto number = asNumber(value);
-        if (!number) return unfitValue(facts);
+        if (!number) return refuseValue(facts);
         const std::string key(facts.key);
         if (value == standard)
             numbers.erase(key);
@@ -255,7 +255,7 @@ Result<Value> parseValue(const Field& field, const std::string& text) {
         if (auto* number = std::get_if<double>(&*value)) *number /= field.shownTimes;
         return *std::move(value);
     }
-    return unfitValue(field);
+    return refuseValue(field);
 }
 
 }  // namespace noonmark

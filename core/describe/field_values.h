@@ -9,8 +9,7 @@ namespace noonmark {
 /// The row with this key, which must be there.
 const Field& fieldWithKey(std::span<const Field> rows, std::string_view key);
 
-/// What a number, or a yes or no, may be, with its unit: "2 to 100 m", "yes or no".
-/// Empty without a range.
+/// The values that the field allows, with their unit: "2 to 100 m", "yes or no". Empty without a range.
 std::string rangeText(const Field& field);
 
 /// Error, with the range, for the first number that its field does not allow; not-a-number is none, and a

@@ -35,7 +35,7 @@ enum class FigureUse {
 };
 
 /// How the figures of pieces become that of the whole.
-enum class Together {
+enum class Aggregation {
     sum,
     mean,  ///< weighted by what the pieces count
     max,
@@ -62,13 +62,13 @@ struct FigureFacts {
     std::string_view definition = {};      ///< begins in lower case and ends without a full stop
     int decimals = 1;                      ///< in CSV; allDigits: as many as the value needs
     std::optional<int> jsonDecimals = {};  ///< rounded to in JSON; none: all digits
-    /// In saved results of versions that did not state it; none: it was always stated.
+    /// Its value in saved results of versions that did not state it; none: it was always stated.
     std::optional<double> whenMissing = {};
     FigureUnit unit = FigureUnit::none;
     FigureUse use = FigureUse::result;
     Whole whole = Whole::none;
     int shownDecimals = 1;  ///< to people; areas are shown without
-    Together together = Together::sum;
+    Aggregation together = Aggregation::sum;
     Better better = Better::none;
     bool isChange = false;      ///< shown with its sign
     bool whenPositive = false;  ///< shown only then
@@ -127,7 +127,7 @@ private:
     std::vector<Figure> rows_;
 };
 
-/// Adds the figures of a piece to those of the pieces before it. The weights are those of Together::mean.
+/// Adds the figures of a piece to those of the pieces before it. The weights are those of Aggregation::mean.
 void addPiece(std::span<const Figure> figures, void* whole, double wholeWeight, const void* piece,
               double pieceWeight);
 

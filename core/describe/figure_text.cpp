@@ -147,9 +147,9 @@ void addPiece(std::span<const Figure> figures, void* whole, double wholeWeight, 
     const double weight = wholeWeight + pieceWeight;
     for (const Figure& figure : figures) {
         const double a = figure.get(whole), b = figure.get(piece);
-        if (figure.together == Together::sum) figure.set(whole, a + b);
-        if (figure.together == Together::max) figure.set(whole, std::max(a, b));
-        if (figure.together == Together::mean)
+        if (figure.together == Aggregation::sum) figure.set(whole, a + b);
+        if (figure.together == Aggregation::max) figure.set(whole, std::max(a, b));
+        if (figure.together == Aggregation::mean)
             figure.set(whole, weight > 0 ? (a * wholeWeight + b * pieceWeight) / weight : 0);
     }
 }

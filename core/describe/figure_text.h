@@ -45,7 +45,7 @@ struct FigureLine {
 };
 
 /// The lines of one use, in the order of the table, without those that have nothing to show and those that
-/// are not told where shadow or sun is shown.
+/// are not shown where shadow or sun is.
 std::vector<FigureLine> listLines(const DescribedFigures& figures, FigureUse use,
                                   const FigureContext& context = {});
 /// Results, then what they refer to.

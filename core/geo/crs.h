@@ -47,9 +47,9 @@ public:
     [[nodiscard]] std::vector<LonLat> lonLat(std::span<const glm::dvec2> points) const;
 
     /// From now on eastings of UTM that begin with the number of their zone (33 391 800, as German surveys
-    /// write them) lose it. The caller warns of it (zoneTakenOff) where tookZoneOff().
-    void takeZoneOff();
-    [[nodiscard]] bool tookZoneOff() const;
+    /// write them) are read without it. The caller warns (zoneNumberRemoved) if hasRemovedZoneNumber().
+    void removeZoneNumber();
+    [[nodiscard]] bool hasRemovedZoneNumber() const;
 
     /// Whether a place is plausible for this system: within 5 degrees of its area of use; true if that area
     /// is unknown.

@@ -161,7 +161,7 @@ struct CrsToLonLat::Parts {
     }
     // Eastings of the zone end below 1,200 km, also where a country stretches it: no zone from 2 on has such
     // eastings of its own.
-    [[nodiscard]] double takeZoneOff(double easting) {
+    [[nodiscard]] double removeZoneNumber(double easting) {
         if (!takesZoneOff || zoneM == 0 || easting < zoneM || easting >= zoneM + metresPerZone)
             return easting;
         ++zonesTakenOff;
@@ -170,7 +170,7 @@ struct CrsToLonLat::Parts {
     void addPlaces(std::span<const glm::dvec2> points, std::vector<LonLat>& places) {
         std::vector<double> x, y;
         for (const glm::dvec2 point : points) {
-            x.push_back(takeZoneOff(point.x));
+            x.push_back(removeZoneNumber(point.x));
             y.push_back(point.y);
         }
         std::vector<int> worked(points.size(), 0);
@@ -240,8 +240,8 @@ bool CrsToLonLat::isPlausible(LonLat place) const {
     return width + 2 * slackDeg >= 360 || eastward <= width + 2 * slackDeg;
 }
 
-void CrsToLonLat::takeZoneOff() { parts_->takesZoneOff = true; }
-bool CrsToLonLat::tookZoneOff() const { return parts_->zonesTakenOff > 0; }
+void CrsToLonLat::removeZoneNumber() { parts_->takesZoneOff = true; }
+bool CrsToLonLat::hasRemovedZoneNumber() const { return parts_->zonesTakenOff > 0; }
 double CrsToLonLat::metresPerElevationUnit() const { return parts_->metresPerElevationUnit; }
 bool CrsToLonLat::elevationUnitIsStated() const { return parts_->elevationUnitIsStated; }
 std::optional<double> CrsToLonLat::metresPerUnit() const {

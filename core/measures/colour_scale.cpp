@@ -97,7 +97,7 @@ std::vector<double> thirdsOf(double from, double to) {
 std::optional<Rgb> ColourScale::pick(double value) const {
     if (std::isnan(value)) return std::nullopt;
     const double amount = of == Of::minutes ? value : std::abs(value);
-    if (leavesZeroFree() && amount <= zero) return std::nullopt;
+    if (leavesZeroUncoloured() && amount <= zero) return std::nullopt;
     return colourOf(shownOf(value));
 }
 

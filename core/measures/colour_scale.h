@@ -30,27 +30,27 @@ struct ColourScale {
     ShownQuantity quantity;
     Ramp ramp = Ramp::noonmark;
     bool reversed = false;
-    bool paintsZero = false;             ///< false: cells without any shadow, change or score stay free
+    bool paintsZero = false;             ///< false: cells without any shadow, change or score have no colour
     double low = 0, high = 1, tick = 1;  ///< in the unit shown
     std::vector<double> breaks{};        ///< ascending, between the classes; empty: continuous
     Of of = Of::minutes;
     double zero = 0;  ///< values up to this, of either sign, count as 0
 
     /// The colour of a value as files hold it: gross or continuous minutes, their change, what is wanted.
-    /// None for NaN and for what stays free. O(log classes).
+    /// None for NaN and for values that have no colour. O(log classes).
     [[nodiscard]] std::optional<Rgb> pick(double value) const;
     /// What the legend shows of such a value, and back.
     [[nodiscard]] double shownOf(double value) const;
     [[nodiscard]] double valueOf(double shown) const;
-    /// Of a value in the unit shown.
+    /// The colour of a value in the unit shown.
     [[nodiscard]] Rgb colourOf(double shown) const;
-    /// Those between breaks; empty for a continuous scale.
+    /// The classes between the breaks; empty for a continuous scale.
     [[nodiscard]] std::vector<ColourClass> classes() const;
     [[nodiscard]] std::string_view unit() const;  ///< "h"; empty of what is wanted
     /// Whether the colours run against the values of files: more of what is shown is less shadow.
     [[nodiscard]] bool isWanted() const { return quantity.isSun() || of == Of::wanted; }
-    /// Whether 0 is left free: never where sun is shown, of which no shadow is most.
-    [[nodiscard]] bool leavesZeroFree() const {
+    /// Whether cells of 0 stay without colour: never where sun is shown, since no shadow is the most sun.
+    [[nodiscard]] bool leavesZeroUncoloured() const {
         return !paintsZero && (of != Of::minutes || !quantity.isSun());
     }
 };
@@ -61,8 +61,8 @@ struct ColourScale {
 ColourScale makeColourScale(const LegendChoice& choice, const ShownQuantity& quantity, double topMin,
                             std::span<const float> minutes);
 
-/// The scale of values around zero, from -ends.top to ends.top; those up to `zero` stay free. `quantity`: of
-/// a change. Cost as of makeColourScale().
+/// The scale of values around zero, from -ends.top to ends.top; those up to `zero` have no colour.
+/// `quantity`: of a change. Cost as of makeColourScale().
 ColourScale makeSignedScale(const LegendChoice& choice, ColourScale::Of of, const ShownQuantity& quantity,
                             LegendScale ends, double zero, std::span<const float> values);
 
@@ -81,7 +81,7 @@ ColourScale makePlaceChangeScale(const LegendChoice& choice);
 /// to ends.top: with the choice's colours and equal classes; its other classes and its range are of minutes.
 ColourScale makeWantedScale(const LegendChoice& choice, LegendScale ends, bool aroundZero);
 
-/// A scale of minutes of shadow from 0 to `topMin` in the usual colours.
+/// A scale of minutes of shadow from 0 to `topMin` in the default colours.
 ColourScale plainScale(double topMin);
 
 }  // namespace noonmark

@@ -55,7 +55,7 @@ struct SampledError {
     CellError gross;                  ///< 100 % is the sunlit minutes of a mean day
     CellError continuous;  ///< 100 % is the sunlit minutes of the longest day; minutes are NaN without runs
 
-    /// What error targets of engines are about.
+    /// The part of the error that engines' error targets limit.
     [[nodiscard]] SampledOff grossOff() const {
         return {gross.percent(gross.meanMin), gross.percent(gross.meanStandardErrorMin)};
     }

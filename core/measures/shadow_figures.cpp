@@ -47,7 +47,7 @@ double sunAreaM2(const ShadowStatistics& statistics) {
     return statistics.receiverAreaM2 - statistics.shadowAreaM2;
 }
 
-double leastSunMin(const ShadowStatistics& statistics) {
+double minSunMin(const ShadowStatistics& statistics) {
     return std::max(statistics.meanSunMin + statistics.meanGrossMin - statistics.maxGrossMin, 0.0);
 }
 
@@ -107,7 +107,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .decimals = 3,
                 .unit = FigureUnit::minutesADay,
                 .whole = Whole::sunlitTime,
-                .together = Together::mean,
+                .together = Aggregation::mean,
                 .better = Better::lessShadow,
                 .shownWith = ShownWith::shadow,
                 .inTable = true}),
@@ -119,7 +119,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .decimals = 3,
                 .unit = FigureUnit::minutesADay,
                 .whole = Whole::sunlitTime,
-                .together = Together::max,
+                .together = Aggregation::max,
                 .better = Better::lessShadow,
                 .shownWith = ShownWith::shadow}),
         figure(&ShadowStatistics::meanSunMin,
@@ -130,8 +130,8 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .whenMissing = std::numeric_limits<double>::quiet_NaN(),
                 .unit = FigureUnit::hoursADay,
                 .whole = Whole::sunlitTime,
-                .together = Together::mean}),
-        derivedFigure(&leastSunMin,
+                .together = Aggregation::mean}),
+        derivedFigure(&minSunMin,
                       {.key = "least_sun_min",
                        .label = NM_TEXT("Least sun"),
                        .definition = NM_TEXT("sunlit time minus gross shadow per day, at the receiver that "
@@ -155,7 +155,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .definition = NM_TEXT("longest unbroken run in shadow on any day, mean over the receivers"),
                 .decimals = 3,
                 .unit = FigureUnit::minutes,
-                .together = Together::mean,
+                .together = Aggregation::mean,
                 .better = Better::lessShadow,
                 .inTable = true}),
         figure(&ShadowStatistics::maxContinuousMin,
@@ -164,7 +164,7 @@ const Figures<ShadowStatistics>& shadowFigures() {
                 .definition = NM_TEXT("longest unbroken run in shadow at any receiver on any day"),
                 .decimals = 3,
                 .unit = FigureUnit::minutes,
-                .together = Together::max,
+                .together = Aggregation::max,
                 .better = Better::lessShadow,
                 .inTable = true}),
     };

@@ -21,8 +21,8 @@ namespace noonmark {
 // Whether the longest runs were counted (core/engines/api/shadow_field.h). If not, minutes of continuous
 // shadow are NaN in every cell and every statistic, and nothing is displayed or written for them.
 
-/// For a map of continuous minutes, or of their change. Reads as far as the first number; reads all cells if
-/// there is none.
+/// Takes a map of continuous minutes, or of their change. Reads as far as the first number; reads all cells
+/// if there is none.
 inline bool hasRuns(std::span<const float> continuousMin) {
     return std::ranges::any_of(continuousMin, [](float minutes) { return !std::isnan(minutes); });
 }

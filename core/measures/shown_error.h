@@ -33,11 +33,11 @@ struct ShownError {
 /// The quantity with this key, which must be in the table.
 const ErrorFacts& findErrorFacts(std::string_view key);
 
-/// Of absolute differences, of which there is at least one. O(n).
+/// The error from absolute differences, at least one. O(n).
 ShownError sumUpError(std::string_view key, std::vector<double> off, std::string of = {});
 
-/// Of the sum over an area of what was sampled: the mean of the signed differences and, as 99 of 100, that
-/// with 2.58 standard errors of it, both times `size`. At least one difference.
+/// The error of a sum over an area, from a sample of it: the mean of the signed differences and, as 99 of
+/// 100, that with 2.58 standard errors of it, both times `size`. At least one difference.
 ShownError sumUpTotalError(std::string_view key, std::span<const double> differences, double size);
 
 /// Gross and longest shadow of a cell, or their changes.
@@ -50,7 +50,8 @@ Sentence describe(const ShownError& error);
 
 /// A list; read back without quantities that are not known.
 nlohmann::ordered_json errorsJson(std::span<const ShownError> errors);
-/// Of a missing member: none. Throws nlohmann's exceptions for JSON of another structure.
+/// Reads errorsJson(); a missing member gives none. Throws nlohmann's exceptions for JSON of another
+/// structure.
 std::vector<ShownError> parseErrors(const nlohmann::ordered_json& json);
 
 }  // namespace noonmark

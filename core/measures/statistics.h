@@ -55,7 +55,7 @@ ShadowStatistics computeStatistics(const ShadowField& field, const Region& regio
 /// half, one or two hours, at most 14, each with its lower limit; the last one with its upper limit, too. No
 /// groups: no part, or no sun.
 Bars makeSunHistogram(std::span<const double> sunMin, double possibleMin, std::string_view title);
-/// Of the area of a field's receivers.
+/// The histogram of the area of a field's receivers.
 Bars makeSunHistogram(const ShadowField& field);
 
 /// How much area changes by how many minutes, m2. `minutes`: of each cell of `cellAreaM2`; NaN: no receiver.

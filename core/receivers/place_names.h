@@ -22,7 +22,7 @@ void nameApart(std::vector<Place>& places);
 Result<Place> findPlace(const std::vector<Place>& places, std::string_view name);
 
 Region regionOf(const Place& place);
-/// As a place of the kind "other", with the source "region".
+/// The region as a place of the kind "other", with the source "region".
 Place makePlace(const Region& region);
 
 /// Square metres of its polygons.

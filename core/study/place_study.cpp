@@ -142,8 +142,8 @@ public:
         return {{"sums", sums(all.all())},
                 {"months", months},
                 {"quarters", quarters},
-                {"day_of_most_shadow", maximum(all.mostScenario())},
-                {"day_of_most_incremental", maximum(all.mostIncremental())},
+                {"day_of_most_shadow", maximum(all.maxScenarioDay())},
+                {"day_of_most_incremental", maximum(all.maxIncrementalDay())},
                 {"largest_incremental_m2", round4(all.largestIncrementalM2())},
                 {"largest_incremental_at", timeOr(all.largestIncrementalAt())}};
     }
@@ -156,7 +156,7 @@ private:
         return {{"from", time(span.from)}, {"to", time(span.to)}, {"minutes", round4(span.minutes())}};
     }
     static double share(double part, double whole) { return whole > 0 ? roundAsText(part / whole, 6) : 0; }
-    static Json maximum(const std::optional<MostShadow>& maximum) {
+    static Json maximum(const std::optional<MaxShadowDay>& maximum) {
         if (!maximum) return {};
         return {{"day", formatText(maximum->day)}, {"m2h", round4(maximum->areaHoursM2)}};
     }

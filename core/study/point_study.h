@@ -55,8 +55,8 @@ struct PointView {
     std::vector<SkylineStretch> stretches;
     std::vector<OverhangSpan> overhangs;  ///< ascending azimuths
     SkyFactors factors;
-    /// Of the day, at steps of at most a minute, with ends to 0.1 s; bands shorter than such a step may be
-    /// missing.
+    /// Sunlit times of the day, at steps of at most a minute, with ends to 0.1 s; bands shorter than such a
+    /// step may be missing.
     std::vector<SunBand> sunlit;
     std::vector<ShadedTime> shadedTimes;  ///< of the day, in order
     /// Sunlit minutes of the year at the question's step, by month and hour of the wall clock.

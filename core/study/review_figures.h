@@ -21,7 +21,7 @@ VerdictCounts countVerdicts(const ReviewStudy& study);
 struct DoubtfulPlace {
     std::string name, reason;  ///< describeReason()
 };
-/// Those that fail, then those that are borderline.
+/// The places that fail, then those that are borderline.
 std::vector<DoubtfulPlace> listDoubtful(const ReviewStudy& study);
 
 /// The verdicts in sentences: how many places fail the rule in the scenario, and the first of them with their

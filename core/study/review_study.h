@@ -51,7 +51,7 @@ struct ReviewStudy {
     Rule rule;
     ReviewSettings settings;
     std::vector<PlaceReview> places;  ///< in the order given; two for each parcel of a rule with lines
-    /// By place and day, without longest stays; empty unless the settings ask for them.
+    /// One timeline for each place and day, without longest stays; empty unless the settings ask for them.
     std::vector<std::vector<DayTimeline>> timelines{};
     std::vector<ReviewContribution> contributions{};  ///< in the order of the scenario's buildings
     std::string engine;

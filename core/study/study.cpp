@@ -103,7 +103,7 @@ Result<void> measureError(Study& study, Progress& progress, const std::stop_toke
 }
 
 bool goesOn(const Study& study, EngineInUse& engine) {
-    return study.error && engine.goOn(study.error->grossOff());
+    return study.error && engine.switchToCloser(study.error->grossOff());
 }
 
 // Of all months together, on a quarter of the sample.

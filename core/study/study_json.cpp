@@ -225,8 +225,9 @@ Json townJson(const City& city) {
     const auto middle = (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0;
     const auto town = findNearestTown(city.frame.lonLatFromLocal(middle));
     if (!town) return nullptr;
-    return {
-        {"name", town->name}, {"country", countryName(town->country)}, {"away_m", std::round(town->awayM)}};
+    return {{"name", town->name},
+            {"country", countryName(town->country)},
+            {"away_m", std::round(town->distanceM)}};
 }
 
 }  // namespace

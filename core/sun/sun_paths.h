@@ -47,7 +47,7 @@ SunEvents computeSunEvents(const Ephemeris& ephemeris, Instant localMidnight, Su
 /// Altitude of the disc's centre, from the earth's centre, at sunrise and sunset under a level horizon.
 double computeSunriseAltitudeDeg(SunriseRule rule, double airDensity);
 
-/// Dip of a sea horizon for an eye `aboveHorizonM` metres above the sea, with the usual refraction: 1.76'
+/// Dip of a sea horizon for an eye `aboveHorizonM` metres above the sea, with standard refraction: 1.76'
 /// times the root of the height (Nautical Almanac).
 Degrees computeHorizonDip(double aboveHorizonM);
 

@@ -79,8 +79,9 @@ std::optional<ZoneTown> findNearestZoneTown(LonLat place) {
         const auto there =
             fields.size() > 2 && !line.starts_with('#') ? placeOfZone(fields[1]) : std::nullopt;
         if (!there) continue;
-        const double awayM = computeGreatCircleM(*there, place);
-        if (!nearest || awayM < nearest->awayM) nearest = ZoneTown{townOfZone(fields[2]), fields[0], awayM};
+        const double distanceM = computeGreatCircleM(*there, place);
+        if (!nearest || distanceM < nearest->distanceM)
+            nearest = ZoneTown{townOfZone(fields[2]), fields[0], distanceM};
     }
     return nearest;
 }
@@ -88,8 +89,9 @@ std::optional<ZoneTown> findNearestZoneTown(LonLat place) {
 std::optional<ZoneTown> findNearestTown(LonLat place) {
     std::optional<ZoneTown> nearest;
     for (const Town& town : listTowns()) {
-        const double awayM = computeGreatCircleM(town.place, place);
-        if (!nearest || awayM < nearest->awayM) nearest = ZoneTown{town.name, town.country, awayM};
+        const double distanceM = computeGreatCircleM(town.place, place);
+        if (!nearest || distanceM < nearest->distanceM)
+            nearest = ZoneTown{town.name, town.country, distanceM};
     }
     return nearest ? nearest : findNearestZoneTown(place);
 }

@@ -16,11 +16,11 @@ namespace noonmark {
 /// where the database states none, as for UTC. Reads a file of 20 kB.
 std::string countryOfZone(std::string_view zone);
 
-/// The nearest of the cities that time zones are called after (some 400), by the same database.
+/// The nearest of the cities that time zones are named after (some 400), by the same database.
 struct ZoneTown {
-    std::string name;     ///< "Amsterdam"
-    std::string country;  ///< "NL"
-    double awayM = 0;     ///< from the place, along a great circle
+    std::string name;      ///< "Amsterdam"
+    std::string country;   ///< "NL"
+    double distanceM = 0;  ///< from the place, along a great circle
 };
 
 /// Nothing where the database is missing. Reads a file of 20 kB.

@@ -113,7 +113,7 @@ public:
     /// share a ray.
     [[nodiscard]] bool isMoving() const { return moving_; }
     [[nodiscard]] const ViewBounds& viewBounds() const { return displayed_.bounds(); }
-    /// Of the city without its far buildings (MainPart).
+    /// The bounds of the city without its far buildings (MainPart).
     [[nodiscard]] ViewBounds mainBounds() const;
     [[nodiscard]] ViewLens lens() const;
 

@@ -30,7 +30,7 @@ public:
     /// Removes the city.
     void clear();
     [[nodiscard]] std::shared_ptr<const CityArrays> arrays() const;  ///< null without a city
-    /// Of what is shown, the changes included.
+    /// The bounds of what is shown, the changes included.
     [[nodiscard]] const ViewBounds& bounds() const { return bounds_; }
 
     /// See CityView::setRays().

@@ -23,8 +23,8 @@ enum class CellChange : std::uint8_t {
     becameGround,    ///< under a building before, open ground after
 };
 
-/// The change from one city to the other where receivers are on the ground; a roof counts as building. none
-/// also where the cell is outside of either.
+/// The change from one city to the other where receivers are on the ground; a roof counts as building. `none`
+/// also where the cell is outside the region of either.
 CellChange compareKinds(CellKind before, CellKind after);
 
 /// Changes of no more minutes are float32 rounding, and count as none.

@@ -60,13 +60,13 @@ inline bool hasRuns(const ImpactFigures& figures) { return !std::isnan(figures.c
 
 const Figures<ChangeFigures>& changeFigures();
 
-/// Those of a comparison beside the change of its two measures.
+/// The figures of a comparison other than the changes of its two measures (changeFigures()).
 const Figures<ImpactFigures>& impactFigures();
 
-/// Those of a change that files state by threshold: the areas with more and with less shadow.
+/// The figures of a change that files state by threshold: the areas with more and with less shadow.
 const std::vector<Figure>& figuresByThreshold();
 
-/// All NaN: of a measure that was not computed.
+/// The change of a measure that was not computed: all NaN.
 ChangeFigures notComputed();
 
 }  // namespace noonmark

@@ -37,12 +37,12 @@ struct ComparisonFigures {
 };
 ComparisonFigures computeFigures(const ImpactAnswer& answer);
 
-/// What a comparison says: how much sun the scenario takes or gives, on average and at most, over how much
+/// The page of a comparison: how much sun the scenario takes or gives, on average and at most, over how much
 /// area, and how the area divides into minutes. O(cells).
 AnswerPage makePage(const Impact& impact, const ComparisonFigures& figures, ShownAs show = ShownAs::shadow);
 
-/// What people read of a comparison: the change of the shadow area, the change of gross and continuous shadow
-/// over each threshold, that of gross shadow in the whole, and what was compared.
+/// The lines of a comparison for tables and sheets: the change of the shadow area, the change of gross and
+/// continuous shadow over each threshold, that of gross shadow in the whole, and what was compared.
 std::vector<FigureLine> listLines(const ComparisonFigures& figures, ShownAs show = ShownAs::shadow);
 /// The areas of gross shadow over the threshold.
 std::vector<FigureLine> listThresholdLines(const ImpactFigures& figures);

@@ -20,8 +20,8 @@ struct CopiedMassing {
 
 /// Settings that build on `to` the tower that `settings` build on `from`: storeys, heights and setbacks stay,
 /// plates keep their area in m2. A plate takes the shape of its lot, so the tower turns with it. What is not
-/// possible there is changed as little as CopiedMassing tells. Error, as of makeMassing(): no tower is
-/// possible. Some 5 ms for each plate tried.
+/// possible there is changed as little as possible; CopiedMassing states what. Error, as of makeMassing(): no
+/// tower is possible. Some 5 ms for each plate tried.
 Result<CopiedMassing> copyMassing(const Footprint& from, const MassingSettings& settings,
                                   const Footprint& to);
 

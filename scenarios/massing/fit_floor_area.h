@@ -47,15 +47,16 @@ struct FloorAreaTarget {
     std::optional<double> grossFloorM2;
     std::optional<double> floorAreaRatio;  ///< of the lot's area
     FloorAreaBy by = FloorAreaBy::storeys;
-    /// Of a tower on this lot, m2; none: not stated.
+    /// The wanted gross floor area on this lot, m2; none: not stated.
     [[nodiscard]] std::optional<double> areaOn(const Footprint& lot) const;
 };
 const Fields<FloorAreaTarget>& floorAreaFields();
 
 /// The settings with which a tower has a gross floor area of `wantedM2`: with the most storeys that stay
 /// within it, or with a plate with which it has that area to 0.1 %. All other settings stay; a height that
-/// was stated becomes whole storeys. Error: the settings make no tower, or the least or the most that they
-/// allow is more or less than wanted, with that floor area. Takes about 15 times as long as makeMassing().
+/// was stated becomes whole storeys. Error: the settings make no tower, or the smallest floor area that they
+/// allow is above the wanted one or the largest below it; the error states it. Takes about 15 times as long
+/// as makeMassing().
 Result<MassingSettings> fitFloorArea(const Footprint& lot, const MassingSettings& settings, double wantedM2,
                                      FloorAreaBy by);
 

@@ -34,9 +34,9 @@ struct ProposedTower {
 /// collectEdits().
 Result<std::set<std::string>> listProposed(const std::vector<Scenario>& scenarios, const std::string& name);
 
-/// The figures of a tower's design at its present height; none: it has no design, or one that tells nothing
-/// of its floors any more: its walls lean, which a change of height stretches, a setback is cut off, or it is
-/// several towers. Some ms.
+/// The figures of a tower's design at its present height; none: it has no design, or one that no longer
+/// describes its floors: leaning walls that a change of height stretched, a setback cut off, or several
+/// towers. Some ms.
 std::optional<MassingFigures> figuresOf(const ProposedTower& tower);
 
 /// The proposed buildings after all edits of a scenario (collectEdits()), by id. A building

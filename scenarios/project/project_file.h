@@ -60,8 +60,8 @@ private:
 std::filesystem::path recoveryPath(const std::filesystem::path& file);
 
 /// Remove or rename a project file that this program wrote together with the journal that a killed save left
-/// beside it. A journal that stayed behind would be applied to the next file of that name. What cannot be
-/// done is left.
+/// beside it. A journal that stayed behind would be applied to the next file of that name. Failures are
+/// ignored.
 void removeProject(const std::filesystem::path& file);
 void moveProject(const std::filesystem::path& from, const std::filesystem::path& to);
 

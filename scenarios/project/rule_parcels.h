@@ -12,11 +12,12 @@ namespace noonmark {
 
 /// What a review may be about: the places of a project or, by a rule with lines, its lots, as they are drawn.
 std::vector<Place> placesUnder(const Rule& rule, const Project& project);
-/// Of these names; by a rule with lines lots, and places where no lot has the name. Error: an unknown name.
+/// The places of these names; for a rule with lines the lots, and places where no lot has the name. Error: an
+/// unknown name.
 Result<std::vector<Place>> findPlacesUnder(const Rule& rule, const Project& project,
                                            const std::vector<std::string>& names);
 
-/// Places as a rule takes them.
+/// Places as a rule measures them.
 struct PlacesToReview {
     std::vector<Place> places;
     Warnings moved;  ///< one for each lot with roads: its line was moved out, or why not

@@ -48,13 +48,13 @@ struct MonthsAndHours {
 Result<TimeWeights> paintWeights(const TimeWeights& table, const MonthsAndHours& time,
                                  std::optional<double> weight);
 
-/// What a table says of one hour of the day in one month.
+/// The weight that a table gives one hour of the day in one month.
 struct WeightCell {
     bool isHeld = false;   ///< some of its time has a weight
     bool isMixed = false;  ///< some has another weight, or none
     double weight = 0;     ///< mean of the time that has one
 };
-/// By month and hour.
+/// The cells of a table by month and hour.
 std::array<std::array<WeightCell, 24>, 12> weightGrid(const TimeWeights& table);
 
 }  // namespace noonmark

@@ -54,8 +54,8 @@ struct Score : ScoreTotals {
     std::vector<IntervalFigures> intervals;  ///< of the weight table, in its order
     std::string engine;                      ///< name and settings, as text
     std::string engineKey;                   ///< key of the engine that computed it
-    /// Of a cell, the total and the weighted shade, on a sample against the ray reference. None: not
-    /// measured, or the reference computed it.
+    /// Errors of a cell, of the total and of the weighted shade, on a sample against the ray reference. None:
+    /// not measured, or the reference computed it.
     std::vector<ShownError> errors;
     Warnings warnings;
 };

@@ -13,7 +13,7 @@ const Figures<ScoreTotals>& scoreFigures();
 const Figures<MonthFigures>& scoreMonthFigures();        ///< of a month, without its name
 const Figures<IntervalFigures>& scoreIntervalFigures();  ///< of an interval, without its name
 
-/// What a score says: whether wanted shade outweighs unwanted shadow, and both by month.
+/// The page of a score: whether wanted shade outweighs unwanted shadow, and both by month.
 AnswerPage makePage(const Score& score, const std::string& scenario, ShownAs show = ShownAs::shadow);
 
 /// A score with its settings.

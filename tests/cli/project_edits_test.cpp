@@ -79,7 +79,7 @@ TEST_F(ProjectEdits, AMeshStandsWhereItIsPut) {
     EXPECT_NEAR(topM(building("x")), 30, 0.01);
 }
 
-TEST_F(ProjectEdits, WhatStandsOnALotIsSaid) {
+TEST_F(ProjectEdits, WhatStandsOnALotIsReported) {
     EXPECT_THAT(done("extrude", {"--scenario", "A", "--lot", "One57", "--id", "x", "--storeys", "3"}),
                 HasSubstr("Stays on the lot without --clear: One57"));
     EXPECT_THAT(

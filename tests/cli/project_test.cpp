@@ -111,7 +111,7 @@ TEST_F(ProjectCommand, ScoresAYear) {
     EXPECT_THAT(formatText(folder_.path("out/score.csv")), HasSubstr("2026-12,"));
 }
 
-TEST_F(ProjectCommand, MistakesAreSaidAndNothingIsSaved) {
+TEST_F(ProjectCommand, MistakesAreReportedAndNothingIsSaved) {
     EXPECT_EQ(noonmarkCli({"project", "new", file_, "sample:central-park-south"}).code, 2);
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "Existing"}).err,
                 HasSubstr("The existing city cannot be changed"));

@@ -133,7 +133,7 @@ TEST_F(StudyCommand, TheErrorIsMeasuredUnlessItIsSwitchedOff) {
     EXPECT_FALSE(without["seconds"].contains("error_sample"));
 }
 
-TEST_F(StudyCommand, GrossShadowAloneIsSaidAsSuchInEveryFile) {
+TEST_F(StudyCommand, GrossShadowAloneIsReportedAsSuchInEveryFile) {
     for (const char* engine : {"horizon", "auto"}) {
         // auto chooses projected shadows, which compute continuous shadow in any case.
         const CommandOutput both = study({"--days", "30", "--engine", engine, "--json"});
@@ -184,7 +184,7 @@ TEST_F(StudyCommand, SolarWindowNeedsNoZone) {
     EXPECT_NEAR(output.json()["period"]["counted_step_min"].get<double>(), minutes / 18, 1e-9);
 }
 
-TEST_F(StudyCommand, WhatTheSettingsHoldCanBeSaidAndIsRepeated) {
+TEST_F(StudyCommand, WhatTheSettingsHoldCanBeStatedAndIsRepeated) {
     const CommandOutput output =
         noonmarkCli({"study", city.string(), "--start", "2026-03-21", "--window", "sunrise..sunset",
                      "--centre", "--far-away", "20000", "--step", "30", "--region",

@@ -293,7 +293,7 @@ TEST_F(Refinement, PointsAndDaysTakenInTurnsAddUp) {
     EXPECT_NEAR(view.shadow.sunlitMinutesPerDay, finest.view.shadow.sunlitMinutesPerDay, 1e-9);
 }
 
-TEST_F(Refinement, ASunThatNeverRisesIsSaid) {
+TEST_F(Refinement, ASunThatNeverRisesIsReported) {
     question.period.from = std::chrono::hours(0);
     question.period.hours = 2;
     const auto answer = refineView(question, nullptr, engine, progress, {});

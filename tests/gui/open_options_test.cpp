@@ -133,7 +133,7 @@ TEST_F(FieldLists, TheChosenFieldGivesThePreviewItsHeights) {
         << dialog.preview().words().toStdString();
 }
 
-TEST_F(FieldLists, AMistakeIsSaidInThePreview) {
+TEST_F(FieldLists, AMistakeIsReportedInThePreview) {
     ReadSettings settings;
     settings.heightField = "none";
     dialog.ask({file}, settings);

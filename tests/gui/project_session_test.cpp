@@ -184,7 +184,7 @@ TEST_F(Session, AStepThatIsTakenBackWhileItIsSavedLeavesNoStateClean) {
     EXPECT_TRUE(session.hasUnsavedWork()) << "the file contains the undone step";
 }
 
-TEST_F(Session, OtherBuildingsInTheBaselineAreTold) {
+TEST_F(Session, OtherBuildingsInTheBaselineAreReported) {
     demolish(0);
     demolish(1);
     session.compareWith("Proposal A");

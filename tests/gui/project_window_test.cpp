@@ -56,7 +56,7 @@ TEST_F(ProjectWindow, SavedStateIsReachedByUndo) {
     EXPECT_EQ(ProjectFile::open(file.toStdString()).value().saves(), 3);
 }
 
-TEST_F(ProjectWindow, ADamagedFileIsSaidAndLeftAsItIs) {
+TEST_F(ProjectWindow, ADamagedFileIsReportedAndLeftAsItIs) {
     const QString damaged = folder.filePath(QStringLiteral("damaged.noonmark.gpkg"));
     const QByteArray half = bytesOf(file).left(5000);
     QFile out(damaged);

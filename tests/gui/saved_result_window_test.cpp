@@ -58,7 +58,7 @@ TEST_F(AnswersWindow, AKeptResultGoesToItsScenarioAndSaysWhatHasChanged) {
     EXPECT_TRUE(note().contains(QStringLiteral("Its inputs have not changed"))) << note().toStdString();
 }
 
-TEST_F(AnswersWindow, ADamagedKeptResultIsSaidAndWhatWasShownStays) {
+TEST_F(AnswersWindow, ADamagedKeptResultIsReportedAndWhatWasShownStays) {
     study();
     keep("June");
     Project next = session().project();

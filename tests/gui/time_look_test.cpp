@@ -91,7 +91,7 @@ TEST(MomentPreview, FollowsTheSliderAndEndsAtItsLastPlace) {
     EXPECT_FALSE(looking.answer());
 }
 
-TEST(MomentPreview, NightIsSaidAndTheNextMomentAnswered) {
+TEST(MomentPreview, NightIsReportedAndTheNextMomentAnswered) {
     MomentPreview looking;
     QStringList said;
     QObject::connect(

@@ -55,7 +55,7 @@ TEST_F(SavedPicture, WrapsItsNoteInsteadOfCuttingIt) {
     EXPECT_EQ(darkPixels(picture, {picture.width() - 8, 0, 8, picture.height()}), 0);
 }
 
-TEST(PlacingPanels, FieldsStayUnderTheCursorWhateverIsSaid) {
+TEST(PlacingPanels, FieldsStayUnderTheCursorWhateverIsReported) {
     PlacingPanel panel;
     panel.resize(300, 500);
     panel.show();

@@ -215,7 +215,7 @@ TEST_F(WindowTest, ALongStudyIsCancelledAndLeavesNoError) {
     EXPECT_EQ(window.workbench().study(), nullptr);
 }
 
-TEST_F(WindowTest, AFileThatIsNotThereIsSaidAndTheCityStays) {
+TEST_F(WindowTest, AFileThatIsNotThereIsReportedAndTheCityStays) {
     const auto city = window.workbench().city();
     window.open({QStringLiteral("/no/such/city.gpkg")});
     ASSERT_TRUE(waitFor([this] { return !window.panel().messages().text().isEmpty(); }));

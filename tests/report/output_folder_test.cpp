@@ -55,7 +55,7 @@ TEST(OutputFolder, WritesTheLastTextFromTheDurationsOfTheOthers) {
 }
 
 // Simulates a full disk: no file may grow beyond 64 KiB.
-TEST(OutputFolderDeathTest, AFullDiskIsSaidAndLeavesNothing) {
+TEST(OutputFolderDeathTest, AFullDiskIsReportedAndLeavesNothing) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const tests::TemporaryFolder folder;
     const auto fill = [&] {

@@ -169,7 +169,7 @@ TEST(Massing, WhatCannotExistIsRefusedWithTheLimit) {
     EXPECT_THAT(refusal(box(0, 0, 2, 2), {.storeys = 5}), HasSubstr("too small"));
 }
 
-TEST(Massing, HostileLotsGiveClosedSolidsOrAWord) {
+TEST(Massing, HostileLotsGiveClosedSolidsOrAWarning) {
     for (const Footprint& lot : {lShape(), withCourtyard()})
         for (const double share : {0.05, 0.3, 0.6, 0.95, 1.0}) {
             const auto massing = makeMassing(lot, {.storeys = 12, .plate = {.shareOfLot = share}});
@@ -180,7 +180,7 @@ TEST(Massing, HostileLotsGiveClosedSolidsOrAWord) {
         }
 }
 
-TEST(Massing, EveryHostileOutlineGivesClosedSolidsOrAWord) {
+TEST(Massing, EveryHostileOutlineGivesClosedSolidsOrAWarning) {
     const auto polygons = hostilePolygons();
     if (polygons.empty()) GTEST_SKIP() << "the shared data are not here";
     int built = 0;

@@ -50,7 +50,7 @@ Result<ImportMesh> readTower(int low, Stand stand, Warnings& warnings) {
 
 bool isLowering(const Warning& warning) { return warning.what.find("its own zero") != std::string::npos; }
 
-TEST(ReadShape, AMeshWithElevationsIsSetOnTheGroundAndSaid) {
+TEST(ReadShape, AMeshWithElevationsIsSetOnTheGroundAndReported) {
     Warnings warnings;
     const Building tower = *readTower(187, Stand::automatic, warnings)->shape;
     EXPECT_NEAR(topM(tower), 40, 1e-3);

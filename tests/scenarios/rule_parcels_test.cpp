@@ -49,7 +49,7 @@ TEST(RuleParcels, TheirLineMovesOutAlongTheirRoads) {
     EXPECT_TRUE(park.moved.empty());
 }
 
-TEST(RuleParcels, ALineThatNoRoadMovesIsSaidToStay) {
+TEST(RuleParcels, ALineThatNoRoadMovesIsReportedToStay) {
     Project project = twoLots();
     // A triangle that points south: its edges face 117, 0 and 243 degrees.
     project.lots[0].outline.outer = {{0, 0}, {10, 20}, {-10, 20}};

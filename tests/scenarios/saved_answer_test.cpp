@@ -260,7 +260,7 @@ TEST(SavedAnswers, SunByPlaceOfAnotherShapeIsAnError) {
     EXPECT_FALSE(readSavedAnswer(result));
 }
 
-TEST(SavedAnswers, WhatChangedSinceIsSaid) {
+TEST(SavedAnswers, WhatChangedSinceIsReported) {
     const Project project = addResult(town(), "Tower", compared(town()), keptAt);
     const SavedResult& result = *project.results[0];
     const SavedOrigin origin = readSavedAnswer(result)->origin;

@@ -135,10 +135,10 @@ void printPeriod(const PlaceTimeline& place, std::ostream& out) {
         if (sums.quarters()[i].days > 0)
             addFigures(table, quarterNames[i],
                        listLines(areaHoursFigures().of(sums.quarters()[i]), FigureUse::result));
-    if (sums.mostIncremental())
+    if (sums.maxIncrementalDay())
         table.add("day of most incremental",
-                  fmt::format("{}, {:.1f} m2 x h", formatText(sums.mostIncremental()->day),
-                              sums.mostIncremental()->areaHoursM2));
+                  fmt::format("{}, {:.1f} m2 x h", formatText(sums.maxIncrementalDay()->day),
+                              sums.maxIncrementalDay()->areaHoursM2));
     table.print(out);
 }
 

@@ -22,7 +22,7 @@ struct PlaceOptions {
     [[nodiscard]] bool admits(const Place& place) const;
 };
 
-/// Those that differ from what by-place takes where nothing is stated.
+/// The options that differ from the defaults of by-place.
 std::vector<CommandOption> listOptions(const PlaceOptions& options);
 
 /// Width of sidewalks that by-place takes where none is stated, m.

@@ -60,7 +60,7 @@ Result<Scenario*> scenarioToChange(Project& project, const std::string& name) {
     return nullptr;
 }
 
-Result<void> stillWorks(const Project& project, const std::string& scenario) {
+Result<void> checkApplies(const Project& project, const std::string& scenario) {
     if (const auto own = cityOf(project, scenario); !own) return tl::make_unexpected(own.error());
     for (const Scenario& other : project.scenarios)
         if (startsFrom(project, &other, scenario))
@@ -79,7 +79,7 @@ Result<std::string> withEdits(Project& project, const std::string& name, const s
         (*scenario)->edits.push_back(edit);
         words += fmt::format("{}: {}\n", name, formatText(edit));
     }
-    return stillWorks(project, name).map([&] { return words; });
+    return checkApplies(project, name).map([&] { return words; });
 }
 
 Result<std::string> editBuildings(const BuildingsOptions& options, Project& project,

@@ -29,9 +29,9 @@ CLI::App* addEditCommand(CLI::App& group, const char* name, const char* about,
 Result<Scenario*> scenarioToChange(Project& project, const std::string& name);
 
 /// Error: an edit of the scenario, or of a scenario based on it, can no longer be applied.
-Result<void> stillWorks(const Project& project, const std::string& scenario);
+Result<void> checkApplies(const Project& project, const std::string& scenario);
 
-/// Appends edits to a scenario and returns their texts. Errors as of scenarioToChange() and stillWorks().
+/// Appends edits to a scenario and returns their texts. Errors as of scenarioToChange() and checkApplies().
 Result<std::string> withEdits(Project& project, const std::string& scenario, const std::vector<Edit>& edits);
 
 /// Options of commands that treat several buildings alike.

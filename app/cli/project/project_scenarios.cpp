@@ -69,7 +69,7 @@ Result<std::string> removeEdits(const RemoveEditOptions& options, Project& proje
     }
     std::size_t at = 0;
     std::erase_if(edits, [&](const Edit&) { return goes[at++]; });
-    return stillWorks(project, options.scenario).map([&] { return words; });
+    return checkApplies(project, options.scenario).map([&] { return words; });
 }
 
 void addNames(CLI::App& command, RenameOptions& options) {

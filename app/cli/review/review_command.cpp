@@ -79,7 +79,7 @@ Json listJson(const RuleLibrary& library) {
                          {"where", rule.where},
                          {"countries", rule.countries},
                          {"summary", rule.summary},
-                         {"status", ruleNameOf(figureStatusNames(), leastSure(rule))},
+                         {"status", ruleNameOf(figureStatusNames(), findLeastCertain(rule))},
                          {"choices", choices},
                          {"file", rule.file.empty() ? Json() : Json(rule.file)}});
     }
@@ -93,7 +93,7 @@ void printRules(const RuleLibrary& library, const std::string& site, std::ostrea
         out << fmt::format("{}{}\n", group.name, group.isAbroad ? " (not where the site is)" : "");
         for (const Rule* rule : group.rules)
             out << fmt::format("  {:<{}}  {}  {}\n", rule->key, width,
-                               ruleNameOf(figureStatusNames(), leastSure(*rule)), rule->name);
+                               ruleNameOf(figureStatusNames(), findLeastCertain(*rule)), rule->name);
     }
     out << "\nThe letter is that of the least sure figure a verdict rests on. V: read in the rule's text or "
            "on an "

@@ -173,7 +173,7 @@ public:
 
     [[nodiscard]] StudyDocument& document() { return document_; }
     [[nodiscard]] ProjectSession& session() { return session_; }
-    /// Of reading the places of the city files opened last.
+    /// Warnings of reading the places of the city files opened last.
     [[nodiscard]] const Warnings& placeWarnings() const { return placeWarnings_; }
     [[nodiscard]] const ZoneGuess& zone() const { return zone_; }  ///< guessed from the city's location
     [[nodiscard]] const ViewState& openedView() const { return openedView_; }  ///< read from the project file

@@ -72,7 +72,7 @@ struct BookSettings {
     std::optional<double> scale;  ///< of diagrams, 1:scale; none: a round one that shows all shadows
     TitleBlock titleBlock;
     UnitSystem units = UnitSystem::metric;
-    /// Of the book of a review: every place in all tables and timelines, on as many pages as that takes.
+    /// In the book of a review every place is in all tables and timelines, on as many pages as that takes.
     bool allPages = false;
     double minPlaceM2 = 100;  ///< of such a book: smaller places without a name are listed together
     LegendChoice legend{};    ///< of maps, places, points and windows

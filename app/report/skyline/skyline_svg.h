@@ -38,7 +38,7 @@ struct SkyFrame {
 /// Fill of the buildings that have one of their own.
 using BuildingColours = std::map<std::uint32_t, std::string>;
 
-/// Of overhangs, below which the sky is seen. No pattern: Qt's reader of SVG knows none.
+/// The colour of overhangs, below which the sky is seen. No pattern: Qt's reader of SVG knows none.
 inline constexpr const char* overhangFill = "#5b6470";
 inline constexpr const char* behindWallFill = "#d5d8dc";
 

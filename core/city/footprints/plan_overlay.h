@@ -60,7 +60,7 @@ std::vector<Footprint> cutPiecesOutside(const std::vector<Footprint>& footprints
                                         const std::vector<Footprint>& others, MinPiece minimum);
 
 /// Those of `others` that meet one of the footprints; all where GEOS fails. Much cheaper than cutting.
-std::vector<Footprint> keepMeeting(const std::vector<Footprint>& footprints, std::vector<Footprint> others);
+std::vector<Footprint> selectMeeting(const std::vector<Footprint>& footprints, std::vector<Footprint> others);
 
 /// The intersection of the two, simple and oriented, without pieces under 0.01 m2. Empty also if the overlay
 /// fails.

@@ -164,7 +164,8 @@ std::vector<Footprint> cutPiecesOutside(const std::vector<Footprint>& footprints
     return pieces;
 }
 
-std::vector<Footprint> keepMeeting(const std::vector<Footprint>& footprints, std::vector<Footprint> others) {
+std::vector<Footprint> selectMeeting(const std::vector<Footprint>& footprints,
+                                     std::vector<Footprint> others) {
     const Geos geos;
     const Geometry whole = collection(geos, footprints);
     const GEOSPreparedGeometry* prepared = whole ? GEOSPrepare_r(geos, whole.get()) : nullptr;

@@ -71,15 +71,15 @@ struct Tree {
 
 template <class S>
 class Fields;
-/// Its fields but `groundM`, for files: the place in local metres, lengths in metres.
+/// The fields of a tree but `groundM`, for files: the place in local metres, lengths in metres.
 const Fields<Tree>& treeRecordFields();
 
 /// The trees of a city: immutable as its buildings are.
 struct Trees {
     std::vector<Tree> trees;
     LeafDays leafDays;  ///< of those that are not evergreen
-    /// Whether engines weigh them. Only studies have them do so: the fields of all other questions are those
-    /// without trees.
+    /// Whether engines weigh them. Only questions that measure with trees set it (treesNotMeasured); the
+    /// fields of all others are those without trees.
     bool weighed = false;
 
     bool operator==(const Trees&) const = default;

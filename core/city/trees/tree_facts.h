@@ -41,7 +41,7 @@ struct TreeFacts {
     std::optional<double> stemDiameterM;
     std::optional<bool> evergreen;  ///< leaf cycle
     std::optional<bool> needles;    ///< leaf type
-    /// Of a cell of a canopy raster: its area. The tree is a cylinder of that area.
+    /// Area of the cell, where the tree is one cell of a canopy raster. The tree is a cylinder of that area.
     std::optional<double> canopyCellM2;
 };
 

@@ -21,15 +21,15 @@
 
 namespace noonmark {
 
-/// For which receivers an engine finds the same minutes whichever other receivers there are. Those that lay
-/// maps over the whole region may not.
+/// Whether an engine finds the same minutes for a receiver whichever other receivers there are. Those that
+/// lay maps over the whole region may not.
 enum class Independence {
     none,
     onLevelGround,  ///< on terrain, heights are rounded from the lowest receiver up
     always,
 };
 
-/// What an engine can do. It is refused what it cannot do before it runs (Engine).
+/// What an engine can do. Engine refuses everything else before the engine runs.
 struct EngineCapabilities {
     bool terrain = false;        ///< takes cities with terrain, and receivers at heights of their own
     bool roofs = false;          ///< takes receivers on roofs
@@ -44,8 +44,8 @@ struct EngineCapabilities {
     Independence independence = Independence::none;
 };
 
-/// Of an engine that chooses one of these for each case: what any of them takes and sums, it does too; what
-/// its result states, all of them must state.
+/// The capabilities of an engine that chooses one of these for each case: it takes and sums what any of them
+/// does, and states only what all of them state.
 constexpr EngineCapabilities combineForChoice(std::initializer_list<EngineCapabilities> engines) {
     EngineCapabilities choice{.choosesEngine = true};
     for (const EngineCapabilities& engine : engines) {

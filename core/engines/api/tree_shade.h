@@ -14,7 +14,7 @@ namespace noonmark {
 
 /// Which shadow is measured beside that without trees, where a city has trees.
 enum class TreeColumns {
-    all,        ///< both that follow
+    all,        ///< evergreen and seasonal
     without,    ///< none: as if there were no tree
     evergreen,  ///< every tree in leaf all year
     seasonal,   ///< trees that lose their leaves are bare out of season
@@ -38,13 +38,13 @@ struct TreeShade {
     std::string how;            ///< in words, for the report
 };
 
-/// One of them, with its name.
+/// One column of a TreeShade, with its name.
 struct ShadeColumn {
     TreeColumns column;  ///< evergreen or seasonal
     const ShadowField* field;
 };
 
-/// Those that a field has, evergreens first. They point into the field.
+/// The columns that a field has, evergreens first. They point into the field.
 inline std::vector<ShadeColumn> listShadeColumns(const ShadowField& field) {
     std::vector<ShadeColumn> columns;
     if (field.trees && field.trees->evergreen)
@@ -54,7 +54,7 @@ inline std::vector<ShadeColumn> listShadeColumns(const ShadowField& field) {
     return columns;
 }
 
-/// What keys of files end in: "_evergreen".
+/// The ending of keys in files: "_evergreen".
 inline std::string suffixOf(TreeColumns column) {
     std::string suffix("_");
     suffix += keyOf<TreeColumns>(treeColumnChoices, column);

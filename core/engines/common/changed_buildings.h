@@ -16,7 +16,7 @@ struct SharedBuildings {
     std::vector<std::vector<std::uint32_t>> own;  ///< one list a city
 };
 
-/// Of one city all buildings are common. O(buildings log buildings).
+/// With one city all buildings are common. O(buildings log buildings).
 SharedBuildings findSharedBuildings(std::span<const City* const> cities);
 
 using Buildings = std::vector<std::shared_ptr<const Building>>;

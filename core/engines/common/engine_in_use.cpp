@@ -30,11 +30,11 @@ std::optional<EngineChoice> EngineInUse::closer(const SampledOff& off) const {
     return asked_.chooseCloser(*choice_, off, cities_, receivers_, sun_);
 }
 
-bool EngineInUse::goOn(const SampledOff& off) {
+bool EngineInUse::switchToCloser(const SampledOff& off) {
     auto other = closer(off);
     if (!other) return false;
     choice_ = std::move(other);
-    wentOn_ = true;
+    isCloser_ = true;
     return true;
 }
 
@@ -43,13 +43,13 @@ bool EngineInUse::sums(bool byBuilding) const {
     return byBuilding ? able.attribution : able.sets;
 }
 
-bool EngineInUse::sumsByBuildingLessClosely() const { return wentOn_ && !sums(true); }
+bool EngineInUse::sumsByBuildingLessClosely() const { return isCloser_ && !sums(true); }
 
 Result<ShadowBreakdown> EngineInUse::breakDown(const City& city, const StepSets& sets, bool byBuilding,
                                                Progress& progress, const std::stop_token& stop) const {
-    if (wentOn_ && sums(byBuilding))
+    if (isCloser_ && sums(byBuilding))
         return choice_->engine->breakDown(city, receivers_, sun_, sets, byBuilding, progress, stop);
-    if (wentOn_ && !byBuilding) return sumSetBySet(city, sets, progress, stop);
+    if (isCloser_ && !byBuilding) return sumSetBySet(city, sets, progress, stop);
     const Engine& engine = byBuilding ? asked_ : summing();
     return engine.breakDown(city, receivers_, sun_, sets, byBuilding, progress, stop);
 }
@@ -64,7 +64,7 @@ Result<ShadowBreakdown> EngineInUse::breakDownPart(const City& city, const Recei
 }
 
 bool EngineInUse::isIndependent() const {
-    if (wentOn_ && !sums(false)) return false;
+    if (isCloser_ && !sums(false)) return false;
     const Independence how = summing().capabilities().independence;
     return how == Independence::always || (how == Independence::onLevelGround && receivers_.flat());
 }

@@ -39,10 +39,10 @@ public:
     /// Whether breakDown() sums by building although a sample showed that what it sums with is off.
     [[nodiscard]] bool sumsByBuildingLessClosely() const;
 
-    /// Goes on to a closer engine where a sample of the field is off by more than the choice aims at. False:
+    /// Switches to a closer engine if a sample of the field is off by more than the choice aims at. False:
     /// the field stands.
-    bool goOn(const SampledOff& off);
-    [[nodiscard]] bool wouldGoOn(const SampledOff& off) const { return closer(off).has_value(); }
+    bool switchToCloser(const SampledOff& off);
+    [[nodiscard]] bool wouldSwitch(const SampledOff& off) const { return closer(off).has_value(); }
 
 private:
     [[nodiscard]] std::optional<EngineChoice> closer(const SampledOff& off) const;
@@ -56,7 +56,7 @@ private:
     const Receivers& receivers_;
     const SunSteps& sun_;
     std::optional<EngineChoice> choice_;
-    bool wentOn_ = false;  // since a sample was off
+    bool isCloser_ = false;  // since a sample was off
 };
 
 }  // namespace noonmark

@@ -18,7 +18,8 @@ struct OpenBelow {
     float partTopM;   ///< top of the part
 };
 
-/// Of these buildings' prisms. Gaps below meshes are not looked for. 10 ms for Midtown's 928 raised parts.
+/// The open air below these buildings' prisms. Gaps below meshes are not looked for. 10 ms for Midtown's 928
+/// raised parts.
 std::vector<OpenBelow> findOpenBelow(const City& city, std::span<const std::uint32_t> buildings);
 
 /// Whether an eye is in the open air itself: horizons count it as inside a solid, and miss what hides it

@@ -43,7 +43,7 @@ void FinishedTiles::finish(std::size_t tile) {
     done_[tile].store(true, std::memory_order_release);
     const bool last = count_.fetch_add(1) + 1 == tiles_.count();
     if (!last && !sink_->wants()) return;
-    std::unique_lock lock(handing_, std::defer_lock);
+    std::unique_lock lock(deliveryMutex_, std::defer_lock);
     if (last)
         lock.lock();
     else if (!lock.try_lock())

@@ -71,7 +71,7 @@ private:
     std::vector<bool> isShown_;
     std::vector<std::atomic<bool>> done_;
     std::atomic<std::size_t> count_{0};
-    std::mutex handing_;
+    std::mutex deliveryMutex_;
 };
 
 }  // namespace noonmark

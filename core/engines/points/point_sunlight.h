@@ -19,7 +19,7 @@ namespace noonmark {
 /// Whether a point is in shadow at each step: 1 in shadow, 0 lit; one entry a step.
 using ShadedSteps = std::vector<std::uint8_t>;
 
-/// From the skyline: exact but for rounding. Some 60 ns a step.
+/// The shaded steps from the skyline: exact but for rounding. Some 60 ns a step.
 ShadedSteps findShadedSteps(const Skyline& skyline, const SunSteps& sun);
 
 /// The same from the rays of SurfaceRays, which the skyline is measured against. Some 0.1 us a step.
@@ -70,14 +70,14 @@ public:
     static Result<ShadedStepFinder> over(const City& city, const SunSteps& sun, By by,
                                          const std::stop_token& stop = {});
 
-    /// By horizons some 0.1 ms a point in Midtown, and a few ns a step.
+    /// Costs, by horizons, some 0.1 ms a point in Midtown, and a few ns a step.
     [[nodiscard]] ShadedSteps find(const SkyPoint& point) const;
-    /// By rays, whatever it was made for.
+    /// The same by rays, also where this finder was made for horizons.
     [[nodiscard]] ShadedSteps trace(const SkyPoint& point) const {
         return traceShadedSteps(rays_, point, *sun_);
     }
     /// From now on find() is by rays.
-    void goOnByRays() { horizons_.reset(); }
+    void switchToRays() { horizons_.reset(); }
 
 private:
     ShadedStepFinder(RayScene rays, const SunSteps& sun) : rays_(std::move(rays)), sun_(&sun) {}

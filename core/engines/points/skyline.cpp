@@ -212,7 +212,7 @@ bool risesAbove(const OverhangFace& face, glm::dvec3 eye, const LowestInParts& l
 
 Skyline::Skyline(const SkyPoint& point)
     : eye_(glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal)) +
-           glm::dvec3(RayScene::asideM, RayScene::asideM, 0)),
+           glm::dvec3(RayScene::wallOffsetM, RayScene::wallOffsetM, 0)),
       normal_(point.normal) {}
 
 Skyline Skyline::at(const SkyPoint& point, const SkyTrees& trees) {

@@ -20,9 +20,9 @@ struct RayReferenceSettings {
 /// gets coarser.
 ///
 /// Edges are half-open, as in `contains`: a receiver exactly on a line counts as just east and north of it
-/// (RayScene::asideM). A receiver on a wall is therefore lit if the sun is in front of the wall and dark if
-/// the sun is behind the building. If the sun is in line with the wall, the receiver is lit on an eastern or
-/// northern wall and dark on a western or southern one. Between two buildings that share a wall no light
+/// (RayScene::wallOffsetM). A receiver on a wall is therefore lit if the sun is in front of the wall and dark
+/// if the sun is behind the building. If the sun is in line with the wall, the receiver is lit on an eastern
+/// or northern wall and dark on a western or southern one. Between two buildings that share a wall no light
 /// passes. The result does not depend on the number of threads, nor on buildings out of reach.
 class RayReference final : public Engine {
 public:
@@ -49,7 +49,7 @@ private:
 };
 
 /// The origin of a receiver's rays: its position on the ground, lifted. The scene adds the horizontal offset
-/// RayScene::asideM.
+/// RayScene::wallOffsetM.
 glm::vec3 placeRayOrigin(glm::vec3 receiver);
 
 }  // namespace noonmark

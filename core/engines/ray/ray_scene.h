@@ -60,16 +60,16 @@ struct alignas(64) HitPacket {
 /// km away, coordinates are stored relative to that centre, so they stay as precise as the city's own: 4 mm
 /// at 60 km.
 ///
-/// Contacts: adjacent triangles leave no gap, nor do two buildings that share a wall. Rays begin `asideM`
-/// east and north of the given origin; otherwise, for origins in the plane of a wall, rounding would decide.
-/// Surfaces within `nearestM` of the origin are ignored: a ray that starts on a wall and leaves the building
-/// is unobstructed, one that starts on a wall and enters the building is blocked where it exits.
+/// Contacts: adjacent triangles leave no gap, nor do two buildings that share a wall. Rays begin
+/// `wallOffsetM` east and north of the given origin; otherwise, for origins in the plane of a wall, rounding
+/// would decide. Surfaces within `nearestM` of the origin are ignored: a ray that starts on a wall and leaves
+/// the building is unobstructed, one that starts on a wall and enters the building is blocked where it exits.
 class RayScene {
 public:
     static constexpr float nearestM = 0.0001F;  ///< distance from the origin at which rays begin, metres
     /// Metres, or at least the spacing of float32 values at the coordinate. Wider than Embree's tolerance for
     /// triangles up to 500 m.
-    static constexpr float asideM = 0x1p-14F;
+    static constexpr float wallOffsetM = 0x1p-14F;
 
     /// All buildings. Error if memory runs out; cancelled() soon after a stop request. About 0.5 s for 1.5
     /// million triangles.

@@ -57,7 +57,7 @@ glm::vec3 originOf(const TriangleMesh& mesh) {
 }
 
 float justBeyond(float coordinate) {
-    return std::max(coordinate + RayScene::asideM,
+    return std::max(coordinate + RayScene::wallOffsetM,
                     std::nextafter(coordinate, std::numeric_limits<float>::max()));
 }
 

@@ -48,7 +48,7 @@ private:
 };
 
 /// The origin of the rays from a surface: the place, lifted off the ground (placeRayOrigin) and off the
-/// surface. The scene adds the horizontal offset RayScene::asideM.
+/// surface. The scene adds the horizontal offset RayScene::wallOffsetM.
 glm::vec3 placeSurfaceRayOrigin(glm::vec3 position, glm::vec3 normal);
 
 }  // namespace noonmark

@@ -82,9 +82,9 @@ struct TracedSpace {
     /// Columns of the picture from firstColumn up to lastColumn; the others keep what they were.
     int firstColumn = 0;
     int lastColumn = std::numeric_limits<int>::max();
-    /// By building of the scene, 1: left out. Empty: nothing is.
+    /// One entry a building of the scene, 1: it is left out. Empty: none is.
     std::span<const std::uint8_t> hidden{};
-    /// By building of the scene, 1: its pixels are marked. Empty: none are.
+    /// One entry a building of the scene, 1: its pixels are marked. Empty: none are.
     std::span<const std::uint8_t> marked{};
     /// A unit vector: finds which pixels are in the sun. Hidden buildings cast shadows, too.
     std::optional<glm::vec3> towardsSun{};

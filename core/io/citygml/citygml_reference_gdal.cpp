@@ -150,7 +150,7 @@ Result<void> settleReference(CityGmlData& data, const ReadSettings& settings,
     if (!system) return failure(system.error().what, file, system.error().advice);
     auto crs = CrsToLonLat::of(*text);
     if (!crs) return failure(crs.error().what, file, crs.error().advice);
-    crs->takeZoneOff();
+    crs->removeZoneNumber();
     const bool northFirst = system->EPSGTreatsAsLatLong() != 0 || system->EPSGTreatsAsNorthingEasting() != 0;
     const bool expected = byAuthority && northFirst;
     AxisOrder order(*crs, data);

@@ -34,7 +34,7 @@ struct LodChoice {
     std::optional<double> wished;  ///< the wanted level of detail; empty: the highest that exists
 };
 
-/// Of ReadSettings::lod. Error: not a number.
+/// Parses ReadSettings::lod. Error: not a number.
 Result<LodChoice> parseLodChoice(const std::string& lod);
 
 /// What a geometry is chosen by.

@@ -156,13 +156,14 @@ Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const 
     if (text.empty()) return failure("The city has no coordinate reference system", file, crsAdvice());
     Result<CrsToLonLat> crs = CrsToLonLat::of(text);
     if (!crs) return failure(crs.error().what, file, crs.error().advice);
-    crs->takeZoneOff();
+    crs->removeZoneNumber();
     data.crsWords = describeCrs(crs->name(), data.crs.empty() ? CrsSource::user : CrsSource::file);
     if (!crs->elevationUnitIsStated() && crs->metresPerElevationUnit() != 1)
         data.warnings.push_back(
             {WarningKind::assumed, "elevations have no unit; the unit of the map is assumed", file});
     if (!toPlaces(data, *crs, stop)) return cancelled();
-    if (crs->tookZoneOff()) data.warnings.push_back({WarningKind::assumed, std::string(zoneTakenOff), file});
+    if (crs->hasRemovedZoneNumber())
+        data.warnings.push_back({WarningKind::assumed, std::string(zoneNumberRemoved), file});
     std::vector<PlaceBox> boxes = boxesOf(data);
     const std::optional<LonLat> median = medianOf(boxes);
     if (!median && boxes.empty())

@@ -31,7 +31,7 @@ std::optional<ContextKind> classifyContextPoint(const PlaceTags& tags);
 /// Whether a line is a coastline: the edge of the sea, which lies on its right.
 bool isCoastline(const PlaceTags& tags);
 
-/// The width to draw a line with, metres: as tagged, else the usual one of its class.
+/// The width to draw a line with, metres: as tagged, else the default of its class.
 double widthOfLine(ContextKind kind, const PlaceTags& tags);
 
 /// A coastline in its direction, local metres: land lies on its left, the sea on its right, as OpenStreetMap

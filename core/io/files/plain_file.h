@@ -50,7 +50,7 @@ public:
     explicit StoppableStream(const std::filesystem::path& file, std::stop_token stop = {});
 
     [[nodiscard]] bool opened() const { return file_.is_open(); }
-    /// Of the file, 0..1.
+    /// The share of the file that has been read, 0 to 1.
     [[nodiscard]] double share() const { return double(taken_) / double(bytes_); }
 
 private:

@@ -194,10 +194,10 @@ bool areOutlinesAtRoofs(const std::vector<KnownField>& fields, const LayerSample
     return 10 * std::size_t(above) >= 9 * heights.size() && sampledMedian(heights) >= 2;
 }
 
-bool saysBuilding(const std::string& text) { return NameWords(text).has(NameWord::building); }
+bool namesBuilding(const std::string& text) { return NameWords(text).has(NameWord::building); }
 
-bool saysOtherLayer(const std::string& text) {
-    return !saysBuilding(text) && NameWords(text).has(NameWord::otherLayer);
+bool namesOtherLayer(const std::string& text) {
+    return !namesBuilding(text) && NameWords(text).has(NameWord::otherLayer);
 }
 
 int findKindField(const std::vector<std::string>& names, const LayerSample& sample) {
@@ -209,8 +209,8 @@ int findKindField(const std::vector<std::string>& names, const LayerSample& samp
         for (const SampledFeature& feature : sample.features) {
             if (i >= feature.texts.size() || feature.texts[i].empty()) continue;
             ++filled;
-            buildings += saysBuilding(feature.texts[i]) ? 1 : 0;
-            others += saysOtherLayer(feature.texts[i]) ? 1 : 0;
+            buildings += namesBuilding(feature.texts[i]) ? 1 : 0;
+            others += namesOtherLayer(feature.texts[i]) ? 1 : 0;
         }
         // Kinds of buildings ("garage", "school") say neither: then the field does not tell buildings from
         // others.

@@ -64,10 +64,10 @@ bool areOutlinesAtRoofs(const std::vector<KnownField>& fields, const LayerSample
 /// it calls some of the sample buildings and others not; -1 without one.
 int findKindField(const std::vector<std::string>& names, const LayerSample& sample);
 
-/// Whether such a field's text says building.
-bool saysBuilding(const std::string& text);
-/// Whether it says what layers beside those of buildings hold, and no building.
-bool saysOtherLayer(const std::string& text);
+/// Whether such a field's text names buildings.
+bool namesBuilding(const std::string& text);
+/// Whether it names what layers other than buildings hold, and no building.
+bool namesOtherLayer(const std::string& text);
 
 /// Whether a layer's type of geometry is polygons, or any.
 bool mayHavePolygons(OGRLayer& layer);

@@ -235,7 +235,7 @@ void FootprintLayer::learnOutlineZ(const LayerSample& sample, const ReadSettings
 FootprintLayer::FootprintLayer(OGRLayer& layer, CrsToLonLat toLonLat, const ReadSettings& settings,
                                LayerSource source)
     : name_(layer.GetName()), source_(std::move(source)), toLonLat_(std::move(toLonLat)) {
-    toLonLat_.takeZoneOff();
+    toLonLat_.removeZoneNumber();
     const OGRFeatureDefn& definition = *layer.GetLayerDefn();
     otherTags_ = std::max(definition.GetFieldIndex("other_tags"), definition.GetFieldIndex("all_tags"));
     osmId_ = definition.GetFieldIndex("osm_id");
@@ -296,7 +296,7 @@ void FootprintLayer::read(const OGRFeature& feature, Warnings& warnings) {
 bool FootprintLayer::isOtherKind(const OGRFeature& feature, const std::string& id, Warnings& warnings) const {
     if (kindField_ < 0 || feature.IsFieldSetAndNotNull(kindField_) == FALSE) return false;
     const std::string text = textOf(feature, kindField_);
-    if (!saysOtherLayer(text)) return false;
+    if (!namesOtherLayer(text)) return false;
     warnings.push_back(
         {WarningKind::leftOut,
          fmt::format("is no building but \"{}\", says the field {}", text, names_[std::size_t(kindField_)]),
@@ -396,8 +396,8 @@ Result<void> FootprintLayer::checkPlace(Warnings& warnings) const {
             {WarningKind::assumed,
              fmt::format("its position is far outside the area of use of {}", toLonLat_.name()),
              source_.file});
-    if (toLonLat_.tookZoneOff())
-        warnings.push_back({WarningKind::assumed, std::string(zoneTakenOff), source_.file});
+    if (toLonLat_.hasRemovedZoneNumber())
+        warnings.push_back({WarningKind::assumed, std::string(zoneNumberRemoved), source_.file});
     if (hasZ_)
         warnings.push_back({WarningKind::leftOut, "the elevations in its polygons; only outlines are used",
                             source_.oneOfSeveral ? source_.file + ": " + name_ : source_.file});

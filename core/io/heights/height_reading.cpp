@@ -234,7 +234,7 @@ void addHeightFacts(const HeightOrigins& origins, const std::vector<KnownField>&
         facts.fields.push_back(*std::move(field));
     }
     if (!manyLackHeights(origins)) return;
-    const std::vector<UnknownField> could = unknown.thatCouldBeHeights(file);
+    const std::vector<UnknownField> could = unknown.listPossibleHeights(file);
     if (!stateHeights(fields)) warnings.push_back(noKnownField(could, file));
     facts.unknown.insert(facts.unknown.end(), could.begin(), could.end());
 }

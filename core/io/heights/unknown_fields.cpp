@@ -124,7 +124,7 @@ UnknownField UnknownFields::describeField(const std::string& file, const std::st
     return described;
 }
 
-std::vector<UnknownField> UnknownFields::thatCouldBeHeights(const std::string& file) const {
+std::vector<UnknownField> UnknownFields::listPossibleHeights(const std::string& file) const {
     std::vector<UnknownField> listed;
     for (const auto& [field, values] : fields_)
         if (couldBeHeights(field, values)) listed.push_back(describeField(file, field, values));

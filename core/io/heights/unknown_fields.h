@@ -34,7 +34,7 @@ public:
     /// Fields whose values over 0 could all be heights (up to 4,000, for feet) or storeys, and that are not
     /// years, areas, codes, notes on quality or feature numbers, by name, values and evidence; at most eight,
     /// those whose name says heights or storeys first, then those with the most values.
-    [[nodiscard]] std::vector<UnknownField> thatCouldBeHeights(const std::string& file) const;
+    [[nodiscard]] std::vector<UnknownField> listPossibleHeights(const std::string& file) const;
 
 private:
     struct Values {

@@ -238,7 +238,7 @@ Result<MeshPlacement> MeshPlacement::of(const MeshScene& scene, const MeshFile& 
     if (settings.crs && !settings.meshAnchor) {
         auto system = CrsToLonLat::of(*settings.crs);
         if (!system) return failure(system.error().what, file.path, system.error().advice);
-        system->takeZoneOff();
+        system->removeZoneNumber();
         const auto unit = system->metresPerUnit();
         const bool isLocal = unit && isNearOrigin(points, statedUnit(file, settings).value_or(*unit));
         if (isLocal && !settings.frame)
@@ -302,7 +302,8 @@ Result<void> MeshPlacement::placeOnMap(const MeshScene& scene, const MeshFile& f
              fmt::format("the coordinates are taken in the unit of {}, {:.8g} m, heights in {:.8g} m",
                          crs_->name(), unit.value_or(0), up_),
              file.name});
-    if (crs_->tookZoneOff()) warnings.push_back({WarningKind::assumed, std::string(zoneTakenOff), file.name});
+    if (crs_->hasRemovedZoneNumber())
+        warnings.push_back({WarningKind::assumed, std::string(zoneNumberRemoved), file.name});
     warnOfRounding(scene, unit ? across_ * *unit : 0, file, warnings);
     if (!settings.frame) frame_ = Frame(*middle);
     return {};

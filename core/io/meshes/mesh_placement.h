@@ -28,7 +28,7 @@ struct UpAxisGuess {
 /// `metresPerUnit`: of the mesh's coordinates.
 UpAxisGuess guessUpAxis(const MeshScene& scene, double metresPerUnit = 1);
 
-/// Of a mesh in map coordinates: the axis along which its numbers are small, as heights are, and no
+/// For a mesh in map coordinates: the axis along which its numbers are small, as heights are, and no
 /// coordinates of a map. Nothing where y and z are alike. O(points).
 std::optional<UpAxisGuess> guessUpAxisOnMap(const MeshScene& scene, double metresPerUnit = 1);
 

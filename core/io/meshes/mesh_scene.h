@@ -15,7 +15,7 @@ namespace noonmark {
 struct MeshPiece {
     std::vector<glm::vec3> points;            ///< may contain values that are not finite
     std::vector<std::uint32_t> cornerCounts;  ///< per polygon, at least three
-    /// Of all polygons, one after the other; in broken files indices may exceed `points`
+    /// Corners of all polygons, one after the other; in broken files indices may exceed `points`
     std::vector<std::uint32_t> corners;
     /// What all points are counted from, so that those in map coordinates keep their precision as float32.
     glm::dvec3 origin{0};

@@ -65,8 +65,8 @@ std::string describeCrs(const std::string& name, CrsSource source);  ///< define
 /// What a mesh says that was read without the position of its origin.
 inline constexpr std::string_view originAsAnchor = "the project's origin is used as the mesh's origin";
 
-/// What is assumed of UTM eastings of 1,000 km and more (CrsToLonLat::tookZoneOff).
-inline constexpr std::string_view zoneTakenOff =
+/// What is assumed of UTM eastings of 1,000 km and more (CrsToLonLat::hasRemovedZoneNumber).
+inline constexpr std::string_view zoneNumberRemoved =
     NM_TEXT("the eastings begin with the number of their zone, which was taken off");
 
 /// One reader per family of formats (core_formats.cpp); OpenStreetMap has osm/read_osm_buildings.h.

@@ -196,7 +196,7 @@ std::vector<StyleItem> itemsOf(const ColourScale& scale) {
 }
 
 std::string transparencyOf(const ColourScale& scale) {
-    if (!scale.leavesZeroFree()) return "            <rasterTransparency/>\n";
+    if (!scale.leavesZeroUncoloured()) return "            <rasterTransparency/>\n";
     return R"(            <rasterTransparency>
                 <singleValuePixelList>
                     <pixelListEntry min="0" max="0" percentTransparent="100"/>

@@ -41,8 +41,8 @@ private:
     Result<void> tried(const SunInterval& interval, std::span<ShadowMask> masks, const std::stop_token& stop,
                        const MaskWatcher* watcher) {
         if (auto ok = checkSteps(interval.steps); !ok) return ok;
-        const MemoryLack lack{fmt::format("maps of {} x {} texels", frame_.columns, frame_.rows), "map size",
-                              "Choose a smaller map"};
+        const OutOfMemory lack{fmt::format("maps of {} x {} texels", frame_.columns, frame_.rows), "map size",
+                               "Choose a smaller map"};
         return guardMemory(lack, [&] { return shaded(interval, masks, stop, watcher); });
     }
 

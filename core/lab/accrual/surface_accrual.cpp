@@ -150,7 +150,7 @@ Result<SurfaceShadow> SurfaceAccrual::accumulate(const City& city, const Surface
                                                  std::stop_token stop, const StepMemory& memory) const {
     auto shadow = makeBlankSurfaceShadow(points, sun);
     if (!shadow || points.size() == 0) return shadow;
-    const MemoryLack lack{"this view", "shadow accrual map", "Choose a smaller view or a smaller map"};
+    const OutOfMemory lack{"this view", "shadow accrual map", "Choose a smaller view or a smaller map"};
     return guardMemory(lack, [&]() -> Result<SurfaceShadow> {
         const GraphEngine graph(std::make_shared<SurfaceIntervals>(points, settings_), graph_);
         auto field = graph.accumulate(city, rowOf(points.size()), sun, progress, std::move(stop), memory);

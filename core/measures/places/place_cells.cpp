@@ -134,7 +134,7 @@ std::vector<std::vector<Footprint>> findBuiltGround(std::span<const City* const>
 std::vector<Footprint> findOpenGround(const Place& place, const std::vector<Footprint>& built) {
     constexpr MinPiece any{1e-6, 0};
     if (built.empty()) return place.polygons;
-    const std::vector<Footprint> within = keepMeeting(place.polygons, built);
+    const std::vector<Footprint> within = selectMeeting(place.polygons, built);
     if (within.empty()) return place.polygons;
     auto open = cutPiecesOutside(place.polygons, within, any);
     // Nothing also where the overlay fails: then cells under buildings are left out by their centres alone.

@@ -47,7 +47,7 @@ std::size_t countCentres(const PlaceShadow& shadow) {
     return shadow.baseline.receivers - std::size_t(beside);
 }
 
-StepMasks keepCentres(const PlaceShadow& shadow, const StepMasks& masks) {
+StepMasks dropEdgeCells(const PlaceShadow& shadow, const StepMasks& masks) {
     StepMasks kept = masks;
     for (const UnevenCell& cell : shadow.uneven)
         for (std::size_t step = 0; cell.isBeside && step < kept.steps; ++step)
@@ -77,8 +77,8 @@ std::size_t countEdges(std::span<const std::uint64_t> words, std::span<const Nei
 
 namespace {
 
-void takeMore(std::optional<MostShadow>& maximum, CivilDate day, double areaHoursM2) {
-    if (areaHoursM2 > (maximum ? maximum->areaHoursM2 : 0)) maximum = MostShadow{day, areaHoursM2};
+void takeMore(std::optional<MaxShadowDay>& maximum, CivilDate day, double areaHoursM2) {
+    if (areaHoursM2 > (maximum ? maximum->areaHoursM2 : 0)) maximum = MaxShadowDay{day, areaHoursM2};
 }
 
 }  // namespace
@@ -104,8 +104,8 @@ void PlaceSums::add(const DayTimeline& day) {
     all_.add(day);
     quarters_[std::size_t(quarterOf(day.day))].add(day);
     months_[fmt::format("{:04}-{:02}", int(day.day.year()), unsigned(day.day.month()))].add(day);
-    takeMore(mostScenario_, day.day, day.scenario.areaHoursM2);
-    takeMore(mostIncremental_, day.day, day.incremental.areaHoursM2);
+    takeMore(maxScenarioDay_, day.day, day.scenario.areaHoursM2);
+    takeMore(maxIncrementalDay_, day.day, day.incremental.areaHoursM2);
     if (day.incremental.largestM2 > largestM2_) {
         largestM2_ = day.incremental.largestM2;
         largestAt_ = day.incremental.largestAt;

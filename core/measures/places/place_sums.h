@@ -41,8 +41,8 @@ struct StepAreas {
 /// Number of cells whose centre lies in the place.
 std::size_t countCentres(const PlaceShadow& shadow);
 
-/// The masks without the cells whose centre lies beside the place: all lit.
-StepMasks keepCentres(const PlaceShadow& shadow, const StepMasks& masks);
+/// The masks with those cells all lit whose centre lies outside the place: edge cells count as lit.
+StepMasks dropEdgeCells(const PlaceShadow& shadow, const StepMasks& masks);
 
 /// `counts` of the same step (countStep()). O(uneven cells).
 StepAreas weighStep(const PlaceShadow& shadow, std::size_t step, const StepCounts& counts);
@@ -65,13 +65,13 @@ struct AreaHours {
     double gainedM2h = 0;
 
     void add(const DayTimeline& day);
-    /// Of the theoretical sum, 0 to 1; 0 without sun.
+    /// The share of the theoretical sum, 0 to 1; 0 without sun.
     [[nodiscard]] double shareOf(double m2h) const { return theoreticalM2h > 0 ? m2h / theoreticalM2h : 0; }
     bool operator==(const AreaHours&) const = default;
 };
 
-/// The day on which a place has most of one kind of shadow.
-struct MostShadow {
+/// The day on which a place has the most of one kind of shadow, in area x hours.
+struct MaxShadowDay {
     CivilDate day;
     double areaHoursM2 = 0;
 };
@@ -93,8 +93,8 @@ public:
     /// "2026-01", "2026-02", ...
     [[nodiscard]] const std::map<std::string, AreaHours>& months() const { return months_; }
     /// The first day with most scenario shadow, and with most incremental shadow; none without any.
-    [[nodiscard]] const std::optional<MostShadow>& mostScenario() const { return mostScenario_; }
-    [[nodiscard]] const std::optional<MostShadow>& mostIncremental() const { return mostIncremental_; }
+    [[nodiscard]] const std::optional<MaxShadowDay>& maxScenarioDay() const { return maxScenarioDay_; }
+    [[nodiscard]] const std::optional<MaxShadowDay>& maxIncrementalDay() const { return maxIncrementalDay_; }
     /// The largest incremental area at one step of any day, and when.
     [[nodiscard]] double largestIncrementalM2() const { return largestM2_; }
     [[nodiscard]] const std::optional<Instant>& largestIncrementalAt() const { return largestAt_; }
@@ -103,7 +103,7 @@ private:
     AreaHours all_;
     std::array<AreaHours, 4> quarters_;
     std::map<std::string, AreaHours> months_;
-    std::optional<MostShadow> mostScenario_, mostIncremental_;
+    std::optional<MaxShadowDay> maxScenarioDay_, maxIncrementalDay_;
     double largestM2_ = 0;
     std::optional<Instant> largestAt_;
 };

@@ -214,8 +214,8 @@ std::optional<LongestStay> findLongestStay(const PlaceShadow& shadow, const Step
 }
 
 void addLongestStays(const PlaceShadow& shadow, DayTimeline& day) {
-    const StepMasks before = keepCentres(shadow, shadow.baseline),
-                    after = keepCentres(shadow, shadow.scenario);
+    const StepMasks before = dropEdgeCells(shadow, shadow.baseline),
+                    after = dropEdgeCells(shadow, shadow.scenario);
     const bool differ = day.incremental.minutes > 0 || day.gained.minutes > 0;
     if (day.baseline.minutes > 0) day.baseline.longest = findLongestStay(shadow, before);
     if (!differ)

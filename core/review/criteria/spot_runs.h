@@ -24,7 +24,7 @@ struct RunError {
     double runErrorMin = 1;  ///< minutes; of n runs n times as much
 };
 
-/// Of how many longest runs the sum is wanted: a criterion's own number, or the parts of a broken total.
+/// How many longest runs are summed: a criterion's own number, or the parts of a broken total.
 int runsWanted(const Criterion& criterion);
 
 /// Counts runs by their lengths in steps; those shorter than the criterion's `dropShorterMin` are left out.

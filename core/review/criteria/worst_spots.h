@@ -23,7 +23,7 @@ struct PointGrid {
 };
 
 /// The shadow at single points of places: between the centres of cells, and on the strips of open ground that
-/// no centre lies on. Rays tell it, from the same origins as those of the ray reference. Safe to use from
+/// no centre lies on. Found by rays, from the same origins as those of the ray reference. Safe to use from
 /// many threads. Cities must outlive it.
 class PlacePoints {
 public:

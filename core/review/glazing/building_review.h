@@ -13,7 +13,7 @@ struct VerdictCounts {
     [[nodiscard]] std::size_t all() const { return judged() + notJudged(); }
 };
 
-/// From the baseline to the scenario.
+/// How verdicts change from the baseline to the scenario.
 struct VerdictChanges {
     VerdictCounts before, after;
     std::size_t worse = 0, better = 0;  ///< from pass to borderline or fail, ...; both verdicts are known

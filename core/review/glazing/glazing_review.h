@@ -29,9 +29,9 @@ std::vector<PanePoint> placePanePoints(const RuleGlazing& rule, const SkyPoint& 
 PaneSize sizeOrOpening(const RuleGlazing& rule, PaneSize pane);
 
 /// Whether the sun from that direction comes through the window at that point, if nothing outside hides it:
-/// the pane faces it, it is swept at the rule's least angle, and, at the inside face, it passes the opening,
-/// which is as deep as the wall. What lies outside is looked up from the outside face: the thickness of the
-/// wall is small against its distance.
+/// the pane faces it, seen from above they make at least the rule's angle, and, at the inside face, it passes
+/// the opening, which is as deep as the wall. What lies outside is looked up from the outside face: the
+/// thickness of the wall is small against its distance.
 class PaneLimits {
 public:
     PaneLimits(const RuleGlazing& rule, const PanePoint& point, PaneSize pane);

@@ -161,7 +161,7 @@ std::string partsText(const Rule& rule) {
 
 }  // namespace
 
-FigureStatus leastSure(const Rule& rule) {
+FigureStatus findLeastCertain(const Rule& rule) {
     FigureStatus minimum =
         std::max({rule.days.evidence.status, rule.window.evidence.status, rule.clock.evidence.status});
     for (const RuleDay& day : rule.days.fixed) minimum = std::max(minimum, day.evidence.status);

@@ -10,7 +10,7 @@ namespace noonmark {
 /// end with a newline.
 std::string describeRule(const Rule& rule);
 
-/// "V", "R" or "U": the least sure of the figures that a verdict rests on.
-FigureStatus leastSure(const Rule& rule);
+/// "V", "R" or "U": the least certain status (FigureStatus) among the figures that a verdict rests on.
+FigureStatus findLeastCertain(const Rule& rule);
 
 }  // namespace noonmark

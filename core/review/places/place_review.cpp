@@ -42,14 +42,14 @@ void takeLeastSun(ReviewRow& row, const PlaceShadow& spots, LeastSun& minimum) {
     const std::uint32_t shortest = *std::ranges::min_element(longest);
     if (shortest < minimum.longest) {
         minimum.longest = shortest;
-        row.leastLongestSunMin = shortest * spots.stepMinutes;
+        row.minLongestSunMin = shortest * spots.stepMinutes;
     }
     const auto spot = std::size_t(std::ranges::min_element(sun.total) - sun.total.begin());
     if (minimum.total && sun.total[spot] >= *minimum.total) return;
     minimum.total = sun.total[spot];
-    row.leastSunMin = sun.total[spot] * spots.stepMinutes;
-    row.leastSunRunMin = sun.longest[spot] * spots.stepMinutes;
-    row.leastSunIntervals = int(sun.count[spot]);
+    row.minSunMin = sun.total[spot] * spots.stepMinutes;
+    row.minSunRunMin = sun.longest[spot] * spots.stepMinutes;
+    row.minSunIntervals = int(sun.count[spot]);
 }
 
 /// Enters, exits, intervals, and the largest area.

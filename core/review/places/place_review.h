@@ -25,9 +25,9 @@ struct ReviewRow {
     double maxPointRunMin = 0;             ///< longest unbroken incremental shadow at one spot
     double fullCoverMin = 0;               ///< minutes in which all sun that the baseline leaves is gone
     double totalDurationMin = 0, totalMaxAreaM2 = 0, totalMaxPointMin = 0;  ///< of all shadow
-    double leastSunMin = 0, leastSunRunMin = 0;  ///< sun of the spot with the least of it; its longest run
-    int leastSunIntervals = 0;                   ///< of that spot
-    double leastLongestSunMin = 0;  ///< the longest unbroken sun of the spot where it is shortest
+    double minSunMin = 0, minSunRunMin = 0;  ///< sun of the spot with least sun; its longest run
+    int minSunIntervals = 0;                 ///< of that spot
+    double minLongestSunMin = 0;             ///< the longest unbroken sun of the spot where it is shortest
     double baselineM2h = 0, scenarioM2h = 0, incrementalM2h = 0, gainedM2h = 0;
     double hoursMin = 0;                          ///< minutes with the sun up in the rule's hours
     std::vector<std::optional<double>> criteria;  ///< by criterion of the review; none: out of season

@@ -181,7 +181,7 @@ struct Criterion {
     std::optional<std::pair<std::chrono::month_day, std::chrono::month_day>> season;  ///< days that count
     LineBelt belt = LineBelt::none;
     std::optional<FacingRange> facing;  ///< windows that it is about; none: all
-    /// Of windows: the sun counts between these times of the rule's clock only, minutes since midnight.
+    /// For windows: the sun counts between these times of the rule's clock only, minutes since midnight.
     std::optional<std::pair<double, double>> hours;
     Evidence evidence;
 };
@@ -226,7 +226,7 @@ struct Rule {
     RuleOccluders occluders;
     RuleBaseline baseline;
     std::vector<Criterion> criteria;
-    /// Of windows: the rule holds if all criteria of one of these lists hold. Empty: all must hold.
+    /// For windows: the rule holds if all criteria of one of these lists hold. Empty: all must hold.
     std::vector<std::vector<std::string>> alternatives;
     std::vector<UnitShare> shares;          ///< of windows: what a building needs; empty: each window decides
     std::optional<SunshineTable> sunshine;  ///< of Measure::probableSun; none: every hour of sun counts

@@ -46,8 +46,8 @@ struct RuleMoment {
 };
 
 struct RuleMomentSettings {
-    /// Of a rule about a range of days, days to draw besides the 21st of March, June, September and December:
-    /// that of most shadow.
+    /// For a rule about a range of days: days to draw besides the 21st of March, June, September and
+    /// December: that of most shadow.
     std::vector<std::chrono::month_day> moreDays;
     int maxHoursADay = 0;  ///< where the rule names no times; 0: every full hour of its hours
 };
@@ -65,7 +65,7 @@ std::optional<double> planeOf(const Rule& rule);
 
 /// Whether the rule's diagrams have lines of equal hours of shadow.
 bool hasIsochrones(const Rule& rule);
-/// Of a rule about more days, lines are drawn for so many.
+/// For a rule about more days, lines are drawn on so many of them.
 inline constexpr std::size_t maxIsochroneDays = 4;
 /// The minutes of these lines, ascending: each full hour up to 8, and the rule's limits of the total at a
 /// spot.

@@ -236,12 +236,12 @@ private:
     Result<void> sweepMonths() {
         CitySweeps sweeps(m_.off.empty() ? engineOf(0) : m_.engine, m_.cities, receivers_, m_.daylight,
                           m_.months);
-        for (const SampledOff& off : m_.off) sweeps.goOn(off);
+        for (const SampledOff& off : m_.off) sweeps.switchToCloser(off);
         for (;;) {
             auto first = sweepFirst(sweeps);
             if (!first) return tl::make_unexpected(first.error());
             const auto& error = m_.made.front().error;
-            if (isMain_ && error && sweeps.goOn(error->grossOff())) {
+            if (isMain_ && error && sweeps.switchToCloser(error->grossOff())) {
                 m_.off.push_back(error->grossOff());
                 --done_;  // the same again
                 continue;

@@ -27,11 +27,11 @@ public:
     CitySweeps(const Engine& asked, std::span<const City* const> cities, const Receivers& receivers,
                const SunSteps& sun, const StepSets& sets);
 
-    /// Of the first city, in a sweep over all receivers. Again after goOn().
+    /// The sums of the first city, by a sweep over all receivers; made again after switchToCloser().
     Result<ShadowBreakdown> sweepFirst(Progress& progress, const std::stop_token& stop);
 
-    /// Of another one, given those of the first: where its changed buildings cast shadow. Over all receivers
-    /// where the engine's receivers depend on each other, or the ground changed.
+    /// The sums of another city, given those of the first: where its changed buildings cast shadow. Over all
+    /// receivers where the engine's receivers depend on each other, or the ground changed.
     Result<ShadowBreakdown> sweepOther(std::size_t city, const ShadowBreakdown& first, Progress& progress,
                                        const std::stop_token& stop);
 
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] std::string_view chosenKey() const { return engine_.chosenKey(); }
 
     /// Goes on to a closer engine where a sample of the first city is off; false: it stands.
-    bool goOn(const SampledOff& off) { return engine_.goOn(off); }
+    bool switchToCloser(const SampledOff& off) { return engine_.switchToCloser(off); }
 
 private:
     // The receivers on which a city may differ from the first; none: all may.

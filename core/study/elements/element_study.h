@@ -21,8 +21,8 @@ struct QuantityError {
     double meanPct = 0, p99Pct = 0, largestPct = 0;
 };
 
-/// Of a sample of the points, over all steps: of the sunlit minutes of the period for gross, of the longest
-/// day's for unbroken times.
+/// The error of a sample of the points, over all steps: percent of the sunlit minutes of the period for
+/// gross, of the longest day's for unbroken times.
 struct ElementError {
     std::size_t points = 0;
     std::uint64_t rays = 0;

@@ -244,8 +244,8 @@ Result<void> checkHorizons(GlazingScene& scene, const std::stop_token& stop) {
         scene.engine = fmt::format("rays, since {}, more than the {:g} % aimed at", describe(sample),
                                    glazingErrorTargetPct);
         scene.by = ShadedStepFinder::By::rays;
-        scene.after->goOnByRays();
-        if (scene.before) scene.before->goOnByRays();
+        scene.after->switchToRays();
+        if (scene.before) scene.before->switchToRays();
     }
     scene.buildSeconds += watch.seconds();
     return {};

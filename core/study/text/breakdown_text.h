@@ -17,7 +17,7 @@ struct MonthShadow {
     double shadowAreaM2 = 0;  ///< share of the month's sunlit time x area
     double meanMinutes = 0;   ///< minutes in shadow in the whole month, mean over the receivers
 };
-/// Without the month's name.
+/// The figures of a month, without its name.
 const Figures<MonthShadow>& monthFigures();
 std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown);
 
@@ -38,7 +38,7 @@ std::vector<BuildingShadow> sortContributions(const ShadowBreakdown& breakdown);
 /// study without months.
 Bars makeMonthBars(const std::vector<MonthShadow>& months, CivilDate start, int days);
 Bars makeMonthBars(const Study& study);
-/// Of a breakdown by month of the period with this sun.
+/// The bars of a breakdown by month of the period with this sun.
 Bars makeMonthBars(const ShadowBreakdown& breakdown, const SunSteps& sun);
 /// The page with these bars before its other charts; as it is where they have no groups.
 AnswerPage withMonths(AnswerPage page, Bars months);

@@ -68,7 +68,7 @@ Json ruleJson(const Rule& rule) {
                            {"source", figure.evidence.source}});
     return {{"rule_name", rule.name},
             {"choices", chosen},
-            {"status", ruleNameOf(figureStatusNames(), leastSure(rule))},
+            {"status", ruleNameOf(figureStatusNames(), findLeastCertain(rule))},
             {"readings", rule.readings},
             {"figures", figures}};
 }

@@ -16,7 +16,8 @@ struct FinishedTile {
 
 /// The state of a plan: what its tasks have finished so far.
 struct TaskStatus {
-    /// By district, by tile number. Only tiles whose content is the plan's and whose file has its size.
+    /// The finished tiles by district and number. Only tiles whose content is the plan's and whose file has
+    /// its size.
     std::vector<std::map<std::size_t, FinishedTile>> finished;
     std::vector<std::size_t> unfinishedTasks;  ///< ascending
     std::size_t startedTasks = 0;              ///< of them, those that have finished some tile

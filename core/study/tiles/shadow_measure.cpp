@@ -61,7 +61,7 @@ Result<ShadowField> ShadowMeasure::accumulate(TileResult& result, EngineInUse& e
             return tl::make_unexpected(done.error());
         const auto off = findOff(result, engine, receivers, *field, progress, stop);
         if (!off) return tl::make_unexpected(off.error());
-        if (!engine.goOn(*off)) return field;
+        if (!engine.switchToCloser(*off)) return field;
     }
 }
 
@@ -71,7 +71,7 @@ Result<SampledOff> ShadowMeasure::findOff(const TileResult& result, const Engine
                                           const Receivers& receivers, const ShadowField& field,
                                           Progress& progress, const std::stop_token& stop) const {
     const SampledOff few = errorOf(result.compared, field.sunlitMinutesPerDay, 0).grossOff();
-    if (!engine.wouldGoOn(few)) return few;
+    if (!engine.wouldSwitch(few)) return few;
     const ErrorSampleSettings& sample = question_.settings.errorSample;
     const auto cells =
         spreadReceivers(receivers, sampleSize(sample, question_.sun.steps.size()), sample.seed);

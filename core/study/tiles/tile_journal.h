@@ -61,7 +61,7 @@ public:
     static Result<std::map<std::size_t, TileResult>> peek(const std::filesystem::path& folder,
                                                           const std::string& studyHash, const TilePlan& plan);
 
-    /// By tile number.
+    /// The finished tiles by their number.
     [[nodiscard]] const std::map<std::size_t, TileResult>& finished() const { return finished_; }
 
     /// The file of a tile: its cells in the bands of all maps (tile_maps.h), or its lines of JSON. Empty

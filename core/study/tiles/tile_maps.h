@@ -55,7 +55,7 @@ ColourScale makeShadowScale(const ShadowStatistics& figures, double sunlitMinute
 /// sun up in the month that has most of them. Range and typed classes of the legend, which are of a day, do
 /// not count; quantiles as above.
 ColourScale makeMonthScale(const SunSteps& sun, const LegendChoice& legend = {});
-/// Of maps around zero whose cells are never together.
+/// The choice for maps around zero whose cells are never held together.
 LegendChoice withoutQuantiles(LegendChoice legend);
 
 inline constexpr std::string_view monthMap = "by_month";  ///< the name of that of months

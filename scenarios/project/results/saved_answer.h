@@ -44,8 +44,8 @@ struct SavedStudy {
     std::string error;                  ///< against the ray reference, as text
     CivilDate start{};                  ///< of its period
     std::vector<MonthShadow> months{};  ///< empty: not asked for
-    /// Of the region to the buildings, without indices in City::buildings and sets of steps. None: not asked
-    /// for, or not stored by the version.
+    /// What buildings take from the region, without indices in City::buildings and sets of steps. None: not
+    /// asked for, or not stored by the version.
     std::optional<std::vector<Contribution>> contributions{};
     std::vector<ShownError>
         errors{};  ///< of the quantities it shows; none where the version did not state them

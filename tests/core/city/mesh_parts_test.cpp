@@ -342,7 +342,7 @@ TEST(MeshParts, ASheetOnPostsIsAnOverhangAndOnWallsARoof) {
     EXPECT_NEAR(area(partsOf(house, "", "").parts.at(0).footprint), 80, 1e-3);
 }
 
-TEST(MeshParts, OpenMeshIsUsedAndSaid) {
+TEST(MeshParts, OpenMeshIsUsedAndReported) {
     TriangleMesh open = box({0, 0, 0}, {10, 10, 10});
     open.triangles.erase(open.triangles.begin(), open.triangles.begin() + 2);
     const MeshParts made = partsOf(open, "", "");

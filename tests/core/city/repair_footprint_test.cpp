@@ -112,7 +112,7 @@ TEST(RepairFootprint, CrossedOutlineBecomesItsTwoLobes) {
     EXPECT_EQ(repaired.what, "outline or holes crossed");
 }
 
-TEST(RepairFootprint, HoleOutsideBecomesAPieceAndIsSaid) {
+TEST(RepairFootprint, HoleOutsideBecomesAPieceAndIsReported) {
     const auto repaired = repairFootprint({square(0, 0, 10), square(20, 0, 5)});
     EXPECT_EQ(repaired.pieces.size(), 2U);
     EXPECT_DOUBLE_EQ(totalArea(repaired.pieces), 125);
@@ -150,7 +150,7 @@ TEST(RepairFootprint, NothingUsableGivesNoPiecesAndAReason) {
     }
 }
 
-TEST(RepairFootprint, HolesThatAreNoneAreLeftOutAndSaid) {
+TEST(RepairFootprint, HolesThatAreNoneAreLeftOutAndReported) {
     const auto repaired = repairFootprint({square(0, 0, 10), {{1, 1}, {2, 2}}});
     ASSERT_EQ(repaired.pieces.size(), 1U);
     EXPECT_TRUE(repaired.pieces[0].holes.empty());

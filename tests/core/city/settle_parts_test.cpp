@@ -49,7 +49,7 @@ TEST_F(SettleParts, AStackStandsWhateverItsOrder) {
     EXPECT_THAT(overhanging(), ElementsAre(false, false, false));
 }
 
-TEST_F(SettleParts, ALowGapIsClosedAndSaid) {
+TEST_F(SettleParts, ALowGapIsClosedAndReported) {
     parts = {part(0, 10, 0, 17), part(0, 10, 20, 40, "way 9")};
     EXPECT_THAT(overhanging(), ElementsAre(false, false));
     EXPECT_FLOAT_EQ(parts[1].bottomM, 17);

@@ -99,10 +99,10 @@ const Figures<Wind>& windFigures() {
                                  .label = "Wind",
                                  .definition = "time of wind",
                                  .unit = FigureUnit::hoursADay,
-                                 .together = Together::mean}),
+                                 .together = Aggregation::mean}),
         figure(&Wind::runMin, {.key = "run_min", .label = "Longest", .unit = FigureUnit::minutes}),
         figure(&Wind::weight,
-               {.key = "weight", .label = "Weight", .use = FigureUse::file, .together = Together::max}),
+               {.key = "weight", .label = "Weight", .use = FigureUse::file, .together = Aggregation::max}),
         derivedFigure<Wind>([](const Wind& wind) { return wind.gusts / 2; },
                             {.key = "pairs", .label = "Pairs of gusts", .inFiles = false})};
     return figures;

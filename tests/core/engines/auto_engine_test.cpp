@@ -62,7 +62,7 @@ TEST(AutoEngine, ALongPeriodOnTerrainGoesToTheHorizonSweep) {
     EXPECT_EQ(field->engineKey, "horizon");
 }
 
-TEST(AutoEngine, WhatTheChosenOneRefusesGoesToRaysAndIsSaid) {
+TEST(AutoEngine, WhatTheChosenOneRefusesGoesToRaysAndIsReported) {
     const ShadowField field = byAuto(oneTower(), days(1, 60'000));  // too many steps for the sweep
     EXPECT_EQ(field.engineKey, "ray");
     EXPECT_THAT(field.engine, HasSubstr("refused"));

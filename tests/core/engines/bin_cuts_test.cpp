@@ -109,7 +109,7 @@ TEST(BinCuts, NoSunNeedsNoBin) {
     EXPECT_EQ(chooseBinCuts(night, 0.05).bins, 0U);
 }
 
-TEST(BinCuts, WidthsAreSaidInWords) {
+TEST(BinCuts, WidthsAreStatedInWords) {
     const SunSteps sun = sunOf(3, 1);
     EXPECT_EQ(formatText(binSun(sun, {.binDeg = 0.5})).substr(4), "azimuth bins of 0.5 deg");
     EXPECT_NE(formatText(binSun(sun, {.errorTargetPercent = 0.1})).find(" to "), std::string::npos);

@@ -72,7 +72,7 @@ TEST(HorizonNumbers, SlopesOfATenThousandthAndOfTenThousand) {
         const City city = cityOf({{{-20'000, -5, 0}, {20'000, 0, height}}});
         const Receivers receivers = receiversOver(city, 0, 0, 1, 100, 0.5);
         for (const std::uint32_t cell : receivers.cells) {
-            const double north = double(receivers.position(cell).y) + double(RayScene::asideM);
+            const double north = double(receivers.position(cell).y) + double(RayScene::wallOffsetM);
             const double altitude = std::atan2(height, north) * 180 / std::numbers::pi;
             if (altitude > 89.99 || altitude < 0.004) continue;
             if (cell % 7 != 0) continue;

@@ -207,7 +207,7 @@ TEST(ProjectedShadows, PartyWallsLetNoLightThrough) {
 // Rays begin slightly north-east of a receiver: here the receiver is just outside a wall, and its rays begin
 // inside.
 TEST(ProjectedShadows, AReceiverAtAWallWhoseRaysBeginInsideIsDarkWithTheSunBehind) {
-    const float line = 0.5F + RayScene::asideM / 2;
+    const float line = 0.5F + RayScene::wallOffsetM / 2;
     const Ring box = rectangle(line, line, 12, 12);
     const Ring angle{{line, line}, {12, line}, {12, 6}, {6, 6}, {6, 12}, {line, 12}};
     for (const Ring& ring : {box, angle}) {

@@ -43,7 +43,7 @@ void meet(Slow& slow, glm::dvec3 origin, glm::dvec3 direction, glm::dvec3 a, glm
 /// Tests every triangle.
 Slow slowly(const TriangleMesh& mesh, glm::vec3 place, glm::vec3 direction) {
     Slow slow;
-    const glm::vec3 origin = place + glm::vec3(RayScene::asideM, RayScene::asideM, 0);
+    const glm::vec3 origin = place + glm::vec3(RayScene::wallOffsetM, RayScene::wallOffsetM, 0);
     for (const glm::uvec3 t : mesh.triangles)
         meet(slow, glm::dvec3(origin), glm::dvec3(direction), glm::dvec3(mesh.vertices[t.x]),
              glm::dvec3(mesh.vertices[t.y]), glm::dvec3(mesh.vertices[t.z]));

@@ -18,7 +18,7 @@ TEST(RayTerrain, GroundElevationIsTheSurfaceThatCastsShadow) {
         const glm::vec2 place(float(random() % 7000) * 0.01F - 35, float(random() % 7000) * 0.01F - 35);
         const auto hit = scene.firstHit({place, 200}, {0, 0, -1});
         ASSERT_TRUE(hit);
-        ASSERT_NEAR(hit->position.z, groundAt(city, glm::dvec2(place + RayScene::asideM)), 1e-4);
+        ASSERT_NEAR(hit->position.z, groundAt(city, glm::dvec2(place + RayScene::wallOffsetM)), 1e-4);
     }
 }
 

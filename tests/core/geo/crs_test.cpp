@@ -120,12 +120,12 @@ TEST(CrsToLonLat, LongitudeComesFirst) {
 TEST(CrsToLonLat, EastingsLoseTheNumberOfTheirZone) {
     for (const char* crs : {"EPSG:25833", "EPSG:25833+7837", "EPSG:32633"}) {
         auto system = CrsToLonLat::of(crs);
-        system->takeZoneOff();
+        system->removeZoneNumber();
         const glm::dvec2 plain{391800, 5820000}, numbered{33391800, 5820000};
         const LonLat place = system->lonLat({&plain, 1})[0];
-        EXPECT_FALSE(system->tookZoneOff()) << crs;
+        EXPECT_FALSE(system->hasRemovedZoneNumber()) << crs;
         const LonLat same = system->lonLat({&numbered, 1})[0];
-        EXPECT_TRUE(system->tookZoneOff()) << crs;
+        EXPECT_TRUE(system->hasRemovedZoneNumber()) << crs;
         EXPECT_EQ(same.lonDeg, place.lonDeg) << crs;
         EXPECT_EQ(same.latDeg, place.latDeg) << crs;
     }
@@ -133,10 +133,10 @@ TEST(CrsToLonLat, EastingsLoseTheNumberOfTheirZone) {
     EXPECT_TRUE(std::isnan(convert("EPSG:25833", {32391800, 5820000}).lonDeg) ||
                 !CrsToLonLat::of("EPSG:25833")->isPlausible(convert("EPSG:25833", {32391800, 5820000})));
     auto own = CrsToLonLat::of("EPSG:4647");
-    own->takeZoneOff();
+    own->removeZoneNumber();
     const glm::dvec2 point{32500000, 5820000};
     EXPECT_NEAR(own->lonLat({&point, 1})[0].lonDeg, 9, 1e-9);
-    EXPECT_FALSE(own->tookZoneOff());
+    EXPECT_FALSE(own->hasRemovedZoneNumber());
 }
 
 TEST(CrsToLonLat, UnitsOfHeight) {

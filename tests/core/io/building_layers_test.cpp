@@ -106,7 +106,7 @@ TEST_F(BuildingLayers, SeveralOfBuildingsAreAllRead) {
     EXPECT_THAT(leftOut(piece), ElementsAre("lots"));
 }
 
-TEST_F(BuildingLayers, UnknownOnesAreAllReadAndSaid) {
+TEST_F(BuildingLayers, UnknownOnesAreAllReadAndReported) {
     const FilePiece piece = readLayers({{"a", "", 10}, {"b", "", 10}});
     EXPECT_EQ(piece.features, 50U);
     EXPECT_THAT(whats(piece.warnings), Contains(HasSubstr("one of several polygon layers")));

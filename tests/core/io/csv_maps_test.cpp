@@ -55,13 +55,13 @@ TEST_F(CsvMaps, AMapInMetresAsksForItsSystem) {
     EXPECT_EQ(known->crs, "Amersfoort / RD New, as --crs states");
 }
 
-TEST_F(CsvMaps, PointsAreNoOutlinesAndItIsSaidWhatIsMissing) {
+TEST_F(CsvMaps, PointsAreNoOutlinesAndWhatIsMissingIsReported) {
     const auto city = readTable("id,height,lon,lat\n1,8,4.9,52.37\n");
     ASSERT_FALSE(city);
     EXPECT_THAT(city.error().text(), HasSubstr("POLYGON"));
 }
 
-TEST_F(CsvMaps, EncodingsAreGuessedAndSaid) {
+TEST_F(CsvMaps, EncodingsAreGuessedAndReported) {
     const auto latin = readTable(std::string("name;height;WKT\nStra\xDF"
                                              "e;12;") +
                                  outlineText);

@@ -201,7 +201,7 @@ protected:
     Warnings warnings;
 };
 
-TEST_F(Units, AreMetresUnlessSaidOtherwise) {
+TEST_F(Units, AreMetresUnlessStatedOtherwise) {
     EXPECT_EQ(unitOf({"height", "ground_elevation"}, {}), LengthUnit::metres);
     EXPECT_TRUE(warnings.empty());
     EXPECT_EQ(unitOf({"height_ft"}, {}), LengthUnit::feet);
@@ -209,7 +209,7 @@ TEST_F(Units, AreMetresUnlessSaidOtherwise) {
     EXPECT_TRUE(warnings.empty());
 }
 
-TEST_F(Units, OfNewYorksFieldsAreFeetAndSaid) {
+TEST_F(Units, OfNewYorksFieldsAreFeetAndReported) {
     EXPECT_EQ(unitOf({"HEIGHTROOF", "GROUNDELEV"}, {}), LengthUnit::feet);
     EXPECT_EQ(warnings.size(), 2U);
     EXPECT_EQ(unitOf({"height_roof", "ground_elevation"}, {}), LengthUnit::feet);

@@ -213,7 +213,7 @@ TEST_F(ReadFootprints, HeightsThatRepeatTheStoreysAreStoreys) {
     EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("repeat the storeys")));
 }
 
-TEST_F(ReadFootprints, FeaturesOfAnotherKindAreLeftOutAndSaid) {
+TEST_F(ReadFootprints, FeaturesOfAnotherKindAreLeftOutAndReported) {
     const FilePiece piece = readGeoJson(squares(6, [](int i) {
         return fmt::format(R"("height":9,"type":"{}")", i < 4 ? "Building" : "District System");
     }));

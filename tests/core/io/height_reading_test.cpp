@@ -59,7 +59,7 @@ TEST_F(HeightReadingTest, OfAListOfThePartsOfABuildingTheHighestCounts) {
     EXPECT_EQ(read({value(height, "(a:1,2)")}).source, HeightSource::assumed);
 }
 
-TEST_F(HeightReadingTest, UnreadableTextIsSaidWithFeatureFieldAndText) {
+TEST_F(HeightReadingTest, UnreadableTextIsReportedWithFeatureFieldAndText) {
     const auto reading =
         read({value(height, "237;16", "height"), value(levels, "concrete", "building:levels")});
     EXPECT_DOUBLE_EQ(reading.topM, 9.6);
@@ -81,7 +81,7 @@ TEST_F(HeightReadingTest, ZeroNegativeAndAbsurdHeightsAreNone) {
     }
 }
 
-TEST_F(HeightReadingTest, StoreysThatAreNotReadAreSaidEvenBesideAHeight) {
+TEST_F(HeightReadingTest, StoreysThatAreNotReadAreReportedEvenBesideAHeight) {
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(levels, "concrete")}).topM, 20);
     EXPECT_EQ(warnings.size(), 1U);
 }
@@ -94,7 +94,7 @@ TEST_F(HeightReadingTest, MinHeightLifts) {
     EXPECT_EQ(warnings.size(), 1U);
 }
 
-TEST_F(HeightReadingTest, AnUndersideAboveTheTopIsSaid) {
+TEST_F(HeightReadingTest, AnUndersideAboveTheTopIsReported) {
     const auto measured = read({value(height, "48"), value(minHeight, "51")});
     EXPECT_DOUBLE_EQ(measured.bottomM, 0);
     EXPECT_DOUBLE_EQ(measured.topM, 48);
@@ -113,7 +113,7 @@ TEST_F(HeightReadingTest, HardlyAnyHeightIsNone) {
     EXPECT_DOUBLE_EQ(read({value(groundElevation, "20"), value(topElevation, "20.0000001")}).topM, 9.6);
 }
 
-TEST_F(HeightReadingTest, MinHeightBelowTheGroundIsLeftOutAndSaid) {
+TEST_F(HeightReadingTest, MinHeightBelowTheGroundIsLeftOutAndReported) {
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "-3")}).bottomM, 0);
     EXPECT_EQ(warnings.size(), 1U);
 }

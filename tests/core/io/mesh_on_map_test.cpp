@@ -162,7 +162,7 @@ TEST(MeshOnMap, TextFormatsKeepMillimetres) {
     }
 }
 
-TEST(MeshOnMap, BinaryFloatsAreReadAndTheirRoundingIsSaid) {
+TEST(MeshOnMap, BinaryFloatsAreReadAndTheirRoundingIsReported) {
     const auto piece =
         readMapMesh("a.stl", binaryStlOf(cornersAt({350'000.3, 5'800'000.4, 30})), onMap("EPSG:25833"));
     expectAt(piece, "EPSG:25833", {350'000.3, 5'800'000.4}, boxSize, 0.6);

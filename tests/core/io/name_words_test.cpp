@@ -137,7 +137,7 @@ TEST(FieldWords, TheHeightOfTheRoofIsThatOfTheBuildingOutsideTags) {
     EXPECT_TRUE(hasRole(knownFields({"roof_height", "height"}, {}, false), FieldRole::roofHeight));
 }
 
-std::vector<UnknownField> listed(UnknownFields& fields) { return fields.thatCouldBeHeights("a.shp"); }
+std::vector<UnknownField> listed(UnknownFields& fields) { return fields.listPossibleHeights("a.shp"); }
 
 TEST(UnknownFields, ANameThatSaysStoreysIsNoHeight) {
     UnknownFields fields;

@@ -32,7 +32,7 @@ constexpr std::string_view oneClosedOneOpen =
 {"type":"Feature","properties":{"id":"open","height":30},"geometry":{"type":"Polygon","coordinates":
 [[[-73.98,40.751],[-73.9799,40.751],[-73.9799,40.7511],[-73.98,40.7511]]]}}]})";
 
-TEST(MapRemarks, AnOutlineThatDoesNotCloseIsReadAndSaid) {
+TEST(MapRemarks, AnOutlineThatDoesNotCloseIsReadAndReported) {
     const tests::TemporaryFolder folder;
     NoProgress quiet;
     const auto piece = readFootprints(folder.file("a.geojson", oneClosedOneOpen), {}, quiet, {});
@@ -240,7 +240,7 @@ TEST_F(OsmSemantics, WhatStandsOnSomethingThatHangsHangs) {
     EXPECT_TRUE(cutInterval(building, top).isOverhanging);
 }
 
-TEST_F(OsmSemantics, ASlitOfLessThanAStoreyIsClosedAndSaid) {
+TEST_F(OsmSemantics, ASlitOfLessThanAStoreyIsClosedAndReported) {
     osm.way(sizedRectangle(0, 0, 30, 30), {{"building:part", "yes"}, {"height", "17"}});
     const auto upper = osm.way(sizedRectangle(5, 5, 20, 20),
                                {{"building:part", "yes"}, {"height", "75"}, {"min_height", "20"}});
@@ -298,7 +298,7 @@ TEST_F(OsmSemantics, AnUndersideCountedInStoreysIsAtMostAtTheEaves) {
     EXPECT_EQ(cutInterval(building, passage).topM, 5);
 }
 
-TEST_F(OsmSemantics, UndergroundIsLeftOutAndSaid) {
+TEST_F(OsmSemantics, UndergroundIsLeftOutAndReported) {
     osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}});
     const auto station =
         osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "train_station"}, {"location", "underground"}});

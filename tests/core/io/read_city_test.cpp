@@ -93,7 +93,7 @@ TEST_F(ReadCity, BuildingsStandOnTheTerrainWhereverItIsNamed) {
     }
 }
 
-TEST_F(ReadCity, GroundElevationsWithoutTerrainAreTakenOffAndSaid) {
+TEST_F(ReadCity, GroundElevationsWithoutTerrainAreTakenOffAndReported) {
     const auto file = folder.file(
         "a.geojson",
         R"({"type":"FeatureCollection","features":[)"

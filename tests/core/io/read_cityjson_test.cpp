@@ -325,7 +325,7 @@ TEST(ReadCityJson, FeetByTheVerticalSystem) {
     EXPECT_TRUE(warns(*assumed, "no unit"));
 }
 
-TEST(ReadCityJson, WhatIsLeftOutIsSaid) {
+TEST(ReadCityJson, WhatIsLeftOutIsReported) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     maker.addBuilding("cube2", maker.boxSolid({30, 0, 0}, {40, 10, 10}));

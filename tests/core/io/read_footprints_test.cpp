@@ -37,7 +37,7 @@ TEST_F(ReadFootprints, MultipolygonsAreOneBuilding) {
     EXPECT_EQ(piece.buildings[0]->parts.size(), 2U);
 }
 
-TEST_F(ReadFootprints, PolygonsOfOneFeatureThatOverlapAreJoinedAndSaid) {
+TEST_F(ReadFootprints, PolygonsOfOneFeatureThatOverlapAreJoinedAndReported) {
     const FilePiece piece = readGeoJson(
         R"({"type":"Feature","properties":{"height":9},"geometry":{"type":"MultiPolygon","coordinates":[)"
         R"([[[0,0],[0.0002,0],[0.0002,0.0002],[0,0.0002],[0,0]]],[[[0.0001,0],[0.0005,0],[0.0005,0.0002],[0.0001,0.0002],[0.0001,0]]]]}})");
@@ -45,7 +45,7 @@ TEST_F(ReadFootprints, PolygonsOfOneFeatureThatOverlapAreJoinedAndSaid) {
     EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("were joined")));
 }
 
-TEST_F(ReadFootprints, ElevationsInPolygonsAreNotTakenAndSaid) {
+TEST_F(ReadFootprints, ElevationsInPolygonsAreNotTakenAndReported) {
     const FilePiece piece = readGeoJson(
         R"({"type":"Feature","properties":{"height":9},"geometry":{"type":"Polygon","coordinates":)"
         R"([[[0,0,50],[0.0002,0,50],[0.0002,0.0002,50],[0,0.0002,50],[0,0,50]]]}})");

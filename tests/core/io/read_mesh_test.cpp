@@ -174,7 +174,7 @@ TEST(ReadMesh, GlbWithANodeTransform) {
     tests::expectClosedSolid(part, 6000);
 }
 
-TEST(ReadMesh, OpenMeshIsUsedAndSaid) {
+TEST(ReadMesh, OpenMeshIsUsedAndReported) {
     TriangleMesh open = box({0, 0, 0}, {10, 10, 10});
     open.triangles.pop_back();
     const auto piece = read("open.obj", objText(open), placed());

@@ -50,7 +50,7 @@ protected:
 std::unique_ptr<FilePiece> ReadMidtown::piece;
 
 // 7,989 features are buildings, 5,674 parts, 161 both: 13,502 in all.
-TEST_F(ReadMidtown, EveryFeatureIsDrawnReplacedOrSaid) {
+TEST_F(ReadMidtown, EveryFeatureIsDrawnReplacedOrReported) {
     EXPECT_EQ(piece->format, "OpenStreetMap PBF");
     std::set<std::string> seen;
     for (const auto& building : piece->buildings) {
@@ -90,7 +90,7 @@ TEST_F(ReadMidtown, EveryInvalidMultipolygonIsReported) {
     EXPECT_TRUE(reported.contains("relation 1860567"));
 }
 
-TEST_F(ReadMidtown, OddTagsAreSaidWithTheirText) {
+TEST_F(ReadMidtown, OddTagsAreReportedWithTheirText) {
     EXPECT_THAT(placesOf("lies underground"), testing::SizeIs(4));
     // A canopy of 5.1 m and a glass tower part of 30 m, both in layer -1.
     EXPECT_THAT(placesOf("its layer lies below the ground"),

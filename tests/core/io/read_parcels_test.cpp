@@ -60,7 +60,7 @@ TEST_F(ReadParcels, ThoseAskedForAlone) {
     EXPECT_EQ(east[0].name, "8");
 }
 
-TEST_F(ReadParcels, WhatIsWrongIsSaid) {
+TEST_F(ReadParcels, WhatIsWrongIsReported) {
     EXPECT_THAT(read({}).error().text(), HasSubstr("km from the city"));
     EXPECT_THAT(read({.nameField = "street"}).error().text(), HasSubstr("lot, owner"));
     EXPECT_THAT(read({.layer = "roads"}).error().text(), HasSubstr("plots"));

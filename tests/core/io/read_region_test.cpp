@@ -170,7 +170,7 @@ TEST(ReadRegion, FilesThatAreNoRegion) {
                 HasSubstr("no such file"));
 }
 
-TEST(ReadRegion, APointFarOffIsSaidAtOnce) {
+TEST(ReadRegion, APointFarOffIsReportedAtOnce) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file(
         "far.geojson",

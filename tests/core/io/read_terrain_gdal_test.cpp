@@ -185,7 +185,7 @@ TEST(ReadTerrain, UnitScaleAndOffset) {
     EXPECT_LT(worstError(*scaled, *settings.frame, expected), 0.1);
 }
 
-TEST(ReadTerrain, FeetOfTheMapAreAssumedAndSaid) {
+TEST(ReadTerrain, FeetOfTheMapAreAssumedAndReported) {
     Raster raster;
     raster.epsg = 2263;  // New York, US survey feet
     raster.west = 985000;

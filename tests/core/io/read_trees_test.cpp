@@ -135,7 +135,7 @@ TEST_F(ReadTreesTest, PointsOfAMap) {
     EXPECT_EQ(read->trees[0].facts.species, "Acer");
 }
 
-TEST_F(ReadTreesTest, AStemOfNoStatedUnitIsSaid) {
+TEST_F(ReadTreesTest, AStemOfNoStatedUnitIsReported) {
     const auto read = tryRead(folder_.file("t.csv", "dbh,lat,lon\n30,40.75,-73.98\n"));
     ASSERT_TRUE(read);
     EXPECT_NEAR(*read->trees[0].facts.stemDiameterM, 0.3, 1e-9);

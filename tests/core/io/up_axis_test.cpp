@@ -84,7 +84,7 @@ std::string textsOf(const Warnings& warnings) {
     return text;
 }
 
-TEST(UpAxis, IsSaidWhereItIsAssumedAndStatedOtherwise) {
+TEST(UpAxis, IsReportedWhereItIsAssumedAndStatedOtherwise) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("city.obj", flatCity);
     const auto assumed = readMeshFile(file);
@@ -123,7 +123,7 @@ TEST(MeshScale, ComesBeforeTheLimitsOfABuilding) {
     EXPECT_FALSE(readCity({file}, settings, quiet, {}));
 }
 
-TEST(SeveralMeshes, OneWithoutTrianglesIsLeftOutAndSaid) {
+TEST(SeveralMeshes, OneWithoutTrianglesIsLeftOutAndReported) {
     const tests::TemporaryFolder folder;
     const auto points = folder.file(
         "points.ply",

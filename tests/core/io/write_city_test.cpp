@@ -119,7 +119,7 @@ TEST_F(WriteCity, BuildingsOfOneSourceIdStayTwo) {
     EXPECT_STREQ(feature(4)->GetFieldAsString("building_id"), "way 1 (2)");
 }
 
-TEST_F(WriteCity, AMeshIsWrittenAsAPrismAndSaid) {
+TEST_F(WriteCity, AMeshIsWrittenAsAPrismAndReported) {
     Building building{.sourceId = "dome"};
     building.parts.push_back({.sourceId = "dome 1",
                               .footprint = {square(0, 0, 4), {}},
@@ -135,7 +135,7 @@ TEST_F(WriteCity, AMeshIsWrittenAsAPrismAndSaid) {
     EXPECT_EQ(warnings[0].where, "dome 1");
 }
 
-TEST_F(WriteCity, TerrainIsLeftOutAndSaid) {
+TEST_F(WriteCity, TerrainIsLeftOutAndReported) {
     const Terrain flat{{-1000, -1000, 1000, 3, 3}, std::vector<float>(9, 3)};
     write({Frame({0, 0}), {towerOnPodium()}, std::make_shared<const Terrain>(flat)});
     ASSERT_EQ(warnings.size(), 1U);

@@ -139,7 +139,7 @@ TEST(SampledError, KnownFigures) {
     EXPECT_EQ(error.continuous.worstM, glm::dvec2(7, 0.5));
 }
 
-TEST(SampledError, WithoutRunsNothingIsSaidOfThem) {
+TEST(SampledError, WithoutRunsNothingIsReportedOfThem) {
     std::vector<ComparedCell> cells = hundredCells();
     cells[50].continuousMin = std::nan("");
     const SampledError error = errorOf(cells, 1000, 600);

@@ -174,8 +174,8 @@ TEST(PlaceSums, AddUpByMonthAndQuarterAndNameTheDayOfMost) {
     EXPECT_EQ(sums.months().at("2026-03").days, 3);
     EXPECT_EQ(sums.quarters()[std::size_t(Quarter::fromDecember)].days, 1);
     EXPECT_EQ(sums.quarters()[std::size_t(Quarter::fromMarch)].days, 2);
-    EXPECT_EQ(unsigned(sums.mostScenario()->day.day()), 21U);
-    EXPECT_EQ(unsigned(sums.mostIncremental()->day.day()), 22U);
+    EXPECT_EQ(unsigned(sums.maxScenarioDay()->day.day()), 21U);
+    EXPECT_EQ(unsigned(sums.maxIncrementalDay()->day.day()), 22U);
     EXPECT_EQ(sums.largestIncrementalM2(), 22);
 }
 

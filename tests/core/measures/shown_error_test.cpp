@@ -32,7 +32,7 @@ TEST(ShownError, SmallOnesKeepTwoDigits) {
               "0.023 min a day in the mean, 99 of 100 within 0.046 min a day, at most 0.046 min a day");
 }
 
-TEST(ShownError, ThatIsNoneIsSaidOnce) {
+TEST(ShownError, ThatIsNoneIsReportedOnce) {
     EXPECT_EQ(formatText(describe(sumUpError("place_mean", {0, 0, 0}))), "0 min a day everywhere");
     EXPECT_EQ(formatText(describe(sumUpError("place_mean", {5e-6, 2e-5}))), "0.001 min a day at most")
         << "the rounding of single precision is no error that was measured";

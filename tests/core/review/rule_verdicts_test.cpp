@@ -256,10 +256,10 @@ TEST(RussiaRule, CountsSpotsWithUnbrokenOrEnoughBrokenSun) {
     const PlaceReview review = reviewOf(shippedRule("russia-territory"), times(5, lit(300)), cells);
     EXPECT_DOUBLE_EQ(review.results.at(0).value->value, 0.6);
     EXPECT_EQ(review.verdict, notApplicable) << "no share is stated";
-    EXPECT_DOUBLE_EQ(review.rows.at(0).leastSunMin, 130);
-    EXPECT_EQ(review.rows.at(0).leastSunIntervals, 1);
-    EXPECT_DOUBLE_EQ(review.rows.at(0).leastSunRunMin, 130);     // of that spot
-    EXPECT_DOUBLE_EQ(review.rows.at(0).leastLongestSunMin, 55);  // of the fourth
+    EXPECT_DOUBLE_EQ(review.rows.at(0).minSunMin, 130);
+    EXPECT_EQ(review.rows.at(0).minSunIntervals, 1);
+    EXPECT_DOUBLE_EQ(review.rows.at(0).minSunRunMin, 130);     // of that spot
+    EXPECT_DOUBLE_EQ(review.rows.at(0).minLongestSunMin, 55);  // of the fourth
 }
 
 TEST(OwnRule, AllowsAnHourAtASpot) {

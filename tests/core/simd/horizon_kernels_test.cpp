@@ -203,7 +203,7 @@ TEST(HorizonKernels, NeedOfABlockIsThatOfItsLowestCells) {
     forEachInstructionSet([&] {
         BlockNeed need;
         findNeed(horizons.rows, horizons.grounds, 3, need);
-        EXPECT_EQ(findLeastRise(need, rows, 50), minimum - 1e-3F);
+        EXPECT_EQ(findMinRise(need, rows, 50), minimum - 1e-3F);
     });
 }
 

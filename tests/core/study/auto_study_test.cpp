@@ -80,7 +80,7 @@ TEST(AutoStudy, MonthsAreThoseOfTheRays) {
     }
 }
 
-TEST(AutoStudy, ContributionsThatAreLessCloseAreSaidToBe) {
+TEST(AutoStudy, ContributionsThatAreLessCloseAreMarked) {
     StudySettings settings = winterOf("auto");
     settings.contributions = true;
     const Study study = studied(settings);

@@ -250,7 +250,7 @@ TEST_F(TiledStudyTest, MonthsGoOnWhereTheyWereStopped) {
     }
 }
 
-TEST_F(TiledStudyTest, ABrokenTileIsSaidAndTheMapIsNotMade) {
+TEST_F(TiledStudyTest, ABrokenTileIsReportedAndTheMapIsNotMade) {
     StopAtTile watcher(13);
     ASSERT_FALSE(run(question("ray"), watcher, watcher.stop.get_token()));
     for (const auto& entry : std::filesystem::directory_iterator(file.string() + ".tiles"))

@@ -11,7 +11,7 @@ TEST(ZoneTowns, TheNearestIsNamedWithItsCountry) {
     if (!town) GTEST_SKIP() << "the time zone database is missing";
     EXPECT_EQ(town->name, "Amsterdam");
     EXPECT_EQ(countryName(town->country), "Netherlands");
-    EXPECT_LT(town->awayM, 5000);
+    EXPECT_LT(town->distanceM, 5000);
 }
 
 TEST(ZoneTowns, NamesOfSeveralWordsAndSouthernPlacesAreRead) {
@@ -19,7 +19,7 @@ TEST(ZoneTowns, NamesOfSeveralWordsAndSouthernPlacesAreRead) {
     if (!town) GTEST_SKIP() << "the time zone database is missing";
     EXPECT_EQ(town->name, "Buenos Aires");
     EXPECT_EQ(town->country, "AR");
-    EXPECT_LT(town->awayM, 20000);
+    EXPECT_LT(town->distanceM, 20000);
 }
 
 bool isQuestioned(const char* zone, LonLat place) {

@@ -46,7 +46,7 @@ QString askForMovie(QWidget* parent, const QString& suggested);  ///< .mp4 or .g
 QString askForLogo(QWidget* parent);
 QString askForFolder(QWidget* parent, const QString& title);
 
-/// Those of the files that a folder has already.
+/// The names of those of the files that exist in the folder already.
 QStringList filesInTheWay(const QString& folder, const std::vector<std::string>& files);
 /// Asks whether existing files in a folder may be replaced; true if there are none.
 bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files);

@@ -104,7 +104,7 @@ std::vector<Pixel> paletteOf(const ColourScale& scale, double topMin) {
     palette.reserve(shades);
     for (int i = 0; i < shades; ++i)
         palette.push_back(toPixel(scale.colourOf(scale.quantity.of(topMin * i / (shades - 1)))));
-    if (scale.leavesZeroFree()) palette.front() = {};
+    if (scale.leavesZeroUncoloured()) palette.front() = {};
     return palette;
 }
 

@@ -39,7 +39,7 @@ struct GroundAnswer {
     using Map = std::variant<std::shared_ptr<const ShadowField>, std::shared_ptr<const Impact>,
                              std::shared_ptr<const Score>>;
     Map map;  ///< not null
-    /// Of a field, if known: then cells under buildings get colours too.
+    /// The receivers of the field, if known: then cells under buildings get colours too.
     std::shared_ptr<const Receivers> receivers;
     QString note;            ///< describes the result, beside the legend
     bool marked = false;     ///< the note is a warning
@@ -48,7 +48,7 @@ struct GroundAnswer {
     QString whyGross{};
     /// Instead of the note while continuous shadow is shown; empty: the note holds for both measures.
     QString runNote{};
-    /// Of gross shadow, stated in the unit shown before the note; none: not measured.
+    /// Error of gross shadow, stated in the unit shown before the note; none: not measured.
     std::optional<SampledError> error{};
 };
 
@@ -68,7 +68,7 @@ QString makeNote(const GroundAnswer& answer, ShadowMeasure measure, ShownAs show
 /// A score is the same for both measures. `scale`: of a difference.
 Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale,
                   const LegendChoice& choice = {});
-/// In the colours of such a legend, of this answer or of another.
+/// The picture in the colours of such a legend, of this answer or of another.
 GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, const Legend& legend);
 
 /// The picture of receivers on roofs; nothing if there are none, or if receivers are not known.

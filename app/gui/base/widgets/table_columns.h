@@ -19,7 +19,7 @@ public:
     /// the heading; `setting` is its key there.
     ColumnMenu(QHeaderView& heading, int keyRole, QSettings& settings, const QString& setting);
 
-    /// Of all columns but the first, in their order. The caller deletes it.
+    /// A menu that shows and hides all columns but the first, in their order. The caller deletes it.
     [[nodiscard]] QMenu* makeMenu();
 
 private:

@@ -43,17 +43,17 @@ struct ContributionSheet {
 
 // `show`: whether the sentences are about shadow or about sun; what buildings take is shadow in both.
 
-/// Of a study: the buildings of `rows`, over the cells of `breakdown`.
+/// The sheet of a study: the buildings of `rows`, over the cells of `breakdown`.
 ContributionSheet makeContributionSheet(const Study& study, const ShadowBreakdown& breakdown,
                                         const std::vector<Contribution>& rows, ShownAs show);
 /// With the study's own figure of the same cells beside it.
 ContributionSheet makeContributionSheet(const Study& study, const PlaceContributions& of, ShownAs show);
-/// Of a saved study that states contributions(), for the buildings that still stand in `city`.
+/// The sheet of a saved study that states contributions(), for the buildings that still stand in `city`.
 ContributionSheet makeContributionSheet(const SavedStudy& study, const City& city, ShownAs show);
-/// Of a place whose contributions an answer keeps, for the buildings that still stand in `city`.
+/// The sheet of a place whose contributions an answer keeps, for the buildings that still stand in `city`.
 ContributionSheet makeContributionSheet(const KeptContributions& of, const City& city, ShownAs show);
-/// Of a comparison: the new buildings, by what each of them adds alone. `place`: null is the whole region.
-/// `after`: the city with the new buildings.
+/// The sheet of a comparison: the new buildings, by what each of them adds alone. `place`: null is the whole
+/// region. `after`: the city with the new buildings.
 ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place,
                                         ShownAs show);
 

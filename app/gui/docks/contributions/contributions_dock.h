@@ -19,7 +19,7 @@ class ContributionModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
     static constexpr int valueRole = Qt::UserRole;  ///< a number where the text is one, for sorting
-    /// Of a share: how long its bar is, 0 to 1, 1 for the largest share of the sheet.
+    /// Role of the items of a share: how long its bar is, 0 to 1, 1 for the largest share of the sheet.
     static constexpr int barRole = Qt::UserRole + 1;
 
     using QAbstractTableModel::QAbstractTableModel;

@@ -162,7 +162,7 @@ QLayout* ExportDialog::makeFoot() {
     message_->setObjectName(QStringLiteral("exportMessage"));
     message_->setWordWrap(true);
     progress_ = new ProgressStrip(QBoxLayout::LeftToRight);
-    progress_->follow(laying_);
+    progress_->follow(layoutJob_);
     withProject_ =
         makeCheck(tr("With the project"), "exportWithProject",
                   tr("Puts a copy of the project's file into the folder, so that the result can be "
@@ -278,16 +278,16 @@ void ExportDialog::showProject() {
 void ExportDialog::layOut() {
     SheetsToMake wanted = source_.sheets(choice());
     if (!wanted.make) {
-        laidFrom_.reset();
-        laying_.drop();
+        laidOutFrom_.reset();
+        layoutJob_.drop();
         return showSheets(nullptr);
     }
-    if (laidFrom_ == wanted.from) return;
-    laidFrom_ = std::move(wanted.from);
+    if (laidOutFrom_ == wanted.from) return;
+    laidOutFrom_ = std::move(wanted.from);
     using Sheets = std::shared_ptr<const Book>;
-    laying_.start<Sheets>(tr("Laying out the sheets"), wanted.make, [this](const Result<Sheets>& sheets) {
+    layoutJob_.start<Sheets>(tr("Laying out the sheets"), wanted.make, [this](const Result<Sheets>& sheets) {
         if (sheets) return showSheets(*sheets);
-        laidFrom_.reset();
+        laidOutFrom_.reset();
         showError(sheets.error());
     });
 }

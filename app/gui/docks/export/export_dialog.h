@@ -57,7 +57,7 @@ public:
     [[nodiscard]] SheetForm& form() { return *form_; }
     [[nodiscard]] BookView& pages() { return *pages_; }
     /// The sheets are being laid out, or soon will be.
-    [[nodiscard]] bool busy() const { return soon_.isActive() || laying_.busy(); }
+    [[nodiscard]] bool busy() const { return soon_.isActive() || layoutJob_.busy(); }
 
 Q_SIGNALS:
     void chosen(noonmark::ExportChoice choice, QString folder);
@@ -99,8 +99,8 @@ private:
     QPushButton* openFolder_;  // the one that was written last
     QString writtenTo_;
     QTimer soon_;
-    std::optional<PrintedFrom> laidFrom_;  // the sheets that are shown or being laid out
-    JobSlot laying_;
+    std::optional<PrintedFrom> laidOutFrom_;  // the sheets that are shown or being laid out
+    JobSlot layoutJob_;
 };
 
 }  // namespace noonmark

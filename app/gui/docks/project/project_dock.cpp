@@ -342,13 +342,13 @@ void ProjectDock::addGroupActions(QMenu& menu, const ProjectNode& node) {
         menu.addAction(tr("&New scenario"), this, [this] { addScenario({}); });
     }
     if (node.part == ProjectPart::region)
-        menu.addAction(tr("&Save the study's region"), this, &ProjectDock::keepRegionRequested);
+        menu.addAction(tr("&Save the study's region"), this, &ProjectDock::saveRegionRequested);
     if (node.part == ProjectPart::period)
-        menu.addAction(tr("&Save the study's period"), this, &ProjectDock::keepPeriodRequested);
+        menu.addAction(tr("&Save the study's period"), this, &ProjectDock::savePeriodRequested);
     if (node.part == ProjectPart::view)
-        menu.addAction(tr("&Save this view"), this, &ProjectDock::keepViewRequested);
+        menu.addAction(tr("&Save this view"), this, &ProjectDock::saveViewRequested);
     if (node.part == ProjectPart::result)
-        menu.addAction(tr("&Save the displayed result"), this, &ProjectDock::keepResultRequested);
+        menu.addAction(tr("&Save the displayed result"), this, &ProjectDock::saveResultRequested);
     if (node.part == ProjectPart::lot)
         menu.addAction(tr("&Draw a lot"), this, &ProjectDock::drawLotRequested);
     if (node.part == ProjectPart::place) {

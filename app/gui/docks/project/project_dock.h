@@ -64,10 +64,10 @@ Q_SIGNALS:
     void viewChosen(const std::string& name);
     void resultChosen(const std::string& name);
     void weightsChosen(const std::string& name);
-    void keepRegionRequested();  ///< the study's region is to be added to the project
-    void keepPeriodRequested();
-    void keepViewRequested();
-    void keepResultRequested();
+    void saveRegionRequested();  ///< the study's region is to be added to the project
+    void savePeriodRequested();
+    void saveViewRequested();
+    void saveResultRequested();
     void drawLotRequested();
     void editLotRequested(noonmark::NamedLot lot);
     void drawPlaceRequested();

@@ -49,7 +49,7 @@ SavedViews::SavedViews(ProjectSession& session, ViewPanel& panel, ProjectDock& t
     connect(save_, &QAction::triggered, this, &SavedViews::save);
     connect(menu_, &QMenu::aboutToShow, this, &SavedViews::fillMenu);
     connect(&tree_, &ProjectDock::viewChosen, this, &SavedViews::show);
-    connect(&tree_, &ProjectDock::keepViewRequested, this, &SavedViews::save);
+    connect(&tree_, &ProjectDock::saveViewRequested, this, &SavedViews::save);
 }
 
 void SavedViews::fillMenu() {

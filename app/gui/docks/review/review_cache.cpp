@@ -39,7 +39,7 @@ int lengthOf(const RuleDays& days) {
 
 bool hasFewDays(const Rule& rule) { return !rule.days.fixed.empty(); }
 
-Rule thinnedOut(Rule rule) {
+Rule thinDays(Rule rule) {
     if (hasFewDays(rule)) return rule;
     rule.days.everyDays = std::max(7, rule.days.everyDays);
     rule.sampling.stepMinutes = std::max(rangeStepMin, rule.sampling.stepMinutes);

@@ -193,7 +193,7 @@ void ReviewSession::screen() {
         tr("Screening"),
         [question = *question](Progress& progress, std::stop_token stop) {
             ReviewQuestion thinned = question;
-            thinned.rule = thinnedOut(question.rule);
+            thinned.rule = thinDays(question.rule);
             return noonmark::screen(thinned, progress, std::move(stop));
         },
         [this, question = *question](Result<std::vector<ScreenedPlace>> screened) {

@@ -53,8 +53,8 @@ public:
     void run() { ask(true); }
     /// Reviews every scenario that latest() lacks.
     void runAll();
-    /// By scenario, its latest answer for the chosen rule, baseline and places, where none of them nor the
-    /// buildings have changed since.
+    /// The latest answer of each scenario for the chosen rule, baseline and places, where none of them nor
+    /// the buildings have changed since.
     [[nodiscard]] std::map<std::string, std::shared_ptr<const ReviewAnswer>> latest();
     void screen();  ///< chooses the places that can be reached
     /// Computes the expected time of run() and emits estimated().
@@ -75,7 +75,7 @@ public:
     [[nodiscard]] bool isLive() const { return live_ != nullptr; }
     /// Why the answer shown is not up to date; empty: it is.
     [[nodiscard]] QString whyOutdated();
-    /// By name: why the last screening left a place out, or that it is reached.
+    /// For each place by name: why the last screening left it out, or that it is reached.
     [[nodiscard]] const std::map<std::string, QString>& screened() const { return screened_; }
 
     [[nodiscard]] JobSlot& running() { return running_; }
@@ -92,7 +92,7 @@ Q_SIGNALS:
     void screeningDone(std::size_t reached, std::size_t of);
     void noted(QString text);
     void failed(noonmark::Error error);  ///< not emitted for cancelled work
-    /// Of the reviews of all scenarios.
+    /// A scenario of reviewAll() could not be reviewed.
     void scenarioFailed(std::string scenario, noonmark::Error error);
 
 private:

@@ -90,7 +90,7 @@ QString describeVerdicts(const ReviewStudy& study) {
 }
 
 QString describeStatus(const Rule& rule) {
-    const FigureStatus status = leastSure(rule);
+    const FigureStatus status = findLeastCertain(rule);
     const auto words = [](std::string_view text) {
         return QString::fromUtf8(text.data(), qsizetype(text.size()));
     };

@@ -53,7 +53,7 @@ class PlacesForm final : public QWidget {
 public:
     explicit PlacesForm(QWidget* parent = nullptr);
 
-    /// Of the project; ticks stay. Regions count as places once they are ticked.
+    /// The places and regions of the project; ticks stay. Regions count as places once they are ticked.
     void setPlaces(const std::vector<Place>& places, const std::vector<Region>& regions);
     /// The dates follow the year of the period until others are typed.
     void setYear(std::chrono::year year);

@@ -32,7 +32,7 @@ public:
 
     [[nodiscard]] double brush() const { return brush_; }  ///< the weight to paint with, -1 to 1
     void setBrush(double weight);
-    /// Of a cell and of a weight's swatch in the widget. Months 0 to 11, hours 0 to 23.
+    /// The rectangle of a cell, and that of a weight's swatch, in the widget. Months 0 to 11, hours 0 to 23.
     [[nodiscard]] QRectF cellAt(int month, int hour) const;
     [[nodiscard]] QRectF swatchOf(double weight) const;
 

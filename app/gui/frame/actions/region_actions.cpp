@@ -40,7 +40,7 @@ void RegionActions::connectDocks(ProjectDock& tree) {
     connect(&workbench_.session(), &ProjectSession::changed, this, &RegionActions::listNames);
     connect(&tree, &ProjectDock::useAsRegionRequested, this, &RegionActions::takeNamed);
     connect(&tree, &ProjectDock::regionChosen, this, &RegionActions::change);
-    connect(&tree, &ProjectDock::keepRegionRequested, this, &RegionActions::saveInProject);
+    connect(&tree, &ProjectDock::saveRegionRequested, this, &RegionActions::saveInProject);
 }
 
 void RegionActions::draw(bool on) {

@@ -50,7 +50,7 @@ ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const
     export_->setObjectName(QStringLiteral("exportResults"));
     connect(export_, &QAction::triggered, this, &ResultActions::askForExport);
     connect(saveResult_, &QAction::triggered, this, &ResultActions::saveInProject);
-    connect(&tree, &ProjectDock::keepResultRequested, this, &ResultActions::saveInProject);
+    connect(&tree, &ProjectDock::saveResultRequested, this, &ResultActions::saveInProject);
     connect(&tree, &ProjectDock::resultChosen, &workbench_, &Workbench::showSaved);
     connect(&display_, &ResultDisplay::updated, this, &ResultActions::nameExport);
 }

@@ -56,7 +56,7 @@ void StudyActions::listenTo(StudyDock& study, ProjectDock& tree, WeightsDock& we
             [this, &study] { study.kind() == StudyKind::places ? study.run() : run(); });
     connect(&weights, &WeightsDock::scoreRequested, &workbench_, &Workbench::runScore);
     connect(&tree, &ProjectDock::periodChosen, this, &StudyActions::setPeriod);
-    connect(&tree, &ProjectDock::keepPeriodRequested, this, &StudyActions::savePeriod);
+    connect(&tree, &ProjectDock::savePeriodRequested, this, &StudyActions::savePeriod);
 }
 
 void StudyActions::run() {

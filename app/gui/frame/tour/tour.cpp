@@ -80,13 +80,13 @@ TourBubble::TourBubble(QMainWindow& window)
     connect(end_, &QPushButton::clicked, this, &TourBubble::ended);
 }
 
-void TourBubble::present(const QString& title, const QString& text, Onward onward) {
-    const bool last = onward == Onward::finish;
+void TourBubble::present(const QString& title, const QString& text, NextButton nextButton) {
+    const bool last = nextButton == NextButton::finish;
     title_->setText(title);
     text_->setText(text);
     show_->setVisible(!last);
-    show_->setText(onward == Onward::next ? tr("Next") : tr("Show me"));
-    show_->setToolTip(onward == Onward::next ? QString() : tr("Does this step for you"));
+    show_->setText(nextButton == NextButton::next ? tr("Next") : tr("Show me"));
+    show_->setToolTip(nextButton == NextButton::next ? QString() : tr("Does this step for you"));
     end_->setText(last ? tr("Finish") : tr("End tour"));
     end_->setToolTip(last ? QString() : tr("Help > Guided tours starts it again"));
     adjustSize();
@@ -141,36 +141,37 @@ void Tour::start() {
 
 void Tour::enter(std::size_t step) {
     step_ = step;
-    before_ = lookBefore(stage_.workbench, stage_.review);
+    before_ = takeTourSnapshot(stage_.workbench, stage_.review);
     control_ = std::make_unique<TourControl>(stage_.window, current(), [this] { drawPlace(); });
     connect(control_.get(), &TourControl::done, this, &Tour::takeDone, Qt::QueuedConnection);
     control_->reveal();
     const QString title =
         tr("%1 (%2 of %3)").arg(translateTour(plan_.title)).arg(step + 1).arg(plan_.steps.size());
-    bubble_->present(title, translateTour(current().text), onward());
+    bubble_->present(title, translateTour(current().text), nextButton());
     follow();
 }
 
-TourBubble::Onward Tour::onward() const {
-    if (isLast()) return TourBubble::Onward::finish;
-    return current().deed == TourDeed::none ? TourBubble::Onward::next : TourBubble::Onward::showMe;
+TourBubble::NextButton Tour::nextButton() const {
+    if (isLast()) return TourBubble::NextButton::finish;
+    return current().task == TourTask::none ? TourBubble::NextButton::next : TourBubble::NextButton::showMe;
 }
 
 // Docks and controls may move, and results come when they are computed.
 void Tour::follow() {
     frame_->put(control_->area());
     bubble_->put(control_->area());
-    if (isReached(current().goal, before_, lookBefore(stage_.workbench, stage_.review))) enter(step_ + 1);
+    if (isReached(current().goal, before_, takeTourSnapshot(stage_.workbench, stage_.review)))
+        enter(step_ + 1);
 }
 
 void Tour::takeDone() {
     // An answer of the step before may still be in the queue.
-    if (sender() != control_.get() || current().deed == TourDeed::none) return;
-    if (current().goal == TourGoal::deed) enter(step_ + 1);
+    if (sender() != control_.get() || current().task == TourTask::none) return;
+    if (current().goal == TourGoal::task) enter(step_ + 1);
 }
 
 void Tour::showMe() {
-    if (current().deed != TourDeed::none) return control_->showMe();
+    if (current().task != TourTask::none) return control_->showMe();
     if (!isLast()) enter(step_ + 1);
 }
 
@@ -296,7 +297,7 @@ QRect TourControl::areaOf(const QAction& action) const {
 
 void TourControl::reveal() {
     // A step that asks for a dock leaves it to the user.
-    if (widget_ == nullptr || step_.deed == TourDeed::show) return;
+    if (widget_ == nullptr || step_.task == TourTask::show) return;
     for (QWidget* around = widget_->parentWidget(); around != nullptr; around = around->parentWidget()) {
         if (auto* dock = qobject_cast<QDockWidget*>(around)) {
             dock->show();
@@ -308,9 +309,9 @@ void TourControl::reveal() {
 
 void TourControl::showMe() {
     reveal();
-    if (step_.deed == TourDeed::draw) return draw_();
-    if (step_.deed == TourDeed::choose) return choose();
-    if (step_.deed == TourDeed::set) return set();
+    if (step_.task == TourTask::draw) return draw_();
+    if (step_.task == TourTask::choose) return choose();
+    if (step_.task == TourTask::set) return set();
     if (action_ != nullptr) return action_->trigger();
     if (auto* button = qobject_cast<QAbstractButton*>(widget_)) return button->animateClick();
     if (auto* dock = qobject_cast<QDockWidget*>(widget_)) {

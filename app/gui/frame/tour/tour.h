@@ -20,12 +20,12 @@ class QAction;
 
 namespace noonmark {
 
-// Guided tours. This file has the steps as data and tells when a step is done. Tour walks through the steps
+// Guided tours. This file has the steps as data and decides when a step is done. Tour walks through the steps
 // of one tour, TourControl finds and uses the control of a step in the window, TourBubble shows the text
 // beside it.
 
 /// What the user does in a step, and "Show me" does for them.
-enum class TourDeed {
+enum class TourTask {
     none,     ///< only reads
     show,     ///< brings a dock to the front
     click,    ///< a button
@@ -37,7 +37,7 @@ enum class TourDeed {
 
 /// When the step is done.
 enum class TourGoal {
-    deed,  ///< as soon as the user did it
+    task,  ///< as soon as the user has done it
     tower,
     study,
     comparison,
@@ -48,7 +48,7 @@ enum class TourGoal {
 
 struct TourStep {
     const char* control;  ///< object name of the widget, dock or action
-    TourDeed deed;
+    TourTask task;
     const char* value;  ///< of choose and set; otherwise null
     TourGoal goal;
     const char* text;  ///< English, in the translation context "Tour"
@@ -67,8 +67,8 @@ std::span<const TourPlan> listTours();
 class ReviewSession;
 class Workbench;
 
-/// What the window had when a step began.
-struct TourBefore {
+/// What the window has at one moment: compared, it shows what is new since a step began.
+struct TourSnapshot {
     const void* study = nullptr;
     const void* comparison = nullptr;
     const void* score = nullptr;
@@ -77,10 +77,10 @@ struct TourBefore {
     std::size_t edits = 0;  ///< of all scenarios
 };
 
-TourBefore lookBefore(Workbench& workbench, ReviewSession& review);
+TourSnapshot takeTourSnapshot(Workbench& workbench, ReviewSession& review);
 
-/// Whether the window has something new of that kind. Never for TourGoal::deed.
-bool isReached(TourGoal goal, const TourBefore& before, const TourBefore& now);
+/// Whether the window has something new of that kind. Never for TourGoal::task.
+bool isReached(TourGoal goal, const TourSnapshot& before, const TourSnapshot& now);
 
 /// A frame around the control of a step. The mouse goes through it.
 class TourFrame final : public QWidget {
@@ -100,9 +100,9 @@ class TourBubble final : public QFrame {
 public:
     explicit TourBubble(QMainWindow& window);
 
-    /// What the button does that takes the user on.
-    enum class Onward { showMe, next, finish };
-    void present(const QString& title, const QString& text, Onward onward);
+    /// What the button does that leads on.
+    enum class NextButton { showMe, next, finish };
+    void present(const QString& title, const QString& text, NextButton nextButton);
     void put(const QRect& control);  ///< beside it, in the window; empty: in the middle
 
 Q_SIGNALS:
@@ -121,7 +121,7 @@ private:
 class TourControl final : public QObject {
     Q_OBJECT
 public:
-    /// `draw` draws the polygon of TourDeed::draw. `window` must outlive it.
+    /// `draw` draws the polygon of TourTask::draw. `window` must outlive it.
     TourControl(QMainWindow& window, const TourStep& step, std::function<void()> draw);
 
     [[nodiscard]] bool found() const { return widget_ != nullptr || action_ != nullptr; }
@@ -156,7 +156,7 @@ struct TourStage {
     ViewPanel& panel;
 };
 
-/// Walks through the steps of a plan: frames the real control, tells what it is for, and goes on when the
+/// Walks through the steps of a plan: frames the real control, states what it is for, and goes on when the
 /// user has used it, or when "Show me" did.
 class Tour final : public QObject {
     Q_OBJECT
@@ -180,7 +180,7 @@ private:
     void takeDone();
     void drawPlace();
     [[nodiscard]] bool isLast() const { return step_ + 1 == plan_.steps.size(); }
-    [[nodiscard]] TourBubble::Onward onward() const;
+    [[nodiscard]] TourBubble::NextButton nextButton() const;
     [[nodiscard]] const TourStep& current() const { return plan_.steps[step_]; }
 
     const TourPlan& plan_;
@@ -188,7 +188,7 @@ private:
     TourBubble* bubble_;
     TourFrame* frame_;
     std::unique_ptr<TourControl> control_;
-    TourBefore before_;
+    TourSnapshot before_;
     QTimer watch_;
     std::size_t step_ = 0;
 };

@@ -13,7 +13,7 @@ bool isNew(const void* before, const void* now) { return now != nullptr && now !
 
 }  // namespace
 
-TourBefore lookBefore(Workbench& workbench, ReviewSession& review) {
+TourSnapshot takeTourSnapshot(Workbench& workbench, ReviewSession& review) {
     const Project& project = workbench.session().project();
     std::size_t edits = 0;
     for (const Scenario& scenario : project.scenarios) edits += scenario.edits.size();
@@ -25,9 +25,9 @@ TourBefore lookBefore(Workbench& workbench, ReviewSession& review) {
             edits};
 }
 
-bool isReached(TourGoal goal, const TourBefore& before, const TourBefore& now) {
+bool isReached(TourGoal goal, const TourSnapshot& before, const TourSnapshot& now) {
     switch (goal) {
-        case TourGoal::deed:
+        case TourGoal::task:
             return false;
         case TourGoal::tower:
             return now.edits > before.edits;
@@ -51,28 +51,28 @@ const TourPlan plans[] = {
     {"architect",
      QT_TRANSLATE_NOOP("Tour", "Architect: design a tower"),
      QT_TRANSLATE_NOOP("Tour", "A tower on a lot, its shadow while you shape it, and what it changes"),
-     {{"towerDock", TourDeed::show, nullptr, TourGoal::deed,
+     {{"towerDock", TourTask::show, nullptr, TourGoal::task,
        QT_TRANSLATE_NOOP("Tour",
                          "The green outlines in the view are lots. Towers are designed in the panel Tower.")},
-      {"designTower", TourDeed::click, nullptr, TourGoal::deed,
+      {"designTower", TourTask::click, nullptr, TourGoal::task,
        QT_TRANSLATE_NOOP(
            "Tour",
            "The list above has the lots of the project. Design tower puts a first tower on the one chosen.")},
-      {"storeys", TourDeed::set, "70", TourGoal::deed,
+      {"storeys", TourTask::set, "70", TourGoal::task,
        QT_TRANSLATE_NOOP(
            "Tour",
            "Type 70 storeys, or drag the arrow on the tower. Its shadow follows, and so do height and "
            "floor area.")},
-      {"applyMassing", TourDeed::click, nullptr, TourGoal::tower,
+      {"applyMassing", TourTask::click, nullptr, TourGoal::tower,
        QT_TRANSLATE_NOOP("Tour", "Build puts the tower into a new scenario. One undo takes it back.")},
-      {"compareExisting", TourDeed::trigger, nullptr, TourGoal::comparison,
+      {"compareExisting", TourTask::trigger, nullptr, TourGoal::comparison,
        QT_TRANSLATE_NOOP("Tour",
                          "Scenario > Compare with the existing city asks what the tower changes. Where that "
                          "takes longer, the button Compare of the panel Study starts it.")},
-      {"resultsDock", TourDeed::none, nullptr, TourGoal::deed,
+      {"resultsDock", TourTask::none, nullptr, TourGoal::task,
        QT_TRANSLATE_NOOP("Tour",
                          "Brown ground gains shadow, blue loses it. The panel Results has the figures.")},
-      {"exportResults", TourDeed::none, nullptr, TourGoal::deed,
+      {"exportResults", TourTask::none, nullptr, TourGoal::task,
        QT_TRANSLATE_NOOP(
            "Tour",
            "File > Export writes the comparison as PDF, picture, tables and data. That is the end of "
@@ -81,33 +81,33 @@ const TourPlan plans[] = {
      QT_TRANSLATE_NOOP("Tour", "Planner: weigh shade over a year"),
      QT_TRANSLATE_NOOP("Tour",
                        "Shadow of a whole year, one moment of it, and a score of wanted and unwanted shadow"),
-     {{"studyKind", TourDeed::choose, "0", TourGoal::deed,
+     {{"studyKind", TourTask::choose, "0", TourGoal::task,
        QT_TRANSLATE_NOOP(
            "Tour", "A study answers four questions. The first is what to measure: choose Hours of shadow.")},
-      {"periodPreset", TourDeed::choose, "5", TourGoal::deed,
+      {"periodPreset", TourTask::choose, "5", TourGoal::task,
        QT_TRANSLATE_NOOP("Tour", "The second is when: choose the whole year.")},
-      {"cell", TourDeed::set, "10", TourGoal::deed,
+      {"cell", TourTask::set, "10", TourGoal::task,
        QT_TRANSLATE_NOOP("Tour", "Cells of 10 m are enough for a first look; smaller ones take longer.")},
-      {"run", TourDeed::click, nullptr, TourGoal::study,
+      {"run", TourTask::click, nullptr, TourGoal::study,
        QT_TRANSLATE_NOOP(
            "Tour", "The line above the button says how long a study will take, before it runs. Start it.")},
-      {"lookSpan", TourDeed::choose, "2", TourGoal::deed,
+      {"lookSpan", TourTask::choose, "2", TourGoal::task,
        QT_TRANSLATE_NOOP(
            "Tour",
            "The map shows the whole year. Choose One moment to see sun and shadow at a date and time.")},
-      {"lookSpan", TourDeed::choose, "0", TourGoal::deed,
+      {"lookSpan", TourTask::choose, "0", TourGoal::task,
        QT_TRANSLATE_NOOP("Tour", "Play and the two sliders move the sun. Whole period returns to the year.")},
-      {"weightsDock", TourDeed::show, nullptr, TourGoal::deed,
+      {"weightsDock", TourTask::show, nullptr, TourGoal::task,
        QT_TRANSLATE_NOOP(
            "Tour",
            "Shade is welcome in summer and unwelcome in winter. The panel Weights says how much, month "
            "by month.")},
-      {"score", TourDeed::click, nullptr, TourGoal::score,
+      {"score", TourTask::click, nullptr, TourGoal::score,
        QT_TRANSLATE_NOOP(
            "Tour",
            "Compute score adds up the year by these weights. Above zero, wanted shade outweighs "
            "unwanted shadow.")},
-      {"exportResults", TourDeed::none, nullptr, TourGoal::deed,
+      {"exportResults", TourTask::none, nullptr, TourGoal::task,
        QT_TRANSLATE_NOOP(
            "Tour",
            "File > Export writes the score by month as tables, charts and maps for GIS. That is the "
@@ -115,30 +115,30 @@ const TourPlan plans[] = {
     {"board",
      QT_TRANSLATE_NOOP("Tour", "Review board: judge a proposal"),
      QT_TRANSLATE_NOOP("Tour", "A place whose sunlight matters, a proposal, and the verdicts of a rule"),
-     {{"drawPlace", TourDeed::draw, nullptr, TourGoal::place,
+     {{"drawPlace", TourTask::draw, nullptr, TourGoal::place,
        QT_TRANSLATE_NOOP(
            "Tour",
            "A review needs places whose sunlight matters. Choose Study > Draw place and click the "
            "corners of a lawn in the park; Enter finishes.")},
-      {"towerDock", TourDeed::show, nullptr, TourGoal::deed,
+      {"towerDock", TourTask::show, nullptr, TourGoal::task,
        QT_TRANSLATE_NOOP(
            "Tour", "It also needs a proposal. Here we design one; usually the project has it already.")},
-      {"designTower", TourDeed::click, nullptr, TourGoal::deed,
+      {"designTower", TourTask::click, nullptr, TourGoal::task,
        QT_TRANSLATE_NOOP("Tour", "Design tower puts a tower on the lot chosen in the list.")},
-      {"storeys", TourDeed::set, "90", TourGoal::deed,
+      {"storeys", TourTask::set, "90", TourGoal::task,
        QT_TRANSLATE_NOOP("Tour", "Give it 90 storeys, so that its shadow reaches the lawn.")},
-      {"applyMassing", TourDeed::click, nullptr, TourGoal::tower,
+      {"applyMassing", TourTask::click, nullptr, TourGoal::tower,
        QT_TRANSLATE_NOOP("Tour", "Build makes it a scenario, which can be compared with the existing city.")},
-      {"reviewByRule", TourDeed::trigger, nullptr, TourGoal::deed,
+      {"reviewByRule", TourTask::trigger, nullptr, TourGoal::task,
        QT_TRANSLATE_NOOP("Tour", "Study > Review by a rule opens the panel Review.")},
-      {"reviewRule", TourDeed::choose, "ceqr", TourGoal::deed,
+      {"reviewRule", TourTask::choose, "ceqr", TourGoal::task,
        QT_TRANSLATE_NOOP(
            "Tour",
            "Choose the rule of the board, here CEQR of New York. Its tool tip says what it asks and "
            "how sure its figures are.")},
-      {"runReview", TourDeed::click, nullptr, TourGoal::review,
+      {"runReview", TourTask::click, nullptr, TourGoal::review,
        QT_TRANSLATE_NOOP("Tour", "Run review judges every ticked place on the days of the rule.")},
-      {"exportReview", TourDeed::none, nullptr, TourGoal::deed,
+      {"exportReview", TourTask::none, nullptr, TourGoal::task,
        QT_TRANSLATE_NOOP(
            "Tour",
            "The table has the verdicts and the numbers behind them. Export shows the sheets and writes "

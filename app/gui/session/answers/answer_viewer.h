@@ -29,8 +29,8 @@ struct AnswerViewer {
     /// The name that it is saved under, with its first day; null: the title.
     QString (*name)(const Answer&) = nullptr;
     AnswerNote (*note)(const Answer&) = nullptr;  ///< null: none
-    /// Of results that were saved, whose note is added: what the view shows, and the rows after those on
-    /// their origin; null: none, and Answer::figures().
+    /// For saved results, whose note is added: what the view shows, and the rows after those on their origin;
+    /// null: none, and Answer::figures().
     std::optional<AnswerLayer> (*savedLayer)(const std::shared_ptr<const SavedContent>&) = nullptr;
     std::vector<ResultRow> (*savedRows)(const SavedContent&, ShownAs) = nullptr;
 };

@@ -73,14 +73,14 @@ struct PointFigures {
 };
 std::vector<ResultRow> makeRows(const PointFigures& figures, ShownAs show);
 
-/// Of a comparison: areas with more and with less shadow for each threshold, means, largest changes, cells
-/// that stopped or started being receivers, and the contribution of each new building.
+/// The rows of a comparison: areas with more and with less shadow for each threshold, means, largest changes,
+/// cells that stopped or started being receivers, and the contribution of each new building.
 std::vector<ResultRow> makeRows(const ComparisonFigures& figures, ShownAs show);
 
 /// "1,234 m² more" and "56 m² less" on a line each, of shadow or of sun, or "no change".
 QString describeChangedArea(const ChangeFigures& figures, ShownAs show = ShownAs::shadow);
 
-/// Of a score: the total, each month and each interval with sunlit time.
+/// The rows of a score: the total, each month and each interval with sunlit time.
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
                                      const std::string& weights, const std::string& period, ShownAs show);
 

@@ -169,9 +169,9 @@ fs::path ProjectSaving::olderRecovery(const fs::path& file) {
 
 void ProjectSaving::keepUnsaved() {
     if (!session_.hasUnsavedWork() || savedBeside().empty()) return;
-    if (keeping_.busy() || writing_.busy() || !leaving_.expired()) return timer_.start();
+    if (recoveryJob_.busy() || writing_.busy() || !leaving_.expired()) return timer_.start();
     if (!saved_) saved_ = std::make_shared<RecoveredWork>(savedBeside());
-    keeping_.start<bool>(
+    recoveryJob_.start<bool>(
         tr("Saving recovery file"),
         [saved = saved_, compose = capture_()](Progress&, std::stop_token) {
             return saved->keep(compose()).map([] { return true; });
@@ -190,13 +190,13 @@ void ProjectSaving::forgetUnsaved() {
 }
 
 void ProjectSaving::discardUnsaved() {
-    if (!recovery_.empty() && session_.file()) forgetTakenUp();
+    if (!recovery_.empty() && session_.file()) deleteAdoptedRecovery();
     recovery_.clear();
     forgetUnsaved();
 }
 
 // If this run has written a recovery file, the newer of the earlier files was moved over the older one.
-void ProjectSaving::forgetTakenUp() {
+void ProjectSaving::deleteAdoptedRecovery() {
     const fs::path recovery = recoveryPath(session_.file()->path());
     const fs::path older = olderRecovery(session_.file()->path());
     const bool moved = saved_ && saved_->movedAside();
@@ -214,7 +214,7 @@ void ProjectSaving::projectReplaced() {
 
 void ProjectSaving::startOver() {
     timer_.stop();
-    keeping_.drop();
+    recoveryJob_.drop();
     saved_.reset();
 }
 

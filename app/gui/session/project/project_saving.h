@@ -96,12 +96,12 @@ private:
     std::shared_ptr<RecoveredWork> saved_;  // null: no recovery file written since the last save
     std::weak_ptr<RecoveredWork> leaving_;  // still being written when discarded
     std::function<void()> next_;            // a save requested while another was in progress
-    void forgetTakenUp();
+    void deleteAdoptedRecovery();
 
     std::filesystem::path recovery_;  // the recovery file whose work was taken up; empty: none
     QTimer timer_;
     JobSlot writing_;
-    JobSlot keeping_;
+    JobSlot recoveryJob_;
 };
 
 }  // namespace noonmark

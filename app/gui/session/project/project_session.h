@@ -31,7 +31,7 @@ struct OpenProject {
     /// Read from a recovery file of an earlier run.
     bool recovered = false;
     ZoneGuess zone;  ///< guessed from the city's location
-    /// Of reading the places of a map, which are not repeated in the results of studies.
+    /// Warnings of reading the places of a map, which are not repeated in the results of studies.
     Warnings placeWarnings;
 };
 

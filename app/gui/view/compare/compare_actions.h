@@ -137,7 +137,8 @@ private:
     void follow();
     void layOut();
     void showPicture();
-    /// Of the other scenario with the settings of the study that is shown; null: not measured, or none shown.
+    /// The study of the other scenario with the settings of the study that is shown; null: not measured, or
+    /// none shown.
     [[nodiscard]] std::shared_ptr<const Study> findStudy() const;
     [[nodiscard]] QString nameSides() const;
     /// What the two sides show. `measured`: the other scenario has the study that is shown.

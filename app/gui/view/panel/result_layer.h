@@ -43,7 +43,7 @@ public:
     [[nodiscard]] bool showsElements() const;
     [[nodiscard]] bool showsTiles() const;
     [[nodiscard]] bool showsPlaces() const;
-    /// Of the colours of the places; none: none are shown.
+    /// The threshold of the colours of places; none: no places are shown.
     [[nodiscard]] std::optional<double> thresholdHours() const {
         return showsPlaces() ? std::optional(places_->thresholdHours) : std::nullopt;
     }

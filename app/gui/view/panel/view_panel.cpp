@@ -146,7 +146,8 @@ void ViewPanel::placeMessages() {
     const int width = std::clamp(room.width(), 0, maxMessageWidth);
     const int height = std::min(room.height(), messages_->heightForWidth(width));
     messages_->setGeometry(room.left() + (room.width() - width) / 2, room.top(), width, height);
-    // Raised while hidden, it would have a window again after the panel's was closed; Qt loses one of the two.
+    // Raised while hidden, it would have a window again after the panel's was closed; Qt loses one of the
+    // two.
     if (messages_->isVisible()) messages_->raise();
 }
 
@@ -371,7 +372,7 @@ void ViewPanel::takePicture(const Picture& picture, std::function<void(QImage)> 
     view_->setPicture(PictureSize{drawn * finer, drawn.height() * finer / nominalHeightPx});
     const double heightM = metresPerPixel(view_->pose(), view_->lens()) * view_->lens().heightPx;
     view_->capture([this, picture, drawn, scale, heightM, done = std::move(done)](QImage image) {
-        if (!picture.goesOn) endPictures();
+        if (!picture.moreFollow) endPictures();
         image.reinterpretAsFormat(QImage::Format_RGBX8888);  // translucent lines left their mark in alpha
         image = image.convertToFormat(QImage::Format_RGB888)
                     .scaled(drawn, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);

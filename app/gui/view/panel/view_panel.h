@@ -80,10 +80,10 @@ public:
     /// A picture of any size, whatever the window's.
     struct Picture {
         PictureFrame frame;
-        QSize size;           ///< pixels, of the frame, too
-        bool framed = true;   ///< with title, legend and scale; otherwise the view alone
-        bool smooth = true;   ///< drawn twice as fine where it is not too large
-        bool goesOn = false;  ///< another one of this size follows, or endPictures()
+        QSize size;               ///< pixels, of the frame, too
+        bool framed = true;       ///< with title, legend and scale; otherwise the view alone
+        bool smooth = true;       ///< drawn twice as fine where it is not too large
+        bool moreFollow = false;  ///< another one of this size follows, or endPictures()
     };
     void takePicture(const Picture& picture, std::function<void(QImage)> done);
     void endPictures() { view_->setPicture(std::nullopt); }

@@ -29,7 +29,7 @@ public:
     void setCity(std::shared_ptr<const City> city);
     void look(const std::optional<SunView>& view);  ///< none: no map
 
-    /// Of the newest view that is drawn; null: none, or none yet.
+    /// The depth map of the newest view that is drawn; null: none, or none yet.
     [[nodiscard]] std::shared_ptr<const SunDepthMap> map() const { return map_; }
     [[nodiscard]] bool busy() const { return slot_.busy(); }
 

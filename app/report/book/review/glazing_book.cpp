@@ -37,7 +37,7 @@ TextBlocks summaryOf(const GlazingBookSource& source) {
     blocks.push_back(body(plainText(study.rule.summary)));
     blocks.push_back(body(QStringLiteral("Proposal: %1. Baseline: %2.")
                               .arg(plainText(source.labels.to), plainText(source.labels.from))));
-    const FigureStatus status = leastSure(study.rule);
+    const FigureStatus status = findLeastCertain(study.rule);
     blocks.push_back(
         body(QStringLiteral("The least sure figure that a verdict rests on was %1 (%2).")
                  .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)))));

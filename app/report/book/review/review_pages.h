@@ -108,14 +108,14 @@ Result<std::vector<BookPage>> makeDiagramPages(const ReviewScene& scene, Progres
 /// Lines of equal hours of shadow on a day (index in RuleSun::sun.days), around what changes.
 Result<Diagram> makeIsochrones(const ReviewScene& scene, std::size_t day, const QRectF& area,
                                const std::stop_token& stop);
-/// Of rules whose diagrams have them.
+/// The pages of isochrones, for rules whose diagrams have them.
 Result<std::vector<BookPage>> makeIsochronePages(const ReviewScene& scene, Progress& progress,
                                                  const std::stop_token& stop);
 Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& progress,
                                            const std::stop_token& stop);
 Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop);
-/// Of each place, or of those that fail or are borderline.
+/// The charts of each place, or of those that fail or are borderline.
 std::vector<BookPage> makeChartPages(const ReviewScene& scene);
 std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene);
 std::vector<BookPage> makeMethodPages(const ReviewScene& scene);

@@ -66,7 +66,7 @@ TextBlocks introduction(const ReviewScene& scene) {
                               .arg(study.year)
                               .arg(plainText(study.engine), describeAmount(study.stepMinutes, 2),
                                    describeAmount(study.settings.cellM, 2))));
-    const FigureStatus status = leastSure(study.rule);
+    const FigureStatus status = findLeastCertain(study.rule);
     blocks.push_back(
         body(QStringLiteral("The least sure figure that a verdict rests on was %1 (%2).")
                  .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)))));

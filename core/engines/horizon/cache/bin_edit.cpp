@@ -141,7 +141,7 @@ void BinEdit::raise(const TileEdit& edit, std::size_t block, const BlockCodes* f
     const HorizonCode* base = found != nullptr  ? found->values
                               : page != nullptr ? page
                                                 : bin_->codes.data() + first;
-    const HorizonCode* added = comingCodes(edit, block, base);
+    const HorizonCode* added = addedCodes(edit, block, base);
     if (added == nullptr && page == nullptr && found == nullptr && !any(edit.cells.newRows[block])) return;
     BlockCodes codes;
     std::copy_n(base, ReceiverBlocks::cells, codes.values);
@@ -156,7 +156,7 @@ void BinEdit::raise(const TileEdit& edit, std::size_t block, const BlockCodes* f
 }
 
 // Row by row; null if the added occluders raise nothing.
-const HorizonCode* BinEdit::comingCodes(const TileEdit& edit, std::size_t i, const HorizonCode* base) {
+const HorizonCode* BinEdit::addedCodes(const TileEdit& edit, std::size_t i, const HorizonCode* base) {
     if (added_.empty()) return nullptr;
     const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
     if (edit.level && !added_.mayRaise(block, axes_, std::max(bin_->lowest, lowestIn(edit, i, base))))

@@ -118,7 +118,7 @@ WallCache WallCache::of(const City& city, const Receivers& receivers) {
         walls.list_.terrain =
             std::make_shared<const TerrainEdges>(city.terrain, receivers.grid, walls.list_.datumM);
     const ChangedBuildings all = findChangedBuildings({}, city.buildings);
-    walls.replace(all, walls.comingOf(all.added), city.buildings);
+    walls.replace(all, walls.collectWalls(all.added), city.buildings);
     walls.firstOfLast_ = walls.next_;
     walls.noteBefore(false);
     return walls;
@@ -131,7 +131,7 @@ bool WallCache::sameGround(const City& city, const Receivers& receivers) const {
 Result<WallChange> WallCache::update(const City& city, double lowestTan) {
     const ChangedBuildings changed = findChangedBuildings(buildings_, city.buildings);
     OverhangCache coming;
-    Coming more = comingOf(changed.added);
+    AddedWalls more = collectWalls(changed.added);
     for (const OverhangShapes& shapes : more.overhangs) coming.add(shapes, shapes.building);
     const std::size_t reaching =
         overhangs_.reaching(grid_, lowestTan, ownersOf(changed.removed)) + coming.reaching(grid_, lowestTan);
@@ -139,8 +139,8 @@ Result<WallChange> WallCache::update(const City& city, double lowestTan) {
     return replace(changed, std::move(more), city.buildings);
 }
 
-WallCache::Coming WallCache::comingOf(const Buildings& buildings) const {
-    Coming coming{{.datumM = list_.datumM}, {}};
+WallCache::AddedWalls WallCache::collectWalls(const Buildings& buildings) const {
+    AddedWalls coming{{.datumM = list_.datumM}, {}};
     OverhangParts parts;
     for (std::uint32_t i = 0; i < buildings.size(); ++i)
         addStandingWalls(*buildings[i], i, grid_, coming.list, parts);
@@ -148,7 +148,7 @@ WallCache::Coming WallCache::comingOf(const Buildings& buildings) const {
     return coming;
 }
 
-WallChange WallCache::replace(const ChangedBuildings& changed, Coming more, const Buildings& now) {
+WallChange WallCache::replace(const ChangedBuildings& changed, AddedWalls more, const Buildings& now) {
     const Owners removed = ownersOf(changed.removed);
     dropLostWalls();
     const bool undoesLast = wereAddedLast(removed);

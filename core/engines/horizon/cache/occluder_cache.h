@@ -87,12 +87,12 @@ private:
     using Owners = std::vector<std::uint64_t>;  // ascending
 
     /// Walls and overhangs of some buildings, numbered by their order.
-    struct Coming {
+    struct AddedWalls {
         WallList list;
         std::vector<OverhangShapes> overhangs;
     };
-    [[nodiscard]] Coming comingOf(const Buildings& buildings) const;
-    WallChange replace(const ChangedBuildings& changed, Coming more, const Buildings& now);
+    [[nodiscard]] AddedWalls collectWalls(const Buildings& buildings) const;
+    WallChange replace(const ChangedBuildings& changed, AddedWalls more, const Buildings& now);
     [[nodiscard]] Owners ownersOf(const Buildings& buildings) const;
     WallSet add(WallList more, std::vector<OverhangShapes> overhangs);
     WallSet remove(const Owners& owners);

@@ -161,7 +161,7 @@ private:
     void recompute(const TileEdit& edit);
     void recompute(const TileEdit& edit, const Lost& lost);
     void raise(const TileEdit& edit, std::size_t block, const BlockCodes* found);
-    const HorizonCode* comingCodes(const TileEdit& edit, std::size_t block, const HorizonCode* base);
+    const HorizonCode* addedCodes(const TileEdit& edit, std::size_t block, const HorizonCode* base);
     HorizonCode lowestIn(const TileEdit& edit, std::size_t block, const HorizonCode* base);
     void prefetch(const TileEdit& edit, std::size_t block) const;
     void write(const TileEdit& edit, std::size_t block, const BlockCodes& codes);

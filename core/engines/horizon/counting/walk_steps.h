@@ -21,7 +21,7 @@ struct DaySteps {
     std::uint32_t first = 0, end = 0;
 };
 
-/// In time order; together all steps.
+/// The days of these steps, in time order.
 std::vector<DaySteps> findDays(std::span<const TimedStep> steps);
 
 /// Number of receivers that are counted together.

@@ -292,7 +292,7 @@ private:
     // Receivers are offset to the east and north of cell centres by as much as those of the rays, so that
     // none lies on a wall.
     [[nodiscard]] glm::dvec2 toCells(glm::vec2 local) const {
-        const glm::dvec2 beside = glm::dvec2(local) - double(RayScene::asideM);
+        const glm::dvec2 beside = glm::dvec2(local) - double(RayScene::wallOffsetM);
         return {(beside.x - grid_.westM) / grid_.cellM - 0.5, (beside.y - grid_.southM) / grid_.cellM - 0.5};
     }
 

@@ -143,7 +143,7 @@ bool BlockSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks:
     findNeed(seenOver(horizons), horizons.grounds, level, need_);
     bool any = false;
     for (; row < walls_.rows(); ++row) {
-        const float minimum = findLeastRise(need_, rows_, float(place.along - walls_.highestAlong(row)));
+        const float minimum = findMinRise(need_, rows_, float(place.along - walls_.highestAlong(row)));
         if (walls_.tallest(row, bands) <= minimum) break;
         if (walls_.tallestIn(row, bands) <= minimum) continue;
         bool raised = false;

@@ -92,6 +92,6 @@ void findNeed(const CacheLine<float>* cots, const CacheLine<float>* grounds, flo
 
 /// The smallest rise, less a margin for rounding, at which some cell can see an obstacle `distance` or more
 /// before the block's first row (in `along`; negative: behind it). 20 ns.
-float findLeastRise(const BlockNeed& need, const BlockRows& rows, float distance);
+float findMinRise(const BlockNeed& need, const BlockRows& rows, float distance);
 
 }  // namespace noonmark

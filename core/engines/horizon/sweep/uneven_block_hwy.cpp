@@ -45,7 +45,7 @@ void findNeed(const CacheLine<float>* cots, const CacheLine<float>* grounds, flo
         }
 }
 
-float findLeastRise(const BlockNeed& need, const BlockRows& rows, float distance) {
+float findMinRise(const BlockNeed& need, const BlockRows& rows, float distance) {
     constexpr float rounding = 1e-3F;
     V minimum = hn::Set(d, unreachable);
     for (std::size_t row = 0; row < side; ++row) {
@@ -81,9 +81,9 @@ void findNeed(const CacheLine<float>* cots, const CacheLine<float>* grounds, flo
     NOONMARK_CALL(findNeed)(cots, grounds, lowest, need);
 }
 
-NOONMARK_KERNEL(findLeastRise);
-float findLeastRise(const BlockNeed& need, const BlockRows& rows, float distance) {
-    return NOONMARK_CALL(findLeastRise)(need, rows, distance);
+NOONMARK_KERNEL(findMinRise);
+float findMinRise(const BlockNeed& need, const BlockRows& rows, float distance) {
+    return NOONMARK_CALL(findMinRise)(need, rows, distance);
 }
 
 }  // namespace noonmark

@@ -32,7 +32,8 @@ HorizonOfPoint::HorizonOfPoint(const HorizonScene& scene)
 namespace {
 
 glm::vec3 eyeAt(glm::vec3 position, glm::vec3 normal) {
-    return placeSurfaceRayOrigin(position, normal) + glm::vec3(RayScene::asideM, RayScene::asideM, 0);
+    return placeSurfaceRayOrigin(position, normal) +
+           glm::vec3(RayScene::wallOffsetM, RayScene::wallOffsetM, 0);
 }
 
 }  // namespace

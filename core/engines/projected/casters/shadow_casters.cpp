@@ -208,7 +208,7 @@ private:
         caster.low = glm::dvec2(1e30);
         caster.high = glm::dvec2(-1e30);
         for (const glm::vec2 point : ring) {
-            const glm::dvec2 cells = toCells(grid_, glm::dvec2(point) - double(RayScene::asideM));
+            const glm::dvec2 cells = toCells(grid_, glm::dvec2(point) - double(RayScene::wallOffsetM));
             result_.points.push_back(cells);
             caster.low = glm::min(caster.low, cells);
             caster.high = glm::max(caster.high, cells);

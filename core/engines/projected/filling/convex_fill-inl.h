@@ -87,10 +87,10 @@ public:
         if (shape.sides.westerns == 0) return;
         const EightDoubles westAt0(western.atRow0), eastAt0(eastern.atRow0), westSlope(western.slope),
             eastSlope(eastern.slope);
-        const double west = leastOf(westAt0 + westSlope * first),
-                     toWest = leastOf(westAt0 + westSlope * last),
-                     east = -leastOf(-(eastAt0 + eastSlope * first)),
-                     toEast = -leastOf(-(eastAt0 + eastSlope * last));
+        const double west = minimumOf(westAt0 + westSlope * first),
+                     toWest = minimumOf(westAt0 + westSlope * last),
+                     east = -minimumOf(-(eastAt0 + eastSlope * first)),
+                     toEast = -minimumOf(-(eastAt0 + eastSlope * last));
         west_ = toFixedPoint(west) - margin;
         east_ = toFixedPoint(east) + margin;
         westStep_ = std::int64_t(double(toFixedPoint(toWest) - margin - west_) / rows);

@@ -82,7 +82,7 @@ HWY_INLINE EightDoubles whereAtLeast(double limit, const EightDoubles& number, c
 }
 
 /// The minimum over all steps.
-HWY_INLINE double leastOf(const EightDoubles& numbers) {
+HWY_INLINE double minimumOf(const EightDoubles& numbers) {
     auto lowest = numbers.part[0];
     for (std::size_t i = 1; i < partsOfSteps; ++i) lowest = hn::Min(lowest, numbers.part[i]);
     return hn::GetLane(hn::MinOfLanes(stepNumbers, lowest));

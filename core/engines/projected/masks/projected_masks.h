@@ -35,7 +35,7 @@ struct ReceiverBlock {
     RowBand band;            ///< rows of the grid
     std::vector<ReceiverRun> runs;
 
-    /// Of its rasters: from the last multiple of 64 columns before its west.
+    /// The layout of its rasters: from the last multiple of 64 columns before its west.
     [[nodiscard]] BitLayout layout() const { return {east, band.rows(), west / 64}; }
 };
 

@@ -40,7 +40,7 @@ struct MergeSettings {
     PlaceSettings placeSettings{};
     bool partial = false;     ///< also merge a plan that is not complete; cells of missing tiles are NaN
     Provenance provenance{};  ///< written into the maps and tables
-    /// Of a plan with a TileSubject that has its own measure; empty: those of a study
+    /// The maps of a TileSubject that has its own measure; empty: those of a study
     std::vector<TileMap> maps{};
     LegendChoice legend{};  ///< of the styles of maps of shadow
 };

@@ -31,7 +31,8 @@ struct TileSubject {
     /// Says what is measured of which cities. A part of the hashes of plan and tiles, which otherwise tell
     /// apart only all buildings together.
     std::string key;
-    /// With one frame and one terrain; the shadow of all of them counts. The sun is that of the last one.
+    /// The cities, with one frame and one terrain: the shadow of all of them counts. The sun is that of the
+    /// last one.
     std::vector<std::shared_ptr<const City>> cities;
     Region region;      ///< of the study, in their frame
     double fields = 1;  ///< shadow fields that a tile costs

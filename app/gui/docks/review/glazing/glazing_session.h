@@ -46,7 +46,7 @@ Q_SIGNALS:
     void answered();
     void estimated(QString words);       ///< empty: run() would be refused
     void failed(noonmark::Error error);  ///< not emitted for cancelled work
-    /// Of the reviews of all scenarios.
+    /// A scenario of reviewAll() could not be reviewed.
     void scenarioFailed(std::string scenario, noonmark::Error error);
 
 private:
