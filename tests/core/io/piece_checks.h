@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "core/city/meshes/mesh_topology.h"
@@ -28,6 +30,34 @@ inline void expectClosedSolid(const Part& part, double volume) {
     EXPECT_NEAR(outline.low.y, box.low.y, 0.01);
     EXPECT_NEAR(outline.high.x, box.high.x, 0.01);
     EXPECT_NEAR(outline.high.y, box.high.y, 0.01);
+}
+
+inline Result<FilePiece> readMass(const std::filesystem::path& file) {
+    ReadSettings settings;
+    settings.meshAnchor = LonLat{-73.98, 40.75};
+    settings.frame = Frame(*settings.meshAnchor);
+    NoProgress progress;
+    return readMesh(file, settings, progress, {});
+}
+
+struct PieceExtent {
+    Box2 box;
+    float topM = -1e30F;
+};
+
+inline PieceExtent extentOf(const FilePiece& piece) {
+    PieceExtent extent;
+    for (const auto& building : piece.buildings) {
+        extent.box.add(bounds(*building));
+        extent.topM = std::max(extent.topM, topM(*building));
+    }
+    return extent;
+}
+
+inline std::string allWarnings(const FilePiece& piece) {
+    std::string text;
+    for (const Warning& warning : piece.warnings) text += warning.what + " | " + warning.where + "\n";
+    return text;
 }
 
 }  // namespace noonmark::tests
