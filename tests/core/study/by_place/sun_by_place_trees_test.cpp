@@ -1,0 +1,159 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/city/trees/tree.h"
+#include "core/io/places/read_places.h"
+#include "core/study/elements/element_tables.h"
+#include "tests/core/study/by_place/place_scenes.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+using testing::HasSubstr;
+
+// A roof of leaves from 5 to 10 m, 2 km to all sides.
+City underLeaves() {
+    City city;
+    city.frame = Frame({-73.98, 40.75});
+    const Tree roof{.place = {0, 0},
+                    .heightM = 10,
+                    .crownBaseM = 5,
+                    .crownDiameterM = 4000,
+                    .shape = CrownShape::cylinder,
+                    .leafOnTransmissivity = 0.5F,
+                    .leafOffTransmissivity = 0.8F};
+    city.trees = std::make_shared<const Trees>(Trees{{roof}, {100, 300}});
+    return city;
+}
+
+// Hours of sun a day that such leaves let through: Beer-Lambert along the path between 5 and 10 m, up to
+// their edge, per metre as the transmissivity over the mean chord 4 V / S = 2 r h / (r + h).
+double hoursThroughLeaves(const SunSteps& sun, double transmissivity) {
+    const double perM = -std::log(transmissivity) / (2 * 2000.0 * 5 / (2000 + 5));
+    double minutes = 0;
+    for (const SunStep& step : sun.steps) {
+        const glm::dvec3 direction = glm::normalize(glm::dvec3(step.direction));
+        const double across = std::hypot(direction.x, direction.y), perTan = across / direction.z;
+        const double path = std::max(0.0, std::min(10 * perTan, 2000.0) - 5 * perTan) / across;
+        minutes += sun.stepMinutes * std::exp(-perM * path);
+    }
+    return minutes / 60 / double(sun.dayCount());
+}
+
+TEST(SunByPlace, UnderLeavesIsWhatTheyLetThrough) {
+    SunByPlaceSettings settings = settingsOfDays(20);
+    settings.dates = {std::chrono::year(2026) / 7 / 1, std::chrono::year(2026) / 12 / 21};
+    settings.enoughHours = 4;
+    const SunByPlace sun = measureByPlace(underLeaves(), {namedPlace("Street", -10, -10, 10, 10)}, settings);
+    ASSERT_EQ(sun.withTrees.size(), 2U);
+    const SunOfPlace &evergreen = sun.withTrees[0].sun[0], &seasonal = sun.withTrees[1].sun[0];
+    EXPECT_EQ(sun.withTrees[0].column, TreeColumns::evergreen);
+    const double inLeaf = hoursThroughLeaves(sun.daylight, 0.5), bare = hoursThroughLeaves(sun.daylight, 0.8);
+    EXPECT_GT(bare, inLeaf + 1);
+    EXPECT_NEAR(evergreen.meanHours, inLeaf, 0.02);
+    EXPECT_NEAR(evergreen.minHours, inLeaf, 0.02);
+    EXPECT_NEAR(seasonal.meanHours, bare, 0.02) << "February and March are out of season";
+    EXPECT_NEAR(sun.sun[0].meanHours, sun.possibleHours, 1e-5);
+    EXPECT_NEAR((9 * evergreen.monthHours[0] + 11 * evergreen.monthHours[1]) / 20, inLeaf, 0.02);
+    EXPECT_EQ(seasonal.dateHours[0], evergreen.dateHours[0]) << "in leaf in July";
+    EXPECT_GT(seasonal.dateHours[1], evergreen.dateHours[1] + 0.5) << "bare in December";
+    EXPECT_EQ(evergreen.enoughShare, inLeaf >= 4 ? 1 : 0);
+    EXPECT_EQ(evergreen.areaM2, sun.sun[0].areaM2);
+    EXPECT_TRUE(std::ranges::any_of(sun.errors, [](const ShownError& error) {
+        return error.facts.key == "place_mean" && error.of == "trees as evergreens" && error.largest < 0.05;
+    }));
+}
+
+City avenue() {
+    City city = loneTower();
+    std::vector<Tree> trees;
+    for (int x = -28; x < 50; x += 7)
+        trees.push_back({.place = {double(x), 40},
+                         .heightM = 12,
+                         .crownBaseM = 3,
+                         .crownDiameterM = 9,
+                         .evergreen = x % 2 == 0,
+                         .leafOnTransmissivity = 0.1F,
+                         .leafOffTransmissivity = 0.7F});
+    city.trees = std::make_shared<const Trees>(Trees{std::move(trees), {100, 300}});
+    return city;
+}
+
+TEST(SunByPlace, WithTreesEqualsTheColumnsOfAStudyOverTheSameCells) {
+    const Place park = namedPlace("Park", -30, 20, 50, 60);
+    SunByPlaceSettings settings = settingsOfDays(20);
+    settings.study.engine = "horizon";
+    const SunByPlace sun = measureByPlace(avenue(), {park}, settings);
+    StudySettings same = settings.study;
+    same.region = {"Park", park.polygons};
+    same.engine = "ray";
+    NoProgress quiet;
+    const auto study = runStudy(avenue(), same, quiet, {});
+    ASSERT_TRUE(study);
+    const auto columns = listShadeColumns(study->field);
+    ASSERT_EQ(columns.size(), sun.withTrees.size());
+    for (std::size_t column = 0; column < columns.size(); ++column) {
+        const auto& cells = study->receivers.cells;
+        double hours = 0, least = 24;
+        for (const std::uint32_t cell : cells) {
+            const double at =
+                (study->field.sunlitMinutesPerDay - double(columns[column].field->grossMin[cell])) / 60;
+            hours += at / double(cells.size());
+            least = std::min(least, at);
+        }
+        const SunOfPlace& of = sun.withTrees[column].sun[0];
+        EXPECT_EQ(sun.withTrees[column].column, columns[column].column);
+        EXPECT_NEAR(of.meanHours, hours, 0.01);
+        EXPECT_NEAR(of.minHours, least, 0.03);
+        EXPECT_LT(of.meanHours, sun.sun[0].meanHours - 0.1);
+    }
+}
+
+TEST(SunByPlace, WithoutATreeInReachNothingIsAdded) {
+    const Place park = namedPlace("Park", -30, 20, 50, 60);
+    const SunByPlace bare = measureByPlace(loneTower(), {park}, settingsOfDays(3));
+    City far = loneTower();
+    far.trees = std::make_shared<const Trees>(Trees{{{.place = {90'000, 0}}}, {100, 300}});
+    const SunByPlace sun = measureByPlace(far, {park}, settingsOfDays(3));
+    EXPECT_TRUE(sun.withTrees.empty());
+    EXPECT_EQ(toCsv(makeTable(sun)), toCsv(makeTable(bare)));
+    const SunByPlace with = measureByPlace(avenue(), {park}, settingsOfDays(3));
+    EXPECT_THAT(with.field.grossMin, testing::Pointwise(testing::NanSensitiveFloatEq(), bare.field.grossMin));
+    SunByPlaceSettings without = settingsOfDays(3);
+    without.study.trees = TreeColumns::without;
+    EXPECT_TRUE(measureByPlace(avenue(), {park}, without).withTrees.empty());
+}
+
+TEST(SunByPlace, PlantingAnAvenueTakesSunOnlyWithTrees) {
+    const NamedCity cities[]{{"Before", loneTower()}, {"Avenue", avenue()}};
+    SunByPlaceSettings settings = settingsOfDays(3);
+    settings.lossMin = 30;
+    NoProgress quiet;
+    const SunOfCities all =
+        compareSunByPlace(cities, {namedPlace("Park", -30, 20, 50, 60)}, settings, quiet, {}).value();
+    ASSERT_EQ(all.compared.size(), 1U);
+    const ComparedSun& planted = all.compared[0];
+    EXPECT_EQ(planted.changes[0].meanHours, 0);
+    ASSERT_EQ(planted.changesWithTrees.size(), 2U);
+    const SunChange &evergreen = planted.changesWithTrees[0][0], &seasonal = planted.changesWithTrees[1][0];
+    EXPECT_EQ(all.baseline.withTrees[0].sun[0].meanHours, all.baseline.sun[0].meanHours);
+    EXPECT_LT(evergreen.meanHours, seasonal.meanHours);
+    EXPECT_LT(seasonal.meanHours, -0.1);
+    EXPECT_GT(evergreen.lostShare, 0.05);
+    const std::string csv = toCsv(makeTable(all.baseline, all.compared));
+    EXPECT_THAT(csv, HasSubstr("change_hours_evergreen_avenue"));
+    const auto json = nlohmann::json::parse(toJson(all.baseline, all.compared));
+    EXPECT_NEAR(json["places"][0]["scenarios"]["Avenue"]["change_hours_seasonal"].get<double>(),
+                seasonal.meanHours, 1e-4);
+    const SunOfCities less = withEnough(all, 1).value();
+    EXPECT_EQ(less.compared[0].sun.withTrees[0].sun[0].enoughShare,
+              computeEnoughShare(planted.sun.withTrees[0].sun[0], 1));
+}
+
+}  // namespace
+}  // namespace noonmark
