@@ -2121,16 +2121,8 @@ Die Untersuchung: %2</translation>
         <translation>Wenigste Sonne</translation>
     </message>
     <message>
-        <source>The place with the lowest mean</source>
-        <translation>Der Ort mit dem niedrigsten Mittel</translation>
-    </message>
-    <message>
         <source>Most sun</source>
         <translation>Meiste Sonne</translation>
-    </message>
-    <message>
-        <source>The place with the highest mean</source>
-        <translation>Der Ort mit dem höchsten Mittel</translation>
     </message>
     <message>
         <source>Against the ray reference, on a sample of the cells over the same steps</source>
@@ -2334,6 +2326,78 @@ Opens the panel Review.</source>
             <numerusform>%1 Zelle, ganz gezählt, auch am Rand des Ortes</numerusform>
             <numerusform>%1 Zellen, jede ganz gezählt, auch am Rand des Ortes</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Max shadow, min</source>
+        <translation>Größter Schatten, min</translation>
+    </message>
+    <message>
+        <source>Min shadow, min</source>
+        <translation>Geringster Schatten, min</translation>
+    </message>
+    <message>
+        <source>Mean shadow, min</source>
+        <translation>Mittlerer Schatten, min</translation>
+    </message>
+    <message>
+        <source>%1: minutes of shadow</source>
+        <translation>%1: Minuten Schatten</translation>
+    </message>
+    <message>
+        <source>&amp;Layer</source>
+        <translation>&amp;Layer</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Einlesen</translation>
+    </message>
+    <message>
+        <source>%1 (%2 features)</source>
+        <translation>%1 (%2 Objekte)</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Art</translation>
+    </message>
+    <message>
+        <source>Found automatically</source>
+        <translation>Automatisch gefunden</translation>
+    </message>
+    <message>
+        <source>%1 min of shadow a day</source>
+        <translation>%1 min Schatten am Tag</translation>
+    </message>
+    <message>
+        <source>Max shadow</source>
+        <translation>Größter Schatten</translation>
+    </message>
+    <message>
+        <source>Min shadow</source>
+        <translation>Geringster Schatten</translation>
+    </message>
+    <message>
+        <source>Mean shadow</source>
+        <translation>Mittlerer Schatten</translation>
+    </message>
+    <message>
+        <source>Most shadow</source>
+        <translation>Größter Schatten</translation>
+    </message>
+    <message>
+        <source>The place with least sun in the mean</source>
+        <translation>Der Ort mit der im Mittel wenigsten Sonne</translation>
+    </message>
+    <message>
+        <source>Least shadow</source>
+        <translation>Wenigster Schatten</translation>
+    </message>
+    <message>
+        <source>The place with most sun in the mean</source>
+        <translation>Der Ort mit der im Mittel meisten Sonne</translation>
     </message>
 </context>
 <context>
@@ -4045,14 +4109,6 @@ Opens the panel Review.</source>
         <translation>Änderung der Sonne</translation>
     </message>
     <message>
-        <source>Change of sun by place</source>
-        <translation>Änderung der Sonne nach Ort</translation>
-    </message>
-    <message>
-        <source>minutes of sun a day</source>
-        <translation>Minuten Sonne am Tag</translation>
-    </message>
-    <message>
         <source>CityGML, CityJSON: level of detail (default: the highest)</source>
         <translation>CityGML, CityJSON: Detaillierungsgrad (Standard: der höchste)</translation>
     </message>
@@ -4700,6 +4756,42 @@ Opens the panel Review.</source>
         <source>With trees that lose their leaves by season: %1; %2 of its area has %3 or more.</source>
         <translation>Mit Bäumen, die je nach Jahreszeit kahl sind: %1; %2 seiner Fläche hat %3 oder mehr.</translation>
     </message>
+    <message>
+        <source>%1 of %2 places lie in shadow for more than %3 a day</source>
+        <translation>%1 von %2 Orten liegen mehr als %3 am Tag im Schatten</translation>
+    </message>
+    <message>
+        <source>On %1, %2 of %3 places have less than %4 of sun.</source>
+        <translation>Am %1 haben %2 von %3 Orten weniger als %4 Sonne.</translation>
+    </message>
+    <message>
+        <source>%1 has the most shadow, %2 a day, and %3 the least, %4.</source>
+        <translation>%1 hat den meisten Schatten, %2 am Tag, und %3 den wenigsten, %4.</translation>
+    </message>
+    <message>
+        <source>On average over their area %1 of shadow a day, of %2 of daylight.</source>
+        <translation>Im Mittel ihrer Fläche %1 Schatten am Tag, bei %2 Tageslicht.</translation>
+    </message>
+    <message>
+        <source>%1 adds more than a minute of shadow a day to %2 places, at most %3 at one spot.</source>
+        <translation>%1 bringt %2 Orten mehr als eine Minute Schatten am Tag, höchstens %3 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day by month</source>
+        <translation>Minuten Schatten am Tag nach Monat</translation>
+    </message>
+    <message>
+        <source>%1: %2 of shadow a day; %3 of its area has %4 of sun or more</source>
+        <translation>%1: %2 Schatten am Tag; %3 der Fläche hat %4 Sonne oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 spares it %2 of shadow a day, at most %3 at one spot.</source>
+        <translation>%1 erspart ihm %2 Schatten am Tag, höchstens %3 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>%1 adds %2 of shadow a day to it, at most %3 at one spot.</source>
+        <translation>%1 bringt ihm %2 Schatten am Tag, höchstens %3 an einer Stelle.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -4909,6 +5001,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <source>explored: %1 only</source>
         <translation>erkundet: nur %1</translation>
     </message>
+    <message>
+        <source>sun by place: %1 only</source>
+        <translation>Sonne nach Ort: nur %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CompareStrip</name>
@@ -5063,6 +5159,14 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Whole region</source>
         <translation>Ganzes Gebiet</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportieren ...</translation>
+    </message>
+    <message>
+        <source>Writes this list with the answer, as CSV and JSON</source>
+        <translation>Schreibt diese Liste mit der Antwort als CSV und JSON</translation>
     </message>
 </context>
 <context>
@@ -6127,6 +6231,10 @@ Dauerschatten bleibt in Minuten: Die längste Sonne ohne Unterbrechung folgt nic
         <source>Range and numbers are hours of sun a day</source>
         <translation>Bereich und Zahlen sind Sonnenstunden am Tag</translation>
     </message>
+    <message>
+        <source>Range and numbers are hours of sun a day: switch to Sun to change them</source>
+        <translation>Bereich und Zahlen sind Sonnenstunden am Tag: Zum Ändern auf Sonne umschalten</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::LegendStrip</name>
@@ -6344,6 +6452,10 @@ Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfa
     <message>
         <source>Time and legend</source>
         <translation>Zeit und Legende</translation>
+    </message>
+    <message>
+        <source>The answer is being computed</source>
+        <translation>Die Antwort wird berechnet</translation>
     </message>
 </context>
 <context>
@@ -7068,6 +7180,14 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <source>A terrain, an aerial photograph, or parks and other places; what the city has stays</source>
         <translation>Ein Gelände, ein Luftbild oder Parks und andere Orte; was die Stadt hat, bleibt</translation>
     </message>
+    <message>
+        <source>Choose a file...</source>
+        <translation>Datei wählen ...</translation>
+    </message>
+    <message>
+        <source>Which layer of %1 holds the places?</source>
+        <translation>Welcher Layer von %1 enthält die Orte?</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceLinks</name>
@@ -7174,6 +7294,26 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>≥ %1 h, %</source>
         <translation>ab %1 h, %</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day: the sunlit time without the sun</source>
+        <translation>Minuten Schatten am Tag: die Tageszeit ohne Sonne</translation>
+    </message>
+    <message>
+        <source>%1: shadow, min</source>
+        <translation>%1: Schatten, min</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow on this day, mean over the place</source>
+        <translation>Minuten Schatten an diesem Tag, Mittel über den Ort</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day more than in the baseline, mean over the days and the place; negative: less</source>
+        <translation>Minuten Schatten am Tag mehr als in der Ausgangslage, Mittel über die Tage und den Ort; negativ: weniger</translation>
+    </message>
+    <message>
+        <source>Change of shadow, min</source>
+        <translation>Änderung des Schattens, min</translation>
     </message>
 </context>
 <context>
@@ -7298,6 +7438,58 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>%1. Headline and shares of the area are for %2 h, as they were saved</source>
         <translation>%1. Überschrift und Flächenanteile gelten für %2 h, wie sie gespeichert wurden</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Anzeigen</translation>
+    </message>
+    <message>
+        <source>Shows this answer in the view and in the results again</source>
+        <translation>Zeigt diese Antwort wieder in der Ansicht und den Ergebnissen</translation>
+    </message>
+    <message>
+        <source>The view shows another result than %1</source>
+        <translation>Die Ansicht zeigt ein anderes Ergebnis als %1</translation>
+    </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>Sonne nach Ort</translation>
+    </message>
+    <message>
+        <source>Shadow by place</source>
+        <translation>Schatten nach Ort</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>Sonnenstunden am Tag</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day</source>
+        <translation>Minuten Schatten am Tag</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>Änderung der Sonne nach Ort</translation>
+    </message>
+    <message>
+        <source>Change of shadow by place</source>
+        <translation>Änderung des Schattens nach Ort</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>Minuten Sonne am Tag</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of shadow a day</source>
+        <translation>%1: %2 min Schatten am Tag</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of shadow a day more</source>
+        <translation>%1: %2 min mehr Schatten am Tag</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of shadow a day less</source>
+        <translation>%1: %2 min weniger Schatten am Tag</translation>
     </message>
 </context>
 <context>
@@ -7697,6 +7889,10 @@ Nachher: %3
     <message>
         <source>Stop this job; the previous result stays</source>
         <translation>Diese Berechnung abbrechen; das vorige Ergebnis bleibt</translation>
+    </message>
+    <message>
+        <source>%1: starting</source>
+        <translation>%1: beginnt</translation>
     </message>
 </context>
 <context>
@@ -8206,6 +8402,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Hide this result</source>
         <translation>Dieses Ergebnis ausblenden</translation>
+    </message>
+    <message>
+        <source>Show an earlier result</source>
+        <translation>Ein früheres Ergebnis zeigen</translation>
     </message>
 </context>
 <context>
@@ -8816,6 +9016,18 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>By the weights %1, %2 scores best (%3) and %4 worst (%5).</source>
         <translation>Nach den Gewichten %1 ist %2 am besten (%3) und %4 am schlechtesten bewertet (%5).</translation>
+    </message>
+    <message>
+        <source>being scored</source>
+        <translation>wird bewertet</translation>
+    </message>
+    <message>
+        <source>being reviewed</source>
+        <translation>wird geprüft</translation>
+    </message>
+    <message>
+        <source>being measured</source>
+        <translation>wird gemessen</translation>
     </message>
 </context>
 <context>

@@ -2121,16 +2121,8 @@ El estudio: %2</translation>
         <translation>Sol mínimo</translation>
     </message>
     <message>
-        <source>The place with the lowest mean</source>
-        <translation>El lugar con la media más baja</translation>
-    </message>
-    <message>
         <source>Most sun</source>
         <translation>Sol máximo</translation>
-    </message>
-    <message>
-        <source>The place with the highest mean</source>
-        <translation>El lugar con la media más alta</translation>
     </message>
     <message>
         <source>Against the ray reference, on a sample of the cells over the same steps</source>
@@ -2334,6 +2326,78 @@ Abre el panel Evaluación.</translation>
             <numerusform>%1 celda, contada entera, también en el borde del lugar</numerusform>
             <numerusform>%1 celdas, cada una contada entera, también en el borde del lugar</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Max shadow, min</source>
+        <translation>Sombra máxima, min</translation>
+    </message>
+    <message>
+        <source>Min shadow, min</source>
+        <translation>Sombra mínima, min</translation>
+    </message>
+    <message>
+        <source>Mean shadow, min</source>
+        <translation>Sombra media, min</translation>
+    </message>
+    <message>
+        <source>%1: minutes of shadow</source>
+        <translation>%1: minutos de sombra</translation>
+    </message>
+    <message>
+        <source>&amp;Layer</source>
+        <translation>&amp;Capa</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Leer</translation>
+    </message>
+    <message>
+        <source>%1 (%2 features)</source>
+        <translation>%1 (%2 elementos)</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Tipo</translation>
+    </message>
+    <message>
+        <source>Found automatically</source>
+        <translation>Se busca automáticamente</translation>
+    </message>
+    <message>
+        <source>%1 min of shadow a day</source>
+        <translation>%1 min de sombra al día</translation>
+    </message>
+    <message>
+        <source>Max shadow</source>
+        <translation>Sombra máxima</translation>
+    </message>
+    <message>
+        <source>Min shadow</source>
+        <translation>Sombra mínima</translation>
+    </message>
+    <message>
+        <source>Mean shadow</source>
+        <translation>Sombra media</translation>
+    </message>
+    <message>
+        <source>Most shadow</source>
+        <translation>Más sombra</translation>
+    </message>
+    <message>
+        <source>The place with least sun in the mean</source>
+        <translation>El lugar con menos sol de media</translation>
+    </message>
+    <message>
+        <source>Least shadow</source>
+        <translation>Menos sombra</translation>
+    </message>
+    <message>
+        <source>The place with most sun in the mean</source>
+        <translation>El lugar con más sol de media</translation>
     </message>
 </context>
 <context>
@@ -4045,14 +4109,6 @@ Abre el panel Evaluación.</translation>
         <translation>Cambio de sol</translation>
     </message>
     <message>
-        <source>Change of sun by place</source>
-        <translation>Cambio de sol por lugar</translation>
-    </message>
-    <message>
-        <source>minutes of sun a day</source>
-        <translation>minutos de sol al día</translation>
-    </message>
-    <message>
         <source>CityGML, CityJSON: level of detail (default: the highest)</source>
         <translation>CityGML, CityJSON: nivel de detalle (por defecto: el más alto)</translation>
     </message>
@@ -4700,6 +4756,42 @@ Abre el panel Evaluación.</translation>
         <source>With trees that lose their leaves by season: %1; %2 of its area has %3 or more.</source>
         <translation>Con los árboles que pierden las hojas según la estación: %1; %2 de su superficie tiene %3 o más.</translation>
     </message>
+    <message>
+        <source>%1 of %2 places lie in shadow for more than %3 a day</source>
+        <translation>%1 de %2 lugares están en sombra más de %3 al día</translation>
+    </message>
+    <message>
+        <source>On %1, %2 of %3 places have less than %4 of sun.</source>
+        <translation>El %1, %2 de %3 lugares tienen menos de %4 de sol.</translation>
+    </message>
+    <message>
+        <source>%1 has the most shadow, %2 a day, and %3 the least, %4.</source>
+        <translation>%1 tiene la mayor sombra, %2 al día, y %3 la menor, %4.</translation>
+    </message>
+    <message>
+        <source>On average over their area %1 of shadow a day, of %2 of daylight.</source>
+        <translation>De media en su superficie, %1 de sombra al día, de %2 de luz diurna.</translation>
+    </message>
+    <message>
+        <source>%1 adds more than a minute of shadow a day to %2 places, at most %3 at one spot.</source>
+        <translation>%1 añade más de un minuto de sombra al día a %2 lugares, como máximo %3 en un punto.</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day by month</source>
+        <translation>Minutos de sombra al día por mes</translation>
+    </message>
+    <message>
+        <source>%1: %2 of shadow a day; %3 of its area has %4 of sun or more</source>
+        <translation>%1: %2 de sombra al día; el %3 de su superficie tiene %4 de sol o más</translation>
+    </message>
+    <message>
+        <source>%1 spares it %2 of shadow a day, at most %3 at one spot.</source>
+        <translation>%1 le quita %2 de sombra al día, como máximo %3 en un punto.</translation>
+    </message>
+    <message>
+        <source>%1 adds %2 of shadow a day to it, at most %3 at one spot.</source>
+        <translation>%1 le añade %2 de sombra al día, como máximo %3 en un punto.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -4909,6 +5001,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <source>explored: %1 only</source>
         <translation>explorado: solo %1</translation>
     </message>
+    <message>
+        <source>sun by place: %1 only</source>
+        <translation>sol por lugar: solo %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CompareStrip</name>
@@ -5063,6 +5159,14 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Whole region</source>
         <translation>Toda la zona</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportar...</translation>
+    </message>
+    <message>
+        <source>Writes this list with the answer, as CSV and JSON</source>
+        <translation>Escribe esta lista con la respuesta, como CSV y JSON</translation>
     </message>
 </context>
 <context>
@@ -6127,6 +6231,10 @@ La sombra continua sigue en minutos: de ella no se deduce el tramo más largo al
         <source>Range and numbers are hours of sun a day</source>
         <translation>El intervalo y los números son horas de sol al día</translation>
     </message>
+    <message>
+        <source>Range and numbers are hours of sun a day: switch to Sun to change them</source>
+        <translation>El intervalo y los números son horas de sol al día: cambie a Sol para modificarlos</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::LegendStrip</name>
@@ -6344,6 +6452,10 @@ Aproximado: la leyenda indica el error medido. Deshacer recupera el método ante
     <message>
         <source>Time and legend</source>
         <translation>Tiempo y leyenda</translation>
+    </message>
+    <message>
+        <source>The answer is being computed</source>
+        <translation>Se está calculando la respuesta</translation>
     </message>
 </context>
 <context>
@@ -7068,6 +7180,14 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <source>A terrain, an aerial photograph, or parks and other places; what the city has stays</source>
         <translation>Un terreno, una fotografía aérea, o parques y otros lugares; se conserva lo que la ciudad tiene</translation>
     </message>
+    <message>
+        <source>Choose a file...</source>
+        <translation>Elegir un archivo...</translation>
+    </message>
+    <message>
+        <source>Which layer of %1 holds the places?</source>
+        <translation>¿Qué capa de %1 contiene los lugares?</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceLinks</name>
@@ -7174,6 +7294,26 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>≥ %1 h, %</source>
         <translation>desde %1 h, %</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day: the sunlit time without the sun</source>
+        <translation>Minutos de sombra al día: el tiempo diurno sin sol</translation>
+    </message>
+    <message>
+        <source>%1: shadow, min</source>
+        <translation>%1: sombra, min</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow on this day, mean over the place</source>
+        <translation>Minutos de sombra ese día, media del lugar</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day more than in the baseline, mean over the days and the place; negative: less</source>
+        <translation>Minutos de sombra al día más que en la situación de referencia, media de los días y del lugar; negativo: menos</translation>
+    </message>
+    <message>
+        <source>Change of shadow, min</source>
+        <translation>Cambio de sombra, min</translation>
     </message>
 </context>
 <context>
@@ -7298,6 +7438,58 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>%1. Headline and shares of the area are for %2 h, as they were saved</source>
         <translation>%1. El titular y las partes del área son para %2 h, tal como se guardaron</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Mostrarla</translation>
+    </message>
+    <message>
+        <source>Shows this answer in the view and in the results again</source>
+        <translation>Muestra de nuevo esta respuesta en la vista y en los resultados</translation>
+    </message>
+    <message>
+        <source>The view shows another result than %1</source>
+        <translation>La vista muestra un resultado distinto de %1</translation>
+    </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>Sol por lugar</translation>
+    </message>
+    <message>
+        <source>Shadow by place</source>
+        <translation>Sombra por lugar</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>horas de sol al día</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day</source>
+        <translation>minutos de sombra al día</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>Cambio del sol por lugar</translation>
+    </message>
+    <message>
+        <source>Change of shadow by place</source>
+        <translation>Cambio de la sombra por lugar</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>minutos de sol al día</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of shadow a day</source>
+        <translation>%1: %2 min de sombra al día</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of shadow a day more</source>
+        <translation>%1: %2 min más de sombra al día</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of shadow a day less</source>
+        <translation>%1: %2 min menos de sombra al día</translation>
     </message>
 </context>
 <context>
@@ -7697,6 +7889,10 @@ Después: %3
     <message>
         <source>Stop this job; the previous result stays</source>
         <translation>Detener este trabajo; el resultado anterior se conserva</translation>
+    </message>
+    <message>
+        <source>%1: starting</source>
+        <translation>%1: empezando</translation>
     </message>
 </context>
 <context>
@@ -8206,6 +8402,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Hide this result</source>
         <translation>Ocultar este resultado</translation>
+    </message>
+    <message>
+        <source>Show an earlier result</source>
+        <translation>Mostrar un resultado anterior</translation>
     </message>
 </context>
 <context>
@@ -8816,6 +9016,18 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>By the weights %1, %2 scores best (%3) and %4 worst (%5).</source>
         <translation>Según los pesos %1, %2 obtiene la mejor puntuación (%3) y %4 la peor (%5).</translation>
+    </message>
+    <message>
+        <source>being scored</source>
+        <translation>se está puntuando</translation>
+    </message>
+    <message>
+        <source>being reviewed</source>
+        <translation>se está revisando</translation>
+    </message>
+    <message>
+        <source>being measured</source>
+        <translation>se está midiendo</translation>
     </message>
 </context>
 <context>

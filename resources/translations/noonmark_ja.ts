@@ -2097,16 +2097,8 @@ The study: %2</source>
         <translation>最小の日照</translation>
     </message>
     <message>
-        <source>The place with the lowest mean</source>
-        <translation>平均が最も小さい場所</translation>
-    </message>
-    <message>
         <source>Most sun</source>
         <translation>最大の日照</translation>
-    </message>
-    <message>
-        <source>The place with the highest mean</source>
-        <translation>平均が最も大きい場所</translation>
     </message>
     <message>
         <source>Against the ray reference, on a sample of the cells over the same steps</source>
@@ -2305,6 +2297,78 @@ Opens the panel Review.</source>
         <translation>
             <numerusform>%1 セル。場所の縁にあるものもそれぞれ 1 つと数えます</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Max shadow, min</source>
+        <translation>最大の影 (分)</translation>
+    </message>
+    <message>
+        <source>Min shadow, min</source>
+        <translation>最小の影 (分)</translation>
+    </message>
+    <message>
+        <source>Mean shadow, min</source>
+        <translation>平均の影 (分)</translation>
+    </message>
+    <message>
+        <source>%1: minutes of shadow</source>
+        <translation>%1: 影の分数</translation>
+    </message>
+    <message>
+        <source>&amp;Layer</source>
+        <translation>レイヤ(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名前(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>読み込む</translation>
+    </message>
+    <message>
+        <source>%1 (%2 features)</source>
+        <translation>%1 (地物 %2 件)</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>種類(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Found automatically</source>
+        <translation>自動で選択</translation>
+    </message>
+    <message>
+        <source>%1 min of shadow a day</source>
+        <translation>1 日あたり影 %1 分</translation>
+    </message>
+    <message>
+        <source>Max shadow</source>
+        <translation>最大の影</translation>
+    </message>
+    <message>
+        <source>Min shadow</source>
+        <translation>最小の影</translation>
+    </message>
+    <message>
+        <source>Mean shadow</source>
+        <translation>平均の影</translation>
+    </message>
+    <message>
+        <source>Most shadow</source>
+        <translation>影が最も多い</translation>
+    </message>
+    <message>
+        <source>The place with least sun in the mean</source>
+        <translation>平均で日照が最も少ない場所</translation>
+    </message>
+    <message>
+        <source>Least shadow</source>
+        <translation>影が最も少ない</translation>
+    </message>
+    <message>
+        <source>The place with most sun in the mean</source>
+        <translation>平均で日照が最も多い場所</translation>
     </message>
 </context>
 <context>
@@ -4016,14 +4080,6 @@ Opens the panel Review.</source>
         <translation>日照の変化</translation>
     </message>
     <message>
-        <source>Change of sun by place</source>
-        <translation>場所別の日照の変化</translation>
-    </message>
-    <message>
-        <source>minutes of sun a day</source>
-        <translation>1 日の日照の分数</translation>
-    </message>
-    <message>
         <source>CityGML, CityJSON: level of detail (default: the highest)</source>
         <translation>CityGML、CityJSON：詳細度（既定：最も高いもの）</translation>
     </message>
@@ -4671,6 +4727,42 @@ Opens the panel Review.</source>
         <source>With trees that lose their leaves by season: %1; %2 of its area has %3 or more.</source>
         <translation>季節に葉を落とす樹木の場合: %1。面積の %2 が %3 以上です。</translation>
     </message>
+    <message>
+        <source>%1 of %2 places lie in shadow for more than %3 a day</source>
+        <translation>%2 か所のうち %1 か所が 1 日 %3 を超えて影になります</translation>
+    </message>
+    <message>
+        <source>On %1, %2 of %3 places have less than %4 of sun.</source>
+        <translation>%1 は %3 か所のうち %2 か所で日照が %4 未満です。</translation>
+    </message>
+    <message>
+        <source>%1 has the most shadow, %2 a day, and %3 the least, %4.</source>
+        <translation>影が最も多いのは %1 (1 日 %2)、最も少ないのは %3 (%4) です。</translation>
+    </message>
+    <message>
+        <source>On average over their area %1 of shadow a day, of %2 of daylight.</source>
+        <translation>面積の平均で 1 日 %1 の影 (昼間 %2 のうち)。</translation>
+    </message>
+    <message>
+        <source>%1 adds more than a minute of shadow a day to %2 places, at most %3 at one spot.</source>
+        <translation>%1 は %2 か所に 1 日 1 分を超える影を加え、最大は一地点で %3 です。</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day by month</source>
+        <translation>月ごとの 1 日の影 (分)</translation>
+    </message>
+    <message>
+        <source>%1: %2 of shadow a day; %3 of its area has %4 of sun or more</source>
+        <translation>%1: 1 日 %2 の影、面積の %3 で日照 %4 以上</translation>
+    </message>
+    <message>
+        <source>%1 spares it %2 of shadow a day, at most %3 at one spot.</source>
+        <translation>%1 により影は 1 日 %2 減り、最大は一地点で %3 です。</translation>
+    </message>
+    <message>
+        <source>%1 adds %2 of shadow a day to it, at most %3 at one spot.</source>
+        <translation>%1 により影は 1 日 %2 増え、最大は一地点で %3 です。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -4879,6 +4971,10 @@ as published. Approximate: the legend states the measured error</source>
         <source>explored: %1 only</source>
         <translation>探索表示: %1 のみ</translation>
     </message>
+    <message>
+        <source>sun by place: %1 only</source>
+        <translation>場所ごとの日照: %1 のみ</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::CompareStrip</name>
@@ -5033,6 +5129,14 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Whole region</source>
         <translation>範囲全体</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>書き出す...</translation>
+    </message>
+    <message>
+        <source>Writes this list with the answer, as CSV and JSON</source>
+        <translation>この一覧を回答とともに CSV と JSON で書き出します</translation>
     </message>
 </context>
 <context>
@@ -6092,6 +6196,10 @@ Continuous shadow stays in minutes: the longest run in the sun does not follow f
         <source>Range and numbers are hours of sun a day</source>
         <translation>範囲と数値は 1 日の日照時間です</translation>
     </message>
+    <message>
+        <source>Range and numbers are hours of sun a day: switch to Sun to change them</source>
+        <translation>範囲と数値は 1 日の日照時間です。変更するには「日照」に切り替えてください</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::LegendStrip</name>
@@ -6309,6 +6417,10 @@ Approximate: the legend states the measured error. Undo takes the method of the 
     <message>
         <source>Time and legend</source>
         <translation>時刻と凡例</translation>
+    </message>
+    <message>
+        <source>The answer is being computed</source>
+        <translation>回答を計算しています</translation>
     </message>
 </context>
 <context>
@@ -7026,6 +7138,14 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>A terrain, an aerial photograph, or parks and other places; what the city has stays</source>
         <translation>地形、航空写真、または公園などの場所。都市に今あるものは残ります</translation>
     </message>
+    <message>
+        <source>Choose a file...</source>
+        <translation>ファイルを選ぶ...</translation>
+    </message>
+    <message>
+        <source>Which layer of %1 holds the places?</source>
+        <translation>%1 のどのレイヤに場所がありますか?</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceLinks</name>
@@ -7130,6 +7250,26 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>≥ %1 h, %</source>
         <translation>%1 h 以上、%</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day: the sunlit time without the sun</source>
+        <translation>1 日の影 (分): 昼間のうち日の当たらない時間</translation>
+    </message>
+    <message>
+        <source>%1: shadow, min</source>
+        <translation>%1: 影 (分)</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow on this day, mean over the place</source>
+        <translation>この日の影 (分)、場所の平均</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day more than in the baseline, mean over the days and the place; negative: less</source>
+        <translation>基準より増える 1 日の影 (分)、日と場所の平均。負は減少</translation>
+    </message>
+    <message>
+        <source>Change of shadow, min</source>
+        <translation>影の変化 (分)</translation>
     </message>
 </context>
 <context>
@@ -7251,6 +7391,58 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>%1. Headline and shares of the area are for %2 h, as they were saved</source>
         <translation>%1。見出しと面積の割合は、保存時の %2 時間によるものです</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Shows this answer in the view and in the results again</source>
+        <translation>この回答を表示と結果にもう一度出します</translation>
+    </message>
+    <message>
+        <source>The view shows another result than %1</source>
+        <translation>表示中の結果は %1 ではありません</translation>
+    </message>
+    <message>
+        <source>Sun by place</source>
+        <translation>場所ごとの日照</translation>
+    </message>
+    <message>
+        <source>Shadow by place</source>
+        <translation>場所ごとの影</translation>
+    </message>
+    <message>
+        <source>hours of sun a day</source>
+        <translation>1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day</source>
+        <translation>1 日の影 (分)</translation>
+    </message>
+    <message>
+        <source>Change of sun by place</source>
+        <translation>場所ごとの日照の変化</translation>
+    </message>
+    <message>
+        <source>Change of shadow by place</source>
+        <translation>場所ごとの影の変化</translation>
+    </message>
+    <message>
+        <source>minutes of sun a day</source>
+        <translation>1 日の日照 (分)</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of shadow a day</source>
+        <translation>%1: 1 日の影 %2 分</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of shadow a day more</source>
+        <translation>%1: 影が 1 日 %2 分増</translation>
+    </message>
+    <message>
+        <source>%1: %2 min of shadow a day less</source>
+        <translation>%1: 影が 1 日 %2 分減</translation>
     </message>
 </context>
 <context>
@@ -7650,6 +7842,10 @@ After: %3
     <message>
         <source>Stop this job; the previous result stays</source>
         <translation>この処理を中止。前の結果は残ります</translation>
+    </message>
+    <message>
+        <source>%1: starting</source>
+        <translation>%1: 開始しています</translation>
     </message>
 </context>
 <context>
@@ -8156,6 +8352,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Hide this result</source>
         <translation>この結果を隠す</translation>
+    </message>
+    <message>
+        <source>Show an earlier result</source>
+        <translation>以前の結果を表示</translation>
     </message>
 </context>
 <context>
@@ -8765,6 +8965,18 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>By the weights %1, %2 scores best (%3) and %4 worst (%5).</source>
         <translation>重み %1 では、スコアが最もよいのは %2 (%3)、最も悪いのは %4 (%5) です。</translation>
+    </message>
+    <message>
+        <source>being scored</source>
+        <translation>採点中</translation>
+    </message>
+    <message>
+        <source>being reviewed</source>
+        <translation>審査中</translation>
+    </message>
+    <message>
+        <source>being measured</source>
+        <translation>計測中</translation>
     </message>
 </context>
 <context>

@@ -105,7 +105,7 @@ private:
 
     void listNames() {
         name_->clear();
-        name_->addItem(QObject::tr("The usual field of names"), QString());
+        name_->addItem(QObject::tr("Found automatically"), QString());
         for (const std::string& field : layers_[std::size_t(layer_->currentIndex())].textFields)
             name_->addItem(QString::fromStdString(field), QString::fromStdString(field));
     }

@@ -97,12 +97,12 @@ private:
 };
 
 /// Seconds for gross shadow, and for gross shadow and the longest runs together.
-struct Times {
+struct EditTimes {
     std::vector<double> gross, both;
 };
 
 struct CacheTimes {
-    Times full, retimes, edits;
+    EditTimes full, retimes, edits;
     std::vector<double> firstEdit;
 };
 
@@ -126,14 +126,14 @@ Result<void> addBoth(std::vector<double>& times, SavedStudy& study, const Result
     return add(times, study.countRuns().map([&](double runs) { return *gross + runs; }));
 }
 
-Result<void> addFull(Times& times, SavedStudy& study, const SunSteps& year) {
+Result<void> addFull(EditTimes& times, SavedStudy& study, const SunSteps& year) {
     const Result<double> gross = study.retime(year);
     const Result<void> state = add(times.gross, gross);
     return state ? addBoth(times.both, study, gross) : state;
 }
 
 // As while a tower is dragged: first gross shadow alone, then each move with the longest runs.
-Result<void> addEdits(Times& times, SavedStudy& study, const TowerPlace& here, const TowerPlace& there,
+Result<void> addEdits(EditTimes& times, SavedStudy& study, const TowerPlace& here, const TowerPlace& there,
                       int runs) {
     Result<void> state;
     const auto place = [&](int run) -> const TowerPlace& { return run % 2 == 0 ? here : there; };
@@ -144,7 +144,7 @@ Result<void> addEdits(Times& times, SavedStudy& study, const TowerPlace& here, c
 }
 
 // Times a change of hours, as while a slider is dragged; each run changes back.
-Result<void> addRetimes(Times& times, SavedStudy& study, const SunSteps& year, const SunSteps& shorter,
+Result<void> addRetimes(EditTimes& times, SavedStudy& study, const SunSteps& year, const SunSteps& shorter,
                         int runs) {
     Result<void> state;
     const auto back = [&] { return study.retime(year).map([](double) {}); };
