@@ -32,8 +32,8 @@ double meanOver(const SunByPlace& sun, Of of) {
     return area > 0 ? sum / area : SunOfPlace::none;
 }
 
-// How the sun of a day of the period is told.
-struct Told {
+// How the sun of a day of the period is stated.
+struct SunOrShadow {
     ShownAs show;
     double possibleHours;
 
@@ -43,66 +43,66 @@ struct Told {
     }
 };
 
-Sentence countDark(const SunByPlace& sun, const Told& told) {
+Sentence countDark(const SunByPlace& sun, const SunOrShadow& as) {
     std::size_t dark = 0, all = 0;
     for (const SunOfPlace& place : sun.sun) {
         if (std::isnan(place.meanHours)) continue;
         ++all;
         if (place.meanHours < sun.settings.enoughHours) ++dark;
     }
-    return {told.isSun() ? NM_TEXT("%1 of %2 places have less than %3 of sun a day")
-                         : NM_TEXT("%1 of %2 places lie in shadow for more than %3 a day"),
-            {countOf(dark), countOf(all), told.amount(sun.settings.enoughHours)}};
+    return {as.isSun() ? NM_TEXT("%1 of %2 places have less than %3 of sun a day")
+                       : NM_TEXT("%1 of %2 places lie in shadow for more than %3 a day"),
+            {countOf(dark), countOf(all), as.amount(sun.settings.enoughHours)}};
 }
 
-Sentence countDarkOn(const SunByPlace& sun, std::size_t date, const Told& told) {
+Sentence countDarkOn(const SunByPlace& sun, std::size_t date, const SunOrShadow& as) {
     std::size_t dark = 0, all = 0;
     for (const SunOfPlace& place : sun.sun) {
         if (date >= place.dateHours.size() || std::isnan(place.dateHours[date])) continue;
         ++all;
         if (place.dateHours[date] < sun.settings.enoughHours) ++dark;
     }
-    return {told.isSun() ? NM_TEXT("On %1, %2 of %3 places have less than %4.")
-                         : NM_TEXT("On %1, %2 of %3 places have less than %4 of sun."),
+    return {as.isSun() ? NM_TEXT("On %1, %2 of %3 places have less than %4.")
+                       : NM_TEXT("On %1, %2 of %3 places have less than %4 of sun."),
             {formatText(sun.settings.dates[date]), countOf(dark), countOf(all),
              hoursOf(sun.settings.enoughHours)}};
 }
 
 // The places with names of their own that have least and most sun; nothing of fewer than two.
-std::optional<Sentence> describeExtremes(const SunByPlace& sun, const Told& told) {
+std::optional<Sentence> describeExtremes(const SunByPlace& sun, const SunOrShadow& as) {
     std::vector<std::size_t> named;
     for (std::size_t i = 0; i < sun.sun.size(); ++i)
         if (hasOwnName(sun.places[i]) && !std::isnan(sun.sun[i].meanHours)) named.push_back(i);
     if (named.size() < 2) return std::nullopt;
     const auto [minimum, maximum] =
         std::ranges::minmax(named, {}, [&](std::size_t i) { return sun.sun[i].meanHours; });
-    return Sentence{told.isSun() ? NM_TEXT("%1 has the least sun, %2 a day, and %3 the most, %4.")
-                                 : NM_TEXT("%1 has the most shadow, %2 a day, and %3 the least, %4."),
-                    {sun.places[minimum].name, told.amount(sun.sun[minimum].meanHours),
-                     sun.places[maximum].name, told.amount(sun.sun[maximum].meanHours)}};
+    return Sentence{as.isSun() ? NM_TEXT("%1 has the least sun, %2 a day, and %3 the most, %4.")
+                               : NM_TEXT("%1 has the most shadow, %2 a day, and %3 the least, %4."),
+                    {sun.places[minimum].name, as.amount(sun.sun[minimum].meanHours),
+                     sun.places[maximum].name, as.amount(sun.sun[maximum].meanHours)}};
 }
 
-Sentence describeMean(const SunByPlace& sun, const Told& told) {
-    return {told.isSun() ? NM_TEXT("On average over their area %1 a day, of %2 without any shadow.")
-                         : NM_TEXT("On average over their area %1 of shadow a day, of %2 of daylight."),
-            {told.amount(meanOver(sun, [&](std::size_t i) { return sun.sun[i].meanHours; })),
+Sentence describeMean(const SunByPlace& sun, const SunOrShadow& as) {
+    return {as.isSun() ? NM_TEXT("On average over their area %1 a day, of %2 without any shadow.")
+                       : NM_TEXT("On average over their area %1 of shadow a day, of %2 of daylight."),
+            {as.amount(meanOver(sun, [&](std::size_t i) { return sun.sun[i].meanHours; })),
              hoursOf(sun.possibleHours)}};
 }
 
 // What wanted shade leaves of the sun.
-std::vector<Sentence> describeWithTrees(const SunByPlace& sun, const Told& told) {
+std::vector<Sentence> describeWithTrees(const SunByPlace& sun, const SunOrShadow& as) {
     std::vector<Sentence> sentences;
     for (const SunWithTrees& with : sun.withTrees) {
         const double hours = meanOver(sun, [&](std::size_t i) { return with.sun[i].meanHours; });
         sentences.push_back({with.column == TreeColumns::evergreen
                                  ? NM_TEXT("With trees as evergreens it is %1 a day.")
                                  : NM_TEXT("With trees that lose their leaves by season it is %1 a day."),
-                             {told.amount(hours)}});
+                             {as.amount(hours)}});
     }
     return sentences;
 }
 
-Sentence describeLosses(const ComparedSun& compared, const Told& told) {
+Sentence describeLosses(const ComparedSun& compared, const SunOrShadow& as) {
     constexpr double minuteHours = 1.0 / 60;  // less is left to the table
     std::size_t losing = 0;
     double largest = 0;
@@ -110,7 +110,7 @@ Sentence describeLosses(const ComparedSun& compared, const Told& told) {
         if (change.meanHours < -minuteHours) ++losing;
         largest = std::fmax(largest, change.maxLossMin);
     }
-    return {told.isSun()
+    return {as.isSun()
                 ? NM_TEXT("%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot.")
                 : NM_TEXT("%1 adds more than a minute of shadow a day to %2 places, at most %3 at one spot."),
             {compared.sun.name, countOf(losing), Amount{largest, FigureUnit::minutes}}};
@@ -154,8 +154,8 @@ double possibleIn(const SunByPlace& sun, std::size_t month) {
 }
 
 // As minutes of shadow where the days of the months are known.
-Bars toldBars(Bars hours, const SunOfCities& sun, const Told& told) {
-    if (told.isSun() || sun.baseline.months.empty() || std::isnan(possibleIn(sun.baseline, 0))) return hours;
+Bars barsAsShown(Bars hours, const SunOfCities& sun, const SunOrShadow& as) {
+    if (as.isSun() || sun.baseline.months.empty() || std::isnan(possibleIn(sun.baseline, 0))) return hours;
     hours.title = NM_TEXT("Minutes of shadow a day by month");
     for (std::size_t month = 0; month < hours.groups.size(); ++month) {
         hours.groups[month].tone = BarTone::amount;
@@ -173,9 +173,9 @@ Bars changesInMinutes(const Bars& hours, std::string_view title) {
     return changes;
 }
 
-std::vector<Bars> monthCharts(const SunOfCities& sun, const Bars& months, const Told& told) {
-    if (sun.compared.empty()) return {toldBars(months, sun, told)};
-    return {toldBars(months, sun, told),
+std::vector<Bars> monthCharts(const SunOfCities& sun, const Bars& months, const SunOrShadow& as) {
+    if (sun.compared.empty()) return {barsAsShown(months, sun, as)};
+    return {barsAsShown(months, sun, as),
             changesInMinutes(months, NM_TEXT("Change of the minutes of sun a day by month"))};
 }
 
@@ -189,7 +189,7 @@ std::vector<std::size_t> listMostChanged(const SunOfCities& sun) {
     };
     std::vector<std::size_t> places;
     const auto& all = sun.baseline.places;
-    const bool anyNamed = std::ranges::any_of(all, hasOwnName);  // the others are told by their kind's row
+    const bool anyNamed = std::ranges::any_of(all, hasOwnName);  // the others are stated by their kind's row
     for (std::size_t i = 0; i < all.size(); ++i)
         if (largest(i) > 0 && (hasOwnName(all[i]) || !anyNamed)) places.push_back(i);
     std::ranges::stable_sort(places, std::ranges::greater{}, largest);
@@ -212,11 +212,11 @@ Bars placeBars(const SunOfCities& sun) {
 }
 
 // Of several cities side by side, each with what changes against the baseline.
-std::vector<Bars> chartsOf(const SunOfCities& sun, const Told& told) {
+std::vector<Bars> chartsOf(const SunOfCities& sun, const SunOrShadow& as) {
     std::vector<Bars> charts = monthCharts(
         sun,
         monthBars(sun, [](const SunByPlace& city, std::size_t month) { return monthHours(city, month); }),
-        told);
+        as);
     if (sun.compared.empty()) return charts;
     charts.push_back(placeBars(sun));
     charts.push_back(
@@ -243,23 +243,24 @@ std::vector<Sentence> judgeCities(const SunOfCities& sun) {
               inMinutes(meanLossMin(*maximum))}}};
 }
 
-Sentence headlineOf(const std::string& name, const SunOfPlace& of, double enoughHours, const Told& told) {
+Sentence headlineOf(const std::string& name, const SunOfPlace& of, double enoughHours,
+                    const SunOrShadow& as) {
     if (std::isnan(of.meanHours)) return {NM_TEXT("%1: no open ground was measured"), {name}};
-    return {told.isSun() ? NM_TEXT("%1: %2 of sun a day; %3 of its area has %4 or more")
-                         : NM_TEXT("%1: %2 of shadow a day; %3 of its area has %4 of sun or more"),
-            {name, told.amount(of.meanHours), Amount{of.enoughShare, FigureUnit::share, 0},
-             hoursOf(enoughHours)}};
+    return {
+        as.isSun() ? NM_TEXT("%1: %2 of sun a day; %3 of its area has %4 or more")
+                   : NM_TEXT("%1: %2 of shadow a day; %3 of its area has %4 of sun or more"),
+        {name, as.amount(of.meanHours), Amount{of.enoughShare, FigureUnit::share, 0}, hoursOf(enoughHours)}};
 }
 
-std::vector<Sentence> describeWithTrees(const SunByPlace& sun, std::size_t place, const Told& told) {
+std::vector<Sentence> describeWithTrees(const SunByPlace& sun, std::size_t place, const SunOrShadow& as) {
     std::vector<Sentence> sentences;
     for (const SunWithTrees& with : sun.withTrees)
         sentences.push_back(
             {with.column == TreeColumns::evergreen
                  ? NM_TEXT("With trees as evergreens: %1; %2 of its area has %3 or more.")
                  : NM_TEXT("With trees that lose their leaves by season: %1; %2 of its area has %3 or more."),
-             {told.amount(with.sun[place].meanHours),
-              Amount{with.sun[place].enoughShare, FigureUnit::share, 0}, hoursOf(sun.settings.enoughHours)}});
+             {as.amount(with.sun[place].meanHours), Amount{with.sun[place].enoughShare, FigureUnit::share, 0},
+              hoursOf(sun.settings.enoughHours)}});
     return sentences;
 }
 
@@ -269,15 +270,15 @@ Sentence describeDate(const SunByPlaceSettings& settings, const SunOfPlace& of, 
              Amount{of.belowShare[date], FigureUnit::share, 0}, hoursOf(settings.enoughHours)}};
 }
 
-Sentence describeChange(const ComparedSun& compared, std::size_t place, const Told& told) {
+Sentence describeChange(const ComparedSun& compared, std::size_t place, const SunOrShadow& as) {
     const SunChange& change = compared.changes[place];
     const double lossMin = -minutesOfHour * change.meanHours;
     if (lossMin < 0)
-        return {told.isSun() ? NM_TEXT("%1 gives it %2 of sun a day, at most %3 at one spot.")
-                             : NM_TEXT("%1 spares it %2 of shadow a day, at most %3 at one spot."),
+        return {as.isSun() ? NM_TEXT("%1 gives it %2 of sun a day, at most %3 at one spot.")
+                           : NM_TEXT("%1 spares it %2 of shadow a day, at most %3 at one spot."),
                 {compared.sun.name, inMinutes(-lossMin), inMinutes(change.maxGainMin)}};
-    return {told.isSun() ? NM_TEXT("%1 takes %2 of sun a day from it, at most %3 at one spot.")
-                         : NM_TEXT("%1 adds %2 of shadow a day to it, at most %3 at one spot."),
+    return {as.isSun() ? NM_TEXT("%1 takes %2 of sun a day from it, at most %3 at one spot.")
+                       : NM_TEXT("%1 adds %2 of shadow a day to it, at most %3 at one spot."),
             {compared.sun.name, inMinutes(lossMin), inMinutes(change.maxLossMin)}};
 }
 
@@ -300,34 +301,34 @@ AnswerPage makePage(const SunOfCities& sun, std::size_t place) { return makePage
 
 AnswerPage makePage(const SunOfCities& sun, ShownAs show) {
     const SunByPlace& shown = shownCity(sun);
-    const Told told{show, sun.baseline.possibleHours};
-    AnswerPage page{countDark(shown, told), {describeMean(shown, told)}, chartsOf(sun, told)};
-    for (Sentence& sentence : describeWithTrees(shown, told)) page.findings.push_back(std::move(sentence));
+    const SunOrShadow as{show, sun.baseline.possibleHours};
+    AnswerPage page{countDark(shown, as), {describeMean(shown, as)}, chartsOf(sun, as)};
+    for (Sentence& sentence : describeWithTrees(shown, as)) page.findings.push_back(std::move(sentence));
     for (Sentence& sentence : judgeCities(sun)) page.findings.push_back(std::move(sentence));
-    for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeLosses(compared, told));
+    for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeLosses(compared, as));
     for (std::size_t date = 0; date < shown.settings.dates.size(); ++date)
-        page.findings.push_back(countDarkOn(shown, date, told));
-    if (const auto extremes = describeExtremes(shown, told)) page.findings.push_back(*extremes);
+        page.findings.push_back(countDarkOn(shown, date, as));
+    if (const auto extremes = describeExtremes(shown, as)) page.findings.push_back(*extremes);
     return page;
 }
 
 AnswerPage makePage(const SunOfCities& sun, std::size_t place, ShownAs show) {
     const SunByPlace& shown = shownCity(sun);
     const SunOfPlace& of = shown.sun[place];
-    const Told told{show, sun.baseline.possibleHours};
-    AnswerPage page{headlineOf(shown.places[place].name, of, shown.settings.enoughHours, told)};
+    const SunOrShadow as{show, sun.baseline.possibleHours};
+    AnswerPage page{headlineOf(shown.places[place].name, of, shown.settings.enoughHours, as)};
     if (std::isnan(of.meanHours)) return page;
-    for (Sentence& sentence : describeWithTrees(shown, place, told))
+    for (Sentence& sentence : describeWithTrees(shown, place, as))
         page.findings.push_back(std::move(sentence));
     for (const ComparedSun& compared : sun.compared)
-        page.findings.push_back(describeChange(compared, place, told));
+        page.findings.push_back(describeChange(compared, place, as));
     for (std::size_t date = 0; date < of.dateHours.size(); ++date)
         page.findings.push_back(describeDate(shown.settings, of, date));
     page.charts =
         monthCharts(sun,
                     monthBars(sun, [place](const SunByPlace& city,
                                            std::size_t month) { return monthHours(city.sun[place], month); }),
-                    told);
+                    as);
     return page;
 }
 

@@ -379,7 +379,7 @@ void PlacesDock::colour() {
         }
         model_->setColours(std::move(colours));
         view_ = std::make_shared<const PlaceView>(
-            PlaceView{picture_.coloured(pixels), legendOf(toldScale(scale, what), what),
+            PlaceView{picture_.coloured(pixels), legendOf(scaleAsShown(scale, what), what),
                       note_.isEmpty() ? describeError(what) : note_, outdated_, threshold_->value(),
                       [this, what](glm::dvec2 point) { return describeAt(point, what); }});
     }
@@ -396,16 +396,16 @@ void PlacesDock::enableThreshold() {
 }
 
 // The same colours for the same places: less sun is more shadow.
-ColourScale PlacesDock::toldScale(ColourScale scale, const ShownSun& shown) const {
+ColourScale PlacesDock::scaleAsShown(ColourScale scale, const ShownSun& shown) const {
     if (model_->showsSun(shown)) return scale;
     const bool ofChange = shown.what == ShownSun::What::change;
-    const auto told = [&](double one) {
+    const auto asShown = [&](double one) {
         return ofChange ? -one : std::max(0.0, std::round(model_->shownOf(one, shown)));
     };
     std::swap(scale.low, scale.high);
-    for (double* end : {&scale.low, &scale.high}) *end = told(*end);
+    for (double* end : {&scale.low, &scale.high}) *end = asShown(*end);
     std::ranges::reverse(scale.breaks);
-    for (double& one : scale.breaks) one = told(one);
+    for (double& one : scale.breaks) one = asShown(one);
     scale.reversed = !scale.reversed;
     scale.tick = (scale.high - scale.low) / 4;
     return scale;

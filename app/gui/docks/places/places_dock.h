@@ -69,7 +69,7 @@ private:
     void listed();
     [[nodiscard]] ShownSun shown() const;
     [[nodiscard]] ColourScale scaleOf(const ShownSun& shown) const;
-    [[nodiscard]] ColourScale toldScale(ColourScale scale, const ShownSun& shown) const;
+    [[nodiscard]] ColourScale scaleAsShown(ColourScale scale, const ShownSun& shown) const;
     [[nodiscard]] Legend legendOf(const ColourScale& scale, const ShownSun& shown) const;
     [[nodiscard]] QString describeError(const ShownSun& shown) const;
     [[nodiscard]] QString describeAt(glm::dvec2 point, const ShownSun& shown) const;

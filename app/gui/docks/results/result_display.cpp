@@ -118,7 +118,7 @@ void ResultDisplay::showLayer(const std::optional<AnswerLayer>& layer, bool isSt
 }
 
 void ResultDisplay::showFigures(const std::shared_ptr<const Answer>& answer) {
-    shown_ = toldOf(answer);
+    shown_ = shownAsOf(answer);
     const auto sun = sunOf(answer);
     if (!sun || (place_ && *place_ >= sun->baseline.places.size())) place_.reset();
     if (place_) {
@@ -130,7 +130,7 @@ void ResultDisplay::showFigures(const std::shared_ptr<const Answer>& answer) {
     places_.figures.setWarningCount(answer->warnings().size());
 }
 
-ShownAs ResultDisplay::toldOf(const std::shared_ptr<const Answer>& answer) const {
+ShownAs ResultDisplay::shownAsOf(const std::shared_ptr<const Answer>& answer) const {
     return sunOf(answer) ? places_.legend.shownOfPlaces() : places_.legend.choice().show;
 }
 
@@ -166,7 +166,7 @@ void ResultDisplay::repeatFigures() {
 
 // The figures speak of shadow or of sun as the legend does.
 void ResultDisplay::followLegend() {
-    if (toldOf(workbench_.answer() ? workbench_.answer() : workbench_.past()) != shown_) repeatFigures();
+    if (shownAsOf(workbench_.answer() ? workbench_.answer() : workbench_.past()) != shown_) repeatFigures();
 }
 
 // The measured ones, newest first, then those saved under a name, in the project's order.

@@ -58,7 +58,7 @@ private:
     void showInView(const std::shared_ptr<const Answer>& answer);
     void showLayer(const std::optional<AnswerLayer>& layer, bool isStudy);
     void showFigures(const std::shared_ptr<const Answer>& answer);
-    [[nodiscard]] ShownAs toldOf(const std::shared_ptr<const Answer>& answer) const;
+    [[nodiscard]] ShownAs shownAsOf(const std::shared_ptr<const Answer>& answer) const;
     [[nodiscard]] std::vector<ResultRow> rowsOfPlace(const Answer& answer, const SunOfCities& sun) const;
     void showAllPlaces();
     void repeatFigures();

@@ -52,8 +52,8 @@ QString titleOfPlaces(const Answer& answer) {
 
 QString hoursText(double hours) { return QObject::tr("%1 h of sun a day").arg(groupDigits(hours, 2)); }
 
-// As the user wants the sun of places to be told.
-struct ToldPlaces {
+// The sun of places as the user wants to read it.
+struct SunOrShadow {
     ShownAs show;
     double possibleHours;
 
@@ -66,7 +66,7 @@ struct ToldPlaces {
 
 // Of the place with least, or with most. Those without a name of their own only where no other has one.
 ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPlace& sun, bool maximum,
-                     const ToldPlaces& told) {
+                     const SunOrShadow& as) {
     std::optional<std::size_t> found;
     const bool anyNamed = std::ranges::any_of(sun.places, hasOwnName);
     for (std::size_t i = 0; i < sun.sun.size(); ++i) {
@@ -78,7 +78,7 @@ ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPla
     if (!found) return {name, QObject::tr("none"), meaning};
     return {name,
             QStringLiteral("%1\n%2").arg(QString::fromStdString(sun.places[*found].name),
-                                         told.text(sun.sun[*found].meanHours)),
+                                         as.text(sun.sun[*found].meanHours)),
             meaning};
 }
 
@@ -96,13 +96,13 @@ QString shadowLabel(const Figure& figure) {
                                        : QObject::tr("Mean shadow");
 }
 
-ResultRow placeFigureRow(const Figure& figure, const SunOfPlace& of, const ToldPlaces& told) {
+ResultRow placeFigureRow(const Figure& figure, const SunOfPlace& of, const SunOrShadow& as) {
     const double value = figure.get(&of);
     const QString text = figure.unit == FigureUnit::share ? QObject::tr("%1 %").arg(groupDigits(100 * value))
                          : figure.unit == FigureUnit::squareMetres ? describeArea(value)
-                                                                   : told.text(value);
+                                                                   : as.text(value);
     const bool isHours = figure.unit != FigureUnit::share && figure.unit != FigureUnit::squareMetres;
-    return {isHours && !told.isSun() ? shadowLabel(figure) : translated(figure.label), text,
+    return {isHours && !as.isSun() ? shadowLabel(figure) : translated(figure.label), text,
             translatedSentence(figure.definition)};
 }
 
@@ -150,16 +150,16 @@ const AnswerViewer& byPlaceViewer() {
 }
 
 std::vector<ResultRow> makeRows(const PlaceFigures& shown, ShownAs show) {
-    const ToldPlaces told{show, shown.sun.baseline.possibleHours};
+    const SunOrShadow as{show, shown.sun.baseline.possibleHours};
     const SunByPlace& sun = shownCity(shown.sun);
     std::vector<ResultRow> rows{
         {QObject::tr("Places"), countText(sun), QObject::tr("Each is a row of the panel Places")},
         {QObject::tr("Without shadow"), hoursText(shown.sun.baseline.possibleHours),
          QObject::tr("Sun above the horizon, mean over the days")},
-        extremeRow(told.isSun() ? QObject::tr("Least sun") : QObject::tr("Most shadow"),
-                   QObject::tr("The place with least sun in the mean"), sun, false, told),
-        extremeRow(told.isSun() ? QObject::tr("Most sun") : QObject::tr("Least shadow"),
-                   QObject::tr("The place with most sun in the mean"), sun, true, told)};
+        extremeRow(as.isSun() ? QObject::tr("Least sun") : QObject::tr("Most shadow"),
+                   QObject::tr("The place with least sun in the mean"), sun, false, as),
+        extremeRow(as.isSun() ? QObject::tr("Most sun") : QObject::tr("Least shadow"),
+                   QObject::tr("The place with most sun in the mean"), sun, true, as)};
     rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(shown.period)));
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
                              describeSteps(shown.belowHorizon)));
