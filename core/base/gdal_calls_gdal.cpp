@@ -97,9 +97,12 @@ void closeVirtualFolders() {
 /// - Of GDAL's virtual file systems only /vsimem/ remains: no archives, no web or cloud storage, no standard
 ///   input. On disk it reads plain files only (gdal_calls.h).
 /// - PROJ opens the files of its own folders only (gdal_calls.h).
+/// - What GDAL says on threads of its own, which pack and unpack rasters and have no GdalCalls, goes nowhere
+///   instead of to stderr: the call that they work for fails if they do.
 ///
 /// Backend: gdal_calls_gdal.cpp.
 void setUpGdal() {
+    CPLSetErrorHandler(CPLQuietErrorHandler);
     confineProj();
     confineGdalFiles();
     registerDrivers();
