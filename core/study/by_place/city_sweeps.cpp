@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/city/trees/tree.h"
 #include "core/engines/auto_engine.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
@@ -16,6 +17,9 @@ constexpr double modelCores = 2;  // of estimateSeconds()
 // Months on the cells of places, which lie far apart, against the model's dense regions without months: of
 // Midtown and Monaco, a day to a year.
 constexpr double sweepOverModel = 4, projectedOverModel = 2.3;
+// A sweep of crowns takes about as long as the model says of one of buildings: the whole within 1.25 of what
+// Midtown, Chicago and Monaco took over a year. A ray that weighs crowns takes about as long as two.
+constexpr double crownsOverSweep = 1, treeRaysOverRays = 2;
 
 // Overhangs take time where receivers are, not on all of their grid.
 double areaOfReceiver(const Receivers& receivers) {
@@ -79,6 +83,24 @@ double CitySweeps::forecast(std::string_view asked, std::size_t sample) {
         seconds += forecastOne(*cities_[city], reached ? *reached : receivers_, asked, sample);
     }
     return seconds;
+}
+
+// All receivers in each city, whatever changed.
+double CitySweeps::forecastTrees(std::size_t sample) const {
+    double seconds = 0;
+    for (const City* city : cities_) {
+        if (!city->trees || city->trees->trees.empty()) continue;
+        const City* const cities[]{city};
+        EngineLoad load = measureEngineLoad(cities, receivers_, sun_, HorizonSweepSettings());
+        load.runs = false;
+        load.cellAreaM2 = std::max(load.cellAreaM2, areaOfReceiver(receivers_));
+        const EstimatedSeconds all = estimateSeconds(load);
+        load.receivers = std::min(sample, receivers_.cells.size());
+        const double sampled = sample == 0 ? 0 : estimateSeconds(load).ray * treeRaysOverRays;
+        seconds +=
+            std::min(all.ray * treeRaysOverRays, all.horizon * sweepOverModel * crownsOverSweep) + sampled;
+    }
+    return seconds * modelCores / double(tbb::this_task_arena::max_concurrency());
 }
 
 double CitySweeps::forecastOne(const City& city, const Receivers& receivers, std::string_view asked,

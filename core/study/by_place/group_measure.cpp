@@ -201,22 +201,29 @@ public:
 
     /// Seconds that run() is expected to take, if no sample is off.
     [[nodiscard]] double forecast() const {
-        double seconds = CitySweeps(engineOf(0), m_.cities, receivers_, m_.daylight, m_.months)
-                             .forecast(keyOf(0), sampledOver(m_.daylight));
+        double seconds = forecast(0, m_.daylight, m_.months);
         for (std::size_t date = 0; date < m_.dates.size(); ++date) {
             const SunSteps& day = m_.dates[date];
             if (day.steps.empty() || m_.stop.stop_requested()) continue;
-            const StepSets one = makeOneSet(day);
-            seconds += CitySweeps(engineOf(date + 1), m_.cities, receivers_, day, one)
-                           .forecast(keyOf(date + 1), sampledOver(day));
+            seconds += forecast(date + 1, day, makeOneSet(day));
         }
         return seconds;
     }
 
 private:
+    [[nodiscard]] double forecast(std::size_t sweep, const SunSteps& sun, const StepSets& sets) const {
+        CitySweeps sweeps(engineOf(sweep), m_.cities, receivers_, sun, sets);
+        const double seconds = sweeps.forecast(keyOf(sweep), sampledOver(sun));
+        return m_.hasTrees ? seconds + sweeps.forecastTrees(isMain_ ? sampledPlaces(sun) : 0) : seconds;
+    }
+
+    [[nodiscard]] std::size_t sampledPlaces(const SunSteps& sun) const {
+        return sampleSize(sampleOf(m_, isMain_), sun.steps.size()) / 2;
+    }
+
     // Cells that rays are traced to in each city: the sample, and half as many in places.
     [[nodiscard]] std::size_t sampledOver(const SunSteps& sun) const {
-        const std::size_t places = sampleSize(sampleOf(m_, isMain_), sun.steps.size()) / 2;
+        const std::size_t places = sampledPlaces(sun);
         if (isMain_) return places * 3;
         return isSampled_ && &sun == &m_.daylight ? places : 0;
     }

@@ -39,6 +39,10 @@ public:
     /// model that the automatic engine chooses with. `asked`: key of the engine. Some ms.
     [[nodiscard]] double forecast(std::string_view asked, std::size_t sample);
 
+    /// Seconds that the shade of trees takes in all cities on top of that (shadeTreeSets()), likewise with
+    /// rays for a sample. 0 without trees. Some ms.
+    [[nodiscard]] double forecastTrees(std::size_t sample) const;
+
     /// The engine that was chosen; empty: the one asked for chooses none.
     [[nodiscard]] std::string_view chosenKey() const { return engine_.chosenKey(); }
 
