@@ -57,6 +57,23 @@ TEST_F(VerifyCommand, AgreesWithAReportAndItsRecord) {
     EXPECT_GT(verify("out/report.pdf").json()["printed"]["figures"], 50);
 }
 
+// The report's folder lies in that of the city.
+TEST_F(VerifyCommand, LooksAroundTheReportsFolderAndSaysWhereItLooked) {
+    const std::string record = folder_.path("out/study.json").string();
+    const CommandOutput found = noonmarkCli({"verify", record, "--json"});
+    EXPECT_EQ(found.code, exitOk) << found.err << found.out;
+    const std::string around = folder_.path("houses.geojson").parent_path().string();
+    EXPECT_EQ(found.json()["looked_in"].size(), 2U);
+    EXPECT_EQ(found.json()["looked_in"][1], around);
+    EXPECT_EQ(found.json()["inputs"][0]["found"], folder_.path("houses.geojson").string());
+    fs::create_directory(folder_.path("deeper"));
+    fs::rename(folder_.path("houses.geojson"), folder_.path("deeper/houses.geojson"));
+    const CommandOutput gone = noonmarkCli({"verify", record});
+    EXPECT_EQ(gone.code, exitUsage) << "a neighbour of the report's folder is not searched";
+    EXPECT_THAT(gone.out,
+                HasSubstr("Looked in " + folder_.path("out").string() + " and its subfolders, " + around));
+}
+
 TEST_F(VerifyCommand, AgreesWithSunByPlace) {
     const CommandOutput places =
         noonmarkCli({"by-place", "sample:central-park-south", "--kind", "park", "--start", "2026-03-21",

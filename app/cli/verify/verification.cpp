@@ -58,6 +58,9 @@ std::string describeFiles(const Verification& verification) {
     std::string text = "Inputs\n";
     for (const FoundFile& file : verification.files)
         text += fmt::format("  {}: {}\n", cleanText(file.recorded.path), stateOf(file));
+    if (!verification.lookedIn.empty())
+        text +=
+            fmt::format("Looked in {}\n", cleanText(fmt::to_string(fmt::join(verification.lookedIn, ", "))));
     return text;
 }
 
@@ -182,6 +185,7 @@ Json verificationJson(const Verification& verification) {
             {"program", verification.program},
             {"verdict", nameOf(verification.verdict())},
             {"inputs", filesJson(verification.files)},
+            {"looked_in", verification.lookedIn},
             {"figures", verification.figures ? figuresJson(*verification.figures) : Json()},
             {"printed", verification.printed ? printedJson(*verification.printed) : Json()},
             {"pages", verification.pages ? pagesJson(*verification.pages) : Json()},

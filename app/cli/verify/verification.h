@@ -22,6 +22,7 @@ struct Verification {
     std::string recordName;
     std::string program;  ///< that wrote it: "Noonmark 0.1.0"
     std::vector<FoundFile> files;
+    std::vector<std::string> lookedIn;        ///< for the files: "/filed and its subfolders"
     std::optional<RecordComparison> figures;  ///< none: nothing was computed
     bool sameProgram = false;  ///< this version wrote the report: its words and pages are as they are now
     std::optional<WordComparison> printed;  ///< none: nothing was computed, or the file is no PDF
@@ -33,9 +34,9 @@ struct Verification {
 };
 
 /// Keys: report, record, program, verdict ("agrees", "differs", "not computed"), inputs (path, sha256,
-/// needed, found, agrees, saved_again), figures (compared, differences of key, recorded, computed), printed
-/// (figures, differences of before, recorded, computed), pages (compared, different, only_in_one), tables
-/// (name, compared, differences), not_compared.
+/// needed, found, agrees, saved_again), looked_in, figures (compared, differences of key, recorded,
+/// computed), printed (figures, differences of before, recorded, computed), pages (compared, different,
+/// only_in_one), tables (name, compared, differences), not_compared.
 nlohmann::ordered_json verificationJson(const Verification& verification);
 
 /// The same for people.

@@ -212,7 +212,7 @@ Result<nlohmann::ordered_json> readComputed(const fs::path& file) {
 // region.geojson is written beside a report whose command names it; it states no hash, but the figures do.
 Result<void> addRegionFile(const RepeatFolder& folder, const VerifyOptions& options) {
     for (const fs::path& place : {fs::path(options.report).parent_path(), fs::path(options.inputs)})
-        if (std::error_code error; fs::exists(place / regionFileName, error))
+        if (std::error_code error; !place.empty() && fs::exists(place / regionFileName, error))
             return folder.add(place / regionFileName);
     return {};
 }
@@ -293,6 +293,21 @@ Result<void> repeat(const VerifyOptions& options, const ResultRecord& record, co
     return {};
 }
 
+// Where no folder was given, also beside the report's folder: who gets a project's folder has its project
+// there.
+void lookForInputs(const VerifyOptions& options, const ResultRecord& record, const std::stop_token& stop,
+                   Verification& verification) {
+    const fs::path beside = fs::path(options.report).parent_path();
+    const fs::path folder = options.inputs.empty() ? beside : fs::path(options.inputs);
+    verification.files = findInputs(record.files, folder, stop);
+    verification.lookedIn = {folder.string() + " and its subfolders"};
+    if (options.inputs.empty() && beside.has_relative_path() && !areComplete(verification.files)) {
+        findInputsBeside(verification.files, beside.parent_path());
+        verification.lookedIn.push_back(beside.parent_path().string());
+    }
+    acceptLaterSaves(verification.files, record.json);
+}
+
 Result<Verification> verify(const VerifyOptions& options, const Console& console) {
     const auto filed = readReport(options.report, listOnce(&FiledForm::record));
     if (!filed) return tl::make_unexpected(filed.error());
@@ -302,6 +317,7 @@ Result<Verification> verify(const VerifyOptions& options, const Console& console
                               .recordName = filed->recordName,
                               .program = record->json.value("program", std::string("an unknown program")),
                               .files = {},
+                              .lookedIn = {},
                               .figures = {},
                               .printed = {},
                               .pages = {},
@@ -310,9 +326,8 @@ Result<Verification> verify(const VerifyOptions& options, const Console& console
     verification.sameProgram = verification.program == "Noonmark " + std::string(version());
     {
         const Interrupt interrupt;
-        verification.files = findInputs(record->files, options.inputs, interrupt.token());
+        lookForInputs(options, *record, interrupt.token(), verification);
         if (interrupt.token().stop_requested()) return cancelled();
-        acceptLaterSaves(verification.files, record->json);
     }
     if (!areComplete(verification.files)) return verification;
     if (auto repeated = repeat(options, *record, *filed, console, verification); !repeated)
@@ -340,8 +355,7 @@ int runVerify(VerifyOptions options, const Console& console) {
                     Error{"The folder holds no report or record of Noonmark's", options.report,
                           "Give the file: study.json, places.json, a PDF"},
                     exitUsage);
-    if (options.inputs.empty()) options.inputs = fs::path(options.report).parent_path().string();
-    options.inputs = fs::absolute(options.inputs).lexically_normal().string();
+    if (!options.inputs.empty()) options.inputs = fs::absolute(options.inputs).lexically_normal().string();
     const auto verification = verify(options, console);
     if (!verification) return fail(console, verification.error(), exitUsage);
     if (options.json)
@@ -371,8 +385,10 @@ void addVerifyCommand(CLI::App& app, Run& run) {
         ->required()
         ->type_name("FILE");
     command
-        ->add_option("--inputs", options->inputs,
-                     "Folder with the project or city files that the report names (default: the report's)")
+        ->add_option(
+            "--inputs", options->inputs,
+            "Folder with the project or city files that the report names (default: the report's, and for "
+            "what is not there the one around it)")
         ->type_name("DIR");
     addJsonFlag(*command, options->json);
     command->footer(

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/csv_text.h"
+#include "core/base/safe_text.h"
 
 namespace noonmark {
 
@@ -18,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 14> notCompared{"seconds",
+constexpr std::array<std::string_view, 15> notCompared{"seconds",
                                                        "accumulate_seconds",
                                                        "write_seconds",
                                                        "mega_rays_per_s",
@@ -31,7 +32,8 @@ constexpr std::array<std::string_view, 14> notCompared{"seconds",
                                                        "instruction_set",
                                                        "repeat",
                                                        "repeat_note",
-                                                       "path"};
+                                                       "path",
+                                                       "contributions_of_places"};
 bool isCompared(const std::string& key) { return std::ranges::find(notCompared, key) == notCompared.end(); }
 
 // The values of a record by their paths, in order of appearance.

@@ -154,6 +154,17 @@ std::vector<FoundFile> findInputs(const std::vector<RecordedFile>& files, const 
     return found;
 }
 
+void findInputsBeside(std::vector<FoundFile>& files, const fs::path& folder) {
+    for (FoundFile& file : files) {
+        const fs::path there = folder / nameIn(file.recorded.path);
+        std::error_code ignored;
+        if (file.agrees || !(fs::is_regular_file(there, ignored) || fs::is_directory(there, ignored)))
+            continue;
+        FoundFile other = find(file.recorded, {{there.filename().string(), there}});
+        if (!file.path || other.agrees) file = std::move(other);
+    }
+}
+
 bool areComplete(const std::vector<FoundFile>& files) {
     return std::ranges::all_of(files,
                                [](const FoundFile& file) { return file.agrees || !file.recorded.needed; });

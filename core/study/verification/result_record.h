@@ -59,6 +59,9 @@ struct FoundFile {
 std::vector<FoundFile> findInputs(const std::vector<RecordedFile>& files, const std::filesystem::path& folder,
                                   const std::stop_token& stop);
 
+/// Looks for those that no folder had with the recorded hash in another folder, without its subfolders.
+void findInputsBeside(std::vector<FoundFile>& files, const std::filesystem::path& folder);
+
 /// Whether all files that the command reads were found and agree.
 bool areComplete(const std::vector<FoundFile>& files);
 
@@ -76,8 +79,9 @@ struct RecordComparison {
 
 /// Compares the figures and texts of two records. Not compared is what another run or computer may state
 /// otherwise: durations, what was skipped, the program's version, instruction set, how the engine was chosen,
-/// and the command. Numbers agree within one part in 10^9, which covers another order of summation and is far
-/// below what any report prints.
+/// and the command; nor what buildings take from single places, which the window attributes on a click and
+/// no command computes. Numbers agree within one part in 10^9, which covers another order of summation and is
+/// far below what any report prints.
 RecordComparison compareRecords(const nlohmann::ordered_json& recorded,
                                 const nlohmann::ordered_json& computed);
 
