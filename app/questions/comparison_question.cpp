@@ -80,13 +80,14 @@ private:
 Result<std::shared_ptr<const Answer>> computeComparison(const Asked& asked, Progress& progress,
                                                         const std::stop_token& stop) {
     const Stopwatch watch;
-    const ImpactSettings settings{asked.settings, asked.byBuilding};
+    ImpactSettings settings = asked.impact;
+    settings.study = asked.settings;
     auto study = runImpact(*asked.before, asked.loaded.read.city, settings, progress, stop,
                            enginesWith(asked.settings.engine));
     if (!study) return tl::make_unexpected(study.error());
     putBefore(study->total.warnings, asked.loaded.read.warnings);
     auto impact = std::make_shared<const ImpactAnswer>(
-        ImpactAnswer{asked.baseline, asked.scenario, settings, asked.thresholdsMin, *std::move(study),
+        ImpactAnswer{asked.baseline, asked.scenario, settings, *std::move(study),
                      asked.provenance, keepOwnBuildings(asked.loaded.read.city, *asked.before)});
     return std::make_shared<ComparisonAnswer>(std::move(impact), watch.seconds());
 }

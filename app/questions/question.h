@@ -9,6 +9,7 @@
 #include "app/questions/answer.h"
 #include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/place_elements.h"
+#include "scenarios/impact/impact.h"
 
 namespace noonmark {
 
@@ -35,8 +36,7 @@ struct Asked {
     std::shared_ptr<const ReviewQuestion> review{};      ///< of a review of places only: all of it
     std::shared_ptr<const GlazingQuestion> glazing{};    ///< of a review of windows only: all of it
     std::shared_ptr<const ReviewSource> reviewSource{};  ///< of both: what their files state
-    bool byBuilding = false;              ///< a comparison: the contribution of each new building, too
-    std::vector<double> thresholdsMin{};  ///< a comparison: of the change, minutes a day
+    ImpactSettings impact{};                             ///< of a comparison only; its study is `settings`
     Provenance provenance{};  ///< what the cities were made from; empty: stated later (Answer::stated)
 };
 

@@ -7,6 +7,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
+#include "core/describe/field_values.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/shade_trees.h"
 #include "core/measures/error_sample.h"
@@ -171,6 +172,10 @@ private:
     Result<void> prepare(const City& before, const City& after) {
         const StudySettings& study = settings_.study;
         if (auto ground = checkOnGround(study.receivers.places); !ground) return ground;
+        if (auto ranges = checkRanges(impactFields().of(settings_)); !ranges) return ranges;
+        if (settings_.thresholdsMin.empty())
+            return failure("A comparison counts area above at least one threshold", "threshold",
+                           "Give minutes of shadow a day, such as 30");
         auto engine = makeEngine(study.engine, study.engineSettings, engines_);
         if (!engine) return tl::make_unexpected(engine.error());
         engine_ = *std::move(engine);

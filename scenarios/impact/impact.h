@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/describe/field.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/api/tree_shade.h"
 #include "core/study/study.h"
@@ -75,9 +76,16 @@ Result<CommonReceivers> findCommonReceiversInPart(const City& before, const City
 Impact computeDifference(const ShadowField& before, const ShadowField& after, std::vector<CellChange> change);
 
 struct ImpactSettings {
-    StudySettings study;      ///< region, cells, period and engine: the same for both cities
+    static constexpr double maxThresholdMin = 1440;
+
+    StudySettings study{};    ///< region, cells, period and engine: the same for both cities
     bool byBuilding = false;  ///< also compute one field per new building
+    /// Minutes of more or less shadow a day above which area counts; at least one, each 0 to 1440.
+    std::vector<double> thresholdsMin{defaultThresholdsMin.begin(), defaultThresholdsMin.end()};
 };
+
+/// All but those of the study.
+const Fields<ImpactSettings>& impactFields();
 
 struct ImpactStudy {
     Impact total;                            ///< without trees

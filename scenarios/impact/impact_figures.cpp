@@ -6,6 +6,7 @@
 #include <limits>
 #include <ranges>
 
+#include "core/describe/command_options.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/receivers/rasterize.h"
@@ -255,6 +256,27 @@ ChangeFigures notComputed() {
     for (const Figure& figure : changeFigures().rows())
         figure.set(&figures, std::numeric_limits<double>::quiet_NaN());
     return figures;
+}
+
+const Fields<ImpactSettings>& impactFields() {
+    static const Fields<ImpactSettings> fields{
+        field(&ImpactSettings::thresholdsMin,
+              {.key = "thresholds_min",
+               .flag = flags::threshold,
+               .label = NM_TEXT("Thresholds of the change"),
+               .help = NM_TEXT("Minutes of more or less shadow a day above which area counts; one or more"),
+               .hint = "MIN",
+               .unit = "min",
+               .range = ValueRange{0, ImpactSettings::maxThresholdMin},
+               .role = SettingRole::extra,
+               .restated = true}),
+        field(&ImpactSettings::byBuilding,
+              {.key = "each_new_building",
+               .flag = flags::byBuilding,
+               .label = NM_TEXT("Each new building"),
+               .help = NM_TEXT("Also measure the sole contribution of each new building"),
+               .role = SettingRole::extra})};
+    return fields;
 }
 
 }  // namespace noonmark

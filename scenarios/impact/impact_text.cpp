@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/describe/command_options.h"
+#include "core/describe/field_json.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
@@ -122,11 +123,8 @@ void addLine(CsvText& csv, const ImpactStudy& study, const std::string& id, cons
 }
 
 std::vector<CommandOption> optionsOf(const ImpactAnswer& answer) {
-    CommandOption thresholds{flags::threshold, {}};
-    for (const double threshold : answer.thresholdsMin)
-        thresholds.values.push_back(fmt::format("{}", threshold));
-    std::vector<CommandOption> options{{flags::from, {answer.from}}, {flags::to, {answer.to}}, thresholds};
-    if (answer.settings.byBuilding) options.push_back({flags::byBuilding, {}});
+    std::vector<CommandOption> options{{flags::from, {answer.from}}, {flags::to, {answer.to}}};
+    std::ranges::move(listOptions(impactFields().of(answer.settings)), std::back_inserter(options));
     return options;
 }
 
@@ -136,11 +134,12 @@ ComparisonFigures computeFigures(const ImpactAnswer& answer) {
     const Impact& total = answer.study.total;
     ComparisonFigures figures{answer.from,  answer.to,    {}, {}, formatText(answer.settings.study.period),
                               total.engine, total.waterM2};
-    for (const double threshold : answer.thresholdsMin)
+    for (const double threshold : answer.settings.thresholdsMin)
         figures.all.push_back(computeFigures(answer.study, threshold));
     for (const BuildingImpact& building : answer.study.byBuilding)
-        figures.byBuilding.push_back({building.name.empty() ? building.id : building.name,
-                                      computeFigures(building.impact, answer.thresholdsMin.front())});
+        figures.byBuilding.push_back(
+            {building.name.empty() ? building.id : building.name,
+             computeFigures(building.impact, answer.settings.thresholdsMin.front())});
     if (answer.study.error) figures.errors = listErrors(*answer.study.error, true);
     return figures;
 }
@@ -257,6 +256,7 @@ Result<std::string> makeRepeatCommand(const ImpactAnswer& answer, std::size_t wi
 std::string impactJson(const ImpactAnswer& answer) {
     const Impact& total = answer.study.total;
     Json json = settingsJson(answer.settings.study);
+    json.update(fieldsJson(impactFields().of(answer.settings)));
     json["from"] = answer.from;
     json["to"] = answer.to;
     json["engine_settings"] = total.engine;
@@ -266,12 +266,13 @@ std::string impactJson(const ImpactAnswer& answer) {
     json["water_m2"] = total.waterM2;
     json["error"] = answer.study.error ? errorJson(*answer.study.error, answer.study.frame) : Json();
     json["errors"] = answer.study.error ? errorsJson(listErrors(*answer.study.error, true)) : Json();
-    json["impact"] = figuresJson(answer.study, answer.thresholdsMin);
+    json["impact"] = figuresJson(answer.study, answer.settings.thresholdsMin);
     json["by_building"] = Json::array();
     for (const BuildingImpact& building : answer.study.byBuilding)
-        json["by_building"].push_back({{"id", building.id},
-                                       {"name", building.name},
-                                       {"impact", figuresJson(building.impact, answer.thresholdsMin)}});
+        json["by_building"].push_back(
+            {{"id", building.id},
+             {"name", building.name},
+             {"impact", figuresJson(building.impact, answer.settings.thresholdsMin)}});
     addProvenance(json, answer.provenance);
     addRepeat(json, makeRepeatCommand(answer, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions();
@@ -283,10 +284,10 @@ std::string impactJson(const ImpactAnswer& answer) {
 std::string impactCsv(const ImpactAnswer& answer) {
     CsvText csv(columnsOf(answer.study));
     const SourceValues source = sourceValues(answer.provenance);
-    for (const double threshold : answer.thresholdsMin)
+    for (const double threshold : answer.settings.thresholdsMin)
         addLine(csv, answer.study, "", "all", computeFigures(answer.study, threshold), source);
     for (const BuildingImpact& building : answer.study.byBuilding)
-        for (const double threshold : answer.thresholdsMin)
+        for (const double threshold : answer.settings.thresholdsMin)
             addLine(csv, answer.study, building.id, building.name, computeFigures(building.impact, threshold),
                     source);
     return csv.take();

@@ -14,7 +14,6 @@ struct ImpactAnswer {
     std::string from;  ///< scenario of the city before
     std::string to;
     ImpactSettings settings;
-    std::vector<double> thresholdsMin{defaultThresholdsMin.begin(), defaultThresholdsMin.end()};
     ImpactStudy study;
     Provenance provenance{};
     City proposal{};  ///< the buildings that only the city after has; empty: not known, or none

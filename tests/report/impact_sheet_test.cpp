@@ -54,7 +54,7 @@ TEST(ImpactSheet, IsZoomedOnTheChangeAndNamesTheTowerWithItsHeight) {
 TEST(ImpactSheet, ShowsTheChangeWhereNoCellReachesTheThreshold) {
     ComparedTower tower;
     const Box2 all = shownGround(makeSheet(tower.answer, {tower.after}, {}).map.scene);
-    tower.answer.thresholdsMin = {1000};
+    tower.answer.settings.thresholdsMin = {1000};
     const Box2 shown = shownGround(makeSheet(tower.answer, {tower.after}, {}).map.scene);
     EXPECT_NEAR(shown.high.y, all.high.y, 100) << "the shadow north of the tower, too";
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/city/trees/tree_facts.h"
+#include "core/describe/command_options.h"
 #include "core/engines/common/shadow_reach.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/impact/impact_text.h"
@@ -131,7 +132,7 @@ TEST(Impact, WithoutRunsTheirChangeIsUnknown) {
     impact.change.assign(3, CellChange::none);
     impact.sunlitMinutesPerDay = 340;
     ImpactAnswer answer;
-    answer.thresholdsMin = {30};
+    answer.settings.thresholdsMin = {30};
     answer.study.total = impact;
     const ImpactFigures figures = computeFigures(impact);
     EXPECT_EQ(figures.gross.gainedM2, 4);
@@ -147,7 +148,7 @@ TEST(Impact, WithoutRunsTheirChangeIsUnknown) {
 
 TEST(Impact, ItsJsonStatesTheAir) {
     ImpactAnswer answer;
-    answer.thresholdsMin = {30};
+    answer.settings.thresholdsMin = {30};
     answer.study.total.grid = {.cellM = 2, .columns = 1, .rows = 1};
     answer.study.total.grossMin = answer.study.total.continuousMin = {1};
     answer.study.total.change = {CellChange::none};
@@ -158,6 +159,36 @@ TEST(Impact, ItsJsonStatesTheAir) {
     EXPECT_EQ(json["observer"]["temperature_c"], -12.5);
     const auto score = nlohmann::json::parse(scoreJson({.settings = answer.settings.study}));
     EXPECT_EQ(score["observer"], json["observer"]);
+}
+
+TEST(Impact, ItsThresholdsAreFieldsOfItsSettings) {
+    ImpactAnswer answer;
+    answer.from = "Existing";
+    answer.to = "Tower";
+    answer.settings.study.region = makeRegionFromLocalBox({{0, 0}, {4, 4}});
+    ASSERT_TRUE(
+        impactFields().of(answer.settings).set(impactFields().rows()[0], std::vector<double>{12.5, 45}));
+    ASSERT_TRUE(impactFields().of(answer.settings).set(impactFields().rows()[1], true));
+    const auto json = nlohmann::json::parse(impactJson(answer));
+    EXPECT_EQ(json["thresholds_min"], (std::vector<double>{12.5, 45}));
+    EXPECT_EQ(json["each_new_building"], true);
+    EXPECT_EQ(json["impact"].size(), 2U);
+    EXPECT_EQ(json["impact"][1]["threshold_min"], 45);
+    EXPECT_THAT(
+        listOptions(impactFields().of(answer.settings)),
+        testing::ElementsAre(CommandOption{"--threshold", {"12.5,45"}}, CommandOption{"--by-building", {}}));
+}
+
+TEST(Impact, RefusesThresholdsOutOfRangeOrNone) {
+    const City city = threeHouses();
+    NoProgress quiet;
+    for (const std::vector<double>& thresholds : {std::vector<double>{}, {-1}, {30, 1441}}) {
+        ImpactSettings settings = morning();
+        settings.thresholdsMin = thresholds;
+        const auto refused = runImpact(city, city, settings, quiet, {});
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().where, "threshold");
+    }
 }
 
 TEST(Impact, EveryEngineSeesTheSame) {

@@ -254,8 +254,7 @@ struct ImpactOptions {
     SheetOptions sheets;
     std::string from;
     std::string to;
-    std::vector<double> thresholds{defaultThresholdsMin.begin(), defaultThresholdsMin.end()};
-    bool byBuilding = false;
+    ImpactSettings settings;
     std::string scale;  // empty: the project's scale
 };
 
@@ -276,7 +275,7 @@ void printComparison(const Answer& compared, std::ostream& out) {
     addFigures(table, listLines(figures));
     addErrors(table, figures.errors);
     for (const BuildingImpact& building : answer.study.byBuilding)
-        for (const double threshold : answer.thresholdsMin)
+        for (const double threshold : answer.settings.thresholdsMin)
             addFigures(table,
                        fmt::format("{}, over {:g} min", building.name.empty() ? building.id : building.name,
                                    threshold),
@@ -287,8 +286,7 @@ void printComparison(const Answer& compared, std::ostream& out) {
 
 int runImpactCommand(const ImpactOptions& options, const Console& console) {
     const auto complete = [&](const Project&, Asked& asked) -> Result<void> {
-        asked.byBuilding = options.byBuilding;
-        asked.thresholdsMin = options.thresholds;
+        asked.impact = options.settings;
         return {};
     };
     const auto scale = [&](const Project& project) { return scaleOf(options, project); };
@@ -316,14 +314,7 @@ void addImpactCommand(CLI::App& app, Run& run) {
         ->default_val(existingCity)
         ->type_name("NAME");
     command->add_option(flags::to, options->to, "The scenario to measure")->required()->type_name("NAME");
-    command
-        ->add_option(flags::threshold, options->thresholds,
-                     "Thresholds of the change, minutes a day; one or more")
-        ->capture_default_str()
-        ->check(within(0, 1440))
-        ->type_name("MIN");
-    command->add_flag(flags::byBuilding, options->byBuilding,
-                      "Also measure the sole contribution of each new building");
+    addFieldOptions(*command, impactFields().of(options->settings), {.listsTakeBlanks = true});
     command
         ->add_option(changeScaleFlag, options->scale,
                      "Ends of the picture's colour scale, minutes of change, or auto: fitted to this "

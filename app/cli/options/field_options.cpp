@@ -59,7 +59,7 @@ private:
             },
             std::string(field.help));
         if (field.kind == ValueKind::numbers) option->delimiter(',');
-        return option->allow_extra_args(false);
+        return option->allow_extra_args(options_.listsTakeBlanks && field.kind == ValueKind::numbers);
     }
 
     // What an option does with its value. Copies what it needs: the adder is gone when a command is parsed.

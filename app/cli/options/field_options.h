@@ -15,6 +15,9 @@ struct FieldOptions {
     FlagNames names{};  ///< one flag may have several, with commas
     /// Receives the flags of the table that the user gave; it outlives the parsing.
     std::set<std::string, std::less<>>* given = nullptr;
+    /// Lists of numbers may be written with blanks, too: "--threshold 30 60", as commands of earlier versions
+    /// state them. What follows such a list must then be an option.
+    bool listsTakeBlanks = false;
 };
 
 /// Adds an option for each field that has a flag: its help, range, choices and default are those of the

@@ -134,8 +134,7 @@ Result<Asked> Workbench::makeAsked(const Question& question, const std::string& 
     Asked asked{.scenario = session_.scenario(),
                 .baseline = session_.baseline(),
                 .settings = document_.settings(),
-                .byBuilding = true,
-                .thresholdsMin = {defaultThresholdsMin.begin(), defaultThresholdsMin.end()}};
+                .impact = {.byBuilding = true}};
     if (&question == &comparisonQuestion() || (&question == &byPlaceQuestion() && comparing())) {
         auto before = session_.cityOf(asked.baseline);
         if (!before) return tl::make_unexpected(before.error());

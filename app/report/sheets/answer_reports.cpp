@@ -89,7 +89,8 @@ double mappedChangeMin(const ImpactAnswer& answer) {
     double largest = 0;
     for (const float change : answer.study.total.grossMin)
         if (!std::isnan(change)) largest = std::max(largest, std::abs(double(change)));
-    const double threshold = answer.thresholdsMin.empty() ? 0 : answer.thresholdsMin.front();
+    const double threshold =
+        answer.settings.thresholdsMin.empty() ? 0 : answer.settings.thresholdsMin.front();
     return std::min(threshold, largest / 10);
 }
 
