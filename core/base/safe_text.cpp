@@ -1,5 +1,7 @@
 #include "core/base/safe_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -69,6 +71,12 @@ std::string cleanLines(std::string_view text) {
         if (text.starts_with('\r') && !text.starts_with("\r\n")) takeCharacter(text, clean);
     }
     return clean;
+}
+
+std::string countOf(std::uint64_t count, std::string_view noun, std::string_view plural) {
+    if (count == 1) return fmt::format("1 {}", noun);
+    return plural.empty() ? fmt::format("{} {}s", fmt::group_digits(count), noun)
+                          : fmt::format("{} {}", fmt::group_digits(count), plural);
 }
 
 std::string quoteForShell(const std::string& text) {

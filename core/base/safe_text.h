@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,10 @@ std::string cleanText(std::string_view text, std::size_t maxLetters = std::strin
 
 /// As cleanText(), of a text that may have several lines: tabs and line ends ("\n", "\r\n") stay.
 std::string cleanLines(std::string_view text);
+
+/// A number of things in a sentence: "1 tile", "1,204 tiles", "2 boxes" with their plural "boxes". `noun`:
+/// one of them; `plural` where it is not the noun with an "s".
+std::string countOf(std::uint64_t count, std::string_view noun, std::string_view plural = {});
 
 /// A text as one word of a POSIX shell: unchanged if a shell cannot misread it, else in single quotes.
 std::string quoteForShell(const std::string& text);

@@ -142,7 +142,7 @@ void makeTerrainFromBases(CityRead& all, const std::vector<InputFile>& files, Te
     all.warnings.push_back(
         {WarningKind::assumed,
          NM_TEXT("there is no terrain: the ground between the buildings was interpolated from their bases"),
-         fmt::format("{} buildings; {}", based.size(), formatText(relief))});
+         fmt::format("{}; {}", countOf(based.size(), "building"), formatText(relief))});
     all.city.terrain = std::make_shared<const Terrain>(*std::move(terrain));
 }
 
@@ -168,8 +168,8 @@ void warnOfFlattened(CityRead& all, const InputFile& file, std::size_t count) {
     if (count > 0)
         all.warnings.push_back(
             {WarningKind::leftOut,
-             fmt::format("the ground elevations of {} buildings: there is no terrain, so the ground is flat",
-                         count),
+             fmt::format("the ground elevations of {}: there is no terrain, so the ground is flat",
+                         countOf(count, "building")),
              nameOf(file)});
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/safe_text.h"
 #include "core/describe/field_values.h"
 #include "core/describe/text.h"
 #include "core/sun/period_fields.h"
@@ -85,8 +86,8 @@ std::string formatText(const SolarHours& window) {
 
 std::string formatText(const Period& period) {
     const bool instant = !period.window && period.hours == 0;
-    return fmt::format("{}, {} day{}, {}{}, {}{}", formatText(period.start), period.days,
-                       period.days == 1 ? "" : "s", hoursText(period),
+    return fmt::format("{}, {}, {}{}, {}{}", formatText(period.start),
+                       countOf(std::uint64_t(period.days), "day"), hoursText(period),
                        instant ? "" : fmt::format(", every {:g} min", period.stepMinutes), period.zone,
                        period.refraction ? "" : ", no refraction");
 }

@@ -17,7 +17,7 @@ protected:
     void SetUp() override {
         const CommandOutput made = noonmarkCli({"project", "new", file_, "sample:central-park-south"});
         ASSERT_EQ(made.code, 0) << made.err;
-        EXPECT_THAT(made.out, testing::HasSubstr("1 regions, 7 lots"));
+        EXPECT_THAT(made.out, testing::HasSubstr("1 region, 7 lots"));
         removePlaces();
     }
 

@@ -251,7 +251,7 @@ TEST_F(TreesOfAProject, InventoriesAreAddedOnce) {
     EXPECT_THAT(tree({"import", inventory}).out, HasSubstr("0 trees read"));
     const std::string more =
         folder.file("more.csv", "height,latitude,longitude\n9,40.7503,-73.9801\n").string();
-    EXPECT_THAT(tree({"import", more}).out, HasSubstr("1 trees read; the project has 3"));
+    EXPECT_THAT(tree({"import", more}).out, HasSubstr("1 tree read; the project has 3"));
 }
 
 TEST_F(TreesOfAProject, ATreeThatIsChosenTwiceIsChangedOnce) {

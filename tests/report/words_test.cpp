@@ -58,5 +58,12 @@ TEST(StudyWords, ContinuousShadowThatWasNotCountedIsNoNumber) {
     EXPECT_FALSE(text.contains("nan", Qt::CaseInsensitive)) << text.toStdString();
 }
 
+TEST(Words, SheetsWriteDatesInOneForm) {
+    EXPECT_EQ(asOnSheets("2026-12-21"), "21 December 2026");
+    EXPECT_EQ(asOnSheets("Tower"), "Tower");
+    const Sentence found{"On %1, %2 places have less.", {"2026-12-21", "3"}};
+    EXPECT_EQ(formatText(asOnSheets(found)), "On 21 December 2026, 3 places have less.");
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -6,6 +6,7 @@
 
 #include "app/cli/base/command.h"
 #include "app/cli/base/terminal_text.h"
+#include "core/base/safe_text.h"
 #include "core/io/write_city.h"
 #include "core/study/text/error_text.h"
 
@@ -30,8 +31,8 @@ void printSaved(const SavedBuildings& saved, bool json, std::ostream& out) {
             << '\n';
         return;
     }
-    out << fmt::format("{}: {} buildings in {} parts\n", saved.file.string(), withCommas(saved.buildings),
-                       withCommas(saved.parts));
+    out << fmt::format("{}: {} in {}\n", saved.file.string(), countOf(saved.buildings, "building"),
+                       countOf(saved.parts, "part"));
     if (!saved.note.empty()) out << "  " << saved.note << '\n';
     printWarnings(out, saved.warnings);
 }

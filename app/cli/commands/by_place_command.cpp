@@ -16,6 +16,7 @@
 #include "app/cli/study/study_request.h"
 #include "app/input/load_city.h"
 #include "app/questions/question.h"
+#include "core/base/safe_text.h"
 #include "core/describe/command_options.h"
 #include "core/io/read_region.h"
 #include "core/measures/shadow_figures.h"
@@ -148,7 +149,7 @@ tl::expected<MeasuredPlaces, Failure> measurePlaces(const ByPlaceOptions& option
     auto asked = orCode(makeAsked(options, *request, progress, interrupt.token()), exitUsage);
     if (!asked) return tl::make_unexpected(asked.error());
     asked->forecast = [&](double seconds) {
-        console.err << fmt::format("Sun of {} places: {}\n", withCommas(asked->places.size()),
+        console.err << fmt::format("Sun of {}: {}\n", countOf(asked->places.size(), "place"),
                                    describeForecast(seconds));
     };
     auto book = orCode(bookSettingsOf(options.sheets, sheetsOf(*request)), exitUsage);
@@ -188,8 +189,8 @@ std::string describeCells(const SunByPlace& sun) {
     const auto fine = std::size_t(std::ranges::count_if(sun.sun, isFine));
     const std::string standard = fmt::format("{:g} m", sun.settings.study.receivers.cellM);
     if (fine == 0) return standard;
-    return fmt::format("{}; {:g} m in {} places with fewer than {:g} of these", standard,
-                       sun.settings.smallCellM, withCommas(fine), SunByPlaceSettings::smallPlaceCells);
+    return fmt::format("{}; {:g} m in {} with fewer than {:g} of these", standard, sun.settings.smallCellM,
+                       countOf(fine, "place"), SunByPlaceSettings::smallPlaceCells);
 }
 
 std::string describeChange(const ComparedSun& compared, std::size_t i) {

@@ -9,6 +9,7 @@
 #include "app/cli/base/terminal_text.h"
 #include "app/cli/study/study_request.h"
 #include "app/input/load_project.h"
+#include "core/base/safe_text.h"
 #include "core/io/footprints/footprint_scan.h"
 #include "core/study/provenance/command_text.h"
 #include "core/study/text/error_text.h"
@@ -184,7 +185,7 @@ nlohmann::ordered_json fieldsJsonOf(const std::vector<FileFields>& files) {
 void printFields(const FileFields& file, std::ostream& out) {
     if (file.layers.empty()) out << file.file << ": no layers with fields to choose from\n";
     for (const ListedLayer& layer : file.layers) {
-        out << fmt::format("{}: layer {}, {} features{}\n", file.file, layer.name, withCommas(layer.features),
+        out << fmt::format("{}: layer {}, {}{}\n", file.file, layer.name, countOf(layer.features, "feature"),
                            layer.isRead ? "" : ", not read");
         for (const ListedField& field : layer.fields) {
             const std::string_view role = nameOfRole(field.role);

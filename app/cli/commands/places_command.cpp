@@ -12,6 +12,7 @@
 #include "app/cli/options/project_options.h"
 #include "app/cli/study/study_request.h"
 #include "app/input/load_city.h"
+#include "core/base/safe_text.h"
 #include "core/receivers/place_names.h"
 #include "core/study/text/error_text.h"
 #include "scenarios/project/project_file.h"
@@ -83,7 +84,7 @@ void print(const ListedPlaces& listed, std::ostream& out) {
     for (const Place& place : listed.read.places)
         out << fmt::format("{:<44} {:<13} {:>10} m2  {}\n", place.name, nameOf(place.kind),
                            withCommas(std::size_t(std::llround(area(place)))), place.source);
-    out << fmt::format("{} places\n", withCommas(listed.read.places.size()));
+    out << countOf(listed.read.places.size(), "place") << '\n';
     printWarnings(out, listed.read.warnings);
 }
 

@@ -11,6 +11,7 @@
 #include "app/cli/options/project_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/study_options.h"
+#include "core/base/safe_text.h"
 #include "core/describe/command_options.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/places/place_run.h"
@@ -146,8 +147,8 @@ void print(const ScreenAnswer& answer, std::ostream& out) {
         reached += screened.result == ScreeningResult::reached ? 1 : 0;
         out << fmt::format("{:<44} {:<26} {}\n", place.name, nameOf(screened.result), screened.reason);
     }
-    out << fmt::format("{} of {} places are reached; longest shadow {:.2f} x height", reached,
-                       answer.screened.size(), answer.lengthFactor);
+    out << fmt::format("Reached: {} of {}; longest shadow {:.2f} x height", reached,
+                       countOf(answer.screened.size(), "place"), answer.lengthFactor);
     if (answer.sector)
         out << fmt::format(", none from {:.0f} to {:.0f} deg", answer.sector->fromDeg, answer.sector->toDeg);
     out << '\n';

@@ -11,6 +11,7 @@
 #include "app/cli/options/project_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/study_options.h"
+#include "core/base/safe_text.h"
 #include "core/describe/command_options.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/places/place_sums.h"
@@ -98,11 +99,10 @@ std::string clockText(const std::optional<Instant>& at, const Zone& zone) {
 
 std::string lineOf(const ShadowOnPlace& shadow, const Zone& zone) {
     if (shadow.intervals.empty()) return "none";
-    std::string text =
-        fmt::format("{} to {}, {:.0f} min in {} interval{}; largest {:.0f} m2 at {}; {:.1f} m2 x h",
-                    clockText(shadow.enters(), zone), clockText(shadow.exits(), zone), shadow.minutes,
-                    shadow.intervals.size(), shadow.intervals.size() == 1 ? "" : "s", shadow.largestM2,
-                    clockText(shadow.largestAt, zone), shadow.areaHoursM2);
+    std::string text = fmt::format("{} to {}, {:.0f} min in {}; largest {:.0f} m2 at {}; {:.1f} m2 x h",
+                                   clockText(shadow.enters(), zone), clockText(shadow.exits(), zone),
+                                   shadow.minutes, countOf(shadow.intervals.size(), "interval"),
+                                   shadow.largestM2, clockText(shadow.largestAt, zone), shadow.areaHoursM2);
     if (shadow.longest)
         text += fmt::format("; longest at one spot {:.0f} min from {}", shadow.longest->minutes,
                             clockText(shadow.longest->when.from, zone));

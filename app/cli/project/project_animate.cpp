@@ -12,6 +12,7 @@
 #include "app/cli/project/project_commands.h"
 #include "app/input/load_city.h"
 #include "app/report/movie/shadow_movie.h"
+#include "core/base/safe_text.h"
 #include "core/describe/command_options.h"
 #include "scenarios/project/project_file.h"
 
@@ -81,7 +82,8 @@ int runAnimate(const AnimateOptions& options, const Console& console) {
     if (!movie) return fail(console, movie.error(), exitUsage);
     const auto made = film(*movie, options.out, console);
     if (!made) return fail(console, made.error(), exitUsage);
-    console.out << fmt::format("{}: {} frames, {:.1f} s\n", options.out, made->frames, made->seconds);
+    console.out << fmt::format("{}: {}, {:.1f} s\n", options.out,
+                               countOf(std::uint64_t(made->frames), "frame"), made->seconds);
     printWarnings(console.out, made->warnings);
     return exitOk;
 }

@@ -11,6 +11,7 @@
 #include "app/cli/options/shared_options.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
+#include "core/base/safe_text.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/massing/copy_massing.h"
@@ -26,8 +27,8 @@ namespace {
 
 /// "87 storeys, 304.5 m; gross floor area 87,696 m2, ratio 25.5, coverage 29 %"
 std::string lineOf(const MassingFigures& figures) {
-    return fmt::format("{} storeys, {:.1f} m; gross floor area {} m2, ratio {:.1f}, coverage {:.0f} %",
-                       figures.storeys, figures.heightM,
+    return fmt::format("{}, {:.1f} m; gross floor area {} m2, ratio {:.1f}, coverage {:.0f} %",
+                       countOf(std::uint64_t(figures.storeys), "storey"), figures.heightM,
                        withCommas(std::size_t(std::llround(figures.grossFloorM2))), figures.floorAreaRatio,
                        figures.coverage * 100);
 }
@@ -36,8 +37,9 @@ std::string lineOf(const MassingFigures& figures) {
 std::string linesOf(const std::vector<UseArea>& uses) {
     std::string lines;
     for (const UseArea& area : uses)
-        lines += fmt::format("  {}: {} storeys, {} m2\n", area.use.empty() ? "use not stated" : area.use,
-                             area.storeys, withCommas(std::size_t(std::llround(area.grossFloorM2))));
+        lines += fmt::format("  {}: {}, {} m2\n", area.use.empty() ? "use not stated" : area.use,
+                             countOf(std::uint64_t(area.storeys), "storey"),
+                             withCommas(std::size_t(std::llround(area.grossFloorM2))));
     return lines;
 }
 

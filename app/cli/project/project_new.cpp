@@ -8,6 +8,7 @@
 #include "app/cli/study/study_request.h"
 #include "app/input/load_city.h"
 #include "app/input/load_project.h"
+#include "core/base/safe_text.h"
 #include "core/city/trees/tree.h"
 #include "core/io/read_region.h"
 #include "scenarios/project/project_file.h"
@@ -112,9 +113,9 @@ int runNew(const NewOptions& options, const Console& console) {
     if (!made) return fail(console, made.error(), exitFailed);
     const std::size_t trees = project->city->trees ? project->city->trees->trees.size() : 0;
     console.out << fmt::format(
-        "{}: {} buildings, {}{} places, {} regions, {} lots\n", options.file,
-        withCommas(project->city->buildings.size()), trees > 0 ? withCommas(trees) + " trees, " : "",
-        withCommas(project->places.size()), project->regions.size(), project->lots.size());
+        "{}: {}, {}{}, {}, {}\n", options.file, countOf(project->city->buildings.size(), "building"),
+        trees > 0 ? countOf(trees, "tree") + ", " : "", countOf(project->places.size(), "place"),
+        countOf(project->regions.size(), "region"), countOf(project->lots.size(), "lot"));
     printWarnings(console.out, loaded->read.warnings);
     printWarnings(console.out, places->warnings);
     printWarnings(console.out, context->warnings);

@@ -7,6 +7,7 @@
 #include "app/cli/options/shared_options.h"
 #include "app/cli/project/project_commands.h"
 #include "app/input/load_city.h"
+#include "core/base/safe_text.h"
 
 namespace noonmark::cli {
 
@@ -104,9 +105,9 @@ Result<std::string> changeContext(const ContextOptions& options, Project& projec
     }
     setContext(project, context);
     if (!context) return words.str() + "No map on the ground\n";
-    return words.str() + fmt::format("Map on the ground: {} areas, {} lines, {} trees\n",
-                                     withCommas(context->areas.size()), withCommas(context->lines.size()),
-                                     withCommas(context->trees.size()));
+    return words.str() +
+           fmt::format("Map on the ground: {}, {}, {}\n", countOf(context->areas.size(), "area"),
+                       countOf(context->lines.size(), "line"), countOf(context->trees.size(), "tree"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
 #include "app/input/load_city.h"
+#include "core/base/safe_text.h"
 #include "core/io/read_region.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/edits/apply_edits.h"
@@ -53,7 +54,7 @@ Result<std::string> readFiles(const PlaceReadOptions& options, Project& project)
     std::ranges::move(read->places, std::back_inserter(project.places));
     nameApart(project.places);
     std::ostringstream words;
-    words << fmt::format("{} places read, {} of them replace earlier ones\n", withCommas(count), replaced);
+    words << fmt::format("{} read; earlier ones replaced: {}\n", countOf(count, "place"), replaced);
     printWarnings(words, read->warnings);
     return words.str();
 }

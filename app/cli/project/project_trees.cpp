@@ -16,6 +16,7 @@
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
+#include "core/base/safe_text.h"
 #include "core/city/trees/tree_facts.h"
 #include "core/io/read_region.h"
 #include "core/io/trees/read_trees.h"
@@ -87,8 +88,8 @@ Result<std::string> importTrees(const TreeImportOptions& options, Project& proje
     project.city = std::make_shared<const City>(makeIdsUnique(std::move(city)));
     std::ostringstream words;
     const auto& trees = project.city->trees;
-    words << fmt::format("{} trees read; the project has {}\n",
-                         withCommas((trees ? trees->trees.size() : 0) - before),
+    words << fmt::format("{} read; the project has {}\n",
+                         countOf((trees ? trees->trees.size() : 0) - before, "tree"),
                          trees ? describeTrees(*trees) : "none");
     printWarnings(words, warnings);
     CityReading reading = *project.reading;

@@ -6,6 +6,7 @@
 #include "app/cli/base/command.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
+#include "core/base/safe_text.h"
 #include "scenarios/project/project_file.h"
 #include "scenarios/weights/time_weights.h"
 
@@ -29,14 +30,15 @@ Result<std::string> addWeights(const AddWeightsOptions& options, Project& projec
     auto weights = readWeights(options.table, options.name);
     if (!weights) return tl::make_unexpected(weights.error());
     project.weights.push_back(*std::move(weights));
-    return fmt::format("{}: {} intervals\n", options.name, project.weights.back().intervals.size());
+    return fmt::format("{}: {}\n", options.name,
+                       countOf(project.weights.back().intervals.size(), "interval"));
 }
 
 std::vector<Listed> listWeights(const Project& project) {
     std::vector<Listed> lines;
     for (const TimeWeights& table : project.weights)
         lines.push_back({table.name,
-                         fmt::format("{} intervals", table.intervals.size()),
+                         countOf(table.intervals.size(), "interval"),
                          {{"intervals", table.intervals.size()}}});
     return lines;
 }

@@ -14,6 +14,7 @@
 #include "app/input/load_project.h"
 #include "app/questions/glazing_question.h"
 #include "app/report/files/element_files.h"
+#include "core/base/safe_text.h"
 #include "core/review/places/verdict_text.h"
 #include "core/study/elements/element_fields.h"
 #include "core/study/study_cost.h"
@@ -82,8 +83,8 @@ Result<AskedGlazing> makeGlazingQuestion(const ReviewRunOptions& options, const 
 }
 
 std::string forecastText(const GlazingForecast& forecast) {
-    return fmt::format("{} windows, {} steps of the sun: {}", withCommas(forecast.windows),
-                       withCommas(forecast.steps), describeDuration(forecast.seconds));
+    return fmt::format("{}, {} of the sun: {}", countOf(forecast.windows, "window"),
+                       countOf(forecast.steps, "step"), describeDuration(forecast.seconds));
 }
 
 Result<GlazingAnswer> measureGlazing(const GlazingQuestion& question, const Console& console) {

@@ -14,6 +14,7 @@
 #include "app/cli/review/review_command.h"
 #include "app/cli/review/review_source.h"
 #include "app/report/files/answer_files.h"
+#include "core/base/safe_text.h"
 #include "core/describe/command_options.h"
 #include "core/engines/auto_engine.h"
 #include "core/review/places/review_columns.h"
@@ -106,7 +107,7 @@ int estimatePlaces(const ReviewRunOptions& options, const ReviewQuestion& asked,
     if (options.json)
         console.out << toJsonText({{"places", places}, {"estimated_seconds", *seconds}}) << '\n';
     else
-        console.out << fmt::format("{} places: {}\n", places, describeDuration(*seconds));
+        console.out << fmt::format("{}: {}\n", countOf(places, "place"), describeDuration(*seconds));
     return exitOk;
 }
 
@@ -134,7 +135,7 @@ void printTable(const ReviewStudy& study, std::ostream& out) {
                                i + 1 < columns.size() ? "  " : "\n");
         }
     }
-    if (leftOut > 0) out << fmt::format("({} more rows in review.csv)\n", leftOut);
+    if (leftOut > 0) out << fmt::format("({} in review.csv)\n", countOf(leftOut, "more row"));
 }
 
 void printReview(const ReviewAnswer& answer, const ReviewSource& source, std::ostream& out) {

@@ -17,6 +17,7 @@
 #include "app/cli/tiles/tiles_command.h"
 #include "app/input/load_city.h"
 #include "app/questions/question.h"
+#include "core/base/safe_text.h"
 #include "core/describe/command_options.h"
 #include "core/describe/figure_text.h"
 #include "core/io/read_city.h"
@@ -44,9 +45,9 @@ int printStatus(const StatusOptions& options, const Console& console) {
         console.out << statusJson(*plan, *status) << '\n';
         return exitOk;
     }
-    console.out << fmt::format("{} of {} tiles done, {} of {} tasks complete\n", status->doneTiles,
-                               status->allTiles, plan->taskCount - status->unfinishedTasks.size(),
-                               plan->taskCount);
+    console.out << fmt::format(
+        "{} of {} done, {} of {} complete\n", status->doneTiles, countOf(status->allTiles, "tile"),
+        plan->taskCount - status->unfinishedTasks.size(), countOf(plan->taskCount, "task"));
     if (!status->complete())
         console.out << fmt::format("Unfinished tasks: {}\n{:.2f} h of computing left\n",
                                    formatRanges(status->unfinishedTasks), status->leftSeconds / 3600);
@@ -156,7 +157,7 @@ Result<MergeReport> merge(const MergeOptions& options, const Console& console) {
 // A score has no minutes of shadow.
 void print(const MergeReport& report, std::ostream& out) {
     if (report.places > 0) {
-        out << fmt::format("{} place{}\n", report.places, report.places == 1 ? "" : "s");
+        out << countOf(report.places, "place") << '\n';
         return;
     }
     const ShadowStatistics& shadow = report.statistics;
@@ -174,7 +175,8 @@ int runMerge(const MergeOptions& options, const Console& console) {
     if (!report) return fail(console, report.error(), exitFailed);
     print(*report, console.out);
     if (report->missingTiles > 0)
-        console.out << fmt::format("{} tiles are missing: their cells have no value\n", report->missingTiles);
+        console.out << fmt::format("Missing: {}. Cells there have no value\n",
+                                   countOf(report->missingTiles, "tile"));
     for (const auto& file : report->files) console.out << "Wrote " << file.string() << '\n';
     printWarnings(console.out, report->warnings);
     return exitOk;

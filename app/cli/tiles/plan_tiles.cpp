@@ -15,6 +15,7 @@
 #include "app/input/all_engines.h"
 #include "app/input/load_city.h"
 #include "app/report/files/output_folder.h"
+#include "core/base/safe_text.h"
 #include "core/describe/command_options.h"
 #include "core/io/formats/format.h"
 #include "core/study/tile_tasks/plan/make_task_plan.h"
@@ -162,8 +163,8 @@ void print(const TaskPlan& plan, bool json, std::ostream& out) {
             << '\n';
         return;
     }
-    out << fmt::format("{} tiles in {} tasks, {} district{}\n", plan.tiles.size(), plan.taskCount,
-                       plan.districts.size(), plan.districts.size() == 1 ? "" : "s");
+    out << fmt::format("{} in {}, {}\n", countOf(plan.tiles.size(), "tile"), countOf(plan.taskCount, "task"),
+                       countOf(plan.districts.size(), "district"));
     out << fmt::format("Estimated: {:.1f} h on two cores, {:.2f} GB for the largest window of a task\n",
                        seconds / 3600, memory / 1e9);
     out << fmt::format("A tile reads {:.1f} times its own area; {}\n", haloM2 / tileM2,

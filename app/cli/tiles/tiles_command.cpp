@@ -12,6 +12,7 @@
 #include "app/cli/tiles/tile_question.h"
 #include "app/input/all_engines.h"
 #include "core/base/cgroup_limits.h"
+#include "core/base/safe_text.h"
 #include "core/study/tile_tasks/run_task.h"
 
 namespace noonmark::cli {
@@ -85,9 +86,9 @@ int runTiles(const RunOptions& options, const Console& console) {
     if (const auto count = options.threads ? options.threads : countThreads(limits)) threads.emplace(*count);
     const auto report = runOne(options, limits, console);
     if (!report) return fail(console, report.error(), isRetryable(report.error()) ? exitRetry : exitFailed);
-    console.out << fmt::format("{} tiles, {} computed; {} buildings read in {:.1f} s, {:.1f} s in all\n",
-                               report->tiles, report->computed, report->buildings, report->readSeconds,
-                               report->seconds);
+    console.out << fmt::format("{}, {} computed; {} read in {:.1f} s, {:.1f} s in all\n",
+                               countOf(report->tiles, "tile"), report->computed,
+                               countOf(report->buildings, "building"), report->readSeconds, report->seconds);
     return exitOk;
 }
 

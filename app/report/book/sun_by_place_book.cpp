@@ -46,9 +46,9 @@ std::vector<std::size_t> sortByInterest(const SunOfCities& all) {
 TextBlocks describeFinding(const SunOfCities& all, UnitSystem units) {
     const AnswerPage page = makePage(all);
     TextBlocks blocks{heading(QStringLiteral("Finding")),
-                      body(plainText(formatText(page.headline, units)) + QStringLiteral("."))};
+                      body(plainText(formatText(asOnSheets(page.headline), units)) + QStringLiteral("."))};
     for (const Sentence& finding : page.findings)
-        blocks.push_back(body(plainText(formatText(finding, units))));
+        blocks.push_back(body(plainText(formatText(asOnSheets(finding), units))));
     return blocks;
 }
 
@@ -99,7 +99,7 @@ TextBlocks describeSources(const SunByPlace& sun) {
 }
 
 QString nameOfDate(const SunByPlace& sun, std::size_t date) {
-    return plainText(formatText(sun.settings.dates[date]));
+    return describeDates(sun.settings.dates[date]);
 }
 
 Legend legendOf(const SunByPlace& sun, const PlaceColours& colours) {
@@ -208,7 +208,7 @@ std::vector<QString> titlesOf(const SunOfCities& all) {
     for (const SunWithTrees& with : shownCity(all).withTrees)
         titles.push_back(titleOf(meanFigure(with.column)));
     for (const CivilDate& date : shownCity(all).settings.dates)
-        titles.push_back(QStringLiteral("Below, %1").arg(plainText(formatText(date))));
+        titles.push_back(QStringLiteral("Below, %1").arg(describeDates(date)));
     for (const ComparedSun& one : all.compared)
         titles.push_back(QStringLiteral("%1, %2").arg(titleOf(changeFigure()), plainText(one.sun.name)));
     if (hasRemarks(shownCity(all))) titles.push_back(QStringLiteral("Remarks"));
@@ -241,12 +241,11 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
     NamedTable table{QStringLiteral("Places"), {}, {titlesOf(all), {}, {}}};
     const QString which = all.compared.empty() ? QStringLiteral("with least sun")
                                                : QStringLiteral("that lose most to the first scenario");
-    table.note = order.size() == shown
-                     ? QStringLiteral("All %1 places, those %2 first.").arg(order.size()).arg(which)
-                     : QStringLiteral("The %1 of %2 places %3; all of them are in places.csv.")
-                           .arg(shown)
-                           .arg(order.size())
-                           .arg(which);
+    table.note =
+        order.size() == shown
+            ? QStringLiteral("All %1, those %2 first.").arg(describeCount(order.size(), "place"), which)
+            : QStringLiteral("The %1 of %2 %3; all of them are in places.csv.")
+                  .arg(describeCount(shown), describeCount(order.size(), "place"), which);
     if (!all.compared.empty())
         table.note += QStringLiteral(" The figures are those of %1; changes are from %2.")
                           .arg(plainText(shownCity(all).name), plainText(all.baseline.name));

@@ -172,11 +172,13 @@ TextBlocks definitionBlocks(const Study& study, ShownAs show) {
 
 TextBlocks errorBlocks(std::span<const ShownError> errors) {
     TextBlocks blocks{heading(QStringLiteral("Error against the ray reference, on a sample"))};
-    for (const ShownError& error : errors)
-        blocks.push_back(
-            body(QStringLiteral("%1: %2 (%3 values).")
-                     .arg(QString::fromStdString(labelOf(error)),
-                          QString::fromStdString(formatText(describe(error))), describeCount(error.count))));
+    for (ShownError error : errors) {
+        error.of = asOnSheets(error.of);
+        blocks.push_back(body(QStringLiteral("%1: %2 (%3).")
+                                  .arg(QString::fromStdString(labelOf(error)),
+                                       QString::fromStdString(formatText(describe(error))),
+                                       describeCount(error.count, "value"))));
+    }
     if (errors.empty()) blocks.push_back(body(QStringLiteral("Not measured.")));
     return blocks;
 }

@@ -51,10 +51,9 @@ void addEdits(TextBlocks& blocks, const ScenarioRecord& scenario) {
 void addScenario(TextBlocks& blocks, const QString& role, const ScenarioRecord& scenario) {
     const QString name = formatText(scenario.name);
     const std::size_t edits = scenario.edits.size();
-    const QString what = edits == 1 ? QStringLiteral("edit") : QStringLiteral("edits");
-    blocks.push_back(
-        body(edits == 0 ? QStringLiteral("%1: %2, the city without edits.").arg(role, name)
-                        : QStringLiteral("%1: %2, %3 %4:").arg(role, name, describeCount(edits), what)));
+    blocks.push_back(body(edits == 0
+                              ? QStringLiteral("%1: %2, the city without edits.").arg(role, name)
+                              : QStringLiteral("%1: %2, %3:").arg(role, name, describeCount(edits, "edit"))));
     addEdits(blocks, scenario);
 }
 
@@ -99,8 +98,8 @@ QString describeHeight(const Study& study) {
     add(HeightSource::mesh, QStringLiteral("from three-dimensional data"));
     add(HeightSource::designed, QStringLiteral("designed: given by the scenario"));
     add(HeightSource::madeUp, QStringLiteral("made up: a sample of no real place"));
-    return QStringLiteral("%1 buildings in %2 parts. Heights of the parts: %3.")
-        .arg(describeCount(study.city.buildings.size()), describeCount(counts.parts),
+    return QStringLiteral("%1 in %2. Heights of the parts: %3.")
+        .arg(describeCount(study.city.buildings.size(), "building"), describeCount(counts.parts, "part"),
              words.join(QStringLiteral("; ")));
 }
 

@@ -42,7 +42,7 @@ Sheet makeSheet(const Study& study, const LegendChoice& legend) {
     const AnswerPage page =
         makePage(study.field, study.statistics, nameOf(study.settings.region), legend.show);
     if (!page.headline.source.empty())
-        sheet.finding = QString::fromStdString(formatText(page.headline)) + u'.';
+        sheet.finding = QString::fromStdString(formatText(asOnSheets(page.headline))) + u'.';
     if (!isInstant(study.field) && hasRuns(study.statistics))
         sheet.smallMap.emplace(mapOf(study, ShadowMeasure::continuous, legend));
     return sheet;

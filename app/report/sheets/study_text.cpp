@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/report/maps/shadow_measure.h"
+#include "core/base/safe_text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "core/measures/shadow_figures.h"
@@ -18,6 +19,10 @@ QString plainWords(const std::string& text) { return QString::fromStdString(text
 }  // namespace
 
 QString describeCount(std::uint64_t count) { return QString::fromStdString(formatNumber(double(count))); }
+
+QString describeCount(std::uint64_t count, std::string_view noun) {
+    return QString::fromStdString(countOf(count, noun));
+}
 
 QString describeAmount(double amount, int decimals) {
     QString words = QString::fromStdString(formatNumber(amount, decimals));
@@ -138,12 +143,23 @@ QString describeDates(CivilDate date) {
         fmt::format("{} {} {}", unsigned(date.day()), months[unsigned(date.month()) - 1], int(date.year())));
 }
 
+std::string asOnSheets(const std::string& dateOrText) {
+    const auto date = parseDate(dateOrText);
+    return date ? describeDates(*date).toStdString() : dateOrText;
+}
+
+Sentence asOnSheets(Sentence sentence) {
+    for (Sentence::Argument& argument : sentence.arguments)
+        if (auto* const text = std::get_if<std::string>(&argument)) *text = asOnSheets(*text);
+    return sentence;
+}
+
 QString describeDays(const Period& period) {
     if (period.days == 1 || !period.start.ok()) return describeDates(period.start);
     const CivilDate last = std::chrono::sys_days(period.start) + std::chrono::days(period.days - 1);
-    return QStringLiteral("%1 to %2 (%3 days)")
-        .arg(describeDates(period.start), describeDates(last))
-        .arg(period.days);
+    return QStringLiteral("%1 to %2 (%3)")
+        .arg(describeDates(period.start), describeDates(last),
+             describeCount(std::uint64_t(period.days), "day"));
 }
 
 QString describeHours(const Period& period) {

@@ -2,14 +2,16 @@
 
 #include <QString>
 
+#include "core/describe/answer_page.h"
 #include "core/describe/figure_text.h"
 #include "core/study/study.h"
 #include "core/sun/period.h"
 
 namespace noonmark {
 
-QString describeCount(std::uint64_t count);               ///< "176,123"
-QString describeAmount(double amount, int decimals = 1);  ///< "61,234.5"; without trailing zeros
+QString describeCount(std::uint64_t count);                         ///< "176,123"
+QString describeCount(std::uint64_t count, std::string_view noun);  ///< "1 place", "1,204 places"
+QString describeAmount(double amount, int decimals = 1);            ///< "61,234.5"; without trailing zeros
 
 QString describeLatLon(LonLat place);  ///< "40.75400 N, 73.98401 W"
 /// Size and centre of a region.
@@ -35,7 +37,11 @@ std::vector<FigureText> computeFigures(const Study& study, ShownAs show = ShownA
 std::vector<FigureText> makeStudyFigures(const ShadowStatistics& statistics, const ShadowField& field,
                                          std::uint64_t steps, ShownAs show = ShownAs::shadow);
 
-QString describeDates(CivilDate date);  ///< "21 March 2026"
+QString describeDates(CivilDate date);  ///< "21 March 2026": the form of all dates on sheets
+/// A date in the form of files ("2026-03-21") as sheets write it; any other text as it is.
+std::string asOnSheets(const std::string& dateOrText);
+/// The same of a sentence's arguments.
+Sentence asOnSheets(Sentence sentence);
 
 /// The days: "21 March 2026"; "21 March 2026 to 19 April 2026 (30 days)".
 QString describeDays(const Period& period);

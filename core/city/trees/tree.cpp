@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/safe_text.h"
 #include "core/describe/choice.h"
 
 namespace noonmark {
@@ -40,7 +41,7 @@ Warning makeTreeWarning(std::string where, std::string_view why) {
 Warnings warnOfTrees(const std::shared_ptr<const Trees>& trees, std::string_view why) {
     if (!trees || trees->trees.empty()) return {};
     const std::size_t count = trees->trees.size();
-    return {makeTreeWarning(fmt::format("{} tree{}", count, count == 1 ? "" : "s"), why)};
+    return {makeTreeWarning(countOf(count, "tree"), why)};
 }
 
 namespace {

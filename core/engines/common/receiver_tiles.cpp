@@ -1,4 +1,5 @@
 #include "core/engines/common/receiver_tiles.h"
+#include "core/base/safe_text.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -65,7 +66,8 @@ PartialField FinishedTiles::finished() {
             shown_.continuousMin[cell] = field_.continuousMin[cell];
         }
     }
-    return {shown_, double(count) / double(done_.size()), fmt::format("{} of {} tiles", count, done_.size())};
+    return {shown_, double(count) / double(done_.size()),
+            fmt::format("{} of {}", count, countOf(done_.size(), "tile"))};
 }
 
 }  // namespace noonmark

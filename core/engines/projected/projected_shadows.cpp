@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "core/base/safe_text.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/common/receiver_tiles.h"
 #include "core/engines/common/shadow_reach.h"
@@ -70,7 +71,7 @@ void DaySum::writeTo(ShadowField& field) const {
 
 PartialField DaySum::partial() const {
     PartialField partial{makeBlankField(receivers_, sun_), double(days_) / double(sun_.dayCount()),
-                         fmt::format("{} of {} days", days_, sun_.dayCount())};
+                         fmt::format("{} of {}", days_, countOf(sun_.dayCount(), "day"))};
     writeTo(partial.field);
     partial.field.sunlitMinutesPerDay = double(sunlit_) * sun_.stepMinutes / partial.field.days;
     return partial;

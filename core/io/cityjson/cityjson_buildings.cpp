@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/safe_text.h"
 #include "core/base/stop_scope.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_parts.h"
@@ -196,7 +197,7 @@ void addTin(const CityJsonData& data, const std::string& file, FilePiece& piece)
         piece.warnings.push_back(
             {WarningKind::repaired,
              "cells that the terrain's triangles do not cover were filled from the elevations around",
-             fmt::format("{} ({} of {} cells)", file, made->filled, made->terrain.grid.size())});
+             fmt::format("{} ({} of {})", file, made->filled, countOf(made->terrain.grid.size(), "cell"))});
     made->terrain.source.file = std::filesystem::path(file).filename().string();
     piece.terrain = std::make_shared<const Terrain>(std::move(made->terrain));
 }

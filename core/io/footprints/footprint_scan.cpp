@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/safe_text.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/heights/height_facts.h"
 #include "core/io/pieces/read_part.h"
@@ -84,10 +85,10 @@ Result<std::vector<ListedLayer>> listLayers(const std::filesystem::path& file, c
 }
 
 std::string describeValues(const ListedField& field, std::size_t sampled) {
-    const std::string of = formatThousands(sampled);
-    if (field.values == 0) return fmt::format("no value in the first {} features", of);
+    const std::string of = countOf(sampled, "feature");
+    if (field.values == 0) return fmt::format("no value in the first {}", of);
     const std::string range = field.low ? fmt::format("{:g} to {:g} in ", *field.low, *field.high) : "";
-    return fmt::format("{} ({}{} of {} features)", fmt::join(field.samples, ", "), range,
+    return fmt::format("{} ({}{} of {})", fmt::join(field.samples, ", "), range,
                        formatThousands(field.values), of);
 }
 

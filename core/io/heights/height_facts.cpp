@@ -60,8 +60,8 @@ std::string formatThousands(std::size_t count) {
 
 std::string describe(const UnknownField& field) {
     const char* const datum = field.kind == FieldKind::elevations ? " above the datum, not the ground" : "";
-    return fmt::format("{} ({:g} to {:g}{} in {} features)", field.field, field.low, field.high, datum,
-                       formatThousands(field.features));
+    return fmt::format("{} ({:g} to {:g}{} in {})", field.field, field.low, field.high, datum,
+                       countOf(field.features, "feature"));
 }
 
 bool BaseFit::fits() const {
@@ -101,8 +101,7 @@ std::string describe(const HeightDoubt& doubt) {
 
 std::string describe(const HeightField& field) {
     const std::string meaning = field.meaning.empty() ? "" : " (" + field.meaning + ")";
-    return fmt::format("{}{}, {}: {} features", field.field, meaning, field.unit,
-                       formatThousands(field.features));
+    return fmt::format("{}{}, {}: {}", field.field, meaning, field.unit, countOf(field.features, "feature"));
 }
 
 }  // namespace noonmark

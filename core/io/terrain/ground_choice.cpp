@@ -7,6 +7,7 @@
 #include <map>
 #include <unordered_set>
 
+#include "core/base/safe_text.h"
 #include "core/city/building_heights.h"
 #include "core/geo/frame.h"
 #include "core/io/heights/unknown_fields.h"
@@ -124,7 +125,7 @@ void offerHeights(const std::vector<GroundFile>& files, const GroundFile* surfac
         warnings.push_back({WarningKind::assumed,
                             fmt::format("heights are assumed that the surface model shows: {} uses it",
                                         readOption("heights_from_surface")),
-                            fmt::format("{} buildings; {}", formatThousands(assumed), surface->name)});
+                            fmt::format("{}; {}", countOf(assumed, "building"), surface->name)});
 }
 
 void takeHeights(const std::vector<GroundFile>& files, const GroundFile* surface, GroundChoice& choice,
@@ -140,7 +141,7 @@ void takeHeights(const std::vector<GroundFile>& files, const GroundFile* surface
     heights.fields.push_back({surface->name, "surface - ground", "median roof", "m", measured});
     choice.warnings.push_back({WarningKind::assumed,
                                "buildings without a height got that of the surface model above the ground",
-                               fmt::format("{} buildings; {}", formatThousands(measured), surface->name)});
+                               fmt::format("{}; {}", countOf(measured, "building"), surface->name)});
 }
 
 }  // namespace
@@ -192,7 +193,7 @@ std::optional<float> roofOverGround(const Building& building, const RoofElevatio
 }
 
 void sayRoofs(const GroundFile& file, const std::string& field, std::size_t count, bool chosen) {
-    const std::string where = fmt::format("{}: {} ({} buildings)", file.name, field, formatThousands(count));
+    const std::string where = fmt::format("{}: {} ({})", file.name, field, countOf(count, "building"));
     if (chosen)
         file.piece->warnings.push_back({WarningKind::assumed,
                                         "the elevation of the roof was taken as the height, since you chose "

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/base/safe_text.h"
 #include "core/city/terrain/post_grid.h"
 #include "core/describe/text.h"
 #include "core/geo/frame.h"
@@ -161,12 +162,12 @@ Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevatio
     if (source.impossible > 0)
         piece.warnings.push_back({WarningKind::repaired,
                                   "impossible elevations were filled from the cells around",
-                                  fmt::format("{} ({} cells)", file, source.impossible)});
+                                  fmt::format("{} ({})", file, countOf(source.impossible, "cell"))});
     source.filled = gapsInside(place, elevations);
     if (source.filled > 0)
         piece.warnings.push_back(
             {WarningKind::repaired, NM_TEXT("cells without elevation were filled from the cells around"),
-             fmt::format("{} ({} of {} cells)", file, source.filled, elevations.size())});
+             fmt::format("{} ({} of {})", file, source.filled, countOf(elevations.size(), "cell"))});
     fillGaps(elevations, place.posts.columns, place.posts.rows);
     const float lowest = findLowest(elevations);
     if (!std::isfinite(lowest))

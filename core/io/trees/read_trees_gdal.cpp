@@ -105,7 +105,7 @@ Result<TreesRead> readCanopy(GDALDataset& dataset, const std::string& file,
                        "Give heights of the canopy above the ground, in metres");
     read.warnings.push_back({WarningKind::assumed,
                              "canopy is taken as trees that lose their leaves, open below",
-                             fmt::format("{}: {} cells", file, read.trees.size())});
+                             fmt::format("{}: {}", file, countOf(read.trees.size(), "cell"))});
     return read;
 }
 

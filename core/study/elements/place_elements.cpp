@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/safe_text.h"
 #include "core/base/warnings.h"
 #include "core/city/city.h"
 #include "core/io/files/readable_text.h"
@@ -146,7 +147,7 @@ Result<PlacedElements> placePlane(const City& city, const StudySettings& setting
     PlacedElements all{std::move(plane->receivers), {}, plane->planeM, {}};
     const auto leftOut = [&](std::size_t cells, const char* why) {
         if (cells > 0)
-            all.warnings.push_back({WarningKind::leftOut, why, fmt::format("{} cells of the plane", cells)});
+            all.warnings.push_back({WarningKind::leftOut, why, countOf(cells, "cell") + " of the plane"});
     };
     leftOut(plane->insideBuildings, "the plane cuts a building there");
     leftOut(plane->belowGround, "the ground rises above the plane there");

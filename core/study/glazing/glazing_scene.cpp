@@ -10,6 +10,7 @@
 #include <stop_token>
 
 #include "core/base/progress.h"
+#include "core/base/safe_text.h"
 #include "core/describe/command_options.h"
 #include "core/engines/points/sky_factors.h"
 #include "core/measures/places/place_run.h"
@@ -56,7 +57,7 @@ GlazingSample sampleGlazing(const GlazingScene& scene, const std::stop_token& st
 
 /// "horizons of 64 windows are off by 1.203 % of the steps"
 std::string describe(const GlazingSample& sample) {
-    return fmt::format("horizons of {} windows are off by {:.3f} % of the steps", sample.windows,
+    return fmt::format("horizons of {} are off by {:.3f} % of the steps", countOf(sample.windows, "window"),
                        sample.offPct);
 }
 

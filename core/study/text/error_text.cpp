@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/safe_text.h"
 #include "core/measures/shadow_figures.h"
 
 namespace noonmark {
@@ -27,8 +28,8 @@ std::string describeCell(const Study& study, const CellError& error) {
 
 std::string describeSample(const Study& study, const SampledError& error) {
     const auto seconds = study.seconds.find("error_sample");
-    return fmt::format("{} of {} receivers against the ray reference, the same {} steps, in {:.2f} s",
-                       error.receivers, error.ofReceivers, study.sun.steps.size(),
+    return fmt::format("{} of {} against the ray reference, the same {}, in {:.2f} s", error.receivers,
+                       countOf(error.ofReceivers, "receiver"), countOf(study.sun.steps.size(), "step"),
                        seconds == study.seconds.end() ? 0 : seconds->second);
 }
 

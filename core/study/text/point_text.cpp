@@ -11,6 +11,7 @@
 
 #include "core/base/csv_text.h"
 #include "core/base/json_number.h"
+#include "core/base/safe_text.h"
 
 namespace noonmark {
 
@@ -58,7 +59,7 @@ std::string describeLosses(const PointStudy& study) {
         const int days =
             std::accumulate(losses.begin() + 2, losses.end(), 0,
                             [](int sum, const SeasonOfLoss& season) { return sum + season.days; });
-        text += fmt::format(", and some on {} other day{}", days, days == 1 ? "" : "s");
+        text += fmt::format(", and some on {}", countOf(std::uint64_t(days), "other day"));
     }
     return text + ".";
 }
@@ -81,8 +82,8 @@ std::string describeDay(const PointStudy& study, const City& city) {
     const double year = std::accumulate(months.begin(), months.end(), 0.0);
     const double share = study.possibleMin > 0 ? 100 * year / study.possibleMin : 0;
     const std::string day = bands.empty() ? "gets no sun"
-                                          : fmt::format("gets {} of sun in {} band{}", durationText(minutes),
-                                                        bands.size(), bands.size() == 1 ? "" : "s");
+                                          : fmt::format("gets {} of sun in {}", durationText(minutes),
+                                                        countOf(bands.size(), "band"));
     return fmt::format("On {} this point {}, and over the year {:.0f} % of the time the sun is up{}.",
                        dayText(study.question.day), day, share, widestObstacle(study, city));
 }

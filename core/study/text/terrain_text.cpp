@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/json_number.h"
+#include "core/base/safe_text.h"
 #include "core/engines/api/tree_shade.h"
 #include "core/io/heights/height_facts.h"
 #include "core/measures/statistics.h"
@@ -78,8 +79,9 @@ std::string methodText(const Terrain& terrain) {
             return fmt::format("{}, averaged to a coarser grid of {}{}", rasterText(source),
                                postsText(terrain), heightText(source, "the raster's own posts"));
         case TerrainMethod::triangulated:
-            return fmt::format("{}: triangles between {} points, rasterised to a grid of {}{}", source.file,
-                               source.sourcePoints, postsText(terrain), heightText(source, "these points"));
+            return fmt::format("{}: triangles between {}, rasterised to a grid of {}{}", source.file,
+                               countOf(source.sourcePoints, "point"), postsText(terrain),
+                               heightText(source, "these points"));
         case TerrainMethod::fromBases:
             return fmt::format(
                 "interpolated from the bases of the buildings, since there is no terrain: triangles between "
@@ -162,7 +164,8 @@ std::string formatText(const Terrain& terrain) {
     const TerrainSource& source = terrain.source;
     std::string text = methodText(terrain);
     if (source.filled > 0)
-        text += fmt::format("; {} posts without elevation were filled from the posts around", source.filled);
+        text += fmt::format("; filled from the posts around: {} without elevation",
+                            countOf(source.filled, "post"));
     if (source.underBuildings > 0)
         text += fmt::format(
             "; it shows a surface with buildings: {} posts on them and on trees got the ground around them",

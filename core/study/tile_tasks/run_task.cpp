@@ -5,6 +5,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
+#include "core/base/safe_text.h"
 #include "core/describe/command_options.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/read_region.h"
@@ -50,11 +51,11 @@ Result<TaskStatus> findStatus(const std::filesystem::path& folder, const TaskPla
 Result<TaskStatus> findMergeable(const std::filesystem::path& folder, const TaskPlan& plan, bool partial) {
     auto status = findStatus(folder, plan);
     if (!status || status->complete() || partial) return status;
-    return failure(
-        fmt::format("{} of {} tiles are missing", status->allTiles - status->doneTiles, status->allTiles),
-        folder.string(),
-        "Run the tasks " + formatRanges(status->unfinishedTasks) + " again, or merge what there is with " +
-            flags::partial);
+    return failure(fmt::format("Missing: {} of {}", status->allTiles - status->doneTiles,
+                               countOf(status->allTiles, "tile")),
+                   folder.string(),
+                   "Run the tasks " + formatRanges(status->unfinishedTasks) +
+                       " again, or merge what there is with " + flags::partial);
 }
 
 std::string formatRanges(const std::vector<std::size_t>& numbers) {

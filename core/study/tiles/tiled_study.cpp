@@ -7,6 +7,7 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
+#include "core/base/safe_text.h"
 #include "core/city/trees/tree.h"
 #include "core/describe/command_options.h"
 #include "core/engines/api/shadow_field.h"
@@ -93,8 +94,8 @@ std::string describeEngine(const TiledStudy& tiled, const std::string& first) {
     std::string keys;
     for (const auto& [key, count] : tiled.tilesByEngine)
         keys += fmt::format("{}{} in {}", keys.empty() ? "" : ", ", key, count);
-    return fmt::format("{}; {} tiles of {} cells per side: {}", first, tiled.plan.count(), tiled.plan.side,
-                       keys);
+    return fmt::format("{}; {} of {} per side: {}", first, countOf(tiled.plan.count(), "tile"),
+                       countOf(std::uint64_t(tiled.plan.side), "cell"), keys);
 }
 
 std::vector<MonthShadow> sumMonths(const Study& study, const std::map<std::size_t, TileResult>& tiles) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/base/json_number.h"
+#include "core/base/safe_text.h"
 #include "core/describe/figure_text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/sun/civil_time.h"
@@ -142,11 +143,11 @@ std::string parseErrorText(const Json& study) {
     const Json& error = study.at("error");
     if (!error.at("why_not").is_null()) return error.at("why_not");
     const Json runs = error.value("continuous", Json());
-    return fmt::format("area {:+.4f} % of the ground; {}{}; {} of {} receivers against the ray reference",
+    return fmt::format("area {:+.4f} % of the ground; {}{}; {} of {} against the ray reference",
                        error.at("area_pct").get<double>(), describeSavedCell("gross", error.at("gross")),
                        runs.is_object() ? "; " + describeSavedCell("continuous", runs) : std::string(),
                        wholeNumberFrom<std::uint64_t>(error.at("sample_receivers")),
-                       wholeNumberFrom<std::uint64_t>(error.at("of_receivers")));
+                       countOf(wholeNumberFrom<std::uint64_t>(error.at("of_receivers")), "receiver"));
 }
 
 }  // namespace noonmark

@@ -30,5 +30,12 @@ TEST(CleanText, ErrorsAndWarningsAreOneLine) {
     EXPECT_EQ(lineOf({WarningKind::dropped, "is\x1b bad", {"way\n1"}}), "1 dropped: is  bad (way 1)");
 }
 
+TEST(CountOf, HasTheNounInItsNumber) {
+    EXPECT_EQ(countOf(1, "tile"), "1 tile");
+    EXPECT_EQ(countOf(0, "tile"), "0 tiles");
+    EXPECT_EQ(countOf(1204, "tile"), "1,204 tiles");
+    EXPECT_EQ(countOf(2, "city", "cities"), "2 cities");
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -252,7 +252,7 @@ TEST(ErrorLines, SayWhatWasMeasuredOrWhyNot) {
     const auto lines = makeErrorLines(*run(settings));
     ASSERT_EQ(lines.size(), 4U);
     EXPECT_EQ(lines[0].name, "area error");
-    EXPECT_THAT(lines[3].value, HasSubstr("300 of 3000 receivers"));
+    EXPECT_THAT(lines[3].value, HasSubstr("300 of 3,000 receivers"));
 }
 
 TEST(StudyJson, ASolarWindowReplacesTheHours) {

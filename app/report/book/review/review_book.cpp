@@ -94,10 +94,9 @@ TextBlocks methodOf(const ReviewScene& scene) {
             "weighed by its share of the place, not under a building of baseline or proposal.")
             .arg(plainText(study.engine), describeAmount(study.settings.cellM, 2)));
     const std::size_t days = scene.sun.sun.days.size();
-    add(QStringLiteral("Time: %1 %2, %3 steps of %4 min with the sun in the rule's hours. Clock: %5.")
-            .arg(describeCount(days), days == 1 ? QStringLiteral("day") : QStringLiteral("days"),
-                 describeCount(scene.sun.sun.steps.size()), describeAmount(study.stepMinutes, 4),
-                 plainText(study.clock)));
+    add(QStringLiteral("Time: %1, %2 of %3 min with the sun in the rule's hours. Clock: %4.")
+            .arg(describeCount(days, "day"), describeCount(scene.sun.sun.steps.size(), "step"),
+                 describeAmount(study.stepMinutes, 4), plainText(study.clock)));
     add(QStringLiteral("Sun: ERFA, topocentric, seen from %1; apparent altitude, with refraction.")
             .arg(describeLatLon(observer.place)));
     add(QStringLiteral("Frame: metres to the east and true north of %1 (WGS84).")

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/base/safe_text.h"
 #include "core/city/trees/tree.h"
 #include "core/describe/command_options.h"
 #include "core/describe/figure_text.h"
@@ -264,7 +265,7 @@ private:
         json["districts"] = districts_;
         if (!report_.figures.empty()) json["figures"] = report_.figures;
         if (tilesWithTrees_ > 0)
-            report_.warnings = {makeTreeWarning(fmt::format("in {} tiles", tilesWithTrees_))};
+            report_.warnings = {makeTreeWarning("in " + countOf(tilesWithTrees_, "tile"))};
         json["warnings"] = warningsJson(report_.warnings);
         auto written = writeFile("statistics.json", json.dump(2) + "\n");
         for (const auto& [name, places] : places_)

@@ -154,7 +154,7 @@ TEST_P(ByPlacePlan, WhatIsDoneIsNotComputedAgainAndWhatIsMissingIsSaid) {
     const TaskPlan made = plan();
     ASSERT_TRUE(run(made, 0));
     EXPECT_EQ(run(made, 0).value().computed, 0U);
-    EXPECT_THAT(merge(made).error().text(), HasSubstr("tiles are missing"));
+    EXPECT_THAT(merge(made).error().text(), HasSubstr("Missing: "));
     const MergedSun part = merge(made, true).value();
     EXPECT_GT(part.missingTiles, 0U);
     EXPECT_FALSE(part.sun.baseline.places.empty());
