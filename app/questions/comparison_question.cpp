@@ -87,8 +87,8 @@ Result<std::shared_ptr<const Answer>> computeComparison(const Asked& asked, Prog
     if (!study) return tl::make_unexpected(study.error());
     putBefore(study->total.warnings, asked.loaded.read.warnings);
     auto impact = std::make_shared<const ImpactAnswer>(
-        ImpactAnswer{asked.baseline, asked.scenario, settings, *std::move(study),
-                     asked.provenance, keepOwnBuildings(asked.loaded.read.city, *asked.before)});
+        ImpactAnswer{asked.baseline, asked.scenario, settings, *std::move(study), asked.provenance,
+                     keepOwnBuildings(asked.loaded.read.city, *asked.before)});
     return std::make_shared<ComparisonAnswer>(std::move(impact), watch.seconds());
 }
 

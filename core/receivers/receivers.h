@@ -51,6 +51,9 @@ struct Receivers {
     std::vector<CellKind> kind;        ///< grid order
     std::vector<float> groundM;        ///< grid order, local z of the ground or roof; empty: flat at z = 0
     std::vector<std::uint32_t> cells;  ///< indices of the receivers, ascending
+    /// How much of each of `cells` counts where shadow is summed over areas by building, 0 to 9: a cell on
+    /// the edge of a place counts by its share. Empty: all of each. Minutes of cells do not depend on it.
+    std::vector<double> shares{};
     [[nodiscard]] glm::vec3 position(std::uint32_t cell) const;
     [[nodiscard]] bool flat() const { return groundM.empty(); }
 };

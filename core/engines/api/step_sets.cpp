@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace noonmark {
 
@@ -38,6 +39,13 @@ StepSets monthsOf(const SunSteps& sun) {
             sets.ofStep[i] = std::uint16_t(sets.names.size() - 1);
     }
     return sets;
+}
+
+double computeAreaM2(const ShadowBreakdown& breakdown) {
+    const double cells = breakdown.shares.empty()
+                             ? double(breakdown.cells.size())
+                             : std::accumulate(breakdown.shares.begin(), breakdown.shares.end(), 0.0);
+    return cells * breakdown.grid.cellAreaM2();
 }
 
 std::vector<float> spreadOverGrid(const ShadowBreakdown& breakdown, std::size_t set) {

@@ -81,7 +81,11 @@ struct ShadowBreakdown {
     std::vector<BuildingShadow> buildings;    ///< those that shade a receiver, ascending; empty unless wanted
     std::optional<BuildingShadow> terrain;    ///< where there is terrain and it shades a receiver
     std::string engine;                       ///< name and settings in words
+    std::vector<double> shares{};  ///< Receivers::shares, by which buildings and terrain are summed
 };
+
+/// Area of the receivers, each by its share. O(cells)
+double computeAreaM2(const ShadowBreakdown& breakdown);
 
 /// The minutes of a set in grid order, NaN where there is no receiver.
 std::vector<float> spreadOverGrid(const ShadowBreakdown& breakdown, std::size_t set);

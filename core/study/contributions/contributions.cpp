@@ -38,7 +38,7 @@ Contribution makeContribution(const BuildingShadow& shadow, const CellDays& of) 
 }
 
 CellDays sumUpBreakdown(const ShadowBreakdown& breakdown, std::size_t days) {
-    CellDays all{double(breakdown.cells.size()) * breakdown.grid.cellAreaM2() * double(days)};
+    CellDays all{computeAreaM2(breakdown) * double(days)};
     if (breakdown.terrain) all.allMinM2 = sumOf(breakdown.terrain->attributedMinM2);
     for (const BuildingShadow& shadow : breakdown.buildings) all.allMinM2 += sumOf(shadow.attributedMinM2);
     return all;

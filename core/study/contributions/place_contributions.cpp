@@ -87,6 +87,14 @@ Result<PlaceContributions> attribute(const Study& study, const Place& place, Pro
     return made;
 }
 
+// As its sun was measured: a cell on its edge counts by its share of the place.
+void weighByShares(PlaceReceivers& on) {
+    if (on.unevenOf.front().empty()) return;
+    std::vector<double>& shares = on.receivers.shares;
+    shares.assign(on.receivers.cells.size(), 1);
+    for (const UnevenCell& cell : on.unevenOf.front()) shares[on.receiverOf(0, cell.bit)] += cell.extra;
+}
+
 // On ground that is open in all cities, in the cells that the place was measured on.
 Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place, Progress& progress,
                                      std::stop_token stop, const EngineList& engines) {
@@ -99,15 +107,16 @@ Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place, 
     if (!engine) return tl::make_unexpected(engine.error());
     std::vector<const City*> cities{&all.baseline.city};
     for (const ComparedSun& one : all.compared) cities.push_back(&one.sun.city);
-    const auto on = placeReceiversOnPlaces(cities, std::span(&where, 1), {.cellM = of.cellM}, stop);
+    auto on = placeReceiversOnPlaces(cities, std::span(&where, 1), {.cellM = of.cellM}, stop);
     if (!on) return tl::make_unexpected(on.error());
-    const std::size_t cells = on->receivers.cells.size(), days = sun.daylight.dayCount();
+    weighByShares(*on);
+    const std::size_t days = sun.daylight.dayCount();
     auto breakdown = (*engine)->breakDown(sun.city, on->receivers, sun.daylight, monthsOf(sun.daylight), true,
                                           progress, std::move(stop));
     if (!breakdown) return tl::make_unexpected(breakdown.error());
     const double minutesADay = sun.daylight.sunlitMinutes() / double(days) - 60 * of.meanHours;
-    const double cellDays = double(cells) * on->receivers.grid.cellAreaM2() * double(days);
-    PlaceContributions made{where, *std::move(breakdown), cells, days, minutesADay * cellDays, {}};
+    PlaceContributions made{
+        where, *std::move(breakdown), of.cells, days, minutesADay * of.areaM2 * double(days), {}};
     made.rows = listContributions(sun.city, made.breakdown, days);
     return made;
 }

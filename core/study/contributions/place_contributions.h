@@ -11,7 +11,7 @@ namespace noonmark {
 struct PlaceContributions {
     Place place;
     ShadowBreakdown breakdown;  ///< by month and by building, over the study's cells in the place
-    std::size_t cells = 0;      ///< of the study, with their centre in the place; at least 1
+    std::size_t cells = 0;      ///< with their centre in the place; at least 1
     std::size_t days = 0;       ///< of the study's period
     /// The shadow of the same cells in the study's field, min x m2 of the whole period. By the engine that
     /// attributes, and on level ground, the breakdown adds up to it, within the rounding of float32.
@@ -30,8 +30,9 @@ Result<PlaceContributions> computePlaceContributions(const Study& study, const P
 
 struct SunOfCities;
 
-/// The same of a place whose sun was measured, on its own cells, in the last of the cities. `place`: its
-/// index. Error also where the place has no cell. Cost: that of a study of the place with contributions.
+/// The same of a place whose sun was measured, on its own cells, in the last of the cities: each cell counts
+/// by its share of the place, so that the rows add up to the place's shadow. `place`: its index. Error also
+/// where the place has no cell. Cost: that of a study of the place with contributions.
 Result<PlaceContributions> computePlaceContributions(const SunOfCities& sun, std::size_t place,
                                                      Progress& progress, std::stop_token stop,
                                                      const EngineList& engines = coreEngines());

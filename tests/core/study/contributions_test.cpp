@@ -164,8 +164,40 @@ TEST(PlaceContributions, OfAMeasuredPlaceTheyAddUpToTheShadowOfItsCells) {
     EXPECT_EQ(made->cells, sun->baseline.sun[0].cells);
     ASSERT_FALSE(made->rows.empty());
     const double shadowMin = sun->baseline.field.sunlitMinutesPerDay - 60 * sun->baseline.sun[0].meanHours;
-    EXPECT_NEAR(sumOfRows(made->rows, &Contribution::attributedMin), shadowMin, 1e-3 * shadowMin);
+    EXPECT_NEAR(sumOfRows(made->rows, &Contribution::attributedMin), shadowMin, 1e-6 * shadowMin);
     EXPECT_FALSE(computePlaceContributions(*sun, 1, quiet, {})) << "a tower stands on all of it";
+}
+
+// Cells of 2 m whose shares of the place are 1, 1, 1 and 0.5 from west to east, in three rows. The tower
+// takes from each what the field of the place states there.
+TEST(PlaceContributions, ACellOnTheEdgeOfAMeasuredPlaceCountsByItsShare) {
+    SunByPlaceSettings settings;
+    settings.study = atNoon("horizon");
+    settings.smallCellM = settings.study.receivers.cellM;
+    NoProgress quiet;
+    const auto sun = compareSunByPlace(std::vector<NamedCity>{{"Now", twoTowers()}},
+                                       {square("Beside", 14, 52, 21, 58)}, settings, quiet, {});
+    ASSERT_TRUE(sun) << sun.error().text();
+    const SunOfPlace& of = sun->baseline.sun[0];
+    EXPECT_DOUBLE_EQ(of.areaM2, 7 * 6);
+    const auto made = computePlaceContributions(*sun, 0, quiet, {});
+    ASSERT_TRUE(made) << made.error().text();
+    const ShadowField& field = sun->baseline.field;
+    double minM2ADay = 0, wholeMinM2ADay = 0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column) {
+            const int x = int(std::lround((14 - field.grid.westM) / 2)) + column;
+            const int y = int(std::lround((52 - field.grid.southM) / 2)) + row;
+            const auto minutes = double(field.grossMin[field.grid.index(x, y)]);
+            minM2ADay += minutes * 4 * (column == 3 ? 0.5 : 1);
+            wholeMinM2ADay += minutes * 4;
+        }
+    ASSERT_GT(std::abs(minM2ADay / 42 - wholeMinM2ADay / 48), 0.1) << "the edge is sunnier or shadier";
+    EXPECT_NEAR(sumOfRows(made->rows, &Contribution::attributedMinM2), minM2ADay * 4, 1e-3);
+    EXPECT_NEAR(sumOfRows(made->rows, &Contribution::attributedMin), minM2ADay / 42, 1e-6);
+    const double shadowMin = sun->baseline.field.sunlitMinutesPerDay - 60 * of.meanHours;
+    EXPECT_NEAR(sumOfRows(made->rows, &Contribution::attributedMin), shadowMin, 1e-6) << "as sun by place";
+    EXPECT_NEAR(made->studyMinM2, minM2ADay * 4, 1e-3);
 }
 
 TEST(PlaceContributions, KeptOnesComeBackFromTheJsonOfTheirAnswer) {

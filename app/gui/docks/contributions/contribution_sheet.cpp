@@ -204,10 +204,7 @@ ContributionSheet makeContributionSheet(const KeptContributions& of, const City&
         sheet.rows.push_back(makeRow(one, name, isTerrain(one) ? nullptr : recordedBuilding(city, one.id)));
     }
     sheet.headline = describeSum(sheet, of.rows, of.sunlitMinutesPerDay, show);
-    // Sun by place counts a cell at the edge by its share in the place, so that its mean differs a little.
-    sheet.note = QObject::tr("%1 cell(s), each counted whole, also at the edge of the place", "",
-                             pluralNumber(of.cells))
-                     .arg(formatCount(of.cells));
+    sheet.note = QObject::tr("%1 cell(s)", "", pluralNumber(of.cells)).arg(formatCount(of.cells));
     sheet.method = QObject::tr("Attributed by: %1").arg(QString::fromStdString(of.engine));
     return sheet;
 }

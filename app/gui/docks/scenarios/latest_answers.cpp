@@ -159,7 +159,8 @@ void LatestAnswers::adoptAnswer() {
         add({cityOf(comparison->to),
              cityOf(comparison->from),
              {.question = hashQuestion(comparison->settings.study),
-              .impact = computeFigures(comparison->study.total, comparison->settings.thresholdsMin.front())}});
+              .impact =
+                  computeFigures(comparison->study.total, comparison->settings.thresholdsMin.front())}});
     if (const auto score = from_.workbench.answerAs<ScoreAnswer>())
         add({cityOf(score->scenario),
              nullptr,

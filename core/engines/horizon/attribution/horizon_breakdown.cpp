@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
 
@@ -80,6 +81,16 @@ std::vector<NumberedReceiver> listReceivers(const ReceiverBlocks& blocks, const 
     return list;
 }
 
+// The whole number that stands for a share of 1: sums of whole numbers are the same in whatever order threads
+// add up. The largest power of two, up to 2^32, with which all steps of all receivers do not overflow 63
+// bits.
+double chooseUnit(const Receivers& receivers, std::size_t steps) {
+    constexpr double bits = 63, maxUnit = 32;
+    const double maxShare = std::ranges::max(receivers.shares);
+    const double largest = std::max(1.0, maxShare) * double(receivers.cells.size()) * double(steps);
+    return std::exp2(std::clamp(std::floor(bits - std::log2(std::max(1.0, largest))), 0.0, maxUnit));
+}
+
 class Breakdown {
 public:
     /// All arguments must outlive it.
@@ -94,6 +105,8 @@ public:
           bins_(makeSweptBins(binned.bins)),
           batches_(groupIntoBatches(bins_)),
           tables_(setTables(binned, sets)),
+          weighs_(byBuilding && !receivers.shares.empty()),
+          unit_(weighs_ ? chooseUnit(receivers, sets.ofStep.size()) : 1),
           progress_(progress),
           stop_(std::move(stop)) {}
 
@@ -102,18 +115,19 @@ public:
             const TileBox box = cropToReceivers(whole, receivers_);
             if (box.columns == 0) continue;
             const Tile tile(receivers_, box, walls_.datumM);
-            for (Work& work : works_)
-                work.sums.begin(breakdown.sets.names.size(), tile.blocks.numbers(), casters_);
+            const std::vector<NumberedReceiver> numbered = listReceivers(tile.blocks, breakdown);
+            if (weighs_) weigh(tile, numbered);
+            for (Work& work : works_) begin(work, tile, breakdown.sets.names.size());
             sweep(tile, breakdown.sets.names.size());
             if (stop_.stop_requested()) return cancelled();
             for (Work& work : works_) work.sums.flush();
-            addCells(tile.blocks, breakdown);
+            addCells(numbered, breakdown);
             receiversDone_ += tile.blocks.receivers();
         }
         tbb::parallel_for(std::size_t{0}, breakdown.minutes.size(), [&](std::size_t set) {
             for (float& minutes : breakdown.minutes[set]) minutes = float(double(minutes) * stepMinutes);
         });
-        addCasters(breakdown, stepMinutes * receivers_.grid.cellAreaM2());
+        addCasters(breakdown, stepMinutes * receivers_.grid.cellAreaM2() / unit_);
         return {};
     }
 
@@ -128,12 +142,22 @@ private:
         BuildingGapFinder owned;
     };
 
+    void weigh(const Tile& tile, const std::vector<NumberedReceiver>& numbered) {
+        weights_.assign(tile.blocks.numbers(), 0);
+        for (const NumberedReceiver& one : numbered)
+            weights_[one.number] = std::uint64_t(std::llround(receivers_.shares[one.receiver] * unit_));
+    }
+
+    void begin(Work& work, const Tile& tile, std::size_t sets) const {
+        work.sums.begin(sets, tile.blocks.numbers(), casters_, weights_);
+    }
+
     void sweep(const Tile& tile, std::size_t sets) {
         std::atomic<std::size_t> done{0};
         tbb::parallel_for(std::size_t{0}, batches_.size(), [&](std::size_t batch) {
             if (stop_.stop_requested()) return;
             Work& work = works_.local();
-            if (!work.sums.begun()) work.sums.begin(sets, tile.blocks.numbers(), casters_);
+            if (!work.sums.begun()) begin(work, tile, sets);
             if (casters_ == 0) sweep(tile, batches_[batch], work);
             for (std::size_t bin = batches_[batch].first; bin < batches_[batch].end && casters_ > 0; ++bin)
                 rank(tile, bin, work);
@@ -186,8 +210,7 @@ private:
     }
 
     // Whole numbers of steps: their order does not matter.
-    void addCells(const ReceiverBlocks& blocks, ShadowBreakdown& breakdown) const {
-        const std::vector<NumberedReceiver> numbered = listReceivers(blocks, breakdown);
+    void addCells(const std::vector<NumberedReceiver>& numbered, ShadowBreakdown& breakdown) const {
         tbb::parallel_for(std::size_t{0}, breakdown.minutes.size(), [&](std::size_t set) {
             std::vector<float>& minutes = breakdown.minutes[set];
             for (const Work& work : works_) {
@@ -228,6 +251,9 @@ private:
     std::vector<SweptBin> bins_;
     std::vector<BatchRange> batches_;
     std::vector<SetTables> tables_;
+    bool weighs_;                         // receivers count by their shares in the sums of buildings
+    double unit_;                         // whole numbers that stand for a share of 1
+    std::vector<std::uint64_t> weights_;  // of the tile's numbers; empty: 1 each
     Progress& progress_;
     std::stop_token stop_;
     std::size_t receiversDone_ = 0;
@@ -239,6 +265,7 @@ ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const Ste
     ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), receivers.cells, {}, {}, {}, {}};
     breakdown.engine =
         fmt::format("Horizon sweep: {}, one sweep for all months and intervals", formatText(binned));
+    breakdown.shares = receivers.shares;
     breakdown.minutes.assign(sets.names.size(), std::vector<float>(receivers.cells.size()));
     return breakdown;
 }

@@ -19,7 +19,9 @@ struct BreakdownSettings {
 };
 
 /// Computes the breakdown with one horizon sweep (horizon_sweep.h: the same errors and refusals).
-/// `sets.ofStep`: one entry per step. The sum over all sets equals the sweep's gross shadow exactly.
+/// `sets.ofStep`: one entry per step. The sum over all sets equals the sweep's gross shadow exactly. What
+/// buildings take is summed over the receivers by their shares, which are rounded to a billionth for a place
+/// and a year of minutes.
 Result<ShadowBreakdown> computeHorizonBreakdown(const City& city, const Receivers& receivers,
                                                 const SunSteps& sun, const StepSets& sets,
                                                 const BreakdownSettings& settings, Progress& progress,

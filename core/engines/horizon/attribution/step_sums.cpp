@@ -39,7 +39,9 @@ std::vector<SetTables> setTables(const BinnedSun& binned, const StepSets& sets) 
     return tables;
 }
 
-void StepSums::begin(std::size_t sets, std::size_t numbers, std::size_t buildings) {
+void StepSums::begin(std::size_t sets, std::size_t numbers, std::size_t buildings,
+                     std::span<const std::uint64_t> weights) {
+    weights_ = weights;
     cells_.resize(sets);
     for (auto& sums : cells_) sums.assign(numbers, 0);  // keeps the memory of the tile before
     short_.resize(sets);
@@ -82,17 +84,26 @@ void StepSums::add(const SetTables& tables, std::span<const HorizonCode> codes, 
     });
 }
 
-void StepSums::add(const SetTables& tables, const AttributedTile& ranks) {
+template <class Weight>
+void StepSums::addWeighed(const SetTables& tables, const AttributedTile& ranks, const Weight& weightOf) {
     for (std::size_t number = 0; number < ranks.codes.size(); ++number) {
         if (ranks.codes[number] == noHorizon) continue;
         const std::size_t of = std::size_t(ranks.buildings[number]) * sets();
+        const std::uint64_t weight = weightOf(number);
         for (const SetTable& table : tables) {
             const std::uint32_t hidden = table.hidden(ranks.codes[number]);
             cells_[table.set][number] += hidden;
-            attributed_[of + table.set] += hidden;
-            sole_[of + table.set] += hidden - table.hidden(ranks.others[number]);
+            attributed_[of + table.set] += weight * hidden;
+            sole_[of + table.set] += weight * (hidden - table.hidden(ranks.others[number]));
         }
     }
+}
+
+void StepSums::add(const SetTables& tables, const AttributedTile& ranks) {
+    if (weights_.empty())
+        addWeighed(tables, ranks, [](std::size_t) { return std::uint64_t{1}; });
+    else
+        addWeighed(tables, ranks, [this](std::size_t number) { return weights_[number]; });
 }
 
 void StepSums::add(const SetTables& tables, const AttributedTile& ranks, std::span<const BuildingGap> gaps) {
@@ -103,6 +114,7 @@ void StepSums::add(const SetTables& tables, const AttributedTile& ranks, std::sp
 }
 
 void StepSums::add(const SetTables& tables, std::uint32_t number, const AttributedView& view) {
+    const std::uint64_t weight = weights_.empty() ? 1 : weights_[number];
     for (const SetTable& table : tables) {
         const std::size_t set = table.set;
         const auto between = [&](HorizonCode from, HorizonCode to) {
@@ -110,13 +122,13 @@ void StepSums::add(const SetTables& tables, std::uint32_t number, const Attribut
         };
         forEachAttributed(view, [&](std::uint32_t building, HorizonCode from, HorizonCode to) {
             cells_[set][number] += between(from, to);
-            attributed_[building * sets() + set] += between(from, to);
+            attributed_[building * sets() + set] += weight * between(from, to);
         });
         forEachBuilding(view, [&](std::uint32_t building) {
             std::uint64_t& sole = sole_[building * sets() + set];
             forEachSole(
-                view, building, [&](HorizonCode from, HorizonCode to) { sole += between(from, to); },
-                [&](HorizonCode from, HorizonCode to) { sole -= between(from, to); });
+                view, building, [&](HorizonCode from, HorizonCode to) { sole += weight * between(from, to); },
+                [&](HorizonCode from, HorizonCode to) { sole -= weight * between(from, to); });
         });
     }
 }

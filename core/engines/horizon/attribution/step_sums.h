@@ -136,8 +136,10 @@ std::vector<SetTables> setTables(const BinnedSun& binned, const StepSets& sets);
 /// Steps in shadow by set: one sum per number of a tile, and one per building.
 class StepSums {
 public:
-    /// Begins another tile; the sums of buildings are kept. `buildings`: 0 if they are not needed.
-    void begin(std::size_t sets, std::size_t numbers, std::size_t buildings);
+    /// Begins another tile; the sums of buildings are kept. `buildings`: 0 if they are not needed. `weights`:
+    /// what a step of each number counts in their sums; empty: 1. They outlive the tile.
+    void begin(std::size_t sets, std::size_t numbers, std::size_t buildings,
+               std::span<const std::uint64_t> weights = {});
 
     /// Adds the steps that the horizons of one bin hide, without buildings; flush() before cells(). `codes`:
     /// one per number.
@@ -168,12 +170,15 @@ private:
         int maximum = 0;
     };
 
+    template <class Weight>
+    void addWeighed(const SetTables& tables, const AttributedTile& ranks, const Weight& weightOf);
     void add(const SetTables& tables, std::uint32_t number, const AttributedView& view);
     void flush(std::size_t set);
 
     std::vector<std::vector<std::uint32_t>> cells_;
     std::vector<ShortCells> short_;                 // by set
     std::vector<std::uint64_t> attributed_, sole_;  // index: building x sets + set
+    std::span<const std::uint64_t> weights_;        // empty: 1 each
 };
 
 }  // namespace noonmark
