@@ -17,7 +17,7 @@ namespace {
 
 using test::waitFor;
 
-const ViewLens lens{40, 160, 120};
+const ViewLens smallLens{40, 160, 120};
 const CameraPose slanting{{0, 0, 0}, 350, 20, 45};
 
 Observer newYork() { return {{-73.98, 40.76}}; }
@@ -33,7 +33,7 @@ Period morning(int days = 1) {
 
 /// Refinement of a view of the small city.
 struct Refinement : ::testing::Test {
-    ViewQuestion question{test::smallOpenCity(), slanting, lens, morning(), newYork(), nullptr, minTurnTests};
+    ViewQuestion question{test::smallOpenCity(), slanting, smallLens, morning(), newYork(), nullptr, minTurnTests};
     ViewEngine engine{std::make_shared<SurfaceRays>(question.city->picker.scene())};
     NoProgress progress;
 
