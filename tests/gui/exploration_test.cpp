@@ -33,7 +33,8 @@ Period morning(int days = 1) {
 
 /// Refinement of a view of the small city.
 struct Refinement : ::testing::Test {
-    ViewQuestion question{test::smallOpenCity(), slanting, smallLens, morning(), newYork(), nullptr, minTurnTests};
+    ViewQuestion question{test::smallOpenCity(), slanting, smallLens, morning(), newYork(), nullptr,
+                          minTurnTests};
     ViewEngine engine{std::make_shared<SurfaceRays>(question.city->picker.scene())};
     NoProgress progress;
 
@@ -312,7 +313,7 @@ struct ExplorationTest : ::testing::Test {
         });
         exploration.setCity(test::smallOpenCity());
         exploration.setPeriod(morning(), newYork());
-        exploration.look(slanting, lens);
+        exploration.look(slanting, smallLens);
     }
     bool finest() { return exploration.answer() && isFinest(*exploration.answer()); }
 };
@@ -330,7 +331,7 @@ TEST_F(ExplorationTest, ANewerViewOvertakesAnOlderOne) {
     CameraPose pose = slanting;
     for (int i = 0; i < 40; ++i) {
         pose.headingDeg += 2;
-        exploration.look(pose, lens);
+        exploration.look(pose, smallLens);
         QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
     }
     ASSERT_TRUE(waitFor([this] { return finest() && !exploration.working(); }));
@@ -371,7 +372,7 @@ TEST_F(ExplorationTest, RestsWhenInactiveAndGoesOnWhereItWas) {
 TEST(ExploredView, KnowsNothingBehindACornerOrBesideThePicture) {
     const auto city = test::smallOpenCity();
     ExploredView view;
-    view.camera = makeExploredCamera({{0, -40, 0}, 300, 0, 30}, lens, 1);
+    view.camera = makeExploredCamera({{0, -40, 0}, 300, 0, 30}, smallLens, 1);
     view.surface = std::make_shared<const VisibleSurface>(
         findVisibleSurface(city->picker.scene().value(), true, view.camera).value());
     EXPECT_TRUE(view.pointAt({0, -60, 30})) << "the southern front";

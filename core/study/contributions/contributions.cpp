@@ -17,7 +17,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double minutesOfHour = 60;
+constexpr double minutesAnHour = 60;
 
 /// What turns sums over cells and days into means.
 struct CellDays {
@@ -44,8 +44,8 @@ CellDays sumUpBreakdown(const ShadowBreakdown& breakdown, std::size_t days) {
     return all;
 }
 
-double attributedM2h(const Contribution& one) { return one.attributedMinM2 / minutesOfHour; }
-double soleM2h(const Contribution& one) { return one.soleMinM2 / minutesOfHour; }
+double attributedM2h(const Contribution& one) { return one.attributedMinM2 / minutesAnHour; }
+double soleM2h(const Contribution& one) { return one.soleMinM2 / minutesAnHour; }
 
 std::vector<std::string> columnsOf(const StepSets& sets) {
     std::vector<std::string> columns{"building", "source_id", "name"};
