@@ -18,7 +18,8 @@ constexpr double modelCores = 2;  // of estimateSeconds()
 // Midtown and Monaco, a day to a year.
 constexpr double sweepOverModel = 4, projectedOverModel = 2.3;
 // A sweep of crowns takes about as long as the model says of one of buildings: the whole within 1.25 of what
-// Midtown, Chicago and Monaco took over a year. A ray that weighs crowns takes about as long as two.
+// the parks of Midtown, Chicago and Monaco took over a year; with streets, Monaco took two fifths of it. A
+// ray that weighs crowns takes about as long as two.
 constexpr double crownsOverSweep = 1, treeRaysOverRays = 2;
 
 // Overhangs take time where receivers are, not on all of their grid.
