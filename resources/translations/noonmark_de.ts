@@ -2320,13 +2320,6 @@ Opens the panel Review.</source>
             <numerusform>%1 Zellen; in der Untersuchung selbst %2.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%1 cell(s), each counted whole, also at the edge of the place</source>
-        <translation>
-            <numerusform>%1 Zelle, ganz gezählt, auch am Rand des Ortes</numerusform>
-            <numerusform>%1 Zellen, jede ganz gezählt, auch am Rand des Ortes</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Max shadow, min</source>
         <translation>Größter Schatten, min</translation>
@@ -4791,6 +4784,22 @@ Opens the panel Review.</source>
     <message>
         <source>%1 adds %2 of shadow a day to it, at most %3 at one spot.</source>
         <translation>%1 bringt ihm %2 Schatten am Tag, höchstens %3 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>Thresholds of the change</source>
+        <translation>Schwellen der Änderung</translation>
+    </message>
+    <message>
+        <source>Minutes of more or less shadow a day above which area counts; one or more</source>
+        <translation>Minuten mehr oder weniger Schatten am Tag, ab denen Fläche zählt; eine oder mehrere</translation>
+    </message>
+    <message>
+        <source>Each new building</source>
+        <translation>Jedes neue Gebäude</translation>
+    </message>
+    <message>
+        <source>Also measure the sole contribution of each new building</source>
+        <translation>Auch den alleinigen Beitrag jedes neuen Gebäudes messen</translation>
     </message>
 </context>
 <context>

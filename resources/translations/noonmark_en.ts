@@ -195,13 +195,6 @@
             <numerusform>%1 cells; in the study itself %2.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%1 cell(s), each counted whole, also at the edge of the place</source>
-        <translation>
-            <numerusform>%1 cell, counted whole, also at the edge of the place</numerusform>
-            <numerusform>%1 cells, each counted whole, also at the edge of the place</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>noonmark::BuildingEditing</name>

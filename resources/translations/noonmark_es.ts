@@ -2320,13 +2320,6 @@ Abre el panel Evaluación.</translation>
             <numerusform>%1 celdas; en el propio estudio %2.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%1 cell(s), each counted whole, also at the edge of the place</source>
-        <translation>
-            <numerusform>%1 celda, contada entera, también en el borde del lugar</numerusform>
-            <numerusform>%1 celdas, cada una contada entera, también en el borde del lugar</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Max shadow, min</source>
         <translation>Sombra máxima, min</translation>
@@ -4791,6 +4784,22 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>%1 adds %2 of shadow a day to it, at most %3 at one spot.</source>
         <translation>%1 le añade %2 de sombra al día, como máximo %3 en un punto.</translation>
+    </message>
+    <message>
+        <source>Thresholds of the change</source>
+        <translation>Umbrales del cambio</translation>
+    </message>
+    <message>
+        <source>Minutes of more or less shadow a day above which area counts; one or more</source>
+        <translation>Minutos de más o menos sombra al día a partir de los cuales cuenta la superficie; uno o más</translation>
+    </message>
+    <message>
+        <source>Each new building</source>
+        <translation>Cada edificio nuevo</translation>
+    </message>
+    <message>
+        <source>Also measure the sole contribution of each new building</source>
+        <translation>Medir también la contribución exclusiva de cada edificio nuevo</translation>
     </message>
 </context>
 <context>

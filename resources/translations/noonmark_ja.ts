@@ -2292,12 +2292,6 @@ Opens the panel Review.</source>
             <numerusform>%1 セル。調査自体では %2。</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%1 cell(s), each counted whole, also at the edge of the place</source>
-        <translation>
-            <numerusform>%1 セル。場所の縁にあるものもそれぞれ 1 つと数えます</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Max shadow, min</source>
         <translation>最大の影 (分)</translation>
@@ -4762,6 +4756,22 @@ Opens the panel Review.</source>
     <message>
         <source>%1 adds %2 of shadow a day to it, at most %3 at one spot.</source>
         <translation>%1 により影は 1 日 %2 増え、最大は一地点で %3 です。</translation>
+    </message>
+    <message>
+        <source>Thresholds of the change</source>
+        <translation>変化のしきい値</translation>
+    </message>
+    <message>
+        <source>Minutes of more or less shadow a day above which area counts; one or more</source>
+        <translation>面積に数える 1 日の影の増減 (分)。1 つ以上</translation>
+    </message>
+    <message>
+        <source>Each new building</source>
+        <translation>新しい建物ごと</translation>
+    </message>
+    <message>
+        <source>Also measure the sole contribution of each new building</source>
+        <translation>新しい建物それぞれの単独の寄与も測ります</translation>
     </message>
 </context>
 <context>
