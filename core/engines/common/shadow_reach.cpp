@@ -15,13 +15,13 @@ namespace noonmark {
 
 namespace {
 
-constexpr int binCount = 360;
-constexpr double binWidth = 2 * std::numbers::pi / binCount;
+constexpr int reachBinCount = 360;
+constexpr double binWidth = 2 * std::numbers::pi / reachBinCount;
 constexpr double marginM = 1;  // exceeds any rounding of coordinates
 
 int binOf(glm::vec3 towardsSun) {
     const double azimuth = std::atan2(double(towardsSun.x), double(towardsSun.y));
-    return std::clamp(int((azimuth + std::numbers::pi) / binWidth), 0, binCount - 1);
+    return std::clamp(int((azimuth + std::numbers::pi) / binWidth), 0, reachBinCount - 1);
 }
 
 glm::dvec2 awayFromSun(int bin) {
@@ -65,14 +65,14 @@ LowestGround lowestGround(const Receivers& receivers) {
 }  // namespace
 
 ShadowReach::ShadowReach(const SunSteps& sun) {
-    std::array<double, binCount> longest;
+    std::array<double, reachBinCount> longest;
     longest.fill(-1);
     for (const SunStep& step : sun.steps) {
         const double horizontal = std::hypot(double(step.direction.x), double(step.direction.y));
         double& bin = longest[std::size_t(binOf(step.direction))];
         bin = std::max(bin, horizontal / std::max(double(step.direction.z), 1e-9));
     }
-    for (int bin = 0; bin < binCount; ++bin)
+    for (int bin = 0; bin < reachBinCount; ++bin)
         if (longest[std::size_t(bin)] >= 0) bins_.push_back({awayFromSun(bin), longest[std::size_t(bin)]});
     for (const Bin& bin : bins_) longest_ = std::max(longest_, bin.lengthPerMetre);
 }
