@@ -20,11 +20,11 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const Frame manhattan({-73.98, 40.75});
+const Frame manhattanFrame({-73.98, 40.75});
 
 Result<PlacesRead> readFrom(const std::filesystem::path& file, const PlaceSettings& settings = {}) {
     NoProgress quiet;
-    return readPlaces(file, settings, manhattan, quiet, {});
+    return readPlaces(file, settings, manhattanFrame, quiet, {});
 }
 
 const Place* placeNamed(const PlacesRead& read, std::string_view name) {
@@ -35,7 +35,7 @@ const Place* placeNamed(const PlacesRead& read, std::string_view name) {
 std::string osmLine(int firstNode, const std::vector<glm::dvec2>& points, const tests::Tags& tags, int id) {
     std::string nodes, refs, tagTexts;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const LonLat at = manhattan.lonLatFromLocal(points[i]);
+        const LonLat at = manhattanFrame.lonLatFromLocal(points[i]);
         const int node = firstNode + int(i);
         nodes += fmt::format(R"(<node id="{}" version="1" lat="{:.9f}" lon="{:.9f}"/>)", node, at.latDeg,
                              at.lonDeg);
@@ -315,7 +315,8 @@ TEST_F(ReadPlaces, StopsWhenAsked) {
     NoProgress quiet;
     std::stop_source source;
     source.request_stop();
-    const auto read = readPlaces(folder_.file("a.osm", osm.xml()), {}, manhattan, quiet, source.get_token());
+    const auto read =
+        readPlaces(folder_.file("a.osm", osm.xml()), {}, manhattanFrame, quiet, source.get_token());
     ASSERT_FALSE(read);
     EXPECT_TRUE(isCancelled(read.error()));
 }
