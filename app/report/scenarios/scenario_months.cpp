@@ -110,7 +110,7 @@ MonthChart chartOf(const MonthlyFigure& figure, std::span<const ScenarioMonths> 
 }
 
 // NaN: the scenario has no bar there.
-double valueOf(const Bars& bars, const std::string& scenario, Month month) {
+double valueIn(const Bars& bars, const std::string& scenario, Month month) {
     const auto series = std::ranges::find(bars.series, scenario);
     const auto group = std::ranges::find(bars.groups, month, monthOf);
     if (series == bars.series.end() || group == bars.groups.end()) return none;
@@ -174,7 +174,7 @@ std::string monthsCsv(const std::vector<MonthChart>& charts) {
             csv.text(scenario).text(groupKey({month}));
             for (const MonthChart& chart : charts)
                 for (const Bars* bars : {&chart.values, &chart.changes})
-                    csv.number(valueOf(*bars, scenario, month), chart.decimals);
+                    csv.number(valueIn(*bars, scenario, month), chart.decimals);
             csv.endRow();
         }
     return csv.take();
@@ -186,8 +186,8 @@ Json monthsJson(const std::vector<MonthChart>& charts, const std::string& scenar
     for (const Month month : monthsOf(charts)) {
         Json& object = json.emplace_back(Json{{"month", groupKey({month})}});
         for (const MonthChart& chart : charts) {
-            object[chart.key] = orNull(valueOf(chart.values, scenario, month));
-            object[changeKey(chart)] = orNull(valueOf(chart.changes, scenario, month));
+            object[chart.key] = orNull(valueIn(chart.values, scenario, month));
+            object[changeKey(chart)] = orNull(valueIn(chart.changes, scenario, month));
         }
     }
     return json;
