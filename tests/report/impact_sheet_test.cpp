@@ -24,14 +24,11 @@ public:
         settings.study.region = makeRegionFromLocalBox({{-600, -600}, {600, 600}});
         settings.study.receivers.cellM = 8;
         settings.study.period = {.hours = 3, .stepMinutes = 30, .zone = "America/New_York"};
+        settings.thresholdsMin = {10};
         NoProgress progress;
-        answer = {"Existing",
-                  name,
-                  settings,
-                  {10},
-                  runImpact(before, after, settings, progress, {}).value(),
-                  {},
-                  keepOwnBuildings(after, before)};
+        answer = {"Existing", name,
+                  settings,   runImpact(before, after, settings, progress, {}).value(),
+                  {},         keepOwnBuildings(after, before)};
     }
 
     City before, after;
