@@ -4,6 +4,8 @@
 
 #include "app/gui/docks/review/review_session.h"
 #include "app/gui/session/workbench.h"
+#include "scenarios/impact/impact_text.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 

@@ -11,6 +11,7 @@
 #include "app/gui/tools/massing/massing_panel.h"
 #include "app/gui/tools/massing/massing_text.h"
 #include "app/gui/view/panel/ground_layers.h"
+#include "core/city/meshes/mesh_section.h"
 #include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/copy_massing.h"
 
