@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 City oneTower() { return cityOf({{{0, 0, 0}, {20, 20, 30}}}); }
 
-SunSteps days(int count, int stepsADay) {
+SunSteps evenDays(int count, int stepsADay) {
     SunSteps sun;
     for (int day = 0; day < count; ++day) addDay(sun, arc(stepsADay, 45));
     return sun;
@@ -28,14 +28,14 @@ ShadowField byAuto(const City& city, const SunSteps& sun, std::stop_token stop =
 }
 
 TEST(AutoEngine, ADayOnFlatGroundGoesToProjectedShadows) {
-    const ShadowField field = byAuto(oneTower(), days(1, 60));
+    const ShadowField field = byAuto(oneTower(), evenDays(1, 60));
     EXPECT_EQ(field.engineKey, "projected");
     EXPECT_THAT(field.engine, HasSubstr("Projected shadows"));
     EXPECT_THAT(field.engine, HasSubstr("chosen: projected shadows, exact and quick enough"));
 }
 
 TEST(AutoEngine, ALongPeriodGoesToTheHorizonSweep) {
-    const ShadowField field = byAuto(oneTower(), days(150, 480));
+    const ShadowField field = byAuto(oneTower(), evenDays(150, 480));
     EXPECT_EQ(field.engineKey, "horizon");
     EXPECT_THAT(field.engine, HasSubstr("since the period is long"));
 }
@@ -48,7 +48,7 @@ City onTerrain() {
 }
 
 TEST(AutoEngine, ADayOnTerrainGoesToRays) {
-    const ShadowField field = byAuto(onTerrain(), days(1, 60));
+    const ShadowField field = byAuto(onTerrain(), evenDays(1, 60));
     EXPECT_EQ(field.engineKey, "ray");
     EXPECT_THAT(field.engine, HasSubstr("terrain"));
 }
@@ -57,13 +57,13 @@ TEST(AutoEngine, ALongPeriodOnTerrainGoesToTheHorizonSweep) {
     NoProgress progress;
     const City city = onTerrain();
     const auto field =
-        AutoEngine().accumulate(city, receiversOver(city, 30, -200, 60, 200), days(60, 480), progress, {});
+        AutoEngine().accumulate(city, receiversOver(city, 30, -200, 60, 200), evenDays(60, 480), progress, {});
     ASSERT_TRUE(field);
     EXPECT_EQ(field->engineKey, "horizon");
 }
 
 TEST(AutoEngine, WhatTheChosenOneRefusesGoesToRaysAndIsReported) {
-    const ShadowField field = byAuto(oneTower(), days(1, 60'000));  // too many steps for the sweep
+    const ShadowField field = byAuto(oneTower(), evenDays(1, 60'000));  // too many steps for the sweep
     EXPECT_EQ(field.engineKey, "ray");
     EXPECT_THAT(field.engine, HasSubstr("refused"));
     EXPECT_THAT(field.engine, HasSubstr("60000 steps"));
@@ -117,7 +117,7 @@ TEST(AutoEngine, LooksAtPartsThatHangInReachOnly) {
 
 TEST(AutoEngine, GoesOnToAnExactEngineWhereASampleMissesTheTarget) {
     const City level = oneTower(), hills = onTerrain();
-    const SunSteps sun = days(150, 480);
+    const SunSteps sun = evenDays(150, 480);
     const auto closerThan = [&](const City& city, const Receivers& receivers, SampledOff off) {
         const City* const cities[]{&city};
         const auto used = AutoEngine().choose(cities, receivers, sun);
@@ -143,7 +143,7 @@ TEST(AutoEngine, GoesOnFromNoExactEngineAndFromNoBinsThatWereSet) {
     const City city = oneTower();
     const City* const cities[]{&city};
     const Receivers receivers = receiversOver(city, 30, -200, 32, 200);
-    const SunSteps sun = days(150, 480);
+    const SunSteps sun = evenDays(150, 480);
     const SampledOff far{3, 0.1};
     const EngineChoice exact{"projected", nullptr, ""}, sweep{"horizon", nullptr, ""};
     EXPECT_FALSE(AutoEngine().chooseCloser(exact, far, cities, receivers, sun));
@@ -158,7 +158,7 @@ TEST(AutoEngine, AStopIsNoRefusal) {
     stop.request_stop();
     NoProgress progress;
     const City city = oneTower();
-    const auto field = AutoEngine().accumulate(city, receiversOver(city, 0, 0, 40, 40), days(1, 9), progress,
+    const auto field = AutoEngine().accumulate(city, receiversOver(city, 0, 0, 40, 40), evenDays(1, 9), progress,
                                                stop.get_token());
     ASSERT_FALSE(field);
     EXPECT_TRUE(isCancelled(field.error()));
