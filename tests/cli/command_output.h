@@ -19,6 +19,12 @@ struct CommandOutput {
     [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
 
+/// The words of a command with more options.
+inline std::vector<std::string> plus(std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
 /// Runs the program in this process, without a terminal.
 inline CommandOutput noonmarkCli(const std::vector<std::string>& arguments) {
     std::vector<const char*> argv{"noonmark-cli"};

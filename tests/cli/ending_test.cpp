@@ -24,11 +24,6 @@ namespace {
 using testing::ExitedWithCode;
 namespace fs = std::filesystem;
 
-std::vector<std::string> plus(std::vector<std::string> words, const std::vector<std::string>& more) {
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
-
 std::vector<std::string> smallStudy(const fs::path& out) {
     return {"study",   "sample:grid", "--start",  "2026-03-21", "--from", "12:00",
             "--hours", "1",           "--step",   "20",         "--zone", "America/New_York",

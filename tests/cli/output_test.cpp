@@ -17,11 +17,6 @@ constexpr const char* place = R"({"type":"Feature","properties":{},"geometry":{"
 using noonmark::tests::readBytes;
 using Words = std::vector<std::string>;
 
-Words plus(Words words, const Words& more) {
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
-
 class OutputGuard : public ProjectCommand {
 protected:
     /// Runs a command that must be refused and must leave `victim` and the folder unchanged. Returns the
