@@ -7,7 +7,7 @@
 namespace noonmark {
 namespace {
 
-QStringList textsOf(const MarkedSlider& slider) {
+QStringList labelsOf(const MarkedSlider& slider) {
     QStringList texts;
     for (const MarkedSlider::Label& label : slider.labels()) texts << label.text;
     return texts;
@@ -31,8 +31,8 @@ TEST(MarkedSliders, ShortenLabelsThatDoNotFitThenLeaveSomeOut) {
                      {264, QStringLiteral("22 Sep"), QStringLiteral("Sep")},
                      {354, QStringLiteral("21 Dec"), QStringLiteral("Dec")}});
     slider.resize(600, slider.sizeHint().height());
-    EXPECT_EQ(textsOf(slider), (QStringList{QStringLiteral("21 Mar"), QStringLiteral("21 Jun"),
-                                            QStringLiteral("22 Sep"), QStringLiteral("21 Dec")}));
+    EXPECT_EQ(labelsOf(slider), (QStringList{QStringLiteral("21 Mar"), QStringLiteral("21 Jun"),
+                                             QStringLiteral("22 Sep"), QStringLiteral("21 Dec")}));
     for (int width = 600; width >= 40; width -= 3) {
         slider.resize(width, slider.height());
         expectApart(slider);
@@ -40,7 +40,7 @@ TEST(MarkedSliders, ShortenLabelsThatDoNotFitThenLeaveSomeOut) {
     }
     slider.resize(60, slider.height());
     EXPECT_LT(slider.labels().size(), 4U);
-    EXPECT_FALSE(textsOf(slider).contains(QStringLiteral("21 Mar"))) << "the short form";
+    EXPECT_FALSE(labelsOf(slider).contains(QStringLiteral("21 Mar"))) << "the short form";
 }
 
 TEST(MarkedSliders, HaveRoomForTheLabelsBelowTheHandle) {

@@ -16,7 +16,6 @@
 namespace noonmark {
 namespace {
 
-using test::square;
 using test::waitFor;
 
 struct PlacesWindow : test::ProjectWindow {

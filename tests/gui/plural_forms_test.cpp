@@ -16,7 +16,7 @@ using test::expectSameParts;
 using test::Languages;
 using test::Message;
 using test::readMessages;
-using test::translated;
+using test::translatedLanguages;
 
 /// Contexts and sources of the plural texts of a .ts file.
 std::set<QString> pluralTextsOf(Language language) {
@@ -37,7 +37,7 @@ TEST_F(Languages, EnglishHasBothFormsOfEveryPluralText) {
             EXPECT_NE(text, message.source) << "the choice of endings is left in the text";
         }
     }
-    for (const Language language : translated)
+    for (const Language language : translatedLanguages)
         EXPECT_EQ(pluralTextsOf(language), pluralTextsOf(Language::english)) << codeOf(language);
 }
 

@@ -44,7 +44,8 @@ struct TileFetchTest : ::testing::Test {
             QTcpSocket* socket = server.nextPendingConnection();
             QObject::connect(socket, &QTcpSocket::readyRead, socket, [this, socket] { answer(*socket); });
         });
-        QObject::connect(&fetch, &TileFetch::failed, [this](const Error& error) { error = error.text(); });
+        QObject::connect(&fetch, &TileFetch::failed,
+                         [this](const Error& failure) { error = failure.text(); });
         QObject::connect(&fetch, &TileFetch::finished, [this] { finished = true; });
     }
 

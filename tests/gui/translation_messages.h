@@ -14,7 +14,7 @@
 
 namespace noonmark::test {
 
-inline constexpr Language translated[] = {Language::german, Language::spanish, Language::japanese};
+inline constexpr Language translatedLanguages[] = {Language::german, Language::spanish, Language::japanese};
 
 struct Message {
     QString context, source;

@@ -29,7 +29,7 @@ using test::expectSameParts;
 using test::Languages;
 using test::Message;
 using test::readMessages;
-using test::translated;
+using test::translatedLanguages;
 using test::waitFor;
 using testing::HasSubstr;
 using testing::Not;
@@ -37,7 +37,7 @@ using testing::Not;
 constexpr double minFinishedPct = 99;
 
 TEST_F(Languages, TranslationsAreCompleteAndKeepWhatIsFilledIn) {
-    for (const Language language : translated) {
+    for (const Language language : translatedLanguages) {
         const std::vector<Message> messages = readMessages(language);
         ASSERT_GT(messages.size(), 1000U) << codeOf(language);
         int finished = 0;
@@ -52,7 +52,7 @@ TEST_F(Languages, TranslationsAreCompleteAndKeepWhatIsFilledIn) {
 
 TEST_F(Languages, KeysOfActionsAreTheSameInEveryLanguage) {
     static const QRegularExpression keys(QStringLiteral("^((Ctrl|Shift|Alt)\\+)+\\S+$"));
-    for (const Language language : translated)
+    for (const Language language : translatedLanguages)
         for (const Message& message : readMessages(language))
             if (keys.match(message.source).hasMatch()) {
                 EXPECT_EQ(message.texts, QStringList{message.source});
@@ -106,7 +106,7 @@ TEST_F(Languages, NumbersAreWrittenAsTheLanguageWritesThem) {
 }
 
 TEST_F(Languages, EnginesAndTheirOptionsHaveWordsInEveryLanguage) {
-    for (const Language language : translated) {
+    for (const Language language : translatedLanguages) {
         QStringList words;
         for (const Message& message : readMessages(language)) words << message.source;
         const auto expectWord = [&](std::string_view english) {
@@ -222,7 +222,7 @@ TEST_F(TranslatedWindow, MenusToolsAndDocksSpeakTheLanguage) {
     reopen(Language::english);
     const QStringList english = textsOf(*window);
     ASSERT_GT(english.size(), 80);
-    for (const Language language : translated) {
+    for (const Language language : translatedLanguages) {
         reopen(language);
         int same = 0;
         for (const QString& text : textsOf(*window)) same += english.contains(text) ? 1 : 0;

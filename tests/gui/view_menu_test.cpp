@@ -9,6 +9,7 @@
 #include "app/gui/session/project/project_changes.h"
 #include "app/gui/view/panel/view_presets.h"
 #include "app/gui/view/time/sun_at_moment.h"
+#include "app/gui/view/time/time_strip.h"
 #include "tests/gui/project_window.h"
 
 namespace noonmark {
