@@ -60,6 +60,7 @@ TEST(StudyWords, ContinuousShadowThatWasNotCountedIsNoNumber) {
 
 TEST(Words, SheetsWriteDatesInOneForm) {
     EXPECT_EQ(asOnSheets("2026-12-21"), "21 December 2026");
+    EXPECT_EQ(asOnSheets("2026-12-21, trees as evergreens"), "21 December 2026, trees as evergreens");
     EXPECT_EQ(asOnSheets("Tower"), "Tower");
     const Sentence found{"On %1, %2 places have less.", {"2026-12-21", "3"}};
     EXPECT_EQ(formatText(asOnSheets(found)), "On 21 December 2026, 3 places have less.");

@@ -144,8 +144,11 @@ QString describeDates(CivilDate date) {
 }
 
 std::string asOnSheets(const std::string& dateOrText) {
-    const auto date = parseDate(dateOrText);
-    return date ? describeDates(*date).toStdString() : dateOrText;
+    constexpr std::size_t dateLength = 10;
+    const auto date = parseDate(dateOrText.substr(0, dateLength));
+    const std::string rest = date ? dateOrText.substr(dateLength) : std::string();
+    const bool isDate = date && (rest.empty() || rest.front() == ',');
+    return isDate ? describeDates(*date).toStdString() + rest : dateOrText;
 }
 
 Sentence asOnSheets(Sentence sentence) {

@@ -38,7 +38,8 @@ std::vector<FigureText> makeStudyFigures(const ShadowStatistics& statistics, con
                                          std::uint64_t steps, ShownAs show = ShownAs::shadow);
 
 QString describeDates(CivilDate date);  ///< "21 March 2026": the form of all dates on sheets
-/// A date in the form of files ("2026-03-21") as sheets write it; any other text as it is.
+/// A date in the form of files ("2026-03-21"), alone or before a comma, as sheets write it; any other text as
+/// it is.
 std::string asOnSheets(const std::string& dateOrText);
 /// The same of a sentence's arguments.
 Sentence asOnSheets(Sentence sentence);

@@ -291,12 +291,16 @@ void PlacesDock::fillLists() {
     for (const Place& place : sun->baseline.places) kinds.insert(place.kind);
     for (const PlaceKind kind : kinds) kinds_->addItem(describeKinds(kind), int(kind));
     showThreshold();
+    fitColumns();
+    showWordsLast();
+    if (grouped_->isChecked()) table_->expandToDepth(0);
+}
+
+void PlacesDock::fitColumns() {
     table_->header()->setResizeContentsPrecision(fittedRows);
     for (int column = 0; column < filter_->columnCount(); ++column) table_->resizeColumnToContents(column);
-    showWordsLast();
     table_->setColumnWidth(0,
                            std::min(widthOfNames(*table_), nameLetters * fontMetrics().averageCharWidth()));
-    if (grouped_->isChecked()) table_->expandToDepth(0);
 }
 
 // Name and sun are read first.
@@ -332,6 +336,7 @@ void PlacesDock::setShown(ShownAs show) {
     model_->setShown(show);
     if (!model_->sun()) return;
     model_->setEnough(threshold_->value());
+    fitColumns();
     if (grouped_->isChecked()) table_->expandToDepth(0);
     colour();
     if (place) select(*place);

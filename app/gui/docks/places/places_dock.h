@@ -58,6 +58,7 @@ private:
     void connectFields();
     void connectTable();
     void fillLists();
+    void fitColumns();
     void showThreshold();
     void showWordsLast();
     void follow(double hours);
