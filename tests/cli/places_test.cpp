@@ -39,7 +39,7 @@ protected:
 };
 
 TEST_F(PlacesCommand, OfAProjectAreReadDrawnListedAndRemoved) {
-    EXPECT_THAT(done("place read", {parks_}), HasSubstr("2 of them replace"));
+    EXPECT_THAT(done("place read", {parks_}), HasSubstr("earlier ones replaced: 2"));
     EXPECT_THAT(done("place add", {"Yard", "-73.98,40.765,-73.979,40.766", "--as", "schoolyard"}),
                 HasSubstr("Yard: schoolyard"));
     EXPECT_THAT(refused("place add", {"Yard", "-73.98,40.765,-73.979,40.766"}), HasSubstr("place remove"));
