@@ -1,1 +1,2 @@
-// Nothing of its own: the library around it holds the headers that all test programs share (tests/CMakeLists.txt).
+// Nothing of its own: the library around it holds the headers that all test programs share
+// (tests/CMakeLists.txt).
