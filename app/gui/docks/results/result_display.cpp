@@ -98,7 +98,8 @@ void ResultDisplay::showPast() {
         places_.layer.setAnswer(std::nullopt);
         places_.elements.show(nullptr);
         places_.figures.setWarningCount(0);
-        return places_.figures.show({}, {});
+        places_.figures.show({}, {});
+        return update();  // the list of answers offers the one that was hidden
     }
     const auto layerOf = viewerOf(*past).layer;
     showLayer(layerOf ? outdated(layerOf(past)) : std::nullopt, false);
