@@ -56,8 +56,8 @@ TEST(AutoEngine, ADayOnTerrainGoesToRays) {
 TEST(AutoEngine, ALongPeriodOnTerrainGoesToTheHorizonSweep) {
     NoProgress progress;
     const City city = onTerrain();
-    const auto field =
-        AutoEngine().accumulate(city, receiversOver(city, 30, -200, 60, 200), evenDays(60, 480), progress, {});
+    const auto field = AutoEngine().accumulate(city, receiversOver(city, 30, -200, 60, 200),
+                                               evenDays(60, 480), progress, {});
     ASSERT_TRUE(field);
     EXPECT_EQ(field->engineKey, "horizon");
 }
@@ -158,8 +158,8 @@ TEST(AutoEngine, AStopIsNoRefusal) {
     stop.request_stop();
     NoProgress progress;
     const City city = oneTower();
-    const auto field = AutoEngine().accumulate(city, receiversOver(city, 0, 0, 40, 40), evenDays(1, 9), progress,
-                                               stop.get_token());
+    const auto field = AutoEngine().accumulate(city, receiversOver(city, 0, 0, 40, 40), evenDays(1, 9),
+                                               progress, stop.get_token());
     ASSERT_FALSE(field);
     EXPECT_TRUE(isCancelled(field.error()));
 }
