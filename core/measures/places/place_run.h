@@ -15,7 +15,7 @@
 namespace noonmark {
 
 /// The observer whose sun all places of a city share: at the frame's origin, in the middle of the data. A
-/// place so has the same figures alone as among others; 5 km away the sun stands 0.05 deg off.
+/// place has the same figures alone as among others; 5 km away the sun stands 0.05 deg off.
 Observer observerOfPlaces(const City& city);
 
 /// Takes one day: the shadow on every place, in the order of PlaceReceivers::cellsOf. `day`: index in
