@@ -17,7 +17,8 @@ namespace {
 
 constexpr double percentOfShare = 100;
 constexpr double minutesPerHour = 60;
-constexpr std::string_view enoughKey = "share_enough", minKey = "hours_min", maxKey = "hours_max";
+constexpr std::string_view enoughKey = "share_enough", meanKey = "hours_mean", minKey = "hours_min",
+                           maxKey = "hours_max";
 
 QString nameOf(const CivilDate& date) {
     return QLocale().toString(QDate(int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))),
@@ -50,9 +51,8 @@ bool isHoursOfSun(const Figure& figure) {
 QString shadowHeading(const Figure& figure) {
     if (figure.key == minKey) return QObject::tr("Max shadow, min");
     if (figure.key == maxKey) return QObject::tr("Min shadow, min");
-    return figure.key == std::string_view("hours_mean")
-               ? QObject::tr("Mean shadow, min")
-               : QObject::tr("%1: minutes of shadow").arg(translated(figure.label));
+    return figure.key == meanKey ? QObject::tr("Mean shadow, min")
+                                 : QObject::tr("%1: minutes of shadow").arg(translated(figure.label));
 }
 
 QString columnHeading(const Figure& figure) {
