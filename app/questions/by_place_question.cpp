@@ -7,7 +7,7 @@
 #include "core/base/progress.h"
 #include "core/describe/field_values.h"
 #include "core/describe/text.h"
-#include "core/study/by_place/sun_by_place_page.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/element_tables.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "scenarios/project/results/save_result.h"

@@ -31,6 +31,10 @@ struct EngineLoad {
 EngineLoad measureEngineLoad(std::span<const City* const> cities, const Receivers& receivers,
                              const SunSteps& sun, const HorizonSweepSettings& sweep);
 
+/// The same for sums without longest runs on the cells of places, which lie apart in their grid.
+EngineLoad measureLoadOfPlaces(std::span<const City* const> cities, const Receivers& receivers,
+                               const SunSteps& sun);
+
 /// Expected run times in seconds on two cores. Only meant for comparing engines with each other; other
 /// machines scale all of them alike. The constants (auto_engine.cpp) are fitted to run times for a day, a
 /// month and a year on the grid sample and on Midtown.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/engines/auto_engine.h"
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/horizon/trees/crown_sweep.h"
 #include "core/engines/ray/tree_rays.h"
@@ -20,8 +21,8 @@ std::shared_ptr<const TreeShade> selectColumns(std::shared_ptr<const TreeShade> 
     return std::make_shared<const TreeShade>(std::move(some));
 }
 
-// Rays take some 30 ns for each: about 4 s on two cores.
-constexpr double maxRays = 1e8;
+// Exact rays are taken for the shade of one field where they take no longer, as by AutoEngine.
+constexpr double shortSeconds = 2;
 
 void addWhatTreesTake(const ShadowField& without, const ShadowField& with, ShadowField& column) {
     for (std::size_t cell = 0; cell < column.grossMin.size(); ++cell)
@@ -29,6 +30,19 @@ void addWhatTreesTake(const ShadowField& without, const ShadowField& with, Shado
             std::min(column.grossMin[cell] + (with.grossMin[cell] - without.grossMin[cell]),
                      float(column.sunlitMinutesPerDay));
     column.continuousMin = with.continuousMin;
+}
+
+// Fitted to the parks, streets and small places of Midtown, Chicago and Monaco over a year, on two cores. A
+// sweep of crowns takes about as long as one of buildings for months on the cells of places.
+constexpr double secondsOfRay = 60e-9, secondsOfCrown = 8e-9, sweepOverModel = 4;
+
+TreeSeconds estimateSeconds(const City& city, const CrownScene& crowns, const Receivers& receivers,
+                            const SunSteps& sun) {
+    const City* const cities[]{&city};
+    const double rays = double(receivers.cells.size()) * double(sun.steps.size());
+    const double ofRay = secondsOfRay + secondsOfCrown * countCrownsAtRays(crowns, receivers, sun);
+    const EngineLoad load = measureLoadOfPlaces(cities, receivers, sun);
+    return {.rays = rays * ofRay, .sweep = estimateSeconds(load).horizon * sweepOverModel};
 }
 
 // What a sweep finds that trees take, on top of the field.
@@ -63,14 +77,20 @@ const ShadowField& fieldOfColumn(const ShadowField& field, TreeColumns column) {
     return field;
 }
 
+TreeSeconds estimateTreeSeconds(const City& city, const Receivers& receivers, const SunSteps& sun) {
+    if (!city.trees || city.trees->trees.empty()) return {};
+    const CrownScene crowns = findCrowns(withTreesFor(city, TreeColumns::all), receivers, sun);
+    return crowns.empty() ? TreeSeconds{} : estimateSeconds(city, crowns, receivers, sun);
+}
+
 Result<std::shared_ptr<const TreeShade>> shadeTrees(const City& city, const Receivers& receivers,
                                                     const SunSteps& sun, const ShadowField& field,
                                                     TreeColumns columns, Progress& progress,
                                                     const std::stop_token& stop) {
     if (!city.trees || columns == TreeColumns::without) return nullptr;
     if (field.trees) return selectColumns(field.trees, columns);
-    const double rays = double(receivers.cells.size()) * double(sun.steps.size());
-    if (rays > maxRays) {
+    const TreeSeconds seconds = estimateTreeSeconds(city, receivers, sun);
+    if (seconds.rays > std::max(shortSeconds, seconds.sweep)) {
         auto shade = sweepTrees(city, receivers, sun, field, progress, stop);
         if (shade) return selectColumns(*std::move(shade), columns);
         if (isCancelled(shade.error())) return tl::make_unexpected(shade.error());
@@ -98,8 +118,8 @@ Result<std::optional<TakenBySet>> takeSets(const City& city, const Receivers& re
                                            const std::stop_token& stop) {
     const CrownScene crowns = findCrowns(city, receivers, sun);
     if (crowns.empty()) return std::nullopt;
-    const double rays = double(receivers.cells.size()) * double(sun.steps.size());
-    if (rays > maxRays) {
+    if (const TreeSeconds seconds = estimateSeconds(city, crowns, receivers, sun);
+        seconds.rays > seconds.sweep) {
         auto swept = sweepCrowns(city, crowns, receivers, sun, sets, progress, stop);
         if (swept) return *std::move(swept);
         if (isCancelled(swept.error())) return tl::make_unexpected(swept.error());

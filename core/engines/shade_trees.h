@@ -27,10 +27,18 @@ constexpr bool isAmong(TreeColumns wanted, TreeColumns column) {
 /// The field with trees of one column, evergreen or seasonal; the field itself where no tree reaches it.
 const ShadowField& fieldOfColumn(const ShadowField& field, TreeColumns column);
 
+/// Seconds that the shade of a city's trees takes on two cores. 0: no tree reaches a receiver.
+struct TreeSeconds {
+    double rays = 0;   ///< exact
+    double sweep = 0;  ///< a horizon sweep
+};
+/// Within a factor of two. Some ms.
+TreeSeconds estimateTreeSeconds(const City& city, const Receivers& receivers, const SunSteps& sun);
+
 /// The shade of a city's trees on top of a field of the same city, receivers and steps, by whichever engine:
-/// that engine's own (ShadowField::trees) where it weighs crowns, else by rays, or by a horizon
-/// sweep of its own where there are more than 10^8 of them (rays again where the sweep refuses). Null where
-/// no tree reaches a receiver, and for TreeColumns::without. cancelled() when stopped.
+/// that engine's own (ShadowField::trees) where it weighs crowns, else by rays, or by a horizon sweep of its
+/// own where rays take longer than that and more than 2 s (rays again where the sweep refuses). Null where no
+/// tree reaches a receiver, and for TreeColumns::without. cancelled() when stopped.
 Result<std::shared_ptr<const TreeShade>> shadeTrees(const City& city, const Receivers& receivers,
                                                     const SunSteps& sun, const ShadowField& field,
                                                     TreeColumns columns, Progress& progress,
@@ -48,7 +56,7 @@ struct ShadedSets {
 };
 
 /// The same by sets of steps, on top of a breakdown of the same city, receivers and steps by whichever
-/// engine: by rays up to 10^8 of them, else by one horizon sweep for all sets. None where no tree reaches a
+/// engine: by rays, or by one horizon sweep for all sets where that is quicker. None where no tree reaches a
 /// receiver, and for TreeColumns::without. cancelled() when stopped.
 Result<std::optional<ShadedSets>> shadeTreeSets(const City& city, const Receivers& receivers,
                                                 const SunSteps& sun, const ShadowBreakdown& without,

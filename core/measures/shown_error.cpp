@@ -125,6 +125,12 @@ std::string labelOf(const ShownError& error) {
     return error.of.empty() ? label : label + ", " + error.of;
 }
 
+std::string formatDifference(double difference, FigureUnit unit) {
+    if (std::isnan(difference)) return {};
+    if (difference == 0 || difference >= smallest(unit)) return valueOf(amountOf(difference, unit));
+    return "< " + valueOf({smallest(unit), unit, 3});
+}
+
 Sentence describe(const ShownError& error) {
     const Amount mean = amountOf(error.mean, error.facts.unit), p99 = amountOf(error.p99, error.facts.unit);
     if (std::isnan(error.largest)) return {NM_TEXT("%1, with 99 % certainty within %2"), {mean, p99}};

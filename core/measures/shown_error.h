@@ -43,6 +43,9 @@ ShownError sumUpTotalError(std::string_view key, std::span<const double> differe
 /// Gross and longest shadow of a cell, or their changes.
 std::vector<ShownError> listErrors(const SampledError& error, bool ofChange);
 
+/// "0.02 min"; "< 0.001 min"; "" of NaN: how far off something is, as tables state it.
+std::string formatDifference(double difference, FigureUnit unit);
+
 /// "Mean sun of a place", with what it is of: "Mean sun of a place, 2026-12-21"
 std::string labelOf(const ShownError& error);
 /// "0.02 min a day in the mean, 99 of 100 within 0.1 min a day, at most 0.2 min a day"

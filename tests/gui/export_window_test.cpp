@@ -162,6 +162,21 @@ TEST_F(ExportWindow, SheetsAreShownBeforeTheyAreFiledWithTheProjectBeside) {
     EXPECT_TRUE(dialog->isVisible()) << "for a look at the files, or another export";
 }
 
+TEST_F(ExportWindow, WhatIsWrittenShowsInTheDialogWhichTakesNoSecondOneMeanwhile) {
+    study();
+    auto* dialog = openDialog<ExportDialog>("Ctrl+E");
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_TRUE(fieldOf<QPushButton>(*dialog, "exportSaveFirst")->isHidden()) << "the project has a file";
+    auto* button = fieldOf<QPushButton>(*dialog, "exportWrite");
+    fieldOf<QLineEdit>(*dialog, "exportFolder")->setText(folder.filePath(QStringLiteral("out")));
+    ASSERT_TRUE(button->isEnabled());
+    button->click();
+    ASSERT_TRUE(workbench().writing().busy());
+    EXPECT_FALSE(button->isEnabled());
+    ASSERT_TRUE(waitFor([&] { return !workbench().writing().busy(); }));
+    EXPECT_TRUE(button->isEnabled());
+}
+
 TEST_F(ExportWindow, SheetsAreLaidOutAnewOnlyWhereSomethingElseIsPrinted) {
     study();
     std::atomic<int> layings = 0;

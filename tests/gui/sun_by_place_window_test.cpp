@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHeaderView>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -13,6 +14,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <QTreeView>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -21,6 +23,7 @@
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/places/places_dock.h"
 #include "app/gui/docks/results/results_dock.h"
+#include "app/gui/docks/study_form/places_form.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/view/panel/view_panel.h"
@@ -279,6 +282,84 @@ TEST_F(SunByPlaceWindow, OneSwitchShowsMinutesOfShadowEverywhereAndStays) {
     field<QToolButton>("showSun").click();
     EXPECT_EQ(strip.legend()->title, QStringLiteral("Sun by place"));
     EXPECT_EQ(dock().view()->picture.pixels, colours);
+}
+
+// Days that are no days of the period keep hours of sun: their shadow is not known.
+TEST_F(SunByPlaceWindow, ADateIsCountedListedAndShownFirstInTheUnitThatIsChosen) {
+    measure();
+    auto& tree = field<QTreeView>("placesTable");
+    auto& shown = field<QComboBox>("placesShown");
+    const int period = dock().model().columnOf({});
+    tree.sortByColumn(period, Qt::AscendingOrder);
+    const CivilDate june = std::chrono::year(2026) / 6 / 21, march = std::chrono::year(2026) / 3 / 21;
+    const auto& dates = sun()->baseline.settings.dates;
+    const auto at = std::size_t(std::ranges::find(dates, march) - dates.begin());
+    ASSERT_TRUE(at < dates.size() && std::ranges::find(dates, june) != dates.end());
+    shown.setCurrentIndex(int(at) + 1);
+    const int column = dock().model().columnOf({ShownSun::What::date, at});
+    EXPECT_NE(column, period);
+    EXPECT_EQ(tree.header()->visualIndex(column), 1) << "beside the names";
+    EXPECT_EQ(tree.header()->sortIndicatorSection(), column) << "the order follows what is shown";
+
+    auto& threshold = field<QDoubleSpinBox>("placesThreshold");
+    threshold.setValue(std::ceil(sun()->baseline.sun[0].dateHours[at] * 10) / 10 + 0.1);
+    const auto below = std::ranges::count_if(
+        sun()->baseline.sun, [&](const SunOfPlace& one) { return one.dateHours[at] < threshold.value(); });
+    ASSERT_GT(below, 0);
+    field<QCheckBox>("placesOnlyBelow").setChecked(true);
+    EXPECT_TRUE(textOf("placesListed").startsWith(QString::number(below)))
+        << textOf("placesListed").toStdString();
+    EXPECT_TRUE(count().contains(QStringLiteral("h of sun on 21 March 2026"))) << count().toStdString();
+}
+
+TEST_F(SunByPlaceWindow, ShadowOfTheDatesIsStatedWhereTheyAreInThePeriod) {
+    chooseDays(365);
+    const auto before = sun();
+    QTest::mouseClick(&field<QPushButton>("run"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return sun() && sun() != before; }));
+    field<QToolButton>("showShadow").click();
+    field<QComboBox>("placesShown").setCurrentIndex(1);
+    const double possible = possibleHoursOn(
+        sun()->baseline, [&](const CivilDate& day) { return day == sun()->baseline.settings.dates[0]; });
+    const QString minutes = QString::number(std::round((possible - 2) * 60));
+    EXPECT_TRUE(
+        count().contains(QStringLiteral("more than %1 min of shadow on 21 December 2026").arg(minutes)))
+        << count().toStdString();
+    EXPECT_EQ(field<QDoubleSpinBox>("placesThreshold").suffix(), QStringLiteral(" h of sun"));
+}
+
+TEST_F(SunByPlaceWindow, WhatWasTickedAndListedComesBackWithTheProject) {
+    auto& kinds = field<QListWidget>("placeKinds");
+    kinds.item(2)->setCheckState(Qt::Unchecked);
+    field<QDoubleSpinBox>("enoughHours").setValue(3);
+    measure();
+    field<QComboBox>("placesShown").setCurrentIndex(2);
+    field<QCheckBox>("placesGrouped").setChecked(true);
+    const std::string asked = form().places().choice(), listed = dock().choice();
+    form().places().restore({});
+    EXPECT_EQ(kinds.item(2)->checkState(), Qt::Checked) << "as at first";
+    EXPECT_EQ(field<QDoubleSpinBox>("enoughHours").value(), 2);
+    form().places().restore(asked);
+    EXPECT_EQ(kinds.item(2)->checkState(), Qt::Unchecked);
+    EXPECT_EQ(form().places().choice(), asked);
+    dock().restore(listed);
+    measure();
+    EXPECT_EQ(dock().choice(), listed);
+    for (const char* hostile : {"", "[]", "{\"unticked\":7,\"dates\":[]}", "{\"unticked\":[1,\"nothing\"]}"})
+        form().places().restore(hostile);
+    EXPECT_EQ(kinds.item(2)->checkState(), Qt::Checked);
+}
+
+// What is measured of all scenarios does not depend on the one that is displayed.
+TEST_F(SunByPlaceWindow, AnotherScenarioOrAnswerMayBeShownWhileAllAreMeasured) {
+    measure();
+    chooseDays(3);
+    session().goTo(existingCity);
+    ASSERT_TRUE(waitFor([&] { return !workbench().following().busy() && !workbench().running().busy(); }));
+    workbench().measureAll();
+    ASSERT_TRUE(workbench().running().busy());
+    session().goTo("Tower");
+    ASSERT_TRUE(waitFor([&] { return workbench().measuredScenarios().size() == 2; }));
 }
 
 TEST_F(SunByPlaceWindow, TheColumnOfNamesIsWideEnoughForThem) {

@@ -28,6 +28,7 @@
 #include "app/gui/docks/sheets/sheet_form.h"
 #include "app/gui/docks/study_form/accuracy_section.h"
 #include "app/gui/docks/study_form/element_form.h"
+#include "app/gui/docks/study_form/places_form.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/docks/weights/weights_dock.h"
 #include "app/gui/docks/weights/weights_model.h"
@@ -43,8 +44,10 @@ namespace noonmark {
 
 namespace {
 
-constexpr const char* chosenWeightsKey = "weights";  // in Project::view: the table of the dock Weights
-constexpr const char* kindKey = "question";          // likewise: what the dock Study asks
+constexpr const char* chosenWeightsKey = "weights";     // in Project::view: the table of the dock Weights
+constexpr const char* kindKey = "question";             // likewise: what the dock Study asks
+constexpr const char* placesAskedKey = "places_asked";  // likewise: of which places, and which sun is enough
+constexpr const char* placesListedKey = "places_listed";  // likewise: what the table of places lists
 constexpr int layoutVersion = 13;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
@@ -352,6 +355,7 @@ void MainWindow::connectStudyForm() {
     connect(&form, &StudyDock::surroundingsRequested, &region_, [this, &building] {
         if (building.selected()) region_.takeSurroundings(*building.selected());
     });
+    form.setCityFinder([this](bool all) { return workbench_.listPlaceCities(all); });
     connect(&form, &StudyDock::sunByPlaceRequested, &workbench_, &Workbench::runByPlace);
     connect(&workbench_.session(), &ProjectSession::changed, &form, [this, &form] {
         form.setComparing(workbench_.comparing());
@@ -416,6 +420,7 @@ void MainWindow::connectPreferences() {
     connect(&help_, &HelpActions::tourWanted, &tours_, &TourActions::start);
     connect(&help_, &HelpActions::questionAsked, this, &MainWindow::answerCard);
     connect(&preferences_, &PreferencesActions::paperChosen, this, usePaper);
+    connect(&results_, &ResultActions::saveWanted, &saving_, &SavingActions::save);
     connect(&results_, &ResultActions::setupChosen, this,
             [this](const PageSetup& setup) { savePageSetup(setup, settings_); });
     connect(&preferences_, &PreferencesActions::textsChanged, this, &MainWindow::textsChanged);
@@ -531,6 +536,8 @@ ProjectSaving::Compose MainWindow::projectToSave() {
     project.view = view_.toSave();
     project.view[chosenWeightsKey] = docks_.weights->model().table().name;
     project.view[kindKey] = studyKindKeys[std::size_t(docks_.study->kind())];
+    project.view[placesAskedKey] = docks_.study->places().choice();
+    project.view[placesListedKey] = docks_.places->choice();
     if (std::string figures = answers_.figuresToSave(); !figures.empty())
         project.view[viewFiguresKey] = std::move(figures);
     return [project = std::move(project), measured = workbench_.measured()] {
@@ -549,6 +556,7 @@ void MainWindow::showProject() {
     if (const auto weights = saved.find(chosenWeightsKey); weights != saved.end())
         docks_.weights->choose(weights->second);
     showSavedKind();
+    showSavedPlaces();
     opening_.takeProject();
     showTitle();
     opening_.showGuesses();
@@ -569,6 +577,17 @@ void MainWindow::showSavedKind() {
     if (found == studyKindKeys.end()) return;
     const auto kind = StudyKind(found - studyKindKeys.begin());
     if (kind != StudyKind::shadow && kind != StudyKind::change) docks_.study->restore(kind);
+}
+
+void MainWindow::showSavedPlaces() {
+    const auto& saved = workbench_.session().project().view;
+    const auto found = [&](const char* key) {
+        const auto text = saved.find(key);
+        return text == saved.end() ? std::string() : text->second;
+    };
+    docks_.study->places().restore(found(placesAskedKey));
+    docks_.places->restore(found(placesListedKey));
+    if (!saved.contains(kindKey)) docks_.study->beginAnew();
 }
 
 void MainWindow::showDocument() {
@@ -594,6 +613,8 @@ void MainWindow::takeOver(MainWindow& before) {
     view_.restore(parseViewState(before.view_.toSave()));
     docks_.weights->choose(before.docks_.weights->model().table().name);
     docks_.study->restore(before.docks_.study->kind());
+    docks_.study->places().restore(before.docks_.study->places().choice());
+    docks_.places->restore(before.docks_.places->choice());
     opening_.takeProject();
     panel_->time().choose(before.panel_->time().look());
     showTitle();

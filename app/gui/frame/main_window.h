@@ -134,6 +134,7 @@ private:
     ProjectSaving::Compose projectToSave();
     void showProject();
     void showSavedKind();
+    void showSavedPlaces();
     void showDocument();
     void showTitle();
 

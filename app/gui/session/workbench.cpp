@@ -1,6 +1,7 @@
 #include "app/gui/session/workbench.h"
 
 #include <QFileInfo>
+#include <algorithm>
 #include <limits>
 
 #include "app/gui/base/files/file_dialogs.h"
@@ -20,8 +21,12 @@ std::vector<std::string> textsOf(const QStringList& files) {
 }  // namespace
 
 Workbench::Workbench(QObject* parent) : QObject(parent) {
-    connect(&running_, &JobSlot::started, this,
-            [this](const Job& job) { connect(&job, &Job::partial, this, &Workbench::studyPartial); });
+    connect(&running_, &JobSlot::started, this, [this](const Job& job) {
+        connect(&job, &Job::partial, this, [this](const std::shared_ptr<const PartialField>& field) {
+            const bool isShown = runningOn_.empty() || runningOn_.front() == session_.city();
+            if (isShown) Q_EMIT studyPartial(field);
+        });
+    });
     connect(&session_, &ProjectSession::cityChanged, this, &Workbench::follow);
     connect(&session_, &ProjectSession::baselineChanged, this, [this] {
         if (contentOf<ImpactAnswer>(past_)) past_.reset();
@@ -56,6 +61,7 @@ void Workbench::adoptProject(Result<OpenProject> opened, int version) {
     openedView_ = std::move(opened->view);
     zone_ = std::move(opened->zone);
     placeWarnings_ = std::move(opened->placeWarnings);
+    running_.drop();
     forgetAnswers();
     past_.reset();
     studies_.clear();
@@ -118,9 +124,15 @@ void Workbench::recoverUntitled(const std::filesystem::path& recovery) {
         });
 }
 
+// What runs goes on while the scenarios that it measures are there: another one may be displayed meanwhile.
+bool Workbench::isRunStillValid() {
+    return !runningOn_.empty() && std::ranges::none_of(runningOn_, [this](const auto& city) {
+        return city && scenarioOf(city).empty();
+    });
+}
+
 // Answers about the scenario's previous buildings are no longer valid.
 void Workbench::forgetAnswers() {
-    running_.drop();
     reading_.drop();
     study_.reset();
     base_.reset();
@@ -131,6 +143,7 @@ void Workbench::forgetAnswers() {
 // saved result is not about the displayed buildings, so it does not become outdated with them.
 void Workbench::follow() {
     if (const SharedAnswer shown = front_ && !front_->isSaved() ? front_ : base_) past_ = shown;
+    if (!isRunStillValid()) running_.drop();
     forgetAnswers();
     if (!city_) return;
     following_.start<OpenCity>(

@@ -58,6 +58,8 @@ public:
     /// is chosen: also in all other scenarios if they are wanted. The study of `settings` is the document's,
     /// without its region.
     void runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings, bool allScenarios = false);
+    /// The cities that it measures, the baseline first.
+    [[nodiscard]] std::vector<std::shared_ptr<const City>> listPlaceCities(bool allScenarios);
     struct Adopting {
         bool isWork = true;   ///< the user asked for it: it is unsaved work
         bool isShown = true;  ///< displayed, too, unless its buildings have changed
@@ -212,6 +214,7 @@ private:
     [[nodiscard]] StudySettings firstQuestion() const;
     void follow();
     void adoptCity(Result<OpenCity> city);
+    [[nodiscard]] bool isRunStillValid();
     void forgetAnswers();
     void updateAnswers();
     void replace(const SharedAnswer& before, const SharedAnswer& now);
@@ -227,6 +230,8 @@ private:
     void showPast(SharedAnswer answer);
     void findBase();
     [[nodiscard]] bool isCompared();
+    /// Of the displayed scenario and, if it compares, of its baseline.
+    [[nodiscard]] bool isOfShown(const KnownAnswer& known);
     bool rename(SharedAnswer& answer);
     [[nodiscard]] const Question& questionOfRun() const;
     using Start = std::function<void()>;
@@ -234,7 +239,8 @@ private:
     void startPoints(Start start);
     void announceIfLong(const Result<RunEstimate>& one, double fields, const Start& start);
     [[nodiscard]] Result<Asked> makeAsked(const Question& question, const std::string& weights);
-    [[nodiscard]] std::vector<NamedCity> listOthers(const Asked& asked);
+    [[nodiscard]] std::vector<std::string> listOtherScenarios() const;
+    [[nodiscard]] std::vector<NamedCity> listOthers();
     void askNow(const Question& question, const std::string& weights);
     void compute(const Question& question, Asked asked);
     void adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer);
@@ -279,7 +285,8 @@ private:
         bool operator==(const Compared&) const = default;
     };
     Compared compared_;
-    bool again_ = false;  ///< the latest question is that of runAgain()
+    bool again_ = false;                                  ///< the latest question is that of runAgain()
+    std::vector<std::shared_ptr<const City>> runningOn_;  ///< of the running question; none: an estimate
     std::shared_ptr<const Study> study_;
     SharedAnswer base_, front_, past_;
     std::map<SharedAnswer, SharedAnswer> listed_;  ///< base_ and front_ as lists have them, if renamed since

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/gui/base/widgets/error_text.h"
@@ -84,6 +85,7 @@ void Workbench::ask(const Question& question, const std::string& weights) {
 // Estimating takes up to a second, so only runs that may be long are estimated first.
 void Workbench::startUnlessLong(double fields, Start start) {
     if (!mayBeLong(document_.settings())) return start();
+    runningOn_.clear();
     running_.start<RunEstimate>(
         tr("Estimating"),
         [city = session_.city(), settings = document_.settings()](Progress&, const std::stop_token& stop) {
@@ -98,6 +100,7 @@ void Workbench::startUnlessLong(double fields, Start start) {
 void Workbench::startPoints(Start start) {
     const auto points = findElementParts(*document_.elements(), session_.project(), *session_.city());
     if (!points) return report(points.error());
+    runningOn_.clear();
     running_.start<RunEstimate>(
         tr("Estimating"),
         [city = session_.city(), settings = document_.settings(), points = *points](
@@ -160,14 +163,30 @@ void Workbench::askNow(const Question& question, const std::string& weights) {
     asked ? compute(question, *asked) : report(asked.error());
 }
 
-// The scenarios that are neither displayed nor the baseline; those whose base is missing have no city.
-std::vector<NamedCity> Workbench::listOthers(const Asked& asked) {
+// Those that are neither displayed nor the baseline.
+std::vector<std::string> Workbench::listOtherScenarios() const {
+    std::vector<std::string> names = listNames(session_.project().scenarios);
+    std::erase(names, session_.scenario());
+    std::erase(names, session_.baseline());
+    return names;
+}
+
+// Scenarios whose base is missing have no city.
+std::vector<NamedCity> Workbench::listOthers() {
     std::vector<NamedCity> others;
-    for (const std::string& name : listNames(session_.project().scenarios)) {
-        if (name == asked.scenario || name == asked.baseline) continue;
+    for (const std::string& name : listOtherScenarios())
         if (const auto city = session_.cityOf(name)) others.push_back({name, **city});
-    }
     return others;
+}
+
+std::vector<std::shared_ptr<const City>> Workbench::listPlaceCities(bool allScenarios) {
+    std::vector<std::string> names{session_.scenario()};
+    if (comparing()) names.insert(names.begin(), session_.baseline());
+    if (comparing() && allScenarios) std::ranges::move(listOtherScenarios(), std::back_inserter(names));
+    std::vector<std::shared_ptr<const City>> cities;
+    for (const std::string& name : names)
+        if (const auto city = session_.cityOf(name)) cities.push_back(*city);
+    return cities;
 }
 
 void Workbench::runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings, bool allScenarios) {
@@ -178,12 +197,13 @@ void Workbench::runByPlace(std::vector<Place> places, const SunByPlaceSettings& 
     asked->placesAsked = {listPlaceOptions(places, session_.project()), true};
     asked->places = std::move(places);
     asked->byPlace = settings;
-    if (allScenarios && comparing()) asked->others = listOthers(*asked);
+    if (allScenarios && comparing()) asked->others = listOthers();
     compute(byPlaceQuestion(), *std::move(asked));
 }
 
 void Workbench::compute(const Question& question, Asked asked) {
     KnownAnswer known{session_.city(), asked.before, {}};
+    runningOn_ = {known.city, known.before};
     running_.start<SharedAnswer>(
         translated(question.label),
         [&question, asked = std::move(asked), shown = city_, city = session_.city()](
@@ -196,23 +216,31 @@ void Workbench::compute(const Question& question, Asked asked) {
         });
 }
 
-// The baseline's buildings may have changed meanwhile; if those of the scenario do, the job is dropped.
+// An answer about buildings that have changed meanwhile is dropped; of scenarios that are not displayed, or
+// not compared, any more it is listed.
 void Workbench::adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer) {
-    const bool current =
-        !known.before || session_.cityOf(session_.baseline()).value_or(nullptr) == known.before;
-    if (answer && !current) return Q_EMIT studyStopped(false);
     if (!answer) {
         Q_EMIT studyStopped(isCancelled(answer.error()));
         return report(answer.error());
     }
+    if (known.before && scenarioOf(known.before).empty()) return Q_EMIT studyStopped(false);
     const Question& question = (*answer)->question();
     if (question.ofRun) answerSeconds_ = (*answer)->seconds();
     known.answer = *std::move(answer);
     remember(known, !again_);
+    if (!isOfShown(known)) {
+        Q_EMIT studyStopped(false);
+        return Q_EMIT noted(tr("%1 is in the list of answers").arg(listedName(*known.answer)));
+    }
     const bool isComparison = &question == &comparisonQuestion();
     if (isComparison) comparison_ = known;
     putInFront(isComparison ? nullptr : std::move(known.answer));
     if (!again_) Q_EMIT ran();
+}
+
+bool Workbench::isOfShown(const KnownAnswer& known) {
+    return known.city == session_.city() &&
+           (!known.before || session_.cityOf(session_.baseline()).value_or(nullptr) == known.before);
 }
 
 void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted) {
@@ -220,6 +248,8 @@ void Workbench::measure(const QString& what, std::vector<KnownAnswer> wanted) {
     if (!asked) return report(asked.error());
     using Made = std::vector<Measured>;
     const std::size_t count = wanted.size();
+    runningOn_.clear();
+    for (const KnownAnswer& one : wanted) runningOn_.push_back(one.city);
     running_.start<Made>(
         what,
         [wanted = std::move(wanted), shown = city_, asked = *asked](
@@ -257,7 +287,10 @@ void Workbench::adoptStudies(Result<std::vector<Measured>> made) {
         remember(study, !again_);
         answerSeconds_ = study.answer->seconds();
     }
-    const bool staysInFront = made->size() > 1 && sunOf(front_);  // the table of scenarios has the studies
+    // The table of scenarios has several; of one alone another scenario may be displayed by now.
+    const bool isOfOthers =
+        std::ranges::none_of(*made, [this](const Measured& one) { return isOfShown(one.study); });
+    const bool staysInFront = (made->size() > 1 && sunOf(front_)) || isOfOthers;
     putInFront(staysInFront ? front_ : nullptr);
     if (!again_) Q_EMIT ran();
     reportAll(*made);

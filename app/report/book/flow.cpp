@@ -85,15 +85,32 @@ private:
     std::vector<TextBlocks> columns_;
 };
 
-double naturalWidthPt(const Canvas& canvas, const PageTable& table, std::size_t column) {
+/// What a column of a table would have, in points.
+struct ColumnNeed {
+    double whole = 0;  ///< each text of its rows in one line, its title word by word
+    double word = 0;   ///< no word broken
+    double mean = 0;   ///< the texts of its rows, in the mean
+};
+
+ColumnNeed measureColumn(const Canvas& canvas, const PageTable& table, std::size_t column) {
     const QFontMetricsF bold(textFont(canvas, table.points, QFont::Bold), canvas.painter.device());
     const QFontMetricsF normal(textFont(canvas, table.points), canvas.painter.device());
-    double widest = 0;
-    for (const QString& word : table.titles[column].split(u' '))
-        widest = std::max(widest, bold.horizontalAdvance(word));
-    for (const auto& row : table.rows) widest = std::max(widest, normal.horizontalAdvance(row[column]));
+    ColumnNeed need;
+    const auto widen = [&](double& width, const QString& text, const QFontMetricsF& font) {
+        for (const QString& word : text.split(u' ')) width = std::max(width, font.horizontalAdvance(word));
+    };
+    widen(need.word, table.titles[column], bold);
+    need.whole = need.word;
+    for (const auto& row : table.rows) {
+        const double width = normal.horizontalAdvance(row[column]);
+        widen(need.word, row[column], normal);
+        need.whole = std::max(need.whole, width);
+        need.mean += width / double(table.rows.size());
+    }
     const double mark = column == 0 && !table.marks.empty() ? table.points : 0;
-    return widest * 1.01 / canvas.point + tableGapPt + mark;
+    for (double* width : {&need.whole, &need.word, &need.mean})
+        *width = *width * 1.01 / canvas.point + tableGapPt + mark;
+    return need;
 }
 
 BookPage pageAfter(const BookPage& first) {
@@ -222,24 +239,57 @@ std::vector<TextBlocks> flowText(const TextBlocks& blocks, const QSizeF& sizePt,
     return flow.finish();
 }
 
+namespace {
+
+double sumOf(const std::vector<double>& widths) { return std::accumulate(widths.begin(), widths.end(), 0.0); }
+
+// The widest are narrowed to one width.
+void narrowWidest(std::vector<double>& widths, double widthPt) {
+    double maximum = *std::ranges::max_element(widths);
+    const std::vector<double> wanted = widths;
+    while (sumOf(widths) > widthPt && maximum > 12) {
+        maximum -= 1;
+        for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::min(wanted[i], maximum);
+    }
+    if (sumOf(widths) > widthPt)
+        for (double& width : widths) width = widthPt / double(widths.size());
+}
+
+// What words leave goes to the columns with the longest texts: a name is in all rows, a title in one.
+std::vector<double> shareWidth(const std::vector<ColumnNeed>& needs, double widthPt) {
+    std::vector<double> widths;
+    for (const ColumnNeed& need : needs) widths.push_back(need.word);
+    if (sumOf(widths) > widthPt) {
+        narrowWidest(widths, widthPt);
+        return widths;
+    }
+    constexpr int rounds = 4;  // what a column does not need is shared again
+    for (int round = 0; round < rounds; ++round) {
+        double wanted = 0;
+        for (std::size_t i = 0; i < needs.size(); ++i)
+            if (widths[i] < needs[i].whole) wanted += needs[i].mean;
+        const double spare = widthPt - sumOf(widths);
+        for (std::size_t i = 0; i < needs.size() && wanted > 0; ++i)
+            if (widths[i] < needs[i].whole)
+                widths[i] = std::min(needs[i].whole, widths[i] + spare * needs[i].mean / wanted);
+    }
+    return widths;
+}
+
+}  // namespace
+
 std::vector<double> fitColumns(const PageTable& table, double widthPt) {
     MeasuringCanvas measure;
+    std::vector<ColumnNeed> needs;
     std::vector<double> widths;
-    for (std::size_t i = 0; i < table.titles.size(); ++i)
-        widths.push_back(naturalWidthPt(measure.canvas(), table, i));
-    const auto total = [&] { return std::accumulate(widths.begin(), widths.end(), 0.0); };
-    // The largest width that the widest columns may have.
-    double maximum = *std::ranges::max_element(widths);
-    const std::vector<double> natural = widths;
-    while (total() > widthPt && maximum > 12) {
-        maximum -= 1;
-        for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::min(natural[i], maximum);
+    for (std::size_t i = 0; i < table.titles.size(); ++i) {
+        needs.push_back(measureColumn(measure.canvas(), table, i));
+        widths.push_back(needs.back().whole);
     }
-    if (total() > widthPt)
-        for (double& width : widths) width = widthPt / double(widths.size());
-    const double spare = widthPt - total();
-    if (spare > 0)  // the rows end where the page does, but short tables are not torn apart
-        for (double& width : widths) width += std::min(spare / double(widths.size()), 0.35 * width);
+    if (sumOf(widths) > widthPt) return shareWidth(needs, widthPt);
+    const double spare = widthPt - sumOf(widths);
+    for (double& width : widths)  // the rows end where the page does, but short tables are not torn apart
+        width += std::min(spare / double(widths.size()), 0.35 * width);
     return widths;
 }
 

@@ -24,8 +24,8 @@ private:
 /// follows it; a paragraph that is higher than a column is split between words.
 std::vector<TextBlocks> flowText(const TextBlocks& blocks, const QSizeF& sizePt, double points);
 
-/// Widths of the columns of a table in `widthPt`: as wide as their texts where that fits, else the widest are
-/// narrowed and their texts break.
+/// Widths of the columns of a table in `widthPt`: as wide as their texts where that fits; else texts break
+/// between words, and columns with long texts in many rows get more of the width.
 std::vector<double> fitColumns(const PageTable& table, double widthPt);
 
 /// Splits a table, whose widths are set, into tables of at most these heights (points): the first, then all

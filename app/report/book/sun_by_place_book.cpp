@@ -69,24 +69,11 @@ TextBlocks describeMethod(const SunOfCities& all) {
     for (const SunWithTrees& with : sun.withTrees)
         add(QStringLiteral("Also measured with %1.").arg(plainText(std::string(describeTrees(with.column)))));
     if (!sun.withTrees.empty()) add(QStringLiteral("Trees: %1.").arg(plainText(sun.treesHow)));
-    add(QStringLiteral("Error of cells: %1.").arg(plainText(describeCellError(sun.error))));
-    for (std::size_t date = 0; date < sun.dateErrors.size(); ++date)
-        add(QStringLiteral("Error on %1: %2.")
-                .arg(describeDates(sun.settings.dates[date]),
-                     plainText(describeCellError(sun.dateErrors[date]))));
+    add(QStringLiteral("Error of cells: %1. The error of each figure is in the table at the end.")
+            .arg(plainText(describeCellError(sun.error))));
     if (!all.compared.empty())
         add(QStringLiteral("The baseline is %1. Ground that is built on in any scenario counts in none.")
                 .arg(plainText(sun.name)));
-    return blocks;
-}
-
-TextBlocks describeErrors(const SunOfCities& all) {
-    TextBlocks blocks = errorBlocks(sunOf(all).errors);
-    for (const ComparedSun& one : all.compared) {
-        TextBlocks own = errorBlocks(one.sun.errors);
-        own.front() = heading(QStringLiteral("The same in %1").arg(plainText(one.sun.name)));
-        blocks.insert(blocks.end(), own.begin(), own.end());
-    }
     return blocks;
 }
 
@@ -253,6 +240,30 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
     return table;
 }
 
+// Without a scenario's name where there is one city.
+NamedTable errorTableOf(const SunByPlace& sun, bool isNamed) {
+    NamedTable table{QStringLiteral("Errors against the ray reference, on a sample"), {}, {}};
+    if (isNamed) table.title += QStringLiteral(": ") + plainText(sun.name);
+    for (const char* title : {"Figure", "Of", "Mean", "99 of 100 within", "Largest", "Values"})
+        table.table.titles.push_back(QString::fromLatin1(title));
+    for (const ShownError& error : sun.errors) {
+        std::vector<QString> row{plainText(std::string(error.facts.label)), plainText(asOnSheets(error.of))};
+        for (const double off : {error.mean, error.p99, error.largest})
+            row.push_back(plainText(formatDifference(off, error.facts.unit)));
+        row.push_back(describeCount(error.count));
+        table.table.rows.push_back(std::move(row));
+    }
+    if (sun.errors.empty()) table.note = QStringLiteral("Not measured.");
+    return table;
+}
+
+std::vector<NamedTable> tablesOf(const SunOfCities& all) {
+    std::vector<NamedTable> tables{tableOf(all, sortByInterest(all)),
+                                   errorTableOf(sunOf(all), !all.compared.empty())};
+    for (const ComparedSun& one : all.compared) tables.push_back(errorTableOf(one.sun, true));
+    return tables;
+}
+
 }  // namespace
 
 QImage paintPlacesMap(const SunByPlace& sun, const City& city, const PlaceColours& colours, int widthPx) {
@@ -281,11 +292,10 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
     const auto append = [&](std::vector<BookPage> pages) {
         std::ranges::move(pages, std::back_inserter(book.pages));
     };
-    const std::vector<std::size_t> order = sortByInterest(all);
     TextBlocks blocks = describeFinding(all, settings.units);
     const TextBlocks repeat = repeatBlocks(makeRepeatCommand(sun, all.compared, bookLetters), false,
                                            listColourOptions(colours), bookLetters);
-    for (const TextBlocks& more : {describeMethod(all), describeErrors(all), repeat, describeSources(sun)})
+    for (const TextBlocks& more : {describeMethod(all), repeat, describeSources(sun)})
         blocks.insert(blocks.end(), more.begin(), more.end());
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, blocks));
     const SunByPlace& shown = shownCity(all);
@@ -296,7 +306,7 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
         book.pages.push_back(mapPage(shown, ofDate, settings.setup));
     }
     append(makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
-                          {tableOf(all, order)}));
+                          tablesOf(all)));
     return book;
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -255,6 +256,23 @@ Result<std::optional<TakenBySet>> traceTreeSets(const City& city, const Receiver
         taken.how = shade->how;
     }
     return taken;
+}
+
+double countCrownsAtRays(const CrownScene& crowns, const Receivers& receivers, const SunSteps& sun) {
+    constexpr std::size_t most = 16;  // receivers
+    const std::size_t count = std::min(most, receivers.cells.size());
+    if (count == 0 || sun.steps.empty()) return 0;
+    const CrownSun crownSun(sun);
+    std::vector<std::uint32_t> all(crowns.crowns.size());
+    std::iota(all.begin(), all.end(), 0U);
+    CrownsAround around;
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t cell = receivers.cells[i * receivers.cells.size() / count];
+        around.gather(crowns.crowns, all, glm::dvec3(receivers.position(cell)), crownSun.lowestTan);
+        for (const std::uint16_t slot : crownSun.slots) sum += double(around.at(slot).size());
+    }
+    return sum / double(count) / double(sun.steps.size());
 }
 
 }  // namespace noonmark

@@ -33,4 +33,8 @@ Result<std::shared_ptr<const TreeShade>> traceTrees(const City& city, const Rece
                                                     const SunSteps& sun, const ShadowField& without,
                                                     Progress& progress, const std::stop_token& stop);
 
+/// How many crowns a ray is held against in the mean: those near the azimuth of its step. Of some of the
+/// receivers; O(crowns + steps) for each.
+double countCrownsAtRays(const CrownScene& crowns, const Receivers& receivers, const SunSteps& sun);
+
 }  // namespace noonmark

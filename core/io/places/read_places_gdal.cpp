@@ -127,6 +127,7 @@ public:
             usable += reader.usableFeatures();
         }
         if (usable == 0 && !isFromOsm(dataset_)) return noShapes(file_, settings_);
+        warnOfOtherLayers(read.warnings);
         read.places = joinAreas(std::move(areas));
         if (stop_.stop_requested()) return cancelled();
         std::ranges::move(makeStreets(streets, {settings_.wholeStreets, settings_.sidewalkM},
@@ -140,6 +141,18 @@ public:
     }
 
 private:
+    // Of a project its places are wanted, and of OpenStreetMap layers have no meaning of their own.
+    void warnOfOtherLayers(Warnings& warnings) const {
+        if (isFromOsm(dataset_) || !settings_.layer.empty() || PlaceLayer::isOfProject(*layers_.front()))
+            return;
+        for (OGRLayer* layer : dataset_.GetLayers()) {
+            const auto features = std::max<GIntBig>(0, layer->GetFeatureCount());
+            if (features > 0 && std::ranges::find(layers_, layer) == layers_.end())
+                warnings.push_back({WarningKind::leftOut, "layer not read as places",
+                                    fmt::format("{}: {}, features: {}", file_, layer->GetName(), features)});
+        }
+    }
+
     Result<void> take(std::size_t layer, const OGRFeature& feature) {
         readers_[layer].read(feature);
         if (readers_[layer].kept() <= PlaceSettings::maxPlaces) return {};

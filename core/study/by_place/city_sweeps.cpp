@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/city/trees/tree.h"
 #include "core/engines/auto_engine.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
+#include "core/engines/shade_trees.h"
 
 namespace noonmark {
 
@@ -17,17 +17,6 @@ constexpr double modelCores = 2;  // of estimateSeconds()
 // Months on the cells of places, which lie far apart, against the model's dense regions without months: of
 // Midtown and Monaco, a day to a year.
 constexpr double sweepOverModel = 4, projectedOverModel = 2.3;
-// A sweep of crowns takes about as long as the model says of one of buildings: the whole within 1.25 of what
-// the parks of Midtown, Chicago and Monaco took over a year; with streets, Monaco took two fifths of it. A
-// ray that weighs crowns takes about as long as two.
-constexpr double crownsOverSweep = 1, treeRaysOverRays = 2;
-
-// Overhangs take time where receivers are, not on all of their grid.
-double areaOfReceiver(const Receivers& receivers) {
-    const double cells = std::max<double>(1, double(receivers.cells.size()));
-    return receivers.grid.cellAreaM2() * double(receivers.grid.size()) / cells;
-}
-
 Buildings listChanged(const City& before, const City& after) {
     ChangedBuildings changed = findChangedBuildings(before.buildings, after.buildings);
     changed.removed.insert(changed.removed.end(), changed.added.begin(), changed.added.end());
@@ -86,20 +75,13 @@ double CitySweeps::forecast(std::string_view asked, std::size_t sample) {
     return seconds;
 }
 
-// All receivers in each city, whatever changed.
+// All receivers in each city, whatever changed; and rays to the sample.
 double CitySweeps::forecastTrees(std::size_t sample) const {
     double seconds = 0;
     for (const City* city : cities_) {
-        if (!city->trees || city->trees->trees.empty()) continue;
-        const City* const cities[]{city};
-        EngineLoad load = measureEngineLoad(cities, receivers_, sun_, HorizonSweepSettings());
-        load.runs = false;
-        load.cellAreaM2 = std::max(load.cellAreaM2, areaOfReceiver(receivers_));
-        const EstimatedSeconds all = estimateSeconds(load);
-        load.receivers = std::min(sample, receivers_.cells.size());
-        const double sampled = sample == 0 ? 0 : estimateSeconds(load).ray * treeRaysOverRays;
-        seconds +=
-            std::min(all.ray * treeRaysOverRays, all.horizon * sweepOverModel * crownsOverSweep) + sampled;
+        const TreeSeconds all = estimateTreeSeconds(*city, receivers_, sun_);
+        const double cells = std::max<double>(1, double(receivers_.cells.size()));
+        seconds += std::min(all.rays, all.sweep) + all.rays * std::min(1.0, double(sample) / cells);
     }
     return seconds * modelCores / double(tbb::this_task_arena::max_concurrency());
 }
@@ -107,9 +89,7 @@ double CitySweeps::forecastTrees(std::size_t sample) const {
 double CitySweeps::forecastOne(const City& city, const Receivers& receivers, std::string_view asked,
                                std::size_t sample) const {
     const City* const cities[]{&city};
-    EngineLoad load = measureEngineLoad(cities, receivers, sun_, HorizonSweepSettings());
-    load.runs = false;
-    load.cellAreaM2 = std::max(load.cellAreaM2, areaOfReceiver(receivers));
+    EngineLoad load = measureLoadOfPlaces(cities, receivers, sun_);
     const std::string_view key = engine_.chosenKey().empty() ? asked : engine_.chosenKey();
     const EstimatedSeconds all = estimateSeconds(load);
     const double sweep = receivers.cells.empty() ? 0

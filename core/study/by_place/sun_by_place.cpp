@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
@@ -127,12 +129,11 @@ void chooseEngines(Measuring& m, const Receivers& receivers) {
 }
 
 // What has been done, and the sweeps that follow.
-void forecast(Measuring& m, const PlaceCells& cells) {
+double forecast(Measuring& m, const PlaceCells& cells) {
     double seconds = m.watch.seconds() + forecastGroup(m, {cells.all});
     for (std::size_t i = 0; i < cells.small.size() && !m.stop.stop_requested(); ++i)
         seconds += forecastGroup(m, smallGroup(cells, i));
-    m.made.front().seconds["forecast"] = seconds;
-    if (m.takeForecast) m.takeForecast(seconds);
+    return seconds;
 }
 
 void setSun(SunByPlace& sun, SunSteps daylight) {
@@ -154,7 +155,8 @@ void addColumns(SunByPlace& made) {
             made.withTrees.push_back({column, std::vector<SunOfPlace>(made.places.size())});
 }
 
-Result<void> measure(Measuring& m) {
+// The cells, the sun over them, and the engines that will measure them.
+Result<PlaceCells> prepare(Measuring& m) {
     PlaceCells cells;
     const auto place = [&]() -> Result<void> {
         auto placed = placeCells(m.cities, m.places(), m.settings(), m.stop);
@@ -165,17 +167,23 @@ Result<void> measure(Measuring& m) {
         return {};
     };
     SunByPlace& baseline = m.made.front();
-    if (auto done = timeStage(baseline, "receivers", place); !done) return done;
+    if (auto done = timeStage(baseline, "receivers", place); !done) return tl::make_unexpected(done.error());
     if (auto done = timeStage(baseline, "sun", [&] { return findSun(m, cells.all.on.receivers); }); !done)
-        return done;
+        return tl::make_unexpected(done.error());
     m.hasTrees = hasWantedTrees(m);
+    chooseEngines(m, cells.all.on.receivers);
+    return cells;
+}
+
+Result<void> measure(Measuring& m, const PlaceCells& cells) {
     for (SunByPlace& made : m.made) {
         setSun(made, m.daylight);
         made.sun.resize(made.places.size());
         if (m.hasTrees) addColumns(made);
     }
-    chooseEngines(m, cells.all.on.receivers);
-    forecast(m, cells);
+    const double seconds = forecast(m, cells);
+    m.made.front().seconds["forecast"] = seconds;
+    if (m.takeForecast) m.takeForecast(seconds);
     if (auto done = measureGroups(m, cells); !done) return done;
     if (!m.treesReached)
         for (SunByPlace& made : m.made) made.withTrees.clear();
@@ -212,29 +220,57 @@ SunOfCities compareMade(std::vector<SunByPlace> made) {
     return all;
 }
 
-Result<SunOfCities> answerSunByPlace(std::span<const NamedCity> cities, const std::vector<Place>& places,
-                                     const SunByPlaceSettings& settings, Progress& progress,
-                                     const std::stop_token& stop, const EngineList& engines,
-                                     const std::function<void(double)>& takeForecast,
-                                     const std::optional<Observer>& observer = {}) {
-    if (auto valid = checkSettings(settings, places); !valid) return tl::make_unexpected(valid.error());
-    const auto engine = makeSummingEngine(settings.study, engines);
+/// What is asked, and the way it is answered.
+struct AskedSun {
+    std::span<const NamedCity> cities;
+    const std::vector<Place>& places;
+    const SunByPlaceSettings& settings;
+    Progress& progress;
+    const std::stop_token& stop;
+    const EngineList& engines;
+    std::function<void(double)> takeForecast{};
+    std::optional<Observer> observer{};
+};
+
+// `use`: of a Measuring and the cells.
+template <class Use>
+auto usePrepared(const AskedSun& asked, Use&& use)
+    -> std::invoke_result_t<Use, Measuring&, const PlaceCells&> {
+    if (auto valid = checkSettings(asked.settings, asked.places); !valid)
+        return tl::make_unexpected(valid.error());
+    const auto engine = makeSummingEngine(asked.settings.study, asked.engines);
     if (!engine) return tl::make_unexpected(engine.error());
-    std::vector<SunByPlace> made = makeBlank(cities, places, settings, stop);
-    RisingProgress rising(progress);
+    std::vector<SunByPlace> made = makeBlank(asked.cities, asked.places, asked.settings, asked.stop);
+    RisingProgress rising(asked.progress);
     Measuring m{.cities = {},
                 .engine = **engine,
                 .made = made,
                 .progress = rising,
-                .stop = stop,
-                .takeForecast = takeForecast,
-                .observer = observer};
-    for (const NamedCity& one : cities) m.cities.push_back(&one.city);
-    if (auto fits = checkMemory(*m.cities.front(), m.settings().study, engines); !fits)
+                .stop = asked.stop,
+                .takeForecast = asked.takeForecast,
+                .observer = asked.observer};
+    for (const NamedCity& one : asked.cities) m.cities.push_back(&one.city);
+    if (auto fits = checkMemory(*m.cities.front(), m.settings().study, asked.engines); !fits)
         return tl::make_unexpected(fits.error());
-    if (auto done = measure(m); !done) return tl::make_unexpected(done.error());
-    made.front().seconds["total"] = m.watch.seconds();
-    return compareMade(std::move(made));
+    const auto cells = prepare(m);
+    if (!cells) return tl::make_unexpected(cells.error());
+    return std::forward<Use>(use)(m, *cells);
+}
+
+Result<SunOfCities> answerSunByPlace(const AskedSun& asked) {
+    return usePrepared(asked, [](Measuring& m, const PlaceCells& cells) -> Result<SunOfCities> {
+        if (auto done = measure(m, cells); !done) return tl::make_unexpected(done.error());
+        m.made.front().seconds["total"] = m.watch.seconds();
+        return compareMade(std::move(m.made));
+    });
+}
+
+SunForecast makeForecast(Measuring& m, const PlaceCells& cells) {
+    const std::string& chosen = m.chosen.front().key;
+    return {.seconds = forecast(m, cells),
+            .cells = cells.all.on.receivers.cells.size(),
+            .steps = m.daylight.steps.size(),
+            .engine = chosen.empty() ? m.settings().study.engine : chosen};
 }
 
 }  // namespace
@@ -244,7 +280,21 @@ Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::ve
                                       std::stop_token stop, const EngineList& engines,
                                       const std::function<void(double)>& forecast) {
     return guardMemory({.advice = "Choose larger cells or fewer places"}, [&] {
-        return answerSunByPlace(cities, places, settings, progress, stop, engines, forecast);
+        return answerSunByPlace({cities, places, settings, progress, stop, engines, forecast});
+    });
+}
+
+Result<SunForecast> forecastSunByPlace(std::span<const NamedCity> cities, const std::vector<Place>& places,
+                                       const SunByPlaceSettings& settings, const std::stop_token& stop,
+                                       const EngineList& engines) {
+    NoProgress quiet;
+    return guardMemory({.advice = "Choose larger cells or fewer places"}, [&] {
+        return usePrepared({cities, places, settings, quiet, stop, engines},
+                           [&](Measuring& m, const PlaceCells& cells) -> Result<SunForecast> {
+                               SunForecast forecast = makeForecast(m, cells);
+                               if (stop.stop_requested()) return cancelled();
+                               return forecast;
+                           });
     });
 }
 
@@ -252,7 +302,7 @@ Result<SunOfCities> measurePlacesOfTile(std::span<const NamedCity> cities, std::
                                         const SunByPlaceSettings& settings, const Observer& observer,
                                         Progress& progress, std::stop_token stop, const EngineList& engines) {
     return guardMemory({.advice = "Choose smaller tiles or larger cells"}, [&] {
-        return answerSunByPlace(cities, places, settings, progress, stop, engines, {}, observer);
+        return answerSunByPlace({cities, places, settings, progress, stop, engines, {}, observer});
     });
 }
 

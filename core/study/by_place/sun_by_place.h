@@ -17,6 +17,7 @@
 #include "core/describe/command_options.h"
 #include "core/describe/field.h"
 #include "core/describe/figure.h"
+#include "core/describe/shown_as.h"
 #include "core/io/elements/write_elements.h"
 #include "core/measures/colour_scale.h"
 #include "core/measures/shown_error.h"
@@ -38,6 +39,8 @@ struct SunByPlaceSettings {
     /// large as those of the study or larger: no others.
     double smallCellM = 0.5;
     static constexpr double smallPlaceCells = 25;
+
+    bool operator==(const SunByPlaceSettings&) const = default;
 };
 
 /// All but those of the study.
@@ -187,6 +190,20 @@ Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::ve
                                       std::stop_token stop, const EngineList& engines = coreEngines(),
                                       const std::function<void(double)>& forecast = {});
 
+/// What compareSunByPlace() will take.
+struct SunForecast {
+    double seconds = 0;     ///< within a factor of two
+    std::size_t cells = 0;  ///< of all places together, without the finer ones of small places
+    std::size_t steps = 0;  ///< of the sun over the period
+    std::string engine;     ///< key; the automatic choice is resolved
+};
+
+/// Errors as those of compareSunByPlace(). Costs placing the cells and the sun's steps: 0.1 s, of a year in
+/// steps of a minute 1 s.
+Result<SunForecast> forecastSunByPlace(std::span<const NamedCity> cities, const std::vector<Place>& places,
+                                       const SunByPlaceSettings& settings, const std::stop_token& stop,
+                                       const EngineList& engines = coreEngines());
+
 /// Of the places of one tile, of which the whole answer has more: under the sun of `observer`, without a
 /// check of the terrain or a question about the zone, which are about the whole. Places without a cell have
 /// no figures, even where none has any.
@@ -224,12 +241,25 @@ const Figures<SunChange>& sunChangeFigures();
 std::span<const Figure> sunFiguresWithTrees(TreeColumns column);
 std::span<const Figure> changeFiguresWithTrees(TreeColumns column);
 
+/// How the sun of a day is stated: in hours, or as minutes of shadow, which are the rest of the sunlit time.
+struct SunOrShadow {
+    ShownAs show = ShownAs::sun;
+    double possibleHours = SunOfPlace::none;  ///< a day with the sun up; NaN: not known, so sun is stated
+
+    [[nodiscard]] bool isSun() const;
+    [[nodiscard]] Amount amount(double sunHours) const;
+};
+
+/// Hours a day with the sun above the horizon on the days that `has` names; NaN: the period has none of them,
+/// or its days are not known, as of a saved answer.
+double possibleHoursOn(const SunByPlace& sun, const std::function<bool(const CivilDate&)>& has);
+
 /// What they say: how many places have less than enough, hours on average, what each compared city takes,
 /// and the months.
-AnswerPage makePage(const SunOfCities& sun);
+AnswerPage makePage(const SunOfCities& sun, ShownAs show = ShownAs::sun);
 
 /// What they say of one place: its hours, those of the dates, what each compared city takes, and its months.
-AnswerPage makePage(const SunOfCities& sun, std::size_t place);
+AnswerPage makePage(const SunOfCities& sun, std::size_t place, ShownAs show = ShownAs::sun);
 
 /// A row for each place: name, kind, the figures, a column for each month and each date, for each compared
 /// city its figures and changes in columns that end in its name ("hours_mean_tower"), lon_deg and lat_deg of

@@ -1,5 +1,3 @@
-#include "core/study/by_place/sun_by_place_page.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -7,6 +5,7 @@
 
 #include "core/describe/text.h"
 #include "core/receivers/place_names.h"
+#include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark {
 
@@ -32,16 +31,11 @@ double meanOver(const SunByPlace& sun, Of of) {
     return area > 0 ? sum / area : SunOfPlace::none;
 }
 
-// How the sun of a day of the period is stated.
-struct SunOrShadow {
-    ShownAs show;
-    double possibleHours;
-
-    [[nodiscard]] bool isSun() const { return show == ShownAs::sun; }
-    [[nodiscard]] Amount amount(double sunHours) const {
-        return isSun() ? hoursOf(sunHours) : shadowOf(sunHours, possibleHours);
-    }
-};
+// On a date. Its shadow is known only where it is a day of the period.
+SunOrShadow on(const SunByPlace& sun, std::size_t date, const SunOrShadow& as) {
+    const CivilDate& wanted = sun.settings.dates[date];
+    return {as.show, possibleHoursOn(sun, [&](const CivilDate& day) { return day == wanted; })};
+}
 
 Sentence countDark(const SunByPlace& sun, const SunOrShadow& as) {
     std::size_t dark = 0, all = 0;
@@ -62,10 +56,11 @@ Sentence countDarkOn(const SunByPlace& sun, std::size_t date, const SunOrShadow&
         ++all;
         if (place.dateHours[date] < sun.settings.enoughHours) ++dark;
     }
-    return {as.isSun() ? NM_TEXT("On %1, %2 of %3 places have less than %4.")
-                       : NM_TEXT("On %1, %2 of %3 places have less than %4 of sun."),
+    const SunOrShadow then = on(sun, date, as);
+    return {then.isSun() ? NM_TEXT("On %1, %2 of %3 places have less than %4.")
+                         : NM_TEXT("On %1, %2 of %3 places lie in shadow for more than %4."),
             {formatText(sun.settings.dates[date]), countOf(dark), countOf(all),
-             hoursOf(sun.settings.enoughHours)}};
+             then.amount(sun.settings.enoughHours)}};
 }
 
 // The places with names of their own that have least and most sun; nothing of fewer than two.
@@ -173,10 +168,14 @@ Bars changesInMinutes(const Bars& hours, std::string_view title) {
     return changes;
 }
 
+bool isShadow(const Bars& bars) { return !bars.groups.empty() && bars.groups.front().tone != BarTone::sun; }
+
 std::vector<Bars> monthCharts(const SunOfCities& sun, const Bars& months, const SunOrShadow& as) {
-    if (sun.compared.empty()) return {barsAsShown(months, sun, as)};
-    return {barsAsShown(months, sun, as),
-            changesInMinutes(months, NM_TEXT("Change of the minutes of sun a day by month"))};
+    const Bars shown = barsAsShown(months, sun, as);
+    if (sun.compared.empty()) return {shown};
+    return {shown, isShadow(shown)
+                       ? changesOf(shown, NM_TEXT("Change of the minutes of shadow a day by month"))
+                       : changesInMinutes(shown, NM_TEXT("Change of the minutes of sun a day by month"))};
 }
 
 std::vector<std::size_t> listMostChanged(const SunOfCities& sun) {
@@ -197,18 +196,30 @@ std::vector<std::size_t> listMostChanged(const SunOfCities& sun) {
     return places;
 }
 
-Bars placeBars(const SunOfCities& sun) {
-    Bars bars{.title = NM_TEXT("Hours of sun a day of the places that change most"),
+Bars placeBars(const SunOfCities& sun, const SunOrShadow& as) {
+    Bars bars{.title = as.isSun() ? NM_TEXT("Hours of sun a day of the places that change most")
+                                  : NM_TEXT("Minutes of shadow a day of the places that change most"),
               .groupName = NM_TEXT("places"),
               .series = {sun.baseline.name}};
+    const auto shown = [&](double hours) {
+        return as.isSun() ? hours : shadowOf(hours, as.possibleHours).value;
+    };
     for (const ComparedSun& compared : sun.compared) bars.series.push_back(compared.sun.name);
     for (const std::size_t place : listMostChanged(sun)) {
-        Bars::Group group{sun.baseline.places[place].name, {sun.baseline.sun[place].meanHours}, BarTone::sun};
+        Bars::Group group{sun.baseline.places[place].name,
+                          {shown(sun.baseline.sun[place].meanHours)},
+                          as.isSun() ? BarTone::sun : BarTone::amount};
         for (const ComparedSun& compared : sun.compared)
-            group.values.push_back(compared.sun.sun[place].meanHours);
+            group.values.push_back(shown(compared.sun.sun[place].meanHours));
         bars.groups.push_back(std::move(group));
     }
     return bars;
+}
+
+Bars changesOfPlaces(const Bars& places) {
+    return isShadow(places)
+               ? changesOf(places, NM_TEXT("Change of the minutes of shadow a day of these places"))
+               : changesInMinutes(places, NM_TEXT("Change of the minutes of sun a day of these places"));
 }
 
 // Of several cities side by side, each with what changes against the baseline.
@@ -218,9 +229,8 @@ std::vector<Bars> chartsOf(const SunOfCities& sun, const SunOrShadow& as) {
         monthBars(sun, [](const SunByPlace& city, std::size_t month) { return monthHours(city, month); }),
         as);
     if (sun.compared.empty()) return charts;
-    charts.push_back(placeBars(sun));
-    charts.push_back(
-        changesInMinutes(charts.back(), NM_TEXT("Change of the minutes of sun a day of these places")));
+    charts.push_back(placeBars(sun, as));
+    charts.push_back(changesOfPlaces(charts.back()));
     return charts;
 }
 
@@ -246,28 +256,37 @@ std::vector<Sentence> judgeCities(const SunOfCities& sun) {
 Sentence headlineOf(const std::string& name, const SunOfPlace& of, double enoughHours,
                     const SunOrShadow& as) {
     if (std::isnan(of.meanHours)) return {NM_TEXT("%1: no open ground was measured"), {name}};
-    return {
-        as.isSun() ? NM_TEXT("%1: %2 of sun a day; %3 of its area has %4 or more")
-                   : NM_TEXT("%1: %2 of shadow a day; %3 of its area has %4 of sun or more"),
-        {name, as.amount(of.meanHours), Amount{of.enoughShare, FigureUnit::share, 0}, hoursOf(enoughHours)}};
+    return {as.isSun() ? NM_TEXT("%1: %2 of sun a day; %3 of its area has %4 or more")
+                       : NM_TEXT("%1: %2 of shadow a day; %3 of its area has %4 or less"),
+            {name, as.amount(of.meanHours), Amount{of.enoughShare, FigureUnit::share, 0},
+             as.amount(enoughHours)}};
+}
+
+std::string_view templateWithTrees(TreeColumns column, bool isSun) {
+    if (column == TreeColumns::evergreen)
+        return isSun ? NM_TEXT("With trees as evergreens: %1; %2 of its area has %3 or more.")
+                     : NM_TEXT("With trees as evergreens: %1; %2 of its area has %3 or less.");
+    return isSun ? NM_TEXT("With trees that lose their leaves by season: %1; %2 of its area has %3 or more.")
+                 : NM_TEXT("With trees that lose their leaves by season: %1; %2 of its area has %3 or less.");
 }
 
 std::vector<Sentence> describeWithTrees(const SunByPlace& sun, std::size_t place, const SunOrShadow& as) {
     std::vector<Sentence> sentences;
     for (const SunWithTrees& with : sun.withTrees)
         sentences.push_back(
-            {with.column == TreeColumns::evergreen
-                 ? NM_TEXT("With trees as evergreens: %1; %2 of its area has %3 or more.")
-                 : NM_TEXT("With trees that lose their leaves by season: %1; %2 of its area has %3 or more."),
+            {templateWithTrees(with.column, as.isSun()),
              {as.amount(with.sun[place].meanHours), Amount{with.sun[place].enoughShare, FigureUnit::share, 0},
-              hoursOf(sun.settings.enoughHours)}});
+              as.amount(sun.settings.enoughHours)}});
     return sentences;
 }
 
-Sentence describeDate(const SunByPlaceSettings& settings, const SunOfPlace& of, std::size_t date) {
-    return {NM_TEXT("On %1 it has %2; %3 of its area has less than %4."),
-            {formatText(settings.dates[date]), hoursOf(of.dateHours[date]),
-             Amount{of.belowShare[date], FigureUnit::share, 0}, hoursOf(settings.enoughHours)}};
+Sentence describeDate(const SunByPlace& sun, std::size_t place, std::size_t date, const SunOrShadow& as) {
+    const SunOfPlace& of = sun.sun[place];
+    const SunOrShadow then = on(sun, date, as);
+    return {then.isSun() ? NM_TEXT("On %1 it has %2; %3 of its area has less than %4.")
+                         : NM_TEXT("On %1 it lies in shadow for %2; %3 of its area for more than %4."),
+            {formatText(sun.settings.dates[date]), then.amount(of.dateHours[date]),
+             Amount{of.belowShare[date], FigureUnit::share, 0}, then.amount(sun.settings.enoughHours)}};
 }
 
 Sentence describeChange(const ComparedSun& compared, std::size_t place, const SunOrShadow& as) {
@@ -284,6 +303,12 @@ Sentence describeChange(const ComparedSun& compared, std::size_t place, const Su
 
 }  // namespace
 
+bool SunOrShadow::isSun() const { return show == ShownAs::sun || std::isnan(possibleHours); }
+
+Amount SunOrShadow::amount(double sunHours) const {
+    return isSun() ? hoursOf(sunHours) : shadowOf(sunHours, possibleHours);
+}
+
 double possibleHoursOn(const SunByPlace& sun, const std::function<bool(const CivilDate&)>& has) {
     std::size_t steps = 0, days = 0;
     for (const SunDay& day : sun.daylight.days) {
@@ -294,10 +319,6 @@ double possibleHoursOn(const SunByPlace& sun, const std::function<bool(const Civ
     return days == 0 ? SunOfPlace::none
                      : double(steps) * sun.daylight.stepMinutes / minutesOfHour / double(days);
 }
-
-AnswerPage makePage(const SunOfCities& sun) { return makePage(sun, ShownAs::sun); }
-
-AnswerPage makePage(const SunOfCities& sun, std::size_t place) { return makePage(sun, place, ShownAs::sun); }
 
 AnswerPage makePage(const SunOfCities& sun, ShownAs show) {
     const SunByPlace& shown = shownCity(sun);
@@ -323,7 +344,7 @@ AnswerPage makePage(const SunOfCities& sun, std::size_t place, ShownAs show) {
     for (const ComparedSun& compared : sun.compared)
         page.findings.push_back(describeChange(compared, place, as));
     for (std::size_t date = 0; date < of.dateHours.size(); ++date)
-        page.findings.push_back(describeDate(shown.settings, of, date));
+        page.findings.push_back(describeDate(shown, place, date, as));
     page.charts =
         monthCharts(sun,
                     monthBars(sun, [place](const SunByPlace& city,

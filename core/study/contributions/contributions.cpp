@@ -47,20 +47,24 @@ CellDays sumUpBreakdown(const ShadowBreakdown& breakdown, std::size_t days) {
 double attributedM2h(const Contribution& one) { return one.attributedMinM2 / minutesAnHour; }
 double soleM2h(const Contribution& one) { return one.soleMinM2 / minutesAnHour; }
 
-std::vector<std::string> columnsOf(const StepSets& sets) {
-    std::vector<std::string> columns{"building", "source_id", "name"};
+// `first`: what is stated before the figures. A single month is the whole.
+std::vector<std::string> columnsOf(std::vector<std::string> first, const std::vector<std::string>& months) {
+    std::vector<std::string> columns = std::move(first);
     for (std::string& key : listColumns(contributionFigures().rows())) columns.push_back(std::move(key));
-    for (std::size_t set = 0; sets.names.size() > 1 && set < sets.names.size(); ++set)
-        columns.insert(columns.end(), {"attributed " + sets.names[set], "sole " + sets.names[set]});
+    for (std::size_t set = 0; months.size() > 1 && set < months.size(); ++set)
+        columns.insert(columns.end(), {"attributed " + months[set], "sole " + months[set]});
     return withSourceColumns(std::move(columns));
 }
 
-void addRow(CsvText& csv, const Contribution& row, const SourceValues& source) {
-    csv.text(row.building ? fmt::to_string(*row.building) : std::string()).text(row.id).text(row.name);
+// `months`: as many as there are columns for; sums that are not known stay empty.
+void addRow(CsvText& csv, const Contribution& row, std::size_t months, const SourceValues& source) {
     addFigures(csv, contributionFigures().of(row));
     const BuildingShadow& shadow = row.shadow;
-    for (std::size_t set = 0; shadow.soleMinM2.size() > 1 && set < shadow.soleMinM2.size(); ++set)
-        csv.number(shadow.attributedMinM2[set], 1).number(shadow.soleMinM2[set], 1);
+    for (std::size_t set = 0; months > 1 && set < months; ++set)
+        if (set < shadow.soleMinM2.size())
+            csv.number(shadow.attributedMinM2[set], 1).number(shadow.soleMinM2[set], 1);
+        else
+            csv.text({}).text({});
     addSource(csv, source);
     csv.endRow();
 }
@@ -144,8 +148,11 @@ std::vector<Contribution> listContributions(const City& city, const ShadowBreakd
 std::string contributionsCsv(const std::vector<Contribution>& rows, const StepSets& sets,
                              const Provenance& provenance) {
     const SourceValues source = sourceValues(provenance);
-    CsvText csv(columnsOf(sets));
-    for (const Contribution& row : rows) addRow(csv, row, source);
+    CsvText csv(columnsOf({"building", "source_id", "name"}, sets.names));
+    for (const Contribution& row : rows) {
+        csv.text(row.building ? fmt::to_string(*row.building) : std::string()).text(row.id).text(row.name);
+        addRow(csv, row, sets.names.size(), source);
+    }
     return csv.take();
 }
 
@@ -189,6 +196,9 @@ Json rowsJson(const std::vector<Contribution>& rows) {
     for (const Contribution& one : rows) {
         json.push_back({{"source_id", one.id}, {"name", one.name}});
         json.back().update(figuresJson(contributionFigures().of(one)));
+        if (one.shadow.soleMinM2.size() < 2) continue;
+        json.back()["attributed_min_m2_by_month"] = one.shadow.attributedMinM2;
+        json.back()["sole_min_m2_by_month"] = one.shadow.soleMinM2;
     }
     return json;
 }
@@ -199,6 +209,8 @@ std::vector<Contribution> parseRows(const Json& json) {
         rows.push_back(readFigures(contributionFigures(), one));
         rows.back().id = one.at("source_id");
         rows.back().name = one.at("name");
+        rows.back().shadow.attributedMinM2 = one.value("attributed_min_m2_by_month", std::vector<double>());
+        rows.back().shadow.soleMinM2 = one.value("sole_min_m2_by_month", std::vector<double>());
     }
     return rows;
 }
@@ -206,9 +218,14 @@ std::vector<Contribution> parseRows(const Json& json) {
 }  // namespace
 
 KeptContributions keepContributions(const PlaceContributions& of, double sunlitMinutesPerDay) {
-    return {of.place.name,       std::string(nameOf(of.place.kind)),
-            of.breakdown.engine, of.cells,
-            sunlitMinutesPerDay, of.rows};
+    return {.place = of.place.name,
+            .kind = std::string(nameOf(of.place.kind)),
+            .period = formatText(of.period),
+            .engine = of.breakdown.engine,
+            .cells = of.cells,
+            .sunlitMinutesPerDay = sunlitMinutesPerDay,
+            .months = of.breakdown.sets.names,
+            .rows = of.rows};
 }
 
 std::vector<KeptContributions> withContributions(std::vector<KeptContributions> all, KeptContributions more) {
@@ -224,6 +241,8 @@ std::string withContributions(std::string json, const std::vector<KeptContributi
     for (const KeptContributions& of : all)
         answer[keptKey].push_back({{"place", of.place},
                                    {"kind", of.kind},
+                                   {"period", of.period},
+                                   {"months", of.months},
                                    {"engine", of.engine},
                                    {"cells", of.cells},
                                    {"sunlit_min_per_day", of.sunlitMinutesPerDay},
@@ -234,22 +253,28 @@ std::string withContributions(std::string json, const std::vector<KeptContributi
 std::vector<KeptContributions> parseContributions(const Json& answer) {
     std::vector<KeptContributions> all;
     for (const Json& of : answer.value(keptKey, Json::array()))
-        all.push_back({of.at("place"), of.at("kind"), of.at("engine"), of.at("cells"),
-                       of.at("sunlit_min_per_day"), parseRows(of.at("buildings"))});
+        all.push_back({.place = of.at("place"),
+                       .kind = of.at("kind"),
+                       .period = of.value("period", std::string()),
+                       .engine = of.at("engine"),
+                       .cells = of.at("cells"),
+                       .sunlitMinutesPerDay = of.at("sunlit_min_per_day"),
+                       .months = of.value("months", std::vector<std::string>()),
+                       .rows = parseRows(of.at("buildings"))});
     return all;
 }
 
+// The months of the place that has most of them: they are those of the answer's period.
 std::string contributionsCsv(const std::vector<KeptContributions>& all, const Provenance& provenance) {
-    std::vector<std::string> columns{"place", "kind", "source_id", "name"};
-    for (std::string& key : listColumns(contributionFigures().rows())) columns.push_back(std::move(key));
-    CsvText csv(withSourceColumns(std::move(columns)));
+    std::vector<std::string> months;
+    for (const KeptContributions& of : all)
+        if (of.months.size() > months.size()) months = of.months;
+    CsvText csv(columnsOf({"place", "kind", "period", "source_id", "name"}, months));
     const SourceValues source = sourceValues(provenance);
     for (const KeptContributions& of : all)
         for (const Contribution& row : of.rows) {
-            csv.text(of.place).text(of.kind).text(row.id).text(row.name);
-            addFigures(csv, contributionFigures().of(row));
-            addSource(csv, source);
-            csv.endRow();
+            csv.text(of.place).text(of.kind).text(of.period).text(row.id).text(row.name);
+            addRow(csv, row, months.size(), source);
         }
     return csv.take();
 }

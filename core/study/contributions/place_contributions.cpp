@@ -82,7 +82,8 @@ Result<PlaceContributions> attribute(const Study& study, const Place& place, Pro
                                           monthsOf(study.sun), true, progress, std::move(stop));
     if (!breakdown) return tl::make_unexpected(breakdown.error());
     PlaceContributions made{
-        place, *std::move(breakdown), cells.size(), study.sun.dayCount(), sumOfStudy(study, cells), {}};
+        place, *std::move(breakdown), cells.size(), study.sun.dayCount(), sumOfStudy(study, cells),
+        {},    study.settings.period};
     made.rows = listContributions(study.city, made.breakdown, made.days);
     return made;
 }
@@ -116,7 +117,8 @@ Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place, 
     if (!breakdown) return tl::make_unexpected(breakdown.error());
     const double minutesADay = sun.daylight.sunlitMinutes() / double(days) - 60 * of.meanHours;
     PlaceContributions made{
-        where, *std::move(breakdown), of.cells, days, minutesADay * of.areaM2 * double(days), {}};
+        where, *std::move(breakdown),    of.cells, days, minutesADay * of.areaM2 * double(days),
+        {},    sun.settings.study.period};
     made.rows = listContributions(sun.city, made.breakdown, days);
     return made;
 }

@@ -17,6 +17,7 @@ struct PlaceContributions {
     /// attributes, and on level ground, the breakdown adds up to it, within the rounding of float32.
     double studyMinM2 = 0;
     std::vector<Contribution> rows;  ///< of listContributions()
+    Period period;                   ///< of the study
 };
 
 /// Attributes the shadow of a place to buildings, with the engine, the steps and the cells of the study, but
@@ -39,12 +40,14 @@ Result<PlaceContributions> computePlaceContributions(const SunOfCities& sun, std
 
 /// What buildings take from a place, as an answer keeps it: without maps.
 struct KeptContributions {
-    std::string place;  ///< its name
-    std::string kind;   ///< nameOf(PlaceKind)
+    std::string place;   ///< its name
+    std::string kind;    ///< nameOf(PlaceKind)
+    std::string period;  ///< in words; empty: saved by a version that did not state it
     std::string engine;
     std::size_t cells = 0;
     double sunlitMinutesPerDay = 0;
-    std::vector<Contribution> rows;  ///< read back: without indices of buildings and sets of steps
+    std::vector<std::string> months{};  ///< "2026-01"; those that rows have sums of
+    std::vector<Contribution> rows;     ///< read back: without indices of buildings
 };
 KeptContributions keepContributions(const PlaceContributions& of, double sunlitMinutesPerDay);
 /// Replaces an earlier one of the same place.
@@ -54,8 +57,8 @@ std::vector<KeptContributions> withContributions(std::vector<KeptContributions> 
 std::string withContributions(std::string json, const std::vector<KeptContributions>& all);
 /// Of an answer's JSON; throws nlohmann's exceptions for JSON of another structure.
 std::vector<KeptContributions> parseContributions(const nlohmann::ordered_json& answer);
-/// Columns: place,kind,source_id,name, the figures, and the source columns; a row for each building of each
-/// place.
+/// Columns: place,kind,period,source_id,name, the figures, two for each month as of a study's, and the source
+/// columns; a row for each building of each place.
 std::string contributionsCsv(const std::vector<KeptContributions>& all, const Provenance& provenance);
 inline constexpr const char* keptContributionsFile = "contributions_of_places.csv";
 

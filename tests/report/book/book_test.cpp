@@ -264,6 +264,21 @@ TEST(FlowTable, RepeatsTheTitlesAndLosesNoRow) {
     EXPECT_EQ(next, table.rows.size());
 }
 
+// Many narrow numbers beside long names: a title is in one row, a name in all of them.
+TEST(FlowTable, NamesGetTheWidthThatWordsOfTitlesLeave) {
+    PageTable table{{QStringLiteral("Place")}, {}, {}, {}, 8};
+    for (int i = 0; i < 10; ++i)
+        table.titles.push_back(QStringLiteral("Mean sun of all cells with trees as evergreens, h"));
+    for (int i = 0; i < 20; ++i) {
+        table.rows.push_back({QStringLiteral("Rue de la Turbie, Rue Grimaldi to Rue Suffren, sidewalk")});
+        table.rows.back().resize(11, QStringLiteral("1.23"));
+    }
+    const std::vector<double> widths = fitColumns(table, 700);
+    EXPECT_NEAR(std::accumulate(widths.begin(), widths.end(), 0.0), 700, 0.5);
+    EXPECT_GT(widths[0], 2 * widths[1]);
+    EXPECT_GT(widths[1], 35) << "no word is broken";
+}
+
 TEST(Book, PreviewsShowThePagesOfThePdf) {
     const Book book = ReviewedPark().book({{Paper::a4, true}, {}, {}});
     const QImage picture = makePagePicture(book, 0, 72);

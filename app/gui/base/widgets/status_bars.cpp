@@ -6,6 +6,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
 #include <utility>
 
 #include "app/gui/base/jobs/job.h"
@@ -166,44 +167,55 @@ ProgressStrip::ProgressStrip(QBoxLayout::Direction direction, QWidget* parent)
     layout->addWidget(bar_);
     layout->addWidget(cancel_);
     wait_.setSingleShot(true);
-    connect(&wait_, &QTimer::timeout, this, &QWidget::show);
+    connect(&wait_, &QTimer::timeout, this, &ProgressStrip::showLast);
     hide();
 }
 
 void ProgressStrip::follow(JobSlot& slot, Jobs jobs, const QWidget* other) {
     connect(&slot, &JobSlot::started, this, [this, &slot, jobs, other](const Job& job, const QString& what) {
-        begin(slot, jobs, other, job, what);
+        begin({&slot, jobs, other, tr("%1: starting").arg(what)}, job, what);
     });
     connect(&slot, &JobSlot::ended, this, [this, &slot] { finish(slot); });
     if (jobs == Jobs::whole) return;
     connect(cancel_, &QPushButton::clicked, &slot, [this, &slot] {
-        if (shown_ == &slot) slot.cancel();
+        if (!running_.empty() && running_.back().slot == &slot) slot.cancel();
     });
 }
 
-void ProgressStrip::begin(const JobSlot& slot, Jobs jobs, const QWidget* other, const Job& job,
-                          const QString& what) {
-    if (jobs == Jobs::often && shown_ && shown_ != &slot) return;
-    shown_ = &slot;
-    cancel_->setVisible(jobs != Jobs::whole);
-    label_->setText(tr("%1: starting").arg(what));
-    bar_->setValue(0);
-    connect(&job, &Job::progressed, this, [this, &slot, other, what](double fraction, const QString& stage) {
-        if (shown_ != &slot) return;
-        if (other) setVisible(!other->isVisible());
-        bar_->setValue(int(fraction * 1000));
-        label_->setText(QStringLiteral("%1: %2, %3 %").arg(what, stage).arg(int(fraction * 100)));
+void ProgressStrip::begin(Running now, const Job& job, const QString& what) {
+    const JobSlot& slot = *now.slot;
+    std::erase_if(running_, [&](const Running& one) { return one.slot == &slot; });
+    connect(&job, &Job::progressed, this, [this, &slot, what](double fraction, const QString& stage) {
+        take(slot, fraction, QStringLiteral("%1: %2, %3 %").arg(what, stage).arg(int(fraction * 100)));
     });
-    if (jobs == Jobs::often && !isVisible()) return wait_.start(shortMs);
-    wait_.stop();
-    setVisible(!other || !other->isVisible());
+    const bool isFirst = running_.empty();
+    const bool waits = now.jobs == Jobs::often;
+    running_.insert(waits ? running_.begin() : running_.end(), std::move(now));
+    if (waits && isFirst && !isVisible()) return wait_.start(shortMs);
+    showLast();
+}
+
+void ProgressStrip::take(const JobSlot& slot, double fraction, const QString& text) {
+    const auto one = std::ranges::find(running_, &slot, &Running::slot);
+    if (one == running_.end()) return;
+    one->fraction = fraction;
+    one->text = text;
+    if (!wait_.isActive()) showLast();
 }
 
 void ProgressStrip::finish(const JobSlot& slot) {
-    if (shown_ != &slot) return;
-    shown_ = nullptr;
+    std::erase_if(running_, [&](const Running& one) { return one.slot == &slot; });
+    showLast();
+}
+
+void ProgressStrip::showLast() {
     wait_.stop();
-    hide();
+    if (running_.empty()) return hide();
+    const Running& last = running_.back();
+    cancel_->setVisible(last.jobs != Jobs::whole);
+    label_->setText(last.text);
+    bar_->setValue(int(last.fraction * bar_->maximum()));
+    setVisible(!last.other || !last.other->isVisible());
 }
 
 }  // namespace noonmark

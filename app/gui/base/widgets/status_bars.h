@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <vector>
 
 #include "core/base/result.h"
 
@@ -63,8 +64,8 @@ private:
 class Job;
 class JobSlot;
 
-/// The progress of a job, with a button to cancel it. Hidden while there is none. Of several slots it follows
-/// the one started last.
+/// The progress of a job, with a button to cancel it. Hidden while there is none. Of several slots it shows
+/// the one started last, and when that has ended, the one before.
 class ProgressStrip final : public QWidget {
     Q_OBJECT
 public:
@@ -82,14 +83,23 @@ public:
     void follow(JobSlot& slot, Jobs jobs = Jobs::cancellable, const QWidget* other = nullptr);
 
 private:
-    void begin(const JobSlot& slot, Jobs jobs, const QWidget* other, const Job& job, const QString& what);
+    struct Running {
+        JobSlot* slot;
+        Jobs jobs;
+        const QWidget* other;
+        QString text;
+        double fraction = 0;
+    };
+    void begin(Running now, const Job& job, const QString& what);
+    void take(const JobSlot& slot, double fraction, const QString& text);
     void finish(const JobSlot& slot);
+    void showLast();
 
     QLabel* label_;
     QProgressBar* bar_;
     QPushButton* cancel_;
     QTimer wait_;
-    const JobSlot* shown_ = nullptr;  ///< the slot of the displayed job; null: none
+    std::vector<Running> running_;  ///< the last is shown
 };
 
 }  // namespace noonmark

@@ -178,7 +178,8 @@ ContributionSheet makeContributionSheet(const Study& study, const PlaceContribut
     const double cellDays = double(of.cells) * of.breakdown.grid.cellAreaM2() * double(of.days);
     const QString itself = describeTime(of.studyMinM2 / cellDays, study.field.sunlitMinutesPerDay, show);
     sheet.note = QObject::tr("%1 cell(s); in the study itself %2.", "", pluralNumber(of.cells))
-                     .arg(formatCount(of.cells), itself);
+                     .arg(formatCount(of.cells), itself) +
+                 QLatin1Char(' ') + QString::fromStdString(formatText(of.period));
     sheet.method =
         QObject::tr("Attributed by: %1\nThe study: %2")
             .arg(QString::fromStdString(of.breakdown.engine), QString::fromStdString(study.field.engine));
@@ -205,6 +206,7 @@ ContributionSheet makeContributionSheet(const KeptContributions& of, const City&
     }
     sheet.headline = describeSum(sheet, of.rows, of.sunlitMinutesPerDay, show);
     sheet.note = QObject::tr("%1 cell(s)", "", pluralNumber(of.cells)).arg(formatCount(of.cells));
+    if (!of.period.empty()) sheet.note += QStringLiteral("; ") + QString::fromStdString(of.period);
     sheet.method = QObject::tr("Attributed by: %1").arg(QString::fromStdString(of.engine));
     return sheet;
 }

@@ -90,6 +90,7 @@ ExportDialog::ExportDialog(const ExportChoice& first, const QString& folder, Sou
     connect(form_, &SheetForm::edited, this, &ExportDialog::takeForm);
     connect(form_, &SheetForm::failed, this, &ExportDialog::showError);
     connect(&session_, &ProjectSession::changed, this, &ExportDialog::showProject);
+    connect(&session_, &ProjectSession::unsavedChanged, this, &ExportDialog::update);
     for (QCheckBox* box : {cells_, sheets_}) connect(box, &QCheckBox::toggled, this, &ExportDialog::update);
     showProject();
 }
@@ -168,6 +169,10 @@ QLayout* ExportDialog::makeFoot() {
                   tr("Puts a copy of the project's file into the folder, so that the result can be "
                      "verified from there"),
                   first_.withProject);
+    saveFirst_ = pushButton(tr("Save project first..."), "exportSaveFirst",
+                            tr("A result can be verified only with the project that it comes from, and this "
+                               "project is not saved"));
+    connect(saveFirst_, &QPushButton::clicked, this, &ExportDialog::saveWanted);
     write_ = pushButton(tr("Export"), "exportWrite", {});
     openFolder_ = pushButton(tr("Open folder"), "exportOpenFolder", tr("Shows the written files"));
     openFolder_->setEnabled(false);
@@ -179,7 +184,8 @@ QLayout* ExportDialog::makeFoot() {
     auto* row = new QHBoxLayout;
     row->addWidget(progress_, 1);
     row->addStretch();
-    for (QWidget* field : std::initializer_list<QWidget*>{withProject_, write_, openFolder_, close})
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{withProject_, saveFirst_, write_, openFolder_, close})
         row->addWidget(field);
     auto* foot = new QVBoxLayout;
     foot->addWidget(message_);  // above the buttons: a path beside them would be broken letter by letter
@@ -200,6 +206,16 @@ void ExportDialog::offer(const std::vector<Subject>& subjects) {
 
 void ExportDialog::choose(ExportChoice::Subject subject) {
     if (const int at = subject_->findData(int(subject)); at >= 0) subject_->setCurrentIndex(at);
+}
+
+void ExportDialog::followWriting(JobSlot& writing) {
+    progress_->follow(writing);
+    const auto setWriting = [this](bool on) {
+        writing_ = on;
+        update();
+    };
+    connect(&writing, &JobSlot::started, this, [setWriting] { setWriting(true); });
+    connect(&writing, &JobSlot::ended, this, [setWriting] { setWriting(false); });
 }
 
 void ExportDialog::showWritten(const QString& folder) {
@@ -248,8 +264,11 @@ void ExportDialog::update() {
     fields_->setRowVisible(framed_, isView);
     for (QCheckBox* box : {cells_, sheets_}) fields_->setRowVisible(box, !isView);
     form_->offerExtent(source_.isReview(now));
-    withProject_->setEnabled(!isView && session_.file().has_value());
-    write_->setEnabled(!folder_->text().trimmed().isEmpty());
+    const bool isSaved = session_.file().has_value();
+    withProject_->setEnabled(!isView && isSaved);
+    withProject_->setVisible(isView || isSaved);
+    saveFirst_->setVisible(!isView && !isSaved);
+    write_->setEnabled(!writing_ && !folder_->text().trimmed().isEmpty());
     soon_.start();
 }
 

@@ -49,6 +49,7 @@ public:
     /// At least one. The chosen one stays chosen if it is among them; at first it is the first.
     void offer(const std::vector<Subject>& subjects);
     void choose(ExportChoice::Subject subject);  ///< where it is offered
+    void followWriting(JobSlot& writing);        ///< of the files; it must outlive the dialog
     void showWritten(const QString& folder);
     void showError(const Error& error);
 
@@ -62,6 +63,7 @@ public:
 Q_SIGNALS:
     void chosen(noonmark::ExportChoice choice, QString folder);
     void setupChosen(const noonmark::PageSetup& setup);
+    void saveWanted();  ///< of the project, which has no file
 
 private:
     QLayout* makeFields();
@@ -95,6 +97,8 @@ private:
     QLabel* message_;
     ProgressStrip* progress_;
     QCheckBox* withProject_;
+    QPushButton* saveFirst_;
+    bool writing_ = false;
     QPushButton* write_;
     QPushButton* openFolder_;  // the one that was written last
     QString writtenTo_;

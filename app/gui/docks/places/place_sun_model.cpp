@@ -9,7 +9,7 @@
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/study/region_text.h"
 #include "core/receivers/place_names.h"
-#include "core/study/by_place/sun_by_place_page.h"
+#include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark {
 
@@ -138,6 +138,7 @@ void PlaceSunModel::makeColumns() {
     for (const Figure& figure : sunOfPlaceFigures().rows()) {
         if (figure.use == FigureUse::basis) continue;
         if (figure.key == enoughKey) enough_ = columns_.size();
+        if (figure.key == meanKey) mean_ = columns_.size();
         addFigure(figure, shown.sun);
     }
     addChanges();
@@ -172,14 +173,22 @@ void PlaceSunModel::describeEnough(double hours) {
     const QString enough = formatAmount(hours);
     const Figure& figure = findFigure(sunOfPlaceFigures().rows(), enoughKey);
     FigureColumn& column = columns_[enough_];
-    column.heading = tr("\u2265 %1 h, %").arg(enough);  // as short as the number
+    column.heading = (show_ == ShownAs::sun ? tr("\u2265 %1 h, %") : tr("\u2265 %1 h sun, %")).arg(enough);
     column.tip = tr("%1 (here: %2 h)").arg(translatedSentence(figure.definition), enough);
     const std::vector<CivilDate>& dates = sun_->baseline.settings.dates;
     for (std::size_t date = 0; date < dates.size(); ++date) {
         FigureColumn& below = columns_[firstDate_ + 2 * date + 1];
-        below.heading = tr("%1 < %2 h, %").arg(nameOf(dates[date]), enough);
+        below.heading = (show_ == ShownAs::sun ? tr("%1 < %2 h, %") : tr("%1 < %2 h sun, %"))
+                            .arg(nameOf(dates[date]), enough);
         below.tip = tr("Share of the area with less than %1 h of sun on this day").arg(enough);
     }
+}
+
+int PlaceSunModel::columnOf(const ShownSun& shown) const {
+    const std::size_t column = shown.what == ShownSun::What::change ? firstChange_
+                               : shown.what == ShownSun::What::date ? firstDate_ + 2 * shown.date
+                                                                    : mean_;
+    return firstFigure + int(column);
 }
 
 bool PlaceSunModel::followsEnough(int column) const {
@@ -229,6 +238,7 @@ void PlaceSunModel::addDates() {
 }
 
 void PlaceSunModel::addChanges() {
+    firstChange_ = columns_.size();
     if (sun_->compared.empty()) return;
     const ComparedSun& compared = sun_->compared.back();
     for (const Figure& figure : sunChangeFigures().rows()) {
@@ -431,9 +441,17 @@ void PlaceSunFilter::setKind(std::optional<PlaceKind> kind) {
     invalidateFilter();
 }
 
+void PlaceSunFilter::setLimit(std::optional<Limit> limit) {
+    if (limit == limit_) return;
+    limit_ = limit;
+    invalidateFilter();
+}
+
+// A place without figures has not less.
 bool PlaceSunFilter::accepts(std::size_t place) const {
     const Place& of = model().sun()->baseline.places[place];
     if (kind_ && of.kind != *kind_) return false;
+    if (limit_ && !(model().hoursOf(place, limit_->of) < limit_->hours)) return false;
     return text_.isEmpty() || QString::fromStdString(of.name).contains(text_, Qt::CaseInsensitive);
 }
 

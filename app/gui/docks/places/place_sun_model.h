@@ -58,6 +58,8 @@ public:
     /// Whether a column changes with setEnough().
     [[nodiscard]] bool followsEnough(int column) const;
     [[nodiscard]] int enoughColumn() const { return firstFigure + int(enough_); }
+    /// The column with the hours, or minutes, of what is shown.
+    [[nodiscard]] int columnOf(const ShownSun& shown) const;
     [[nodiscard]] const std::shared_ptr<const SunOfCities>& sun() const { return sun_; }
     /// Hours a day of a place; NaN: no cell.
     [[nodiscard]] double hoursOf(std::size_t place, const ShownSun& shown) const;
@@ -105,7 +107,9 @@ private:
     ShownAs show_ = ShownAs::sun;
     bool grouped_ = false;
     std::vector<FigureColumn> columns_;
-    std::size_t enough_ = 0;       ///< of the columns, the share with enough sun
+    std::size_t mean_ = 0;         ///< of the columns, the mean over the period
+    std::size_t enough_ = 0;       ///< likewise, the share with enough sun
+    std::size_t firstChange_ = 0;  ///< likewise, the change of the mean
     std::size_t firstDate_ = 0;    ///< likewise, the hours of the first date, followed by the share below
     std::vector<Node> nodes_;      ///< 0: above all
     std::vector<int> nodeOf_;      ///< of each place
@@ -120,6 +124,13 @@ public:
 
     void setText(const QString& text);
     void setKind(std::optional<PlaceKind> kind);  ///< none: all
+    /// Less sun than so many hours a day.
+    struct Limit {
+        ShownSun of;
+        double hours = 0;
+        bool operator==(const Limit&) const = default;
+    };
+    void setLimit(std::optional<Limit> limit);  ///< none: however much
     /// The place itself, not only one that is part of it.
     [[nodiscard]] bool accepts(std::size_t place) const;
     [[nodiscard]] std::optional<PlaceKind> kind() const { return kind_; }
@@ -133,6 +144,7 @@ private:
 
     QString text_;
     std::optional<PlaceKind> kind_;
+    std::optional<Limit> limit_;
 };
 
 }  // namespace noonmark

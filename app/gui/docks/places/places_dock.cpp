@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -16,7 +17,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "app/gui/base/layers/field_picture.h"
 #include "app/gui/base/widgets/buttons.h"
@@ -37,7 +40,7 @@ constexpr double minutesOfHour = 60;
 constexpr int thresholdRestMs = 250;
 
 constexpr int fittedRows = 200;  // that columns are made wide enough for
-constexpr int nameLetters = 30;  // of a name: the hours stand beside it in a narrow dock, too
+constexpr int nameLetters = 24;  // of a name at least
 
 // From them the shares for another threshold follow. A saved answer holds none, nor how many there were.
 bool knowsCells(const SunByPlace& sun) {
@@ -103,6 +106,7 @@ PlacesDock::PlacesDock(QWidget* parent)
       text_(new QLineEdit),
       kinds_(listField("placesKind", tr("Lists only places of this kind"))),
       grouped_(new QCheckBox(tr("By kind"))),
+      onlyBelow_(new QCheckBox(tr("Only these"))),
       table_(new QTreeView),
       listed_(new QLabel),
       contributors_(pushButton(tr("Who shades it"), "placeContributors",
@@ -123,11 +127,13 @@ void PlacesDock::placeFields() {
     QFont bold = count_->font();
     bold.setBold(true);
     count_->setFont(bold);
+    onlyBelow_->setObjectName(QStringLiteral("placesOnlyBelow"));
+    onlyBelow_->setToolTip(tr("Lists only the places that this sentence counts"));
     listed_->setObjectName(QStringLiteral("placesListed"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
     column->addWidget(makeAside());
-    column->addWidget(count_);
+    column->addLayout(lowRow({{count_, 1}, {onlyBelow_, 0}}));
     column->addLayout(lowRow({{shown_, 1}, {makeThreshold(), 1}}));
     column->addWidget(makeFilters());
     column->addWidget(table_, 1);
@@ -198,13 +204,19 @@ void PlacesDock::makeTable() {
     table_->setAllColumnsShowFocus(true);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->header()->setStretchLastSection(false);
+    table_->viewport()->installEventFilter(this);
     table_->setToolTip(
         tr("Click a row to see its place in the view; a click on a place in the view selects "
            "its row"));
 }
 
 void PlacesDock::connectFields() {
-    connect(shown_, &QComboBox::currentIndexChanged, this, &PlacesDock::colour);
+    connect(shown_, &QComboBox::currentIndexChanged, this, [this] {
+        showNextToNames();
+        colour();
+        limitRows();
+    });
+    connect(onlyBelow_, &QCheckBox::toggled, this, &PlacesDock::limitRows);
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { follow(double(tick) / ticksOfHour); });
     connect(threshold_, &QDoubleSpinBox::valueChanged, this, &PlacesDock::follow);
     rest_->setSingleShot(true);
@@ -293,14 +305,68 @@ void PlacesDock::fillLists() {
     showThreshold();
     fitColumns();
     showWordsLast();
+    nextToNames_ = model_->columnOf({});
+    applyRestored();
+    showNextToNames();
+    limitRows();
     if (grouped_->isChecked()) table_->expandToDepth(0);
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view wholePeriod = "period", changeOfSun = "change";
+
+}  // namespace
+
+std::string PlacesDock::choice() const {
+    const ShownSun what = shown();
+    const std::string of = what.what == ShownSun::What::date
+                               ? formatText(model_->sun()->baseline.settings.dates[what.date])
+                               : std::string(what.what == ShownSun::What::change ? changeOfSun : wholePeriod);
+    Json json{{"of", of}, {"only_below", onlyBelow_->isChecked()}, {"by_kind", grouped_->isChecked()}};
+    if (const auto kind = filter_->kind()) json["kind"] = nameOf(*kind);
+    return json.dump();
+}
+
+void PlacesDock::applyRestored() {
+    const Json json = Json::parse(std::exchange(restored_, {}), nullptr, false);
+    if (!json.is_object()) return;
+    const auto textOf = [&](const char* key) {
+        const Json text = json.value(key, Json());
+        return text.is_string() ? text.get<std::string>() : std::string();
+    };
+    const auto isOn = [&](const char* key) { return json.value(key, Json()) == true; };
+    const auto& sun = *model_->sun();
+    const auto& dates = sun.baseline.settings.dates;
+    for (std::size_t date = 0; date < dates.size(); ++date)
+        if (textOf("of") == formatText(dates[date])) shown_->setCurrentIndex(int(date) + 1);
+    if (textOf("of") == changeOfSun && !sun.compared.empty()) shown_->setCurrentIndex(shown_->count() - 1);
+    if (const auto kind = parsePlaceKind(textOf("kind")))
+        kinds_->setCurrentIndex(std::max(0, kinds_->findData(int(*kind))));
+    onlyBelow_->setChecked(isOn("only_below"));
+    grouped_->setChecked(isOn("by_kind"));
 }
 
 void PlacesDock::fitColumns() {
     table_->header()->setResizeContentsPrecision(fittedRows);
     for (int column = 0; column < filter_->columnCount(); ++column) table_->resizeColumnToContents(column);
-    table_->setColumnWidth(0,
-                           std::min(widthOfNames(*table_), nameLetters * fontMetrics().averageCharWidth()));
+    namesPx_ = widthOfNames(*table_);
+    fitNames();
+}
+
+// Names take what the first number leaves of the table's width, but some letters at least.
+void PlacesDock::fitNames() {
+    const QHeaderView& header = *table_->header();
+    const int number = header.count() > 1 ? header.sectionSize(header.logicalIndex(1)) : 0;
+    const int minimum = std::min(namesPx_, nameLetters * fontMetrics().averageCharWidth());
+    table_->setColumnWidth(0, std::clamp(table_->viewport()->width() - number, minimum, namesPx_));
+}
+
+bool PlacesDock::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == table_->viewport() && event->type() == QEvent::Resize && namesPx_ > 0) fitNames();
+    return QWidget::eventFilter(watched, event);
 }
 
 // Name and sun are read first.
@@ -308,6 +374,23 @@ void PlacesDock::showWordsLast() {
     QHeaderView& header = *table_->header();
     for (const int column : {PlaceSunModel::kind, PlaceSunModel::remarks})
         header.moveSection(header.visualIndex(column), header.count() - 1);
+}
+
+// What colours the view is the first number of a row; a list in its order stays in the order of that number.
+void PlacesDock::showNextToNames() {
+    if (!model_->sun()) return;
+    QHeaderView& header = *table_->header();
+    const int column = model_->columnOf(shown());
+    header.moveSection(header.visualIndex(column), 1);
+    fitNames();
+    if (filter_->sortColumn() == nextToNames_) table_->sortByColumn(column, filter_->sortOrder());
+    nextToNames_ = column;
+}
+
+void PlacesDock::limitRows() {
+    const bool on = onlyBelow_->isChecked() && model_->sun();
+    filter_->setLimit(on ? std::optional(PlaceSunFilter::Limit{shown(), limitOf(shown())}) : std::nullopt);
+    listed();
 }
 
 // Slider and field show the same hours.
@@ -318,6 +401,7 @@ void PlacesDock::follow(double hours) {
     model_->setEnough(hours);
     if (model_->followsEnough(filter_->sortColumn())) filter_->invalidate();
     colour();
+    limitRows();
     rest_->start();
 }
 
@@ -336,6 +420,7 @@ void PlacesDock::setShown(ShownAs show) {
     model_->setShown(show);
     if (!model_->sun()) return;
     model_->setEnough(threshold_->value());
+    threshold_->setSuffix(show == ShownAs::sun ? tr(" h") : tr(" h of sun"));
     fitColumns();
     if (grouped_->isChecked()) table_->expandToDepth(0);
     colour();
@@ -343,17 +428,17 @@ void PlacesDock::setShown(ShownAs show) {
 }
 
 void PlacesDock::setColours(const LegendChoice& choice) {
-    if (choice == choice_) return;
-    choice_ = choice;
+    if (choice == colours_) return;
+    colours_ = choice;
     colour();
 }
 
 ColourScale PlacesDock::scaleOf(const ShownSun& shown) const {
-    if (shown.what == ShownSun::What::change) return makePlaceChangeScale(choice_);
+    if (shown.what == ShownSun::What::change) return makePlaceChangeScale(colours_);
     std::vector<double> hours;
     for (std::size_t i = 0; i < model_->sun()->baseline.places.size(); ++i)
         hours.push_back(model_->hoursOf(i, shown));
-    return makeThresholdScale(choice_, threshold_->value(), hours);
+    return makeThresholdScale(colours_, threshold_->value(), hours);
 }
 
 // Of what colours the places, so that nobody takes it for exact; empty: not measured.
@@ -451,32 +536,50 @@ QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown) const {
     return tr("%1: %2 h of sun a day").arg(name, groupDigits(hours, 2));
 }
 
+// Hours of sun a day below which a place is counted.
+double PlacesDock::limitOf(const ShownSun& shown) const {
+    constexpr double aMinute = 1 / minutesOfHour;
+    return shown.what == ShownSun::What::change ? -aMinute : threshold_->value();
+}
+
+// `counts`: "61 of 532 places".
+QString PlacesDock::describeLimit(const QString& counts, const ShownSun& shown) const {
+    const bool isSun = model_->showsSun(shown);
+    if (shown.what == ShownSun::What::change)
+        return (isSun ? tr("%1 lose more than a minute of sun a day")
+                      : tr("%1 get more than a minute of shadow a day more"))
+            .arg(counts);
+    const double hours = threshold_->value();
+    const QString limit = isSun ? groupDigits(hours, 1) : groupDigits(model_->shownOf(hours, shown));
+    if (shown.what == ShownSun::What::period)
+        return (isSun ? tr("%1 have less than %2 h of sun a day")
+                      : tr("%1 have more than %2 min of shadow a day"))
+            .arg(counts, limit);
+    return (isSun ? tr("%1 have less than %2 h of sun on %3")
+                  : tr("%1 have more than %2 min of shadow on %3"))
+        .arg(counts, limit, longNameOf(model_->sun()->baseline.settings.dates[shown.date]));
+}
+
 void PlacesDock::describeCount() {
     const auto& sun = model_->sun();
+    onlyBelow_->setVisible(sun != nullptr);
     if (!sun) return count_->setText(tr("No places measured: choose \"Sun by place\" in the panel Study"));
     const ShownSun what = shown();
-    const bool ofChange = what.what == ShownSun::What::change;
-    const double limit = ofChange ? -1.0 / 60 : threshold_->value();
     std::size_t below = 0, measured = 0;
     for (std::size_t i = 0; i < sun->baseline.places.size(); ++i) {
         const double hours = model_->hoursOf(i, what);
         if (std::isnan(hours) || !isCounted(i)) continue;
         ++measured;
-        if (hours < limit) ++below;
+        if (hours < limitOf(what)) ++below;
     }
     QString counts =
         tr("%1 of %2 place(s)", "", pluralNumber(measured)).arg(formatCount(below), formatCount(measured));
     if (const auto kind = filter_->kind())
         counts = tr("%1: %2 of %3").arg(describeKinds(*kind), formatCount(below), formatCount(measured));
-    const QString hours = groupDigits(threshold_->value(), 1);
-    const QString counted =
-        ofChange ? tr("%1 lose more than a minute of sun a day").arg(counts)
-        : what.what == ShownSun::What::period
-            ? tr("%1 have less than %2 h of sun a day").arg(counts, hours)
-            : tr("%1 have less than %2 h of sun on %3")
-                  .arg(counts, hours, longNameOf(sun->baseline.settings.dates[what.date]));
+    const QString counted = describeLimit(counts, what);
     const double enough = sun->baseline.settings.enoughHours;
-    const bool isOfAnother = !ofChange && !knowsCells(sun->baseline) && threshold_->value() != enough;
+    const bool isOfAnother =
+        what.what != ShownSun::What::change && !knowsCells(sun->baseline) && threshold_->value() != enough;
     count_->setText(isOfAnother ? tr("%1. Headline and shares of the area are for %2 h, as they were saved")
                                       .arg(counted, groupDigits(enough, 1))
                                 : counted);
@@ -489,12 +592,19 @@ bool PlacesDock::isCounted(std::size_t place) const {
 
 void PlacesDock::listed() {
     const std::size_t all = model_->sun() ? model_->sun()->baseline.places.size() : 0;
-    std::size_t shown = 0;
-    for (std::size_t i = 0; i < all; ++i) shown += filter_->accepts(i) ? 1 : 0;
+    std::size_t shown = 0, withoutFigures = 0;
+    for (std::size_t i = 0; i < all; ++i) {
+        if (!filter_->accepts(i)) continue;
+        ++shown;
+        if (std::isnan(model_->hoursOf(i, {}))) ++withoutFigures;
+    }
+    const QString places =
+        shown == all
+            ? tr("%1 place(s)", "", pluralNumber(all)).arg(formatCount(all))
+            : tr("%1 of %2 place(s) listed", "", pluralNumber(all)).arg(formatCount(shown), formatCount(all));
     listed_->setVisible(all > 0);
-    listed_->setText(shown == all ? tr("%1 place(s)", "", pluralNumber(all)).arg(formatCount(all))
-                                  : tr("%1 of %2 place(s) listed", "", pluralNumber(all))
-                                        .arg(formatCount(shown), formatCount(all)));
+    listed_->setText(
+        withoutFigures == 0 ? places : tr("%1, %2 without figures").arg(places, formatCount(withoutFigures)));
 }
 
 void PlacesDock::select(std::size_t place) {
@@ -503,6 +613,7 @@ void PlacesDock::select(std::size_t place) {
     if (!filter_->mapFromSource(source).isValid()) {
         text_->clear();
         kinds_->setCurrentIndex(0);
+        onlyBelow_->setChecked(false);
     }
     const QModelIndex row = filter_->mapFromSource(source);
     table_->setCurrentIndex(row);

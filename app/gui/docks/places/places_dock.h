@@ -33,12 +33,19 @@ public:
     void setColours(const LegendChoice& choice);  ///< those that the user chose for legends
     void setShown(ShownAs show);                  ///< hours of sun, or minutes of shadow
     void select(std::size_t place);               ///< without wanted(); a filter that hides it is emptied
+    /// What is listed and how, as JSON, which is saved with the view of the project.
+    [[nodiscard]] std::string choice() const;
+    /// Of the answer that is shown next. Reads what is valid. Accepts any text.
+    void restore(const std::string& choice) { restored_ = choice; }
     /// What the view shows of it; null: nothing.
     [[nodiscard]] std::shared_ptr<const PlaceView> view() const { return view_; }
     [[nodiscard]] std::optional<std::size_t> placeAt(glm::dvec2 point) const {
         return picture_.placeAt(point);
     }
     [[nodiscard]] const PlaceSunModel& model() const { return *model_; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
     /// Double click, or the button below the table: what buildings take from the place is to be shown.
@@ -58,13 +65,19 @@ private:
     void connectFields();
     void connectTable();
     void fillLists();
+    void applyRestored();
     void fitColumns();
+    void fitNames();
     void showThreshold();
     void showWordsLast();
+    void showNextToNames();
+    void limitRows();
     void follow(double hours);
     void colour();
     void enableThreshold();
     void describeCount();
+    [[nodiscard]] QString describeLimit(const QString& counts, const ShownSun& shown) const;
+    [[nodiscard]] double limitOf(const ShownSun& shown) const;
     [[nodiscard]] bool hasSun(std::optional<std::size_t> place) const;
     [[nodiscard]] bool isCounted(std::size_t place) const;  ///< of the kind that is listed
     void listed();
@@ -86,6 +99,7 @@ private:
     QLineEdit* text_;
     QComboBox* kinds_;
     QCheckBox* grouped_;
+    QCheckBox* onlyBelow_;
     QTreeView* table_;
     QLabel* listed_;
     QPushButton* contributors_;
@@ -93,8 +107,11 @@ private:
     std::shared_ptr<const PlaceView> view_;
     QString note_;
     bool outdated_ = false;
-    LegendChoice choice_;
-    QTimer* rest_;  ///< of the threshold
+    LegendChoice colours_;
+    std::string restored_;                          ///< empty: nothing
+    QTimer* rest_;                                  ///< of the threshold
+    int namesPx_ = 0;                               ///< width of the widest name; 0: there is none
+    int nextToNames_ = PlaceSunModel::firstFigure;  ///< the column that is shown there
 };
 
 }  // namespace noonmark

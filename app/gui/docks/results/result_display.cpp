@@ -12,7 +12,7 @@
 #include "app/gui/view/panel/result_layer.h"
 #include "app/gui/view/panel/view_presets.h"
 #include "app/questions/saved_question.h"
-#include "core/study/by_place/sun_by_place_page.h"
+#include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark {
 

@@ -12,6 +12,7 @@
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/docks/study_form/accuracy_section.h"
+#include "app/gui/docks/study_form/places_form.h"
 #include "app/gui/docks/study_form/what_form.h"
 #include "app/gui/docks/study_form/when_form.h"
 #include "app/gui/docks/study_form/where_form.h"
@@ -31,10 +32,6 @@ QGroupBox* groupOf(const QString& title, std::initializer_list<QWidget*> content
     for (QWidget* widget : content) column->addWidget(widget);
     return group;
 }
-
-// Time of the sun by place per field of its cells: sums of each month, the error, and each date. Measured on
-// 2,215 places of Chicago's Loop over a year.
-double fieldsOfPlaces(std::size_t dates) { return 2.4 + 0.2 * double(dates); }
 
 Period wholeYear(const Period& period) { return applied(PeriodPreset::year, period, period.start, 0); }
 
@@ -61,6 +58,7 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
       refusal_(lineOf("engineRefusal")),
       run_(pushButton({}, "run", tr("Compute the minutes of shadow in every cell of the region (Ctrl+R)"))),
       progress_(new ProgressStrip(QBoxLayout::TopToBottom)) {
+    forecastLine_->setMinimumHeight(2 * fontMetrics().lineSpacing());
     showAsError(*refusal_);
     placeForms();
     connectForms();
@@ -151,6 +149,12 @@ void StudyDock::restore(StudyKind kind) {
     showDocument();
 }
 
+void StudyDock::beginAnew() {
+    periodBefore_.reset();
+    usePeriodOf(what_->kind());
+    showDocument();
+}
+
 // Reviews have a panel of their own, with its own button.
 void StudyDock::run() {
     const StudyKind kind = what_->kind();
@@ -200,13 +204,16 @@ void StudyDock::setBuilding(const QString& id) {
 
 void StudyDock::setCity(std::shared_ptr<const City> city) {
     terrain_ = city && city->terrain != nullptr;
+    hasCity_ = city != nullptr;
     if (city) when_->setLatitude(city->frame.origin().latDeg);
     accuracy_->setTerrain(terrain_);
     forecast_->setCity(std::move(city));
+    askForecast();
     showRefusal();
 }
 
 void StudyDock::setElementFinder(ElementFinder find) { find_ = std::move(find); }
+void StudyDock::setCityFinder(CityFinder find) { findCities_ = std::move(find); }
 
 void StudyDock::setComparing(bool comparing) {
     if (comparing == comparing_) return;
@@ -216,12 +223,13 @@ void StudyDock::setComparing(bool comparing) {
                            : comparing                        ? StudyKind::change
                                                               : StudyKind::shadow;
     what_->show(kind, document_.settings().receivers.places, document_.elements());
-    forecast_->setSettings(measuredCells(), measuredElements());
+    askForecast();
     showRefusal();
     showKind();
 }
 
 void StudyDock::showDocument() {
+    changedSinceRun_ = true;
     const StudySettings& settings = document_.settings();
     what_->show(what_->kind(), settings.receivers.places, document_.elements());
     when_->show(settings.period);
@@ -229,21 +237,19 @@ void StudyDock::showDocument() {
     breakdown_->show(settings);
     accuracy_->show(settings);
     places_->setYear(settings.period.start.year());
-    forecast_->setSettings(measuredCells(), measuredElements());
+    askForecast();
     showRefusal();
     showKind();
 }
 
-// Those of the document; of the sun by place, the ground of the places that are ticked.
-StudySettings StudyDock::measuredCells() const {
-    StudySettings settings = document_.settings();
-    if (what_->kind() != StudyKind::places) return settings;
-    settings.region = {.name = "places", .polygons = {}};
-    settings.receivers.places = ReceiverPlaces::ground;
-    for (const Place& place : places_->chosen())
-        settings.region.polygons.insert(settings.region.polygons.end(), place.polygons.begin(),
-                                        place.polygons.end());
-    return settings;
+// What is wrong with the settings of places is shown in their form.
+void StudyDock::askForecast() {
+    if (what_->kind() != StudyKind::places)
+        return forecast_->setSettings(document_.settings(), measuredElements());
+    auto settings = places_->settings();
+    if (!settings || !findCities_) return;
+    settings->study = document_.settings();
+    forecast_->setPlaces({findCities_(places_->allScenarios()), places_->chosen(), *std::move(settings)});
 }
 
 // Comparisons and places are of cells.
@@ -262,7 +268,8 @@ void StudyDock::showRefusal() {
 
 QString StudyDock::whyNotCells() const {
     const StudySettings& settings = document_.settings();
-    const bool roofs = measuredCells().receivers.places != ReceiverPlaces::ground;
+    const bool roofs =
+        what_->kind() != StudyKind::places && settings.receivers.places != ReceiverPlaces::ground;
     if (!comparing_ && settings.byMonth && !whyNoMonths(settings).isEmpty()) return whyNoMonths(settings);
     if (!comparing_ && settings.contributions && !whyNoContributions(settings).isEmpty())
         return whyNoContributions(settings);
@@ -277,22 +284,12 @@ QString StudyDock::whyNotPoints() const {
     return tr("This method measures no facades, windows or planes. Choose Quick or Reference.");
 }
 
-// None while it is not known.
-std::optional<RunEstimate> StudyDock::estimate() const {
-    std::optional<RunEstimate> whole = forecast_->estimate();
-    if (!whole || what_->kind() != StudyKind::places) return whole;
-    const auto settings = places_->settings();
-    const double fields =
-        double(places_->cityCount()) * fieldsOfPlaces(settings ? settings->dates.size() : 0);
-    for (double* seconds : {&whole->seconds, &whole->raySeconds, &whole->quickerSeconds}) *seconds *= fields;
-    return whole;
-}
-
 void StudyDock::showForecast() {
-    const auto estimate = this->estimate();
+    const auto& estimate = forecast_->estimate();
     const QString words = estimate ? describe(*estimate) : forecast_->refusal();
-    forecastLine_->setText(words);
-    forecastLine_->setVisible(refusal_->isHidden() && !words.isEmpty());
+    // It keeps its place while it is computed anew, so that nothing moves below the mouse.
+    forecastLine_->setText(words.isEmpty() ? tr("The time that it takes is being estimated") : words);
+    forecastLine_->setVisible(refusal_->isHidden() && hasCity_);
     if (what_->kind() == StudyKind::places) showKind();
 }
 
@@ -302,7 +299,8 @@ void StudyDock::showKind() {
     where_->setVisible(!ofPlaces);
     places_->setVisible(ofPlaces);
     run_->setText(runText());
-    run_->setEnabled(!ofPlaces || (places_->settings() && !places_->chosen().empty()));
+    const bool isAsked = running_ && !changedSinceRun_;
+    run_->setEnabled(!isAsked && (!ofPlaces || (places_->settings() && !places_->chosen().empty())));
 }
 
 QString StudyDock::runText() const {
@@ -312,12 +310,13 @@ QString StudyDock::runText() const {
     if (running_) return tr("Run again");
     if (kind == StudyKind::change) return tr("Compare");
     if (kind == StudyKind::shadow) return tr("Run study");
-    const auto estimate = this->estimate();
+    const auto& estimate = forecast_->estimate();
     return estimate ? tr("Run (%1)").arg(describeAbout(estimate->seconds)) : tr("Run");
 }
 
 void StudyDock::setRunning(bool running) {
     running_ = running;
+    changedSinceRun_ = false;
     showKind();
 }
 

@@ -49,13 +49,19 @@ public:
     /// Looks up the parts of the settings in the project (findElementParts()), to estimate the time of a run.
     using ElementFinder = std::function<ElementSettings(const ElementSettings&)>;
     void setElementFinder(ElementFinder find);
+    /// Lists the cities whose places are to be measured, the baseline first, likewise.
+    using CityFinder = std::function<std::vector<std::shared_ptr<const City>>(bool allScenarios)>;
+    void setCityFinder(CityFinder find);
     [[nodiscard]] ElementForm& elements() { return what_->elements(); }
+    [[nodiscard]] PlacesForm& places() { return *places_; }
     void setComparing(bool comparing);  ///< run() compares the scenario with a baseline
     /// The kind of study that is chosen.
     [[nodiscard]] StudyKind kind() const { return what_->kind(); }
     void restore(StudyKind kind);  ///< as it was saved: its period is the document's
-    void choose(StudyKind kind);   ///< as the user does in the list
-    void run();                    ///< as the button does
+    /// Another project, which asks nothing yet: the kind of study stays, with the days that it begins with.
+    void beginAnew();
+    void choose(StudyKind kind);  ///< as the user does in the list
+    void run();                   ///< as the button does
     /// Wide enough for the forms without scrolling sideways.
     [[nodiscard]] QSize sizeHint() const override;
 
@@ -82,11 +88,10 @@ private:
     void usePeriodOf(StudyKind kind);
     void showDocument();
     void showKind();
+    void askForecast();
     void showForecast();
     void showRefusal();
     [[nodiscard]] std::optional<ElementSettings> measuredElements() const;
-    [[nodiscard]] StudySettings measuredCells() const;
-    [[nodiscard]] std::optional<RunEstimate> estimate() const;
     [[nodiscard]] QString runText() const;
     [[nodiscard]] QString whyNotCells() const;
     [[nodiscard]] QString whyNotPoints() const;
@@ -105,9 +110,12 @@ private:
     bool terrain_ = false;
     bool comparing_ = false;
     bool running_ = false;
+    bool changedSinceRun_ = false;
+    bool hasCity_ = false;
     QPushButton* run_;
     ProgressStrip* progress_;
     ElementFinder find_;
+    CityFinder findCities_;
     int formsWidth_ = 0;  // px, all they need
 };
 

@@ -54,7 +54,10 @@ void StudyActions::listenTo(StudyDock& study, ProjectDock& tree, WeightsDock& we
     connect(&study, &StudyDock::runRequested, this, &StudyActions::run);
     connect(run_, &QAction::triggered, &study,
             [this, &study] { study.kind() == StudyKind::places ? study.run() : run(); });
-    connect(&weights, &WeightsDock::scoreRequested, &workbench_, &Workbench::runScore);
+    connect(&weights, &WeightsDock::scoreRequested, this, [this](const std::string& table) {
+        goToRegion();
+        workbench_.runScore(table);
+    });
     connect(&tree, &ProjectDock::periodChosen, this, &StudyActions::setPeriod);
     connect(&tree, &ProjectDock::savePeriodRequested, this, &StudyActions::savePeriod);
 }
@@ -65,7 +68,7 @@ void StudyActions::run() {
 }
 
 // The map of a region out of sight would appear where nobody looks.
-void StudyActions::goToRegion() {
+void StudyActions::goToRegion() const {
     const Region &region = workbench_.document().settings().region, seen = panel_.visibleGround();
     if (region.polygons.empty() || workbench_.measuresElements()) return;
     const auto middleOf = [](const Region& of) {
@@ -91,7 +94,10 @@ void StudyActions::listQuestions(QMenu& menu) const {
             if (question->help.empty()) continue;
             QAction* entry = menu.addAction(translated(question->label));
             entry->setStatusTip(translated(question->help));
-            connect(entry, &QAction::triggered, &workbench_, [this, question] { workbench_.ask(*question); });
+            connect(entry, &QAction::triggered, this, [this, question] {
+                goToRegion();
+                workbench_.ask(*question);
+            });
         }
         menu.menuAction()->setVisible(!menu.isEmpty());
     });

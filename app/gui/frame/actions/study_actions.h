@@ -41,7 +41,7 @@ public:
 
 private:
     void run();
-    void goToRegion();
+    void goToRegion() const;
     void setPeriod(const Period& period);
     void savePeriod();
     void compare();

@@ -52,17 +52,10 @@ QString titleOfPlaces(const Answer& answer) {
 
 QString hoursText(double hours) { return QObject::tr("%1 h of sun a day").arg(groupDigits(hours, 2)); }
 
-// The sun of places as the user wants to read it.
-struct SunOrShadow {
-    ShownAs show;
-    double possibleHours;
-
-    [[nodiscard]] bool isSun() const { return show == ShownAs::sun; }
-    [[nodiscard]] QString text(double sunHours) const {
-        if (isSun()) return hoursText(sunHours);
-        return QObject::tr("%1 min of shadow a day").arg(groupDigits((possibleHours - sunHours) * 60));
-    }
-};
+QString textOf(double sunHours, const SunOrShadow& as) {
+    if (as.isSun()) return hoursText(sunHours);
+    return QObject::tr("%1 min of shadow a day").arg(groupDigits(as.amount(sunHours).value));
+}
 
 // Of the place with least, or with most. Those without a name of their own only where no other has one.
 ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPlace& sun, bool maximum,
@@ -78,7 +71,7 @@ ResultRow extremeRow(const QString& name, const QString& meaning, const SunByPla
     if (!found) return {name, QObject::tr("none"), meaning};
     return {name,
             QStringLiteral("%1\n%2").arg(QString::fromStdString(sun.places[*found].name),
-                                         as.text(sun.sun[*found].meanHours)),
+                                         textOf(sun.sun[*found].meanHours, as)),
             meaning};
 }
 
@@ -100,7 +93,7 @@ ResultRow placeFigureRow(const Figure& figure, const SunOfPlace& of, const SunOr
     const double value = figure.get(&of);
     const QString text = figure.unit == FigureUnit::share ? QObject::tr("%1 %").arg(groupDigits(100 * value))
                          : figure.unit == FigureUnit::squareMetres ? describeArea(value)
-                                                                   : as.text(value);
+                                                                   : textOf(value, as);
     const bool isHours = figure.unit != FigureUnit::share && figure.unit != FigureUnit::squareMetres;
     return {isHours && !as.isSun() ? shadowLabel(figure) : translated(figure.label), text,
             translatedSentence(figure.definition)};

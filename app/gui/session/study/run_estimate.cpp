@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
@@ -109,6 +110,17 @@ Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
     return estimate;
 }
 
+Result<RunEstimate> estimateRun(const PlacesRun& run, const std::stop_token& stop) {
+    std::vector<NamedCity> cities;
+    for (const auto& city : run.cities) cities.push_back({{}, *city});
+    return forecastSunByPlace(cities, run.places, run.settings, stop).map([](const SunForecast& forecast) {
+        return RunEstimate{.receivers = double(forecast.cells),
+                           .steps = double(forecast.steps),
+                           .seconds = forecast.seconds,
+                           .engine = nameOfEngine(forecast.engine)};
+    });
+}
+
 bool measuresPoints(const StudySettings& settings) {
     return settings.engineSettings.empty() &&
            (settings.engine == "auto" || settings.engine == "horizon" || settings.engine == referenceEngine);
@@ -163,9 +175,16 @@ void RunForecast::setCity(std::shared_ptr<const City> city) {
 }
 
 void RunForecast::setSettings(const StudySettings& settings, const std::optional<ElementSettings>& elements) {
-    if (settings == settings_ && elements == elements_) return;
+    if (!places_ && settings == settings_ && elements == elements_) return;
     settings_ = settings;
     elements_ = elements;
+    places_.reset();
+    askSoon();
+}
+
+void RunForecast::setPlaces(PlacesRun run) {
+    if (places_ == run) return;
+    places_ = std::move(run);
     askSoon();
 }
 
@@ -178,11 +197,14 @@ void RunForecast::askSoon() {
 }
 
 void RunForecast::ask() {
-    if (!city_ || settings_.region.polygons.empty()) return;
+    const bool isEmpty = places_ ? places_->cities.empty() || places_->places.empty()
+                                 : !city_ || settings_.region.polygons.empty();
+    if (isEmpty) return;
     slot_.start<RunEstimate>(
         tr("Estimating"),
-        [city = city_, settings = settings_, elements = elements_](Progress& progress,
-                                                                   const std::stop_token& stop) {
+        [city = city_, settings = settings_, elements = elements_, places = places_](
+            Progress& progress, const std::stop_token& stop) {
+            if (places) return estimateRun(*places, stop);
             return elements ? estimateRun(*city, settings, *elements, progress, stop)
                             : estimateRun(*city, settings, stop);
         },

@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "app/gui/base/jobs/job.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/place_elements.h"
 
 class QTimer;
@@ -39,6 +41,16 @@ Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
                                 const ElementSettings& elements, Progress& progress,
                                 const std::stop_token& stop);
 
+/// The sun by place: of one city, or of a baseline and its scenarios.
+struct PlacesRun {
+    std::vector<std::shared_ptr<const City>> cities;
+    std::vector<Place> places;
+    SunByPlaceSettings settings;
+    bool operator==(const PlacesRun&) const = default;
+};
+/// The same for the sun by place: see forecastSunByPlace(). The times of other engines are not estimated: 0.
+Result<RunEstimate> estimateRun(const PlacesRun& run, const std::stop_token& stop);
+
 /// Whether the settings' engine measures points (runElementStudy).
 bool measuresPoints(const StudySettings& settings);
 
@@ -61,6 +73,7 @@ public:
     void setCity(std::shared_ptr<const City> city);  ///< null: no forecast
     /// `elements`: points are measured instead of cells.
     void setSettings(const StudySettings& settings, const std::optional<ElementSettings>& elements = {});
+    void setPlaces(PlacesRun run);  ///< in place of those settings and the city
 
     /// Nothing while it is being computed, without a city, or where the study would be refused.
     [[nodiscard]] const std::optional<RunEstimate>& estimate() const { return estimate_; }
@@ -77,6 +90,7 @@ private:
     std::shared_ptr<const City> city_;
     StudySettings settings_;
     std::optional<ElementSettings> elements_;
+    std::optional<PlacesRun> places_;
     std::optional<RunEstimate> estimate_;
     QString refusal_;
     JobSlot slot_;

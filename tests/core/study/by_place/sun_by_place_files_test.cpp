@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/base/gdal_calls.h"
@@ -92,6 +94,48 @@ TEST(SunByPlace, TheSentencesOfOnePlaceStateItsSunItsDatesAndWhatIsTaken) {
     ASSERT_EQ(page.charts.size(), 2U);
     EXPECT_DOUBLE_EQ(page.charts[0].groups[0].values[0], both.baseline.sun[0].monthHours[0]);
     EXPECT_NE(makePage(both, 1).charts[0].groups[0].values[0], page.charts[0].groups[0].values[0]);
+}
+
+// 21 December is a day of the period: of its 9.2 h with the sun up, all but two in shadow are too many.
+TEST(SunByPlace, AsShadowSentencesAndChartsStateMinutes) {
+    SunByPlaceSettings settings = settingsOfDays(3);
+    const CivilDate day = settings.study.period.start;
+    settings.dates = {day, std::chrono::year(2020) / 1 / 1};
+    const SunOfCities both = compareByPlace(
+        {{"Now", loneTower()}, {"Wall", withSouthWall(loneTower())}},
+        {namedPlace("Park", -30, 20, 50, 60), namedPlace("Far", -400, -400, -360, -360)}, settings);
+    const double possible = possibleHoursOn(both.baseline, [&](const CivilDate& one) { return one == day; });
+    ASSERT_GT(possible, 2);
+    std::vector<std::string> findings;
+    for (const Sentence& finding : makePage(both, ShownAs::shadow).findings)
+        findings.push_back(formatText(finding));
+    EXPECT_THAT(findings,
+                testing::Contains(fmt::format("On {}, 0 of 2 places lie in shadow for more than {:.0f} min.",
+                                              formatText(day), (possible - 2) * 60)));
+    EXPECT_THAT(findings, testing::Contains("On 2020-01-01, 0 of 2 places have less than 2 h."))
+        << "no day of the period: what the sun might have had is not known";
+    const AnswerPage page = makePage(both, 0, ShownAs::shadow);
+    EXPECT_THAT(formatText(page.headline), testing::HasSubstr("or less"));
+    EXPECT_THAT(formatText(page.findings[1]), testing::HasSubstr("it lies in shadow for "));
+    ASSERT_EQ(page.charts.size(), 2U);
+    const SunOfPlace &before = both.baseline.sun[0], &after = both.compared[0].sun.sun[0];
+    EXPECT_NEAR(page.charts[1].groups[0].values[0], (before.monthHours[0] - after.monthHours[0]) * 60, 1e-9)
+        << "more shadow is what the sun lost";
+}
+
+TEST(SunByPlace, TheForecastIsOfTheCellsAndStepsThatAreMeasured) {
+    const std::vector<Place> places{namedPlace("Park", -30, 20, 50, 60)};
+    const SunByPlaceSettings settings = settingsOfDays(3);
+    const NamedCity alone[]{{{}, loneTower()}};
+    const auto forecast = forecastSunByPlace(alone, places, settings, {});
+    ASSERT_TRUE(forecast) << forecast.error().text();
+    const SunByPlace sun = measureByPlace(loneTower(), places, settings);
+    EXPECT_EQ(std::ptrdiff_t(forecast->cells),
+              std::ranges::count_if(sun.field.grossMin, [](float minutes) { return !std::isnan(minutes); }));
+    EXPECT_EQ(forecast->steps, sun.daylight.steps.size());
+    EXPECT_GT(forecast->seconds, 0);
+    EXPECT_FALSE(forecast->engine.empty() || forecast->engine == "auto");
+    EXPECT_FALSE(forecastSunByPlace(alone, {}, settings, {})) << "there is no place";
 }
 
 TEST(SunByPlace, ColumnsNameTheScenarios) {
