@@ -74,8 +74,8 @@ public:
         }
         append(made, listPeriodErrors(places_, *compared, time));
         if (city > 0 && !m_.compared.empty())
-            append(made,
-                   listChangeErrors(places_, m_.compared.front(), *compared, time, made.settings.lossMin));
+            append(made, {listChangeErrors(places_, m_.compared.front(), *compared, time,
+                                           made.settings.lossMin)});
         m_.compared.push_back(*std::move(compared));
         return {};
     }
@@ -96,16 +96,16 @@ public:
         SunByPlace& made = m_.made[city];
         const SunlitTime time{m_.daylight.sunlitMinutes(), countDays(m_.daylight), made.settings.enoughHours};
         return compareShaded(city, m_.daylight, shaded, months, [&](TreeColumns column, ComparedSets all) {
-            std::vector<ShownError> errors = listPeriodErrors(places_, all, time);
+            PlaceErrorList list = listPeriodErrors(places_, all, time);
             if (city > 0 && !m_.compared.empty()) {
                 const auto first = shadedBaseline_.find(column);
                 const ComparedSets& before =
                     first == shadedBaseline_.end() ? m_.compared.front() : first->second;
                 std::ranges::move(listChangeErrors(places_, before, all, time, made.settings.lossMin),
-                                  std::back_inserter(errors));
+                                  std::back_inserter(list.errors));
             }
             if (city == 0) shadedBaseline_.insert_or_assign(column, std::move(all));
-            return errors;
+            return list;
         });
     }
 
@@ -145,10 +145,13 @@ private:
                 minutes[set][cell] += double(taken[set][cell]);
     }
 
-    static std::vector<ShownError> nameColumn(std::vector<ShownError> errors, TreeColumns column) {
-        for (ShownError& error : errors)
-            error.of += (error.of.empty() ? "" : ", ") + std::string(describeTrees(column));
-        return errors;
+    static PlaceErrorList nameColumn(PlaceErrorList list, TreeColumns column) {
+        const auto name = [column](std::string& of) {
+            of += (of.empty() ? "" : ", ") + std::string(describeTrees(column));
+        };
+        for (ShownError& error : list.errors) name(error.of);
+        for (SampledShares& shares : list.shares) name(shares.of);
+        return list;
     }
 
     Result<ComparedSets> compare(std::size_t city, const SunSteps& sun, const ShadowBreakdown& sums) {
@@ -158,8 +161,9 @@ private:
         return compared;
     }
 
-    static void append(SunByPlace& made, std::vector<ShownError> errors) {
-        std::ranges::move(errors, std::back_inserter(made.errors));
+    static void append(SunByPlace& made, PlaceErrorList list) {
+        std::ranges::move(list.errors, std::back_inserter(made.errors));
+        std::ranges::move(list.shares, std::back_inserter(made.sampledShares));
     }
 
     // A missing error fails nothing.

@@ -58,13 +58,6 @@ double meanShadow(const SampledPlaces::Part& part, const Minutes& minutes, const
     return meanOf(part, [&](std::size_t cell) { return sumOfSets(minutes, cell) / sumOfDays(time); });
 }
 
-double enoughShare(const SampledPlaces::Part& part, const Minutes& minutes, const SunlitTime& time) {
-    return meanOf(part, [&](std::size_t cell) {
-        const double sunMin = (time.minutes - sumOfSets(minutes, cell)) / sumOfDays(time);
-        return sunMin >= 60 * time.enoughHours ? 1.0 : 0.0;
-    });
-}
-
 template <class Off>
 std::vector<double> listOff(const SampledPlaces& places, const Off& offOf) {
     std::vector<double> off;
@@ -83,14 +76,19 @@ ShownError errorOfMeans(std::string_view key, const SampledPlaces& places, const
     return sumUpError(key, listMeanDifferences(places, compared, time), of);
 }
 
-ShownError errorOfShares(std::string_view key, const SampledPlaces& places, const ComparedSets& compared,
-                         const SunlitTime& time, const std::string& of = {}) {
-    return overPlaces(
-        key, places,
-        [&](const auto& part) {
-            return enoughShare(part, compared.minutes, time) - enoughShare(part, compared.reference, time);
-        },
-        of);
+SampledShares sampleShares(std::string_view key, const SampledPlaces& places, const ComparedSets& compared,
+                           const SunlitTime& time, const std::string& of = {}) {
+    SampledShares sampled{.key = std::string(key), .of = of};
+    const auto sunMin = [&](const Minutes& minutes, std::size_t cell) {
+        return (time.minutes - sumOfSets(minutes, cell)) / sumOfDays(time);
+    };
+    for (const SampledPlaces::Part& part : places.places) {
+        auto& cells = sampled.places.emplace_back();
+        for (std::size_t i = 0; i < part.at.size(); ++i)
+            cells.push_back({sunMin(compared.minutes, part.at[i]), sunMin(compared.reference, part.at[i]),
+                             part.shares[i]});
+    }
+    return sampled;
 }
 
 ShownError errorOfMonths(const SampledPlaces& places, const ComparedSets& compared, const SunlitTime& time) {
@@ -145,18 +143,35 @@ std::vector<double> listMeanDifferences(const SampledPlaces& places, const Compa
     });
 }
 
-std::vector<ShownError> listPeriodErrors(const SampledPlaces& places, const ComparedSets& compared,
-                                         const SunlitTime& time) {
-    if (places.places.empty()) return {};
-    return {errorOfMeans("place_mean", places, compared, time), errorOfMonths(places, compared, time),
-            errorOfShares("place_enough", places, compared, time)};
+ShownError errorOfShares(const SampledShares& sampled, double enoughHours) {
+    std::vector<double> off;
+    for (const auto& cells : sampled.places) {
+        double difference = 0;
+        for (const SampledShares::Cell& cell : cells) {
+            const auto counts = [&](double sunMin) { return sunMin >= 60 * enoughHours ? cell.share : 0; };
+            difference += counts(cell.sunMin) - counts(cell.referenceMin);
+        }
+        off.push_back(std::abs(difference));
+    }
+    return sumUpError(sampled.key, std::move(off), sampled.of);
 }
 
-std::vector<ShownError> listDateErrors(const SampledPlaces& places, const ComparedSets& compared,
-                                       const SunlitTime& time, const std::string& date) {
+PlaceErrorList listPeriodErrors(const SampledPlaces& places, const ComparedSets& compared,
+                                const SunlitTime& time) {
     if (places.places.empty()) return {};
-    return {errorOfMeans("place_date", places, compared, time, date),
-            errorOfShares("place_below", places, compared, time, date)};
+    const SampledShares shares = sampleShares("place_enough", places, compared, time);
+    return {{errorOfMeans("place_mean", places, compared, time), errorOfMonths(places, compared, time),
+             errorOfShares(shares, time.enoughHours)},
+            {shares}};
+}
+
+PlaceErrorList listDateErrors(const SampledPlaces& places, const ComparedSets& compared,
+                              const SunlitTime& time, const std::string& date) {
+    if (places.places.empty()) return {};
+    const SampledShares shares = sampleShares("place_below", places, compared, time, date);
+    return {{errorOfMeans("place_date", places, compared, time, date),
+             errorOfShares(shares, time.enoughHours)},
+            {shares}};
 }
 
 std::vector<ShownError> listChangeErrors(const SampledPlaces& places, const ComparedSets& before,

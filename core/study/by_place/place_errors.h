@@ -28,15 +28,23 @@ struct SunlitTime {
     double enoughHours = 0;    ///< of sun a day
 };
 
+/// Errors, and what those of shares are found from.
+struct PlaceErrorList {
+    std::vector<ShownError> errors{};
+    std::vector<SampledShares> shares{};
+};
+
 /// Of the mean over the period, a month and the share with enough sun.
-std::vector<ShownError> listPeriodErrors(const SampledPlaces& places, const ComparedSets& compared,
-                                         const SunlitTime& time);
+PlaceErrorList listPeriodErrors(const SampledPlaces& places, const ComparedSets& compared,
+                                const SunlitTime& time);
+/// The error of the share of the area with so many hours of sun a day.
+ShownError errorOfShares(const SampledShares& sampled, double enoughHours);
 /// Of the mean of each place over the period, minutes a day, absolute.
 std::vector<double> listMeanDifferences(const SampledPlaces& places, const ComparedSets& compared,
                                         const SunlitTime& time);
 /// Of the mean and the share with less than enough sun on a date.
-std::vector<ShownError> listDateErrors(const SampledPlaces& places, const ComparedSets& compared,
-                                       const SunlitTime& time, const std::string& date);
+PlaceErrorList listDateErrors(const SampledPlaces& places, const ComparedSets& compared,
+                              const SunlitTime& time, const std::string& date);
 /// Of what changes from one city to another over the period.
 std::vector<ShownError> listChangeErrors(const SampledPlaces& places, const ComparedSets& before,
                                          const ComparedSets& after, const SunlitTime& time, double lossMin);

@@ -112,6 +112,18 @@ struct SunWithTrees {
     std::vector<SunOfPlace> sun;                 ///< of each place
 };
 
+/// The sun of the cells that were sampled in places, by the engine and by rays: the error of a share of the
+/// area for any hours that are enough.
+struct SampledShares {
+    struct Cell {
+        double sunMin = 0, referenceMin = 0;  ///< a day
+        double share = 0;                     ///< of the place's sampled cells; their sum is 1
+    };
+    std::string key;  ///< of the error: "place_enough"
+    std::string of;   ///< of the error: a date, a column with trees
+    std::vector<std::vector<Cell>> places;
+};
+
 /// Their labels, and why there are no figures: what a place is listed with. Empty: nothing to remark.
 std::vector<std::string_view> listRemarks(const SunOfPlace& of);
 
@@ -134,6 +146,7 @@ struct SunByPlace {
     std::vector<std::optional<SampledError>> dateErrors;  ///< likewise; of SunByPlaceSettings::dates
     /// Of each quantity that is shown, on a sample; of a compared city its changes, too. None: not measured.
     std::vector<ShownError> errors;
+    std::vector<SampledShares> sampledShares;  ///< what those of shares were found from; not saved
     SunSteps daylight;                      ///< the period's sun
     std::map<std::string, double> seconds;  ///< by stage, "total", and "forecast" of it before the sweeps
     Warnings warnings;                      ///< places without cells among them

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/describe/text.h"
+#include "core/study/by_place/place_errors.h"
 #include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark {
@@ -127,6 +128,9 @@ void restate(SunByPlace& sun, double hours) {
     sun.settings.enoughHours = hours;
     restate(sun.sun, hours);
     for (SunWithTrees& with : sun.withTrees) restate(with.sun, hours);
+    for (const SampledShares& shares : sun.sampledShares)
+        for (ShownError& error : sun.errors)
+            if (error.facts.key == shares.key && error.of == shares.of) error = errorOfShares(shares, hours);
 }
 
 // On the same cells.

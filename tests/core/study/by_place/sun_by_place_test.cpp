@@ -276,6 +276,7 @@ TEST(SunByPlace, AnotherThresholdGivesTheSharesOfARunWithIt) {
         EXPECT_NEAR(restated->baseline.sun[0].enoughShare, again.sun[0].enoughShare, 1e-6) << hours;
         EXPECT_NEAR(restated->baseline.sun[0].belowShare[0], again.sun[0].belowShare[0], 1e-6) << hours;
         EXPECT_TRUE(haveSameShadow(asked, *restated));
+        EXPECT_EQ(errorsJson(restated->baseline.errors).dump(), errorsJson(again.errors).dump()) << hours;
     }
     SunOfCities saved = asked;
     for (SunOfPlace& of : saved.baseline.sun) of.ofCells.clear();
