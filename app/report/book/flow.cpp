@@ -241,17 +241,17 @@ std::vector<TextBlocks> flowText(const TextBlocks& blocks, const QSizeF& sizePt,
 
 namespace {
 
-double sumOf(const std::vector<double>& widths) { return std::accumulate(widths.begin(), widths.end(), 0.0); }
+double sumWidths(const std::vector<double>& widths) { return std::accumulate(widths.begin(), widths.end(), 0.0); }
 
 // The widest are narrowed to one width.
 void narrowWidest(std::vector<double>& widths, double widthPt) {
     double maximum = *std::ranges::max_element(widths);
     const std::vector<double> wanted = widths;
-    while (sumOf(widths) > widthPt && maximum > 12) {
+    while (sumWidths(widths) > widthPt && maximum > 12) {
         maximum -= 1;
         for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::min(wanted[i], maximum);
     }
-    if (sumOf(widths) > widthPt)
+    if (sumWidths(widths) > widthPt)
         for (double& width : widths) width = widthPt / double(widths.size());
 }
 
@@ -259,7 +259,7 @@ void narrowWidest(std::vector<double>& widths, double widthPt) {
 std::vector<double> shareWidth(const std::vector<ColumnNeed>& needs, double widthPt) {
     std::vector<double> widths;
     for (const ColumnNeed& need : needs) widths.push_back(need.word);
-    if (sumOf(widths) > widthPt) {
+    if (sumWidths(widths) > widthPt) {
         narrowWidest(widths, widthPt);
         return widths;
     }
@@ -268,7 +268,7 @@ std::vector<double> shareWidth(const std::vector<ColumnNeed>& needs, double widt
         double wanted = 0;
         for (std::size_t i = 0; i < needs.size(); ++i)
             if (widths[i] < needs[i].whole) wanted += needs[i].mean;
-        const double spare = widthPt - sumOf(widths);
+        const double spare = widthPt - sumWidths(widths);
         for (std::size_t i = 0; i < needs.size() && wanted > 0; ++i)
             if (widths[i] < needs[i].whole)
                 widths[i] = std::min(needs[i].whole, widths[i] + spare * needs[i].mean / wanted);
@@ -286,8 +286,8 @@ std::vector<double> fitColumns(const PageTable& table, double widthPt) {
         needs.push_back(measureColumn(measure.canvas(), table, i));
         widths.push_back(needs.back().whole);
     }
-    if (sumOf(widths) > widthPt) return shareWidth(needs, widthPt);
-    const double spare = widthPt - sumOf(widths);
+    if (sumWidths(widths) > widthPt) return shareWidth(needs, widthPt);
+    const double spare = widthPt - sumWidths(widths);
     for (double& width : widths)  // the rows end where the page does, but short tables are not torn apart
         width += std::min(spare / double(widths.size()), 0.35 * width);
     return widths;

@@ -11,6 +11,7 @@
 #include "app/gui/base/widgets/number_text.h"
 #include "app/input/all_engines.h"
 #include "core/engines/auto_engine.h"
+#include "core/engines/shade_trees.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/elements/element_study.h"
 
@@ -42,6 +43,12 @@ double breakdownSeconds(const StudySettings& settings, std::string_view engine, 
     if (settings.contributions) return 2 * seconds.horizon;
     if (!settings.byMonth) return 0;
     return engine == "projected" ? seconds.projected : seconds.horizon;
+}
+
+TreeSeconds treeSeconds(const City& city, const StudySettings& settings, const Receivers& receivers,
+                        const SunSteps& sun) {
+    if (settings.trees == TreeColumns::without) return {};
+    return estimateTreeSeconds(city, receivers, sun);
 }
 
 QString nameOfEngine(std::string_view key) {
@@ -88,8 +95,11 @@ Result<RunEstimate> estimateRun(const City& city, const StudySettings& settings,
     estimate.seconds =
         time != known.end() ? time->second : viaGraph(engine, seconds.ray, sun->sunlitMinutes() / 60);
     const double further = breakdownSeconds(settings, engine, load);
-    estimate.seconds += further;
-    estimate.quickerSeconds += further;
+    const TreeSeconds trees = treeSeconds(city, settings, *receivers, *sun);
+    const double quickerTrees = std::min(trees.rays, trees.sweep);
+    estimate.seconds += further + (engine == referenceEngine ? trees.rays : quickerTrees);
+    estimate.quickerSeconds += further + quickerTrees;
+    estimate.raySeconds += trees.rays;
     estimate.engine = nameOfEngine(engine);
     return estimate;
 }
