@@ -21,8 +21,9 @@ std::shared_ptr<const TreeShade> selectColumns(std::shared_ptr<const TreeShade> 
     return std::make_shared<const TreeShade>(std::move(some));
 }
 
-// Exact rays are taken for the shade of one field where they take no longer, as by AutoEngine.
-constexpr double shortSeconds = 2;
+// Exact rays are taken where they take no longer: for the shade of one field as by AutoEngine, for sets less,
+// since small places have them many times.
+constexpr double shortSeconds = 2, shortSecondsOfSets = 0.1;
 
 void addWhatTreesTake(const ShadowField& without, const ShadowField& with, ShadowField& column) {
     for (std::size_t cell = 0; cell < column.grossMin.size(); ++cell)
@@ -119,7 +120,7 @@ Result<std::optional<TakenBySet>> takeSets(const City& city, const Receivers& re
     const CrownScene crowns = findCrowns(city, receivers, sun);
     if (crowns.empty()) return std::nullopt;
     if (const TreeSeconds seconds = estimateSeconds(city, crowns, receivers, sun);
-        seconds.rays > seconds.sweep) {
+        seconds.rays > std::max(shortSecondsOfSets, seconds.sweep)) {
         auto swept = sweepCrowns(city, crowns, receivers, sun, sets, progress, stop);
         if (swept) return *std::move(swept);
         if (isCancelled(swept.error())) return tl::make_unexpected(swept.error());

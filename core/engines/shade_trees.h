@@ -56,8 +56,8 @@ struct ShadedSets {
 };
 
 /// The same by sets of steps, on top of a breakdown of the same city, receivers and steps by whichever
-/// engine: by rays, or by one horizon sweep for all sets where that is quicker. None where no tree reaches a
-/// receiver, and for TreeColumns::without. cancelled() when stopped.
+/// engine: by rays, or by one horizon sweep for all sets where that is quicker and rays take more than 0.1 s.
+/// None where no tree reaches a receiver, and for TreeColumns::without. cancelled() when stopped.
 Result<std::optional<ShadedSets>> shadeTreeSets(const City& city, const Receivers& receivers,
                                                 const SunSteps& sun, const ShadowBreakdown& without,
                                                 TreeColumns columns, Progress& progress,

@@ -220,7 +220,7 @@ TEST(PlaceContributions, KeptOnesComeBackFromTheJsonOfTheirAnswer) {
     ASSERT_EQ(back[1].rows.size(), all[1].rows.size());
     EXPECT_EQ(back[1].rows[0].id, all[1].rows[0].id);
     EXPECT_NEAR(back[1].rows[0].soleMinM2, all[1].rows[0].soleMinM2, 0.1);
-    EXPECT_THAT(contributionsCsv(all, {}), HasSubstr("place,kind,source_id,name,attributed_min_m2"));
+    EXPECT_THAT(contributionsCsv(all, {}), HasSubstr("place,kind,period,source_id,name,attributed_min_m2"));
     EXPECT_THAT(contributionsCsv(all, {}), HasSubstr("Yard,park,"));
 }
 
