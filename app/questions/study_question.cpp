@@ -26,7 +26,7 @@ std::vector<CommandOption> drawnOfStudy(const AnswerFiles& how) {
 class StudyAnswer final : public AnswerOf<Study> {
 public:
     StudyAnswer(std::shared_ptr<const Study> study, std::string scenario,
-                std::vector<KeptContributions> ofPlaces = {})
+                std::vector<ContributionTable> ofPlaces = {})
         : AnswerOf(std::move(study)), scenario_(std::move(scenario)), ofPlaces_(std::move(ofPlaces)) {}
 
     [[nodiscard]] const Question& question() const override { return studyQuestion(); }
@@ -46,8 +46,8 @@ public:
         study->provenance = std::move(provenance);
         return std::make_shared<StudyAnswer>(std::move(study), scenario_, ofPlaces_);
     }
-    [[nodiscard]] const std::vector<KeptContributions>& ofPlaces() const override { return ofPlaces_; }
-    [[nodiscard]] std::shared_ptr<const Answer> withPlace(KeptContributions of) const override {
+    [[nodiscard]] const std::vector<ContributionTable>& ofPlaces() const override { return ofPlaces_; }
+    [[nodiscard]] std::shared_ptr<const Answer> withPlace(ContributionTable of) const override {
         return std::make_shared<StudyAnswer>(shared(), scenario_,
                                              withContributions(ofPlaces_, std::move(of)));
     }
@@ -81,7 +81,7 @@ public:
     }
     [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
                                                              const AnswerFiles& how) const override {
-        return keepWith(makeStudyBook(content(), bookOf(how)), shared());
+        return bundleBook(makeStudyBook(content(), bookOf(how)), shared());
     }
 
 private:
@@ -95,7 +95,7 @@ private:
     }
 
     std::string scenario_;
-    std::vector<KeptContributions> ofPlaces_;
+    std::vector<ContributionTable> ofPlaces_;
 };
 
 Result<std::shared_ptr<const Answer>> computeStudy(const Asked& asked, Progress& progress,
@@ -177,7 +177,7 @@ public:
     }
     [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
                                                              const AnswerFiles& how) const override {
-        return keepWith(makeElementBook(content().study, content().map, bookOf(how)), shared());
+        return bundleBook(makeElementBook(content().study, content().map, bookOf(how)), shared());
     }
 
 private:
@@ -195,7 +195,7 @@ Result<std::optional<InputFile>> describeGlazing(const ElementSettings& points) 
 void addReadingOf(ElementStudy& study, const LoadedCity& loaded) {
     study.provenance = provenanceOf(loaded);
     study.heights = loaded.read.heights;
-    putBefore(study.warnings, loaded.read.warnings);
+    prependWarnings(study.warnings, loaded.read.warnings);
     study.seconds["read"] = loaded.seconds;
     study.seconds["total"] += loaded.seconds;
 }

@@ -53,7 +53,7 @@ public:
 
     /// Removes all that exist, and makes none from now on: call it before the process ends without running
     /// destructors, at a signal.
-    static void removeAllForGood();
+    static void removeAllAndStop();
 
 private:
     std::filesystem::path path_;

@@ -15,7 +15,7 @@ std::string cleanName(std::string_view text);
 
 /// Gives every place a name of its own: an empty one becomes "park (way 123)" by kind and source, and a name
 /// used before gets a number: "Community Garden (2)".
-void nameApart(std::vector<Place>& places);
+void makeNamesUnique(std::vector<Place>& places);
 
 /// The place with this name, in any case. Error: there is none; the advice names those spelled alike, or
 /// those that contain the text.

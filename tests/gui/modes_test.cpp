@@ -121,8 +121,8 @@ struct ModesTest : ::testing::Test {
         window.show();
         window.open({QStringLiteral("sample:central-park-south")});
         ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
-        TimeLook period = window.panel().time().look();
-        period.span = LookSpan::period;
+        ShownTime period = window.panel().time().look();
+        period.span = ShownSpan::period;
         window.panel().time().choose(period);
         change([](StudySettings& question) {
             question.period.stepMinutes = 10;

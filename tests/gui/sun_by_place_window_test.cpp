@@ -460,7 +460,7 @@ TEST_F(SunByPlaceWindow, AChosenPlaceShowsWhoShadesItAlsoWhenSavedAndReopened) {
     QTest::mouseClick(&field<QPushButton>("placeContributors"), Qt::LeftButton);
     ASSERT_TRUE(waitFor([&] { return shownFor("North Park"); }));
     ASSERT_EQ(workbench().answer()->ofPlaces().size(), 1U);
-    const KeptContributions kept = workbench().answer()->ofPlaces().front();
+    const ContributionTable kept = workbench().answer()->ofPlaces().front();
     EXPECT_GT(kept.rows.front().attributedMinM2, 0);
     EXPECT_TRUE(sun()) << "the answer stays";
     keep("Sunny");

@@ -278,7 +278,7 @@ void MainWindow::connectWorkbench() {
     auto* settled = new QTimer(this);
     settled->setSingleShot(true);
     settled->setInterval(settledMs);
-    connect(settled, &QTimer::timeout, this, &MainWindow::keepPicture);
+    connect(settled, &QTimer::timeout, this, &MainWindow::storePicture);
     connect(&opening_, &OpeningActions::opened, settled, qOverload<>(&QTimer::start));
     connect(&saving_, &SavingActions::saved, settled, qOverload<>(&QTimer::start));
     connect(&answers_, &LatestAnswers::failed, &panel_->messages(), &MessageBar::showError);
@@ -469,12 +469,12 @@ void MainWindow::answerCard(StartQuestion question) {
 }
 
 // Some time after it was opened, when the first picture is complete.
-void MainWindow::keepPicture() {
+void MainWindow::storePicture() {
     const QString entry = opening_.recentEntry();
     if (!workbench_.city() || entry.isEmpty() || !panel_->view().isExposed()) return;
     QPointer<MainWindow> alive = this;
     panel_->view().capture([alive, entry](const QImage& image) {
-        if (alive) alive->opening_.keepPicture(entry, image);
+        if (alive) alive->opening_.storePicture(entry, image);
     });
 }
 
@@ -597,8 +597,8 @@ void MainWindow::takeOver(MainWindow& before) {
     opening_.takeProject();
     panel_->time().choose(before.panel_->time().look());
     showTitle();
-    before.saving_.forgetUnsaved();
-    if (workbench_.session().hasUnsavedWork()) saving_.keepUnsaved();
+    before.saving_.removeRecovery();
+    if (workbench_.session().hasUnsavedWork()) saving_.writeRecovery();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

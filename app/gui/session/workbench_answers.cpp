@@ -211,7 +211,7 @@ void Workbench::adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer) {
     remember(known, !again_);
     const bool isComparison = &question == &comparisonQuestion();
     if (isComparison) comparison_ = known;
-    putInFront(isComparison ? nullptr : std::move(known.answer));
+    bringToFront(isComparison ? nullptr : std::move(known.answer));
     if (!again_) Q_EMIT ran();
 }
 
@@ -258,7 +258,7 @@ void Workbench::adoptStudies(Result<std::vector<Measured>> made) {
         answerSeconds_ = study.answer->seconds();
     }
     const bool staysInFront = made->size() > 1 && sunOf(front_);  // the table of scenarios has the studies
-    putInFront(staysInFront ? front_ : nullptr);
+    bringToFront(staysInFront ? front_ : nullptr);
     if (!again_) Q_EMIT ran();
     reportAll(*made);
 }
@@ -307,7 +307,7 @@ void Workbench::measureAll() {
 }
 
 // Null: what is behind is displayed again.
-void Workbench::putInFront(SharedAnswer answer) {
+void Workbench::bringToFront(SharedAnswer answer) {
     reading_.drop();
     past_.reset();
     front_ = std::move(answer);
@@ -344,7 +344,7 @@ bool Workbench::rename(SharedAnswer& answer) {
     return true;
 }
 
-void Workbench::keepWithAnswer(KeptContributions of) {
+void Workbench::attachToAnswer(ContributionTable of) {
     if (const SharedAnswer before = answer()) replace(before, before->withPlace(std::move(of)));
 }
 
@@ -414,7 +414,7 @@ void Workbench::adopt(const KnownAnswer& known, const Adopting& how) {
     remember(known, how.isWork);
     const MeasuredPart part = known.answer->part();
     if (how.isShown && isThere(part.scenario, known.city) && isThere(part.baseline, known.before))
-        putInFront(known.answer);
+        bringToFront(known.answer);
 }
 
 // In place of the last answer to the same question. `isWork`: the user asked for it.
@@ -518,10 +518,10 @@ void Workbench::showMeasured(const MeasuredAnswer& measured) {
     if (known.before) comparison_ = known;
     session_.goTo(scenario);
     if (known.before) session_.setBaseline(baseline);
-    if (!contentOf<Study>(known.answer)) return putInFront(known.before ? nullptr : known.answer);
+    if (!contentOf<Study>(known.answer)) return bringToFront(known.before ? nullptr : known.answer);
     session_.setBaseline({});
     adoptStudy(known);
-    putInFront(nullptr);
+    bringToFront(nullptr);
 }
 
 // Of two cities that it names itself.
@@ -529,7 +529,7 @@ void Workbench::showByItself(const KnownAnswer& known) {
     const std::string scenario = scenarioOf(known.city);
     if (scenario.empty() || scenarioOf(known.before).empty()) return showPast(known.answer);
     session_.goTo(scenario);
-    putInFront(known.answer);
+    bringToFront(known.answer);
 }
 
 void Workbench::showPast(SharedAnswer answer) {
@@ -538,6 +538,6 @@ void Workbench::showPast(SharedAnswer answer) {
     Q_EMIT answered();
 }
 
-void Workbench::showStudyAgain() { putInFront(nullptr); }
+void Workbench::showStudyAgain() { bringToFront(nullptr); }
 
 }  // namespace noonmark

@@ -223,8 +223,8 @@ Book makeStudyBook(const Study& study, const BookSettings& settings) {
     if (const Bars months = makeMonthBars(study); !months.groups.empty())
         book.pages.push_back(sunByMonthPage(months, settings));
     addText(book, sheet, sheet.sections,
-            repeatBlocks(makeRepeatCommand(study, bookLetters), needsRegionFile(study.provenance),
-                         listLegendOptions(settings.legend, false), bookLetters));
+            repeatBlocks(makeRepeatCommand(study, bookCharacters), needsRegionFile(study.provenance),
+                         listLegendOptions(settings.legend, false), bookCharacters));
     return book;
 }
 
@@ -237,8 +237,8 @@ Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, cons
     book.pages.push_back(sideBySide(answer, source, settings.setup, legend));
     appendPages(book, contributionPages(answer, settings, legend.show));
     addText(book, sheet, withoutCommand(sheet),
-            repeatBlocks(makeRepeatCommand(answer, bookLetters), needsRegionFile(answer.provenance),
-                         drawnOptions(scale, legend), bookLetters));
+            repeatBlocks(makeRepeatCommand(answer, bookCharacters), needsRegionFile(answer.provenance),
+                         drawnOptions(scale, legend), bookCharacters));
     return book;
 }
 
@@ -251,8 +251,8 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
     if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings, legend.show));
     appendPages(book, intervalPages(answer, settings, legend.show));
     addText(book, sheet, withoutCommand(sheet),
-            repeatBlocks(makeRepeatCommand(answer, bookLetters), needsRegionFile(answer.provenance),
-                         listLegendOptions(legend, true), bookLetters));
+            repeatBlocks(makeRepeatCommand(answer, bookCharacters), needsRegionFile(answer.provenance),
+                         listLegendOptions(legend, true), bookCharacters));
     return book;
 }
 

@@ -116,8 +116,8 @@ TextBlocks describeSources(const ElementStudy& study, const LegendChoice& legend
     sources.warnings = study.warnings;
     sources.provenance = study.provenance;
     sources.heights = study.heights;
-    return sourceBlocks(sources, repeatBlocks(makeRepeatCommand(study, bookLetters), false,
-                                              listLegendOptions(legend, false), bookLetters));
+    return sourceBlocks(sources, repeatBlocks(makeRepeatCommand(study, bookCharacters), false,
+                                              listLegendOptions(legend, false), bookCharacters));
 }
 
 }  // namespace

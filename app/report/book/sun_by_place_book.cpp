@@ -283,8 +283,8 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
     };
     const std::vector<std::size_t> order = sortByInterest(all);
     TextBlocks blocks = describeFinding(all, settings.units);
-    const TextBlocks repeat = repeatBlocks(makeRepeatCommand(sun, all.compared, bookLetters), false,
-                                           listColourOptions(colours), bookLetters);
+    const TextBlocks repeat = repeatBlocks(makeRepeatCommand(sun, all.compared, bookCharacters), false,
+                                           listColourOptions(colours), bookCharacters);
     for (const TextBlocks& more : {describeMethod(all), describeErrors(all), repeat, describeSources(sun)})
         blocks.insert(blocks.end(), more.begin(), more.end());
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, blocks));

@@ -44,7 +44,7 @@ struct SunByPlaceSettings {
 const Fields<SunByPlaceSettings>& sunByPlaceFields();
 
 /// How places were chosen.
-struct PlacesAsked {
+struct PlaceSelection {
     std::vector<CommandOption> options;  ///< of the command by-place
     bool ofProject = false;              ///< only its project has them
 };
@@ -117,8 +117,8 @@ struct SunByPlace {
     City city;
     SunByPlaceSettings settings;
     std::vector<Place> places;
-    std::optional<PlacesAsked> asked;  ///< set by the caller, with the provenance
-    std::vector<SunOfPlace> sun;       ///< of each place, without trees
+    std::optional<PlaceSelection> asked;  ///< set by the caller, with the provenance
+    std::vector<SunOfPlace> sun;          ///< of each place, without trees
     /// As StudySettings::trees asks, evergreens first. Empty: no tree reaches a place in any of the cities.
     std::vector<SunWithTrees> withTrees;
     std::string treesHow;                            ///< how they were measured, in words

@@ -205,23 +205,23 @@ std::vector<Contribution> parseRows(const Json& json) {
 
 }  // namespace
 
-KeptContributions keepContributions(const PlaceContributions& of, double sunlitMinutesPerDay) {
+ContributionTable makeContributionTable(const PlaceContributions& of, double sunlitMinutesPerDay) {
     return {of.place.name,       std::string(nameOf(of.place.kind)),
             of.breakdown.engine, of.cells,
             sunlitMinutesPerDay, of.rows};
 }
 
-std::vector<KeptContributions> withContributions(std::vector<KeptContributions> all, KeptContributions more) {
-    std::erase_if(all, [&](const KeptContributions& old) { return old.place == more.place; });
+std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more) {
+    std::erase_if(all, [&](const ContributionTable& old) { return old.place == more.place; });
     all.push_back(std::move(more));
     return all;
 }
 
-std::string withContributions(std::string json, const std::vector<KeptContributions>& all) {
+std::string withContributions(std::string json, const std::vector<ContributionTable>& all) {
     if (all.empty()) return json;
     Json answer = Json::parse(json);
     answer[keptKey] = Json::array();
-    for (const KeptContributions& of : all)
+    for (const ContributionTable& of : all)
         answer[keptKey].push_back({{"place", of.place},
                                    {"kind", of.kind},
                                    {"engine", of.engine},
@@ -231,20 +231,20 @@ std::string withContributions(std::string json, const std::vector<KeptContributi
     return toJsonText(answer);
 }
 
-std::vector<KeptContributions> parseContributions(const Json& answer) {
-    std::vector<KeptContributions> all;
+std::vector<ContributionTable> parseContributions(const Json& answer) {
+    std::vector<ContributionTable> all;
     for (const Json& of : answer.value(keptKey, Json::array()))
         all.push_back({of.at("place"), of.at("kind"), of.at("engine"), of.at("cells"),
                        of.at("sunlit_min_per_day"), parseRows(of.at("buildings"))});
     return all;
 }
 
-std::string contributionsCsv(const std::vector<KeptContributions>& all, const Provenance& provenance) {
+std::string contributionsCsv(const std::vector<ContributionTable>& all, const Provenance& provenance) {
     std::vector<std::string> columns{"place", "kind", "source_id", "name"};
     for (std::string& key : listColumns(contributionFigures().rows())) columns.push_back(std::move(key));
     CsvText csv(withSourceColumns(std::move(columns)));
     const SourceValues source = sourceValues(provenance);
-    for (const KeptContributions& of : all)
+    for (const ContributionTable& of : all)
         for (const Contribution& row : of.rows) {
             csv.text(of.place).text(of.kind).text(row.id).text(row.name);
             addFigures(csv, contributionFigures().of(row));

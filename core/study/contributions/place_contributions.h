@@ -37,8 +37,9 @@ Result<PlaceContributions> computePlaceContributions(const SunOfCities& sun, std
                                                      Progress& progress, std::stop_token stop,
                                                      const EngineList& engines = coreEngines());
 
-/// What buildings take from a place, as an answer keeps it: without maps.
-struct KeptContributions {
+/// The contributions of buildings to the shadow on a place as a table that is saved with an answer: without
+/// maps.
+struct ContributionTable {
     std::string place;  ///< its name
     std::string kind;   ///< nameOf(PlaceKind)
     std::string engine;
@@ -46,17 +47,17 @@ struct KeptContributions {
     double sunlitMinutesPerDay = 0;
     std::vector<Contribution> rows;  ///< read back: without indices of buildings and sets of steps
 };
-KeptContributions keepContributions(const PlaceContributions& of, double sunlitMinutesPerDay);
+ContributionTable makeContributionTable(const PlaceContributions& of, double sunlitMinutesPerDay);
 /// Replaces an earlier one of the same place.
-std::vector<KeptContributions> withContributions(std::vector<KeptContributions> all, KeptContributions more);
+std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more);
 
 /// The JSON of an answer with a member `contributions_of_places`; without any it stays as it is.
-std::string withContributions(std::string json, const std::vector<KeptContributions>& all);
+std::string withContributions(std::string json, const std::vector<ContributionTable>& all);
 /// Of an answer's JSON; throws nlohmann's exceptions for JSON of another structure.
-std::vector<KeptContributions> parseContributions(const nlohmann::ordered_json& answer);
+std::vector<ContributionTable> parseContributions(const nlohmann::ordered_json& answer);
 /// Columns: place,kind,source_id,name, the figures, and the source columns; a row for each building of each
 /// place.
-std::string contributionsCsv(const std::vector<KeptContributions>& all, const Provenance& provenance);
-inline constexpr const char* keptContributionsFile = "contributions_of_places.csv";
+std::string contributionsCsv(const std::vector<ContributionTable>& all, const Provenance& provenance);
+inline constexpr const char* contributionTableFile = "contributions_of_places.csv";
 
 }  // namespace noonmark

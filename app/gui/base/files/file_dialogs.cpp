@@ -181,7 +181,7 @@ QString askForFolder(QWidget* parent, const QString& title) {
     return QFileDialog::getExistingDirectory(parent, title);
 }
 
-QStringList filesInTheWay(const QString& folder, const std::vector<std::string>& files) {
+QStringList listExistingFiles(const QString& folder, const std::vector<std::string>& files) {
     QStringList there;
     for (const std::string& name : findExistingOutputs(folder.toStdString(), files))
         there << QString::fromStdString(name);

@@ -47,7 +47,7 @@ QString askForLogo(QWidget* parent);
 QString askForFolder(QWidget* parent, const QString& title);
 
 /// The names of those of the files that exist in the folder already.
-QStringList filesInTheWay(const QString& folder, const std::vector<std::string>& files);
+QStringList listExistingFiles(const QString& folder, const std::vector<std::string>& files);
 /// Asks whether existing files in a folder may be replaced; true if there are none.
 bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files);
 

@@ -52,7 +52,7 @@ private:
     [[nodiscard]] ShownAs shownAs() const;
     [[nodiscard]] std::shared_ptr<const SunOfCities> sun() const;
     [[nodiscard]] std::optional<std::size_t> placeOfSun() const;
-    [[nodiscard]] const KeptContributions* kept() const;
+    [[nodiscard]] const ContributionTable* kept() const;
     [[nodiscard]] std::optional<Place> subject() const;
     [[nodiscard]] std::optional<std::uint32_t> indexOf(const Building& building) const;
 

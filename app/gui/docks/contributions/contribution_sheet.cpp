@@ -197,7 +197,7 @@ ContributionSheet makeContributionSheet(const SavedStudy& study, const City& cit
     return sheet;
 }
 
-ContributionSheet makeContributionSheet(const KeptContributions& of, const City& city, ShownAs show) {
+ContributionSheet makeContributionSheet(const ContributionTable& of, const City& city, ShownAs show) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
     for (const Contribution& one : of.rows) {
         const QString name = isTerrain(one) ? QObject::tr("Terrain") : nameOf(one.name, one.id);

@@ -138,7 +138,7 @@ ShownAs ResultDisplay::shownAsOf(const std::shared_ptr<const Answer>& answer) co
 // How it was made is the same for all places.
 std::vector<ResultRow> ResultDisplay::rowsOfPlace(const Answer& answer, const SunOfCities& sun) const {
     const auto& all = answer.ofPlaces();
-    const auto kept = std::ranges::find(all, sun.baseline.places[*place_].name, &KeptContributions::place);
+    const auto kept = std::ranges::find(all, sun.baseline.places[*place_].name, &ContributionTable::place);
     auto rows = makePlaceRows(sun, *place_, shown_, kept == all.end() ? nullptr : &*kept);
     for (const ResultRow& row : viewerOf(answer).rows(answer, shown_))
         if (row.isMethod) rows.push_back(row);

@@ -44,7 +44,7 @@ QString describeMissing(const QString& key) {
         .arg(QStringLiteral("<a href=\"months\">%1</a>").arg(ScenarioCharts::tr("Measure all by month")));
 }
 
-QString describeWhatLacks(const MonthChart& chart, std::size_t shown, const std::string& baseline) {
+QString describeMissingFigures(const MonthChart& chart, std::size_t shown, const std::string& baseline) {
     QStringList lines;
     const std::size_t all = chart.values.series.size();
     if (all > shown)
@@ -146,7 +146,7 @@ void ScenarioCharts::draw() {
         if (key != QLatin1String(allKey) && textOf(chart.key) != key) continue;
         drawn.push_back(firstSeries(chart.values, maxSeries));
         drawn.push_back(firstSeries(chart.changes, maxSeries - 1));
-        const QString note = describeWhatLacks(chart, maxSeries, months.front().name);
+        const QString note = describeMissingFigures(chart, maxSeries, months.front().name);
         if (!note.isEmpty() && !notes.contains(note)) notes << note;
     }
     if (drawn.empty()) notes << describeMissing(key);

@@ -274,7 +274,7 @@ std::vector<Place> PlacesForm::chosen() const {
                          [this](const Place& place) { return !unticked_.contains(place.kind); });
     if (!regionsTicked_) return chosen;
     for (const Region& region : regions_) chosen.push_back(makePlace(region));
-    nameApart(chosen);
+    makeNamesUnique(chosen);
     return chosen;
 }
 

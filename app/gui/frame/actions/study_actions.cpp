@@ -164,7 +164,7 @@ void StudyActions::announceLongRun(const RunEstimate& estimate) {
                 .arg(describeAbout(estimate.seconds), estimate.engine,
                      describeAbout(estimate.quickerSeconds)));
         bar.offer(tr("Run quickly"), [this] { workbench_.runQuicker(); });
-        bar.offerToo(tr("Run it all the same"), [this] { workbench_.runAnyway(); });
+        bar.offerSecond(tr("Run it all the same"), [this] { workbench_.runAnyway(); });
         return;
     }
     bar.showHelp(tr("This study takes %1 (%2). Larger cells, fewer days or a smaller region make it quicker.")

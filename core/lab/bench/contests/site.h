@@ -41,7 +41,7 @@ Result<SunSteps> makeNoonHour(const BenchSite& site);
 Result<SunSteps> daylightOf(const BenchSite& site, CivilDate date);
 
 /// `count` steps of one day of `sun` from step `first` on, as a day of their own.
-SunSteps stretchOf(const SunSteps& sun, std::size_t first, std::size_t count);
+SunSteps sliceSteps(const SunSteps& sun, std::size_t first, std::size_t count);
 
 /// The values of `cellsASide` whose cells have an allowed size.
 std::vector<int> chooseResolutions(const BenchSite& site, std::vector<int> cellsASide);

@@ -191,7 +191,7 @@ public:
         if (!day) return tl::make_unexpected(day.error());
         const std::size_t count = std::min<std::size_t>(stepsAnHour, day->steps.size());
         const std::size_t first = random_() % (day->steps.size() - count + 1);
-        const SunSteps sun = stretchOf(*day, first, count);
+        const SunSteps sun = sliceSteps(*day, first, count);
         return errorsIn({site_.city, *receivers, sun}, levels, work_).map([&](LevelErrors errors) {
             errors.position = int(position) + 1;
             errors.date = date;

@@ -259,9 +259,10 @@ void addGrowth(Finding& finding, int finest) {
         if (series.points.size() < 2) continue;
         const ChartPoint &first = series.points.front(), &last = series.points.back();
         const double cells = (last.x * last.x) / (first.x * first.x);
-        finding.comparisons[0].rows.push_back({series.name, fmt::format("{:.4f}", first.y),
-                                               fmt::format("{:.3f}{}", last.y, unlessAt(finest, last.x)),
-                                               fmt::format("{:.1f} for {:.0f}", last.y / first.y, cells)});
+        finding.comparisons[0].rows.push_back(
+            {series.name, fmt::format("{:.4f}", first.y),
+             fmt::format("{:.3f}{}", last.y, describeResolutionIfCoarser(finest, last.x)),
+             fmt::format("{:.1f} for {:.0f}", last.y / first.y, cells)});
     }
 }
 
@@ -332,7 +333,7 @@ void addComparison(Finding& finding, int finest) {
         const ChartPoint &first = series.points.front(), &last = series.points.back();
         const double bytes = mebibyte * (last.y - first.y) / (last.x * last.x - first.x * first.x);
         finding.comparisons[0].rows.push_back(
-            {series.name, fmt::format("{:.0f}{}", last.y, unlessAt(finest, last.x)),
+            {series.name, fmt::format("{:.0f}{}", last.y, describeResolutionIfCoarser(finest, last.x)),
              fmt::format("{:.0f}", bytes), paperBytesACell(series.colourOf)});
     }
 }

@@ -81,14 +81,14 @@ void GlazingPanel::setShown(ShownVerdicts shown) {
     Q_EMIT shownChanged();
 }
 
-void GlazingPanel::putAway() {
+void GlazingPanel::suspend() {
     if (shown() == ShownVerdicts::none) return;
     const ShownVerdicts before = shown();
     setShown(ShownVerdicts::none);
     away_ = before;
 }
 
-void GlazingPanel::bringBack() {
+void GlazingPanel::resumeShown() {
     if (away_) setShown(*away_);
 }
 
