@@ -15,7 +15,7 @@ public:
     enum class State {
         open,
         usedByOther,  ///< another process has locked it
-        failed,       ///< it could not be opened; lastSystemProblem() tells why
+        failed,       ///< it could not be opened; lastSystemProblem() states why
     };
     /// Opens the file, or creates it, and locks it. Does not wait, and follows no link.
     explicit LockedFile(const std::filesystem::path& file);

@@ -6,6 +6,9 @@
 
 namespace noonmark {
 
+/// Results are held in minutes; people read long times in hours.
+inline constexpr double minutesPerHour = 60;
+
 /// How the time that a place spends in shadow is shown.
 enum class ShownAs {
     shadow,  ///< minutes in shadow a day

@@ -27,7 +27,7 @@ namespace {
 /// The rule with what the options change.
 Result<Rule> withOptions(Rule rule, const GlazingRunOptions& windows) {
     if (windows.wallM) {
-        rule.receivers.windows.opening.wallM = *windows.wallM;
+        rule.receivers.glazing.opening.wallM = *windows.wallM;
         rule.readings.push_back(fmt::format("Walls of {:g} m, as given by the user", *windows.wallM));
     }
     if (windows.sunshine.empty()) return rule;

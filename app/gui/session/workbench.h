@@ -221,7 +221,7 @@ private:
     [[nodiscard]] std::string savedNameOf(const std::shared_ptr<const MeasuredAnswer>& measured) const;
     void showResult(const std::shared_ptr<const SavedResult>& result);
     void findOutdated();
-    [[nodiscard]] bool isThere(const std::string& scenario, const std::shared_ptr<const City>& city);
+    [[nodiscard]] bool isCurrent(const std::string& scenario, const std::shared_ptr<const City>& city);
     [[nodiscard]] std::string scenarioOf(const std::shared_ptr<const City>& city);
     void showByItself(const KnownAnswer& known);
     void showPast(SharedAnswer answer);

@@ -413,7 +413,7 @@ std::string Workbench::freeMeasuredName(const QString& name) const {
 void Workbench::adopt(const KnownAnswer& known, const Adopting& how) {
     remember(known, how.isWork);
     const MeasuredPart part = known.answer->part();
-    if (how.isShown && isThere(part.scenario, known.city) && isThere(part.baseline, known.before))
+    if (how.isShown && isCurrent(part.scenario, known.city) && isCurrent(part.baseline, known.before))
         bringToFront(known.answer);
 }
 
@@ -469,10 +469,10 @@ bool Workbench::isOutdated(const MeasuredAnswer& measured) {
     const KnownAnswer& known = measured.known();
     if (!known.answer) return isOutdated(*measured.toSave());
     const MeasuredPart part = known.answer->part();
-    return !isThere(part.scenario, known.city) || (known.before && !isThere(part.baseline, known.before));
+    return !isCurrent(part.scenario, known.city) || (known.before && !isCurrent(part.baseline, known.before));
 }
 
-bool Workbench::isThere(const std::string& scenario, const std::shared_ptr<const City>& city) {
+bool Workbench::isCurrent(const std::string& scenario, const std::shared_ptr<const City>& city) {
     const auto now = session_.cityOf(scenario);  // an error: it was renamed or removed
     return now ? *now == city : !scenarioOf(city).empty();
 }

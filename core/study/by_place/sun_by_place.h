@@ -209,7 +209,7 @@ double computeBelowShare(const SunOfPlace& of, std::size_t date, double hours);
 /// None: its cells are not known, as of a saved one. O(cells), without a sweep.
 std::optional<SunOfCities> withEnough(const SunOfCities& sun, double hours);
 
-/// Whether both tell of the same shadow on the same cells: they differ at most in the hours that are enough.
+/// Whether both state the same shadow on the same cells: they differ at most in the hours that are enough.
 /// False where cells are not known. O(cells)
 bool haveSameShadow(const SunOfCities& one, const SunOfCities& other);
 

@@ -6,6 +6,7 @@
 
 #include "core/base/csv_text.h"
 #include "core/describe/figure_text.h"
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 #include "core/receivers/place_names.h"
 #include "core/study/contributions/place_contributions.h"
@@ -16,8 +17,6 @@
 namespace noonmark {
 
 namespace {
-
-constexpr double minutesAnHour = 60;
 
 /// What turns sums over cells and days into means.
 struct CellDays {
@@ -44,8 +43,8 @@ CellDays sumUpBreakdown(const ShadowBreakdown& breakdown, std::size_t days) {
     return all;
 }
 
-double attributedM2h(const Contribution& one) { return one.attributedMinM2 / minutesAnHour; }
-double soleM2h(const Contribution& one) { return one.soleMinM2 / minutesAnHour; }
+double attributedM2h(const Contribution& one) { return one.attributedMinM2 / minutesPerHour; }
+double soleM2h(const Contribution& one) { return one.soleMinM2 / minutesPerHour; }
 
 std::vector<std::string> columnsOf(const StepSets& sets) {
     std::vector<std::string> columns{"building", "source_id", "name"};

@@ -218,8 +218,8 @@ void ContributionsDock::placeFields() {
 void ContributionsDock::connectFields() {
     connect(place_, &QComboBox::activated, this,
             [this](int index) { chooseSubject(index == 0 ? QString() : place_->itemText(index)); });
-    connect(export_, &QPushButton::clicked, this, &ContributionsDock::exportWanted);
-    connect(attribute_, &QPushButton::clicked, this, &ContributionsDock::attributionWanted);
+    connect(export_, &QPushButton::clicked, this, &ContributionsDock::exportRequested);
+    connect(attribute_, &QPushButton::clicked, this, &ContributionsDock::attributionRequested);
     connect(colours_, &QCheckBox::toggled, this, [this](bool on) {
         legend_->setVisible(on);
         Q_EMIT coloursChanged();
@@ -229,10 +229,10 @@ void ContributionsDock::connectFields() {
     };
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this, buildingAt](const QModelIndex& index) {
-                if (const auto building = buildingAt(index)) Q_EMIT pointedAt(building);
+                if (const auto building = buildingAt(index)) Q_EMIT highlighted(building);
             });
     connect(table_, &QTableView::activated, this, [this, buildingAt](const QModelIndex& index) {
-        if (const auto building = buildingAt(index)) Q_EMIT wanted(building);
+        if (const auto building = buildingAt(index)) Q_EMIT goToRequested(building);
     });
 }
 

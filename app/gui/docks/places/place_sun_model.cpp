@@ -8,6 +8,7 @@
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/study/region_text.h"
+#include "core/describe/shown_as.h"
 #include "core/receivers/place_names.h"
 #include "core/study/by_place/sun_by_place_page.h"
 
@@ -16,7 +17,6 @@ namespace noonmark {
 namespace {
 
 constexpr double percentOfShare = 100;
-constexpr double minutesPerHour = 60;
 constexpr std::string_view enoughKey = "share_enough", meanKey = "hours_mean", minKey = "hours_min",
                            maxKey = "hours_max";
 

@@ -32,7 +32,7 @@ public:
     void setAside(const QString& name);
     void setColours(const LegendChoice& choice);  ///< those that the user chose for legends
     void setShown(ShownAs show);                  ///< hours of sun, or minutes of shadow
-    void select(std::size_t place);               ///< without wanted(); a filter that hides it is emptied
+    void select(std::size_t place);  ///< without goToRequested(); a filter that hides it is emptied
     /// What the view shows of it; null: nothing.
     [[nodiscard]] std::shared_ptr<const PlaceView> view() const { return view_; }
     [[nodiscard]] std::optional<std::size_t> placeAt(glm::dvec2 point) const {
@@ -42,12 +42,12 @@ public:
 
 Q_SIGNALS:
     /// Double click, or the button below the table: what buildings take from the place is to be shown.
-    void contributorsWanted(std::size_t place);
-    void returnWanted();                 ///< the answer set aside is to be shown again
-    void viewChanged();                  ///< view()
-    void pointedAt(std::size_t place);   ///< the current row
-    void wanted(std::size_t place);      ///< a click on its row, or Enter
-    void thresholdChosen(double hours);  ///< once it has come to rest: all of the answer is to follow it
+    void contributorsRequested(std::size_t place);
+    void returnRequested();                 ///< the answer set aside is to be shown again
+    void viewChanged();                     ///< view()
+    void highlighted(std::size_t place);    ///< the current row
+    void goToRequested(std::size_t place);  ///< a click on its row, or Enter
+    void thresholdChosen(double hours);     ///< once it has come to rest: all of the answer is to follow it
 
 private:
     void placeFields();

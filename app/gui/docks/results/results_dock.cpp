@@ -128,11 +128,11 @@ ResultsDock::ResultsDock(QWidget* parent)
     answers_->setPlaceholderText(tr("Show an earlier result"));
     setAnswers({}, -1);
     connect(answers_, &QComboBox::activated, this, &ResultsDock::answerChosen);
-    connect(back_, &QPushButton::clicked, this, &ResultsDock::studyWanted);
-    connect(allPlaces_, &QPushButton::clicked, this, &ResultsDock::allPlacesWanted);
-    connect(shadedBy_, &QPushButton::clicked, this, &ResultsDock::contributorsWanted);
-    connect(command_, &QPushButton::clicked, this, &ResultsDock::commandWanted);
-    connect(warnings_, &QPushButton::clicked, this, &ResultsDock::warningsWanted);
+    connect(back_, &QPushButton::clicked, this, &ResultsDock::studyRequested);
+    connect(allPlaces_, &QPushButton::clicked, this, &ResultsDock::allPlacesRequested);
+    connect(shadedBy_, &QPushButton::clicked, this, &ResultsDock::contributorsRequested);
+    connect(command_, &QPushButton::clicked, this, &ResultsDock::commandRequested);
+    connect(warnings_, &QPushButton::clicked, this, &ResultsDock::warningsRequested);
     connect(howMade_, &QToolButton::toggled, this, &ResultsDock::showMethod);
     setWarningCount(0);
     show({}, {});

@@ -36,7 +36,7 @@ QGroupBox* groupOf(const QString& title, std::initializer_list<QWidget*> content
 // 2,215 places of Chicago's Loop over a year.
 double fieldsOfPlaces(std::size_t dates) { return 2.4 + 0.2 * double(dates); }
 
-Period wholeYear(const Period& period) { return applied(PeriodPreset::year, period, period.start, 0); }
+Period wholeYear(const Period& period) { return withPresetDays(PeriodPreset::year, period, period.start, 0); }
 
 QLabel* lineOf(const char* name) {
     auto* line = new QLabel;
@@ -111,7 +111,7 @@ void StudyDock::connectForms() {
                 document_.change(document_.settings(), elements, field);
             });
     connect(what_, &WhatForm::kindChosen, this, &StudyDock::takeKind);
-    connect(places_, &PlacesForm::streetsWanted, this, &StudyDock::streetsWanted);
+    connect(places_, &PlacesForm::streetsRequested, this, &StudyDock::streetsRequested);
     connect(places_, &PlacesForm::edited, this, &StudyDock::showDocument);
     connect(when_, &WhenForm::edited, this, [this](const Period& period, const QString& field) {
         StudySettings settings = document_.settings();

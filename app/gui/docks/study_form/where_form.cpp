@@ -172,7 +172,7 @@ PlacesForm::PlacesForm(QWidget* parent)
     column->addLayout(form);
     column->addWidget(all_);
     column->addWidget(refusal_);
-    connect(streets_, &QPushButton::clicked, this, &PlacesForm::streetsWanted);
+    connect(streets_, &QPushButton::clicked, this, &PlacesForm::streetsRequested);
     connect(kinds_, &QListWidget::itemChanged, this, &PlacesForm::follow);
     connect(enough_, &QDoubleSpinBox::valueChanged, this, &PlacesForm::edited);
     connect(dates_, &QLineEdit::textChanged, this, &PlacesForm::follow);

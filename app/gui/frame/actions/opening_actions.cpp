@@ -220,7 +220,7 @@ void OpeningActions::addTerrain(const QStringList& files, const ReadSettings& re
 void OpeningActions::replaceBy(const QStringList& files, const ReadSettings& reading) {
     saving_.whenSafe([this, files, reading] {
         messages_.hide();  // its buttons refer to the previous files
-        Q_EMIT begun();
+        Q_EMIT openingStarted();
         workbench_.open(files, reading);
     });
 }
@@ -271,7 +271,7 @@ void OpeningActions::showGuesses() {
     if (!terrains.isEmpty())
         messages_.offerSecond(tr("Add terrain"), [this] { chooseTerrain(); });
     else if (far > 0)
-        messages_.offerSecond(tr("Zoom to all"), [this] { Q_EMIT wholeCityWanted(); });
+        messages_.offerSecond(tr("Zoom to all"), [this] { Q_EMIT wholeCityRequested(); });
 }
 
 // If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.

@@ -63,9 +63,9 @@ public:
     void storePicture(const QString& entry, const QImage& picture) { recent_.setPicture(entry, picture); }
 
 Q_SIGNALS:
-    void begun();            ///< files are being opened, and nothing is left to ask
-    void opened();           ///< another project is open
-    void wholeCityWanted();  ///< to see buildings that the first view leaves aside
+    void openingStarted();      ///< files are being opened, and nothing is left to ask
+    void opened();              ///< another project is open
+    void wholeCityRequested();  ///< to see buildings that the first view leaves aside
 
 private:
     void makeActions();

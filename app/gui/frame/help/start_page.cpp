@@ -206,7 +206,7 @@ void StartPage::addRecent(QVBoxLayout& column, const RecentFiles& recent) {
     column.addWidget(makeHeading(tr("Recent"), 1));
     for (const QString& entry : entries.mid(0, maxRecent)) {
         const QStringList files = RecentFiles::filesOf(entry);
-        const bool there = RecentFiles::isThere(entry);
+        const bool there = RecentFiles::exists(entry);
         const QString folder = fontMetrics().elidedText(QFileInfo(files.first()).absolutePath(),
                                                         Qt::ElideMiddle, sidePx - thumbnailPx.width() - 90);
         auto* card =

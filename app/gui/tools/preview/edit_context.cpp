@@ -64,7 +64,7 @@ ExtrudeHandle::ExtrudeHandle(ViewPanel& panel, QObject* parent)
 
 ExtrudeHandle::~ExtrudeHandle() { panel_.navigator().removeTarget(*this); }
 
-void ExtrudeHandle::stand(const Tower& tower) {
+void ExtrudeHandle::place(const Tower& tower) {
     tower_ = tower;
     panel_.view().overlay().showHandle(tower.foot + glm::dvec3(0, 0, tower.heightM));
 }

@@ -45,7 +45,7 @@ public:
         double storeyM = defaultStoreyM;
         double groundElevationM = 0;  ///< of the foot, above the datum: heights may be typed from there
     };
-    void stand(const Tower& tower);
+    void place(const Tower& tower);
     void hide();
     [[nodiscard]] bool shown() const { return tower_.has_value(); }
     [[nodiscard]] bool dragging() const { return grabbedM_.has_value(); }

@@ -137,11 +137,11 @@ Legend ResultLayer::studyLegend() const {
 }
 
 void ResultLayer::show() {
-    showWhatIsWanted();
+    showCurrent();
     if (whenShown_) whenShown_();
 }
 
-void ResultLayer::showWhatIsWanted() {
+void ResultLayer::showCurrent() {
     if (showsTiles()) return showTiles();
     painted_.reset();
     if (shownElements() == nullptr) view_.tiles().clear();

@@ -169,7 +169,7 @@ void ViewPanel::setBare(bool bare) {
 void ViewPanel::connectNavigator() {
     connect(navigator_, &ViewNavigator::rightClicked, this, [this](QPointF pixel) {
         if (PolygonTool* tool = polygons_->active()) return tool->finish();
-        Q_EMIT menuWanted(pixel);
+        Q_EMIT menuRequested(pixel);
     });
     connect(navigator_, &ViewNavigator::keyPressed, this, &ViewPanel::toolKey);
 }

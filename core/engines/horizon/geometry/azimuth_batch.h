@@ -25,7 +25,7 @@ struct BatchRange {
 
 std::vector<SweptBin> makeSweptBins(std::span<const AzimuthBin> bins);
 
-/// Splits bins, in order of azimuth, into batches of at most BatchLanes::most bins whose shadows run along
+/// Splits bins, in order of azimuth, into batches of at most BatchLanes::maximum bins whose shadows run along
 /// the same grid axis and in the same direction on it.
 std::vector<BatchRange> groupIntoBatches(std::span<const SweptBin> bins);
 

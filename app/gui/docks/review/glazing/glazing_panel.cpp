@@ -147,11 +147,11 @@ GlazingTable::GlazingTable(QWidget* parent) : QTreeWidget(parent) {
     setHeaderHidden(true);
     connect(this, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
         describe(item);
-        if (const auto window = windowOf(item)) Q_EMIT pointedAt(*window);
+        if (const auto window = windowOf(item)) Q_EMIT highlighted(*window);
     });
     for (auto signal : {&QTreeWidget::itemClicked, &QTreeWidget::itemActivated})
         connect(this, signal, this, [this](const QTreeWidgetItem* item) {
-            if (const auto window = windowOf(item)) Q_EMIT wanted(*window);
+            if (const auto window = windowOf(item)) Q_EMIT goToRequested(*window);
         });
 }
 

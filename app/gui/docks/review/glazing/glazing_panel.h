@@ -76,8 +76,8 @@ public:
 Q_SIGNALS:
     /// The sentence on the chosen window, and its times in the sun; empty: none is chosen.
     void described(QString words);
-    void pointedAt(std::size_t window);  ///< the chosen row
-    void wanted(std::size_t window);     ///< a click on a row, or Enter
+    void highlighted(std::size_t window);    ///< the chosen row
+    void goToRequested(std::size_t window);  ///< a click on a row, or Enter
 
 private:
     void showColumns();

@@ -113,8 +113,8 @@ VerdictLinks::VerdictLinks(GlazingPanel& table, GlazingSession& windows, ReviewS
 
 void VerdictLinks::connectTable() {
     connect(&table_, &GlazingPanel::shownChanged, this, &VerdictLinks::show);
-    connect(&table_.table(), &GlazingTable::pointedAt, this, &VerdictLinks::mark);
-    connect(&table_.table(), &GlazingTable::wanted, this, &VerdictLinks::goTo);
+    connect(&table_.table(), &GlazingTable::highlighted, this, &VerdictLinks::mark);
+    connect(&table_.table(), &GlazingTable::goToRequested, this, &VerdictLinks::goTo);
 }
 
 // What the user computed or chose last is in front.
