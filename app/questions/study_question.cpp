@@ -18,7 +18,7 @@ namespace noonmark {
 
 namespace {
 
-std::vector<CommandOption> drawnOfStudy(const AnswerFiles& how) {
+std::vector<CommandOption> drawnByLegend(const AnswerFiles& how) {
     return listLegendOptions(how.legend, false);
 }
 
@@ -59,7 +59,7 @@ public:
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
-        return drawnOfStudy(how);
+        return drawnByLegend(how);
     }
     [[nodiscard]] std::string json() const override {
         return withContributions(studyJson(content()), ofPlaces_);
@@ -120,16 +120,12 @@ const Question& studyQuestion() {
     static const Question question{.key = "study",
                                    .label = NM_TEXT("Study"),
                                    .compute = computeStudy,
-                                   .saved = savedMaps<SavedStudy>(pageOfSavedStudy, drawnOfStudy),
+                                   .saved = savedMaps<SavedStudy>(pageOfSavedStudy, drawnByLegend),
                                    .filed = FiledForm{"study", "study.json", "report.pdf"}};
     return question;
 }
 
 namespace {
-
-std::vector<CommandOption> drawnOfPoints(const AnswerFiles& how) {
-    return listLegendOptions(how.legend, false);
-}
 
 /// The sunlight of points of one scenario: on facades, at windows, on a plane.
 class PointsAnswer final : public AnswerOf<ElementAnswer> {
@@ -159,7 +155,7 @@ public:
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content().study); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
-        return drawnOfPoints(how);
+        return drawnByLegend(how);
     }
     [[nodiscard]] std::string json() const override { return elementStudyJson(content().study, {}); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
@@ -225,7 +221,7 @@ SavedForm savedPoints() {
                 return writeSavedPoints(*saved.result, *saved.as<SavedElements>(), source.city, folder,
                                         how.legend, how.rules);
             },
-            drawnOfPoints};
+            drawnByLegend};
 }
 
 }  // namespace

@@ -112,14 +112,6 @@ public:
     }
 };
 
-QLabel* makeWrapped(const char* name) {
-    auto* label = new QLabel;
-    label->setObjectName(QString::fromLatin1(name));
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
 }  // namespace
 
 ContributionsDock::ContributionsDock(QWidget* parent)
@@ -127,8 +119,8 @@ ContributionsDock::ContributionsDock(QWidget* parent)
       model_(new ContributionModel(this)),
       sorted_(new QSortFilterProxyModel(this)),
       place_(new QComboBox),
-      headline_(makeWrapped("contributionHeadline")),
-      note_(makeWrapped("contributionNote")),
+      headline_(wrappedLabel("contributionHeadline")),
+      note_(wrappedLabel("contributionNote")),
       attribute_(pushButton(tr("Attribute the shadow"), "attribute",
                             tr("Finds what each building takes, by month, with the engine and the steps of "
                                "the study"))),

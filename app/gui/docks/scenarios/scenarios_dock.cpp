@@ -158,14 +158,6 @@ void ScenarioCharts::draw() {
 
 namespace {
 
-QWidget* rowOf(std::initializer_list<QWidget*> widgets) {
-    auto* whole = new QWidget;
-    auto* row = new QHBoxLayout(whole);
-    row->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* widget : widgets) row->addWidget(widget);
-    return whole;
-}
-
 // Remembered in the settings under its name.
 QCheckBox* switchOf(const QString& text, const char* name, QSettings& settings, const QString& tip) {
     const QString key = QString::fromLatin1(name);
@@ -233,7 +225,7 @@ QWidget* ScenariosDock::makeButtons() {
     connect(measure, &QPushButton::clicked, this, &ScenariosDock::measureAllRequested);
     connect(score, &QPushButton::clicked, this, &ScenariosDock::scoreAllRequested);
     connect(review, &QPushButton::clicked, this, &ScenariosDock::reviewAllRequested);
-    return rowOf({measure, score, review});
+    return widgetRow({measure, score, review});
 }
 
 // How figures are shown, and what is done with the table.
@@ -256,8 +248,8 @@ QWidget* ScenariosDock::makeSwitches(QSettings& settings) {
     auto* switches = new QWidget;
     auto* column = new QVBoxLayout(switches);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(rowOf({differences, shade}));
-    column->addWidget(rowOf({copy, save}));
+    column->addWidget(widgetRow({differences, shade}));
+    column->addWidget(widgetRow({copy, save}));
     return switches;
 }
 
