@@ -51,7 +51,7 @@ void PeriodForm::explainFields() {
     rows_.widget("--start")->setObjectName(QStringLiteral("startDate"));
     rows_.widget("--no-refraction")->setObjectName(QStringLiteral("refraction"));
     explain("--start", tr("First day of the period, local date in the time zone"));
-    explain("--from", tr("Wall-clock time at which each day's window begins, hours:minutes"));
+    explain("--from", tr("Wall-clock time at which each day's hours begin, hours:minutes"));
     explain("--zone", tr("IANA time zone of the wall clock, daylight saving included.\nSet to that of the "
                          "nearest city when a file is opened: check it near borders."));
     explain("--no-refraction",
