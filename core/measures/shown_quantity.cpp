@@ -9,8 +9,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr double wholePct = 100;
-
 struct QuantityWords {
     ShownAs as;
     std::string_view title, unit, shortUnit;
@@ -24,7 +22,9 @@ constexpr QuantityWords quantityWords[] = {
 
 const QuantityWords& wordsOf(ShownAs as) { return *std::ranges::find(quantityWords, as, &QuantityWords::as); }
 
-double pctOf(double minutes, double sunlitMin) { return sunlitMin > 0 ? wholePct * minutes / sunlitMin : 0; }
+double pctOf(double minutes, double sunlitMin) {
+    return sunlitMin > 0 ? percentOfWhole * minutes / sunlitMin : 0;
+}
 
 }  // namespace
 
@@ -37,7 +37,7 @@ double ShownQuantity::of(double grossMin) const {
 
 double ShownQuantity::minutesOf(double value) const {
     if (as == ShownAs::sun) return sunlitMin - value * minutesPerHour;
-    if (as == ShownAs::share) return sunlitMin * (1 - value / wholePct);
+    if (as == ShownAs::share) return sunlitMin * (1 - value / percentOfWhole);
     return value;
 }
 

@@ -16,7 +16,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr double percentOfShare = 100;
 constexpr std::string_view enoughKey = "share_enough", meanKey = "hours_mean", minKey = "hours_min",
                            maxKey = "hours_max";
 
@@ -150,7 +149,7 @@ void PlaceSunModel::makeColumns() {
 }
 
 void PlaceSunModel::addFigure(const Figure& figure, const std::vector<SunOfPlace>& sun) {
-    const double factor = isShare(figure) ? percentOfShare : 1;
+    const double factor = isShare(figure) ? percentOfWhole : 1;
     const bool inShadow = isHoursOfSun(figure) && !showsSun({});
     FigureColumn column{inShadow ? shadowHeading(figure) : columnHeading(figure),
                         inShadow ? tr("Minutes of shadow a day: the sunlit time without the sun")
@@ -192,7 +191,7 @@ bool PlaceSunModel::followsEnough(int column) const {
 void PlaceSunModel::fillEnough(std::size_t column, const std::function<double(const SunOfPlace&)>& share) {
     FigureColumn& filled = columns_[column];
     const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
-    for (std::size_t i = 0; i < sun.size(); ++i) filled.values[i] = percentOfShare * share(sun[i]);
+    for (std::size_t i = 0; i < sun.size(); ++i) filled.values[i] = percentOfWhole * share(sun[i]);
     for (std::size_t node = 1; node < nodes_.size(); ++node)
         if (!nodes_[node].place) nodes_[node].values[column] = valueAbove(int(node), filled);
     Q_EMIT headerDataChanged(Qt::Horizontal, firstFigure + int(column), firstFigure + int(column));
@@ -224,7 +223,7 @@ void PlaceSunModel::addDates() {
                    {}},
                   [&](std::size_t i) { return shownOf(sun[i].dateHours[date], of); });
         addColumn({{}, {}, 0, {}, {}},
-                  [&](std::size_t i) { return sun[i].belowShare[date] * percentOfShare; });
+                  [&](std::size_t i) { return sun[i].belowShare[date] * percentOfWhole; });
     }
 }
 
@@ -233,7 +232,7 @@ void PlaceSunModel::addChanges() {
     const ComparedSun& compared = sun_->compared.back();
     for (const Figure& figure : sunChangeFigures().rows()) {
         const bool inShadow = isChangeOfHours(figure) && show_ != ShownAs::sun;
-        const double factor = isShare(figure)           ? percentOfShare
+        const double factor = isShare(figure)           ? percentOfWhole
                               : inShadow                ? -minutesPerHour
                               : isChangeOfHours(figure) ? minutesPerHour
                                                         : 1;

@@ -69,8 +69,6 @@ void SunShadow::take(const Result<Drawn>& drawn) {
 
 namespace {
 
-constexpr int minutesOfDay = 24 * 60;
-
 int wallClock(const Zone& zone, Instant at) {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(at);
     const auto local = (seconds.time_since_epoch() + zone.offsetAt(seconds)).count();

@@ -52,6 +52,8 @@ private:
     JobSlot slot_;
 };
 
+inline constexpr int minutesOfDay = 24 * 60;  ///< of the wall clock
+
 /// The sun at a shown date and time, whatever the span, and sunrise and sunset of that date.
 struct SunAtMoment {
     glm::dvec3 towards{0, 0, 1};  ///< unit vector in the frame of the geometry

@@ -22,7 +22,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr int minutesADay = 24 * 60;
 constexpr int tickMs = 40;
 constexpr int minWidth = 256;   // with what cannot be left out
 constexpr int fullWidth = 600;  // narrower strips hide loop, speed and the words about the sun
@@ -69,7 +68,7 @@ void TimeStrip::makeFields() {
     time_ =
         slider("lookTime",
                tr("The wall-clock time; yellow: the sun is up. Arrows: a minute; Page Up and Down: an hour"),
-               minutesADay - 1, 60);
+               minutesOfDay - 1, 60);
     dateField_ = new QDateEdit;
     dateField_->setObjectName(QStringLiteral("lookDateField"));
     dateField_->setDisplayFormat(shortDay());

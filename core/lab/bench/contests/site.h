@@ -30,6 +30,9 @@ std::vector<Region> pickRandomSquares(const BenchSite& site, int count);
 /// Random days of the site's year, in order.
 std::vector<CivilDate> pickRandomDays(const BenchSite& site, int count);
 
+/// Steps of an hour in all experiments: one a minute.
+inline constexpr int stepsPerHour = 60;
+
 /// Every minute of `hours` per day around noon: 6 h begin at 9:00, as in the paper.
 Result<SunSteps> computeSunOver(const BenchSite& site, CivilDate start, int days, double hours = 6);
 Result<SunSteps> computeYearSun(const BenchSite& site, double hours = 6);
