@@ -88,6 +88,12 @@ Box2 bounds(const Place& place) {
     return box;
 }
 
+Box2 bounds(std::span<const Place> places) {
+    Box2 box;
+    for (const Place& place : places) box.add(bounds(place));
+    return box;
+}
+
 bool hasOwnName(const Place& place) {
     return !place.name.starts_with(std::string(nameOf(place.kind)) + " (" + place.source);
 }

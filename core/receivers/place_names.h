@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ Place makePlace(const Region& region);
 /// Square metres of its polygons.
 double area(const Place& place);
 Box2 bounds(const Place& place);
+Box2 bounds(std::span<const Place> places);
 
 /// Whether the data names the place; else its name was made from its kind and source ("park (OSM way 12)").
 bool hasOwnName(const Place& place);

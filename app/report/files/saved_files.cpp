@@ -24,8 +24,7 @@ using Values = std::vector<float>;
 
 Grid gridOf(const std::vector<Place>& places, double cellM) {
     constexpr double maxCells = 16e6;
-    Box2 box;
-    for (const Place& place : places) box.add(bounds(place));
+    const Box2 box = bounds(places);
     const glm::dvec2 size = glm::dvec2(box.high) - glm::dvec2(box.low);
     while (size.x * size.y / (cellM * cellM) > maxCells) cellM *= 2;
     return {box.low.x, box.low.y, cellM, std::max(1, int(std::ceil(size.x / cellM))),

@@ -7,6 +7,7 @@
 
 #include "core/io/formats/format.h"
 
+class QMimeData;
 class QWidget;
 
 namespace noonmark {
@@ -45,6 +46,9 @@ QString askForBuildings(QWidget* parent, const QString& suggested, const QString
 QString askForMovie(QWidget* parent, const QString& suggested);  ///< .mp4 or .gif; may replace one
 QString askForLogo(QWidget* parent);
 QString askForFolder(QWidget* parent, const QString& title);
+
+/// The local files that are dropped; empty: none.
+QStringList listDroppedFiles(const QMimeData& dropped);
 
 /// The names of those of the files that exist in the folder already.
 QStringList listExistingFiles(const QString& folder, const std::vector<std::string>& files);

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/frame/tour/tour.h"
@@ -312,9 +313,7 @@ void StartPage::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void StartPage::dropEvent(QDropEvent* event) {
-    QStringList files;
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) files << url.toLocalFile();
+    const QStringList files = listDroppedFiles(*event->mimeData());
     event->acceptProposedAction();
     if (!files.isEmpty()) Q_EMIT chosen(files, {});
 }

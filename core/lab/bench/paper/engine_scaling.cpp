@@ -266,6 +266,12 @@ void addGrowth(Finding& finding, int finest) {
     }
 }
 
+// One of each engine, without points yet.
+void addEmptySeries(Chart& chart, const StartList& engines) {
+    for (const Contestant& engine : engines.contestants)
+        chart.series.push_back({.name = engine.name, .colourOf = engine.engine});
+}
+
 Finding emptyScalingFinding(const BenchSite& site, const Extent& extent, const StartList& engines) {
     Finding finding;
     finding.key = "time_by_resolution";
@@ -281,8 +287,7 @@ Finding emptyScalingFinding(const BenchSite& site, const Extent& extent, const S
                                      fmt::format("{}, s", extent.resolutions.back()),
                                      "times as long, for cells"};
     finding.charts = {{"Time for one hour of sun", {"cells per side", true}, {"time, s", true}, {}}};
-    for (const Contestant& engine : engines.contestants)
-        finding.charts[0].series.push_back({.name = engine.name, .colourOf = engine.engine});
+    addEmptySeries(finding.charts[0], engines);
     return finding;
 }
 
@@ -363,8 +368,7 @@ Finding emptyScalingFinding(const StartList& engines, const Extent& extent) {
     finding.comparisons[0].header = {"engine", fmt::format("MiB at {}", extent.resolutions.back()),
                                      "bytes per cell", "paper"};
     finding.charts = {{"Memory of an engine", {"cells per side", true}, {"peak, MiB", true}, {}}};
-    for (const Contestant& engine : engines.contestants)
-        finding.charts[0].series.push_back({.name = engine.name, .colourOf = engine.engine});
+    addEmptySeries(finding.charts[0], engines);
     return finding;
 }
 
