@@ -65,7 +65,7 @@ Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& sce
                           const std::string& name) {
     const auto edits = collectEdits(scenarios, name);
     if (!edits) return tl::make_unexpected(edits.error());
-    return applied(existing, *edits).map_error([&](Error error) {
+    return applyEdits(existing, *edits).map_error([&](Error error) {
         error.where = fmt::format("scenario '{}', {}", name, error.where);
         return error;
     });

@@ -47,7 +47,7 @@ const Scenario* findScenario(const std::vector<Scenario>& scenarios, const std::
 Result<std::vector<Edit>> collectEdits(const std::vector<Scenario>& scenarios, const std::string& name);
 
 /// Returns the city of a scenario and how it differs from `existing`. Errors as of collectEdits() and
-/// applied().
+/// applyEdits().
 Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& scenarios,
                           const std::string& name);
 

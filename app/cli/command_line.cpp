@@ -148,7 +148,7 @@ int fail(const Console& console, const Error& error, ExitCode code) {
 int runCommandLine(int argc, const char* const* argv, const Console& given) {
     CleanOutput clean(given.out);
     std::ostream out(&clean);
-    letLargeWritesFail();
+    ignoreFileSizeSignal();
     const Console console{out, given.err, given.watched};
     try {
         if (const auto chosen = useInstructionSetOfEnvironment(); !chosen)

@@ -47,7 +47,7 @@ int run(int argc, char** argv) {
         std::cerr << "noonmark: " << chosen.error().text() << '\n';
         return 2;
     }
-    noonmark::letLargeWritesFail();
+    noonmark::ignoreFileSizeSignal();
     if (asksAboutProgram(argc, argv)) return parse(argc, argv, arguments).value_or(0);
     noonmark::returnLargeBlocks();
     noonmark::chooseRenderer();

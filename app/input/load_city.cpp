@@ -116,7 +116,7 @@ Result<PlacesRead> loadPlaceFiles(const std::vector<std::string>& files, const P
         before.streetsOfAssumedWidth += read->streetsOfAssumedWidth;
         if (before.attribution.empty()) before.attribution = read->attribution;
     }
-    nameApart(before.places);
+    makeNamesUnique(before.places);
     return before;
 }
 

@@ -16,8 +16,8 @@ bool isSame(const T* a, const T* b) {
 
 bool Answer::isSaved() const { return &question() == &savedQuestion(); }
 
-const std::vector<KeptContributions>& Answer::ofPlaces() const {
-    static const std::vector<KeptContributions> none;
+const std::vector<ContributionTable>& Answer::ofPlaces() const {
+    static const std::vector<ContributionTable> none;
     return none;
 }
 

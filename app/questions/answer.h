@@ -44,9 +44,9 @@ struct AnswerFiles {
     std::stop_token stop{};
 };
 
-/// A book with the values that its pages refer to, which live as long.
+/// Shares a book together with the values that its pages refer to, which live as long as it.
 template <class... T>
-std::shared_ptr<const Book> keepWith(Book book, std::shared_ptr<const T>... referredTo) {
+std::shared_ptr<const Book> bundleBook(Book book, std::shared_ptr<const T>... referredTo) {
     struct Kept {
         Book book;
         std::tuple<std::shared_ptr<const T>...> referredTo;
@@ -105,9 +105,9 @@ public:
     [[nodiscard]] virtual std::shared_ptr<const Answer> stated(Provenance provenance) const = 0;
 
     /// What buildings take from single places, as far as it was asked for.
-    [[nodiscard]] virtual const std::vector<KeptContributions>& ofPlaces() const;
+    [[nodiscard]] virtual const std::vector<ContributionTable>& ofPlaces() const;
     /// The same with what they take from one more place; null: this answer keeps none.
-    [[nodiscard]] virtual std::shared_ptr<const Answer> withPlace(KeptContributions) const { return nullptr; }
+    [[nodiscard]] virtual std::shared_ptr<const Answer> withPlace(ContributionTable) const { return nullptr; }
 
     /// The same where so many hours of sun a day are enough; null: it does not depend on them, or its cells
     /// are not known.

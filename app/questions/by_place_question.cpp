@@ -27,7 +27,7 @@ std::string questionOf(const SunOfCities& sun) {
 class ByPlaceAnswer final : public AnswerOf<SunOfCities> {
 public:
     ByPlaceAnswer(std::shared_ptr<const SunOfCities> sun, StudySettings asked,
-                  std::vector<KeptContributions> ofPlaces = {})
+                  std::vector<ContributionTable> ofPlaces = {})
         : AnswerOf(std::move(sun)), asked_(std::move(asked)), ofPlaces_(std::move(ofPlaces)) {}
 
     [[nodiscard]] const Question& question() const override { return byPlaceQuestion(); }
@@ -59,8 +59,8 @@ public:
         sun->baseline.provenance = std::move(provenance);
         return std::make_shared<ByPlaceAnswer>(std::move(sun), asked_, ofPlaces_);
     }
-    [[nodiscard]] const std::vector<KeptContributions>& ofPlaces() const override { return ofPlaces_; }
-    [[nodiscard]] std::shared_ptr<const Answer> withPlace(KeptContributions of) const override {
+    [[nodiscard]] const std::vector<ContributionTable>& ofPlaces() const override { return ofPlaces_; }
+    [[nodiscard]] std::shared_ptr<const Answer> withPlace(ContributionTable of) const override {
         return std::make_shared<ByPlaceAnswer>(shared(), asked_, withContributions(ofPlaces_, std::move(of)));
     }
 
@@ -90,7 +90,7 @@ public:
     }
     [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles& how) const override {
         std::vector<std::string> names = byPlaceFileNames(how.sheets, content().baseline.settings.dates);
-        if (!ofPlaces_.empty()) names.emplace_back(keptContributionsFile);
+        if (!ofPlaces_.empty()) names.emplace_back(contributionTableFile);
         return names;
     }
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
@@ -109,7 +109,7 @@ public:
                      {colours, how.pictureWidth, sun.settings.study.receivers.cellM,
                       makeProvenanceTags(sun.provenance)});
         if (!ofPlaces_.empty())
-            files.add(keptContributionsFile, textContent(contributionsCsv(ofPlaces_, sun.provenance)));
+            files.add(contributionTableFile, textContent(contributionsCsv(ofPlaces_, sun.provenance)));
         if (how.sheets) {
             const auto pdf = printBook(makeSunByPlaceBook(content(), bookOf(how), colours));
             if (!pdf) return tl::make_unexpected(pdf.error());
@@ -119,13 +119,13 @@ public:
     }
     [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
                                                              const AnswerFiles& how) const override {
-        return keepWith(makeSunByPlaceBook(content(), bookOf(how), {how.legend, how.thresholdHours}),
-                        shared());
+        return bundleBook(makeSunByPlaceBook(content(), bookOf(how), {how.legend, how.thresholdHours}),
+                          shared());
     }
 
 private:
     StudySettings asked_;
-    std::vector<KeptContributions> ofPlaces_;
+    std::vector<ContributionTable> ofPlaces_;
 };
 
 // The scenario comes last; without a baseline it is what the others are compared with.
@@ -150,7 +150,7 @@ Result<std::shared_ptr<const Answer>> computeByPlace(const Asked& asked, Progres
                                  enginesWith(asked.settings.engine), asked.forecast);
     if (!sun) return tl::make_unexpected(sun.error());
     if (asked.loaded.seconds > 0) sun->baseline.seconds["read"] = asked.loaded.seconds;
-    putBefore(sun->baseline.warnings, asked.loaded.read.warnings);
+    prependWarnings(sun->baseline.warnings, asked.loaded.read.warnings);
     sun->baseline.provenance = asked.provenance;
     sun->baseline.asked = asked.placesAsked;
     return makeByPlaceAnswer(*std::move(sun), asked.settings);

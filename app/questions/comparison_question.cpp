@@ -70,7 +70,8 @@ public:
     }
     [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>& city,
                                                              const AnswerFiles& how) const override {
-        return keepWith(makeImpactBook(content(), {*city}, how.scale, how.book, how.legend), shared(), city);
+        return bundleBook(makeImpactBook(content(), {*city}, how.scale, how.book, how.legend), shared(),
+                          city);
     }
 
 private:
@@ -85,7 +86,7 @@ Result<std::shared_ptr<const Answer>> computeComparison(const Asked& asked, Prog
     auto study = runImpact(*asked.before, asked.loaded.read.city, settings, progress, stop,
                            enginesWith(asked.settings.engine));
     if (!study) return tl::make_unexpected(study.error());
-    putBefore(study->total.warnings, asked.loaded.read.warnings);
+    prependWarnings(study->total.warnings, asked.loaded.read.warnings);
     auto impact = std::make_shared<const ImpactAnswer>(
         ImpactAnswer{asked.baseline, asked.scenario, settings, *std::move(study), asked.provenance,
                      keepOwnBuildings(asked.loaded.read.city, *asked.before)});
@@ -165,7 +166,7 @@ public:
     }
     [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>& city,
                                                              const AnswerFiles& how) const override {
-        return keepWith(makeScoreBook(content(), {*city}, how.book, how.legend), shared(), city);
+        return bundleBook(makeScoreBook(content(), {*city}, how.book, how.legend), shared(), city);
     }
 
 private:
@@ -179,7 +180,7 @@ Result<std::shared_ptr<const Answer>> computeWeighed(const Asked& asked, Progres
     auto score = runScore(asked.loaded.read.city, asked.settings, *asked.weights, whole, stop,
                           enginesWith(asked.settings.engine));
     if (!score) return tl::make_unexpected(score.error());
-    putBefore(score->warnings, asked.loaded.read.warnings);
+    prependWarnings(score->warnings, asked.loaded.read.warnings);
     auto answer = std::make_shared<const ScoreAnswer>(
         ScoreAnswer{asked.scenario, asked.settings, *asked.weights, *std::move(score), asked.provenance});
     return std::make_shared<WeighedAnswer>(std::move(answer), watch.seconds());

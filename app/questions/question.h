@@ -28,7 +28,7 @@ struct Asked {
     std::optional<TimeWeights> weights{};     ///< of a score only
     std::vector<Place> places{};              ///< of sun by place only
     SunByPlaceSettings byPlace{};             ///< likewise; its study is `settings`
-    PlacesAsked placesAsked{};                ///< likewise: how `places` were chosen
+    PlaceSelection placesAsked{};             ///< likewise: how `places` were chosen
     /// Likewise: further scenarios. With no baseline they are compared with the scenario.
     std::vector<NamedCity> others{};
     /// Likewise: takes the seconds that the sweeps are expected to last, before they begin.

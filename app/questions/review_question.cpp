@@ -208,7 +208,7 @@ Result<std::shared_ptr<const Answer>> computePlaces(const Asked& asked, Progress
 // Its JSON is that of review.json, with the counts of verdicts.
 AnswerPage pageOfSavedReview(const SavedContent& saved, ShownAs) {
     const auto json = nlohmann::ordered_json::parse(saved.result->settings);
-    std::vector<DoubtfulPlace> doubtful;
+    std::vector<CriticalPlace> doubtful;
     for (const Verdict verdict : {Verdict::fail, Verdict::borderline})
         for (const auto& place : json.at("places"))
             if (place.at("verdict") == nameOf(verdict))
@@ -245,7 +245,7 @@ Provenance provenanceOf(const ReviewSource& source, const ReviewedCities& cities
 
 Warnings statedWarnings(Warnings ofReview, const ReviewSource& source) {
     ofReview.insert(ofReview.end(), source.ofRules.begin(), source.ofRules.end());
-    putBefore(ofReview, source.project.reading->warnings);
+    prependWarnings(ofReview, source.project.reading->warnings);
     return ofReview;
 }
 
@@ -282,7 +282,7 @@ Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progre
 
 Warnings statedWarnings(const ReviewAnswer& review, const ReviewSource& source) {
     Warnings warnings = review.study.warnings;
-    putBefore(warnings, review.question.moved);
+    prependWarnings(warnings, review.question.moved);
     return statedWarnings(std::move(warnings), source);
 }
 

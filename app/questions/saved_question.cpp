@@ -71,7 +71,7 @@ public:
         const bool draws = of_.saved && of_.saved->drawnOptions;
         return draws ? of_.saved->drawnOptions(how) : std::vector<CommandOption>();
     }
-    [[nodiscard]] const std::vector<KeptContributions>& ofPlaces() const override {
+    [[nodiscard]] const std::vector<ContributionTable>& ofPlaces() const override {
         return content().answer.ofPlaces;
     }
     [[nodiscard]] std::string json() const override { return content().result->settings; }

@@ -18,7 +18,7 @@ namespace noonmark {
 
 namespace {
 
-std::vector<CommandOption> drawnOfStudy(const AnswerFiles& how) {
+std::vector<CommandOption> drawnByLegend(const AnswerFiles& how) {
     return listLegendOptions(how.legend, false);
 }
 
@@ -26,7 +26,7 @@ std::vector<CommandOption> drawnOfStudy(const AnswerFiles& how) {
 class StudyAnswer final : public AnswerOf<Study> {
 public:
     StudyAnswer(std::shared_ptr<const Study> study, std::string scenario,
-                std::vector<KeptContributions> ofPlaces = {})
+                std::vector<ContributionTable> ofPlaces = {})
         : AnswerOf(std::move(study)), scenario_(std::move(scenario)), ofPlaces_(std::move(ofPlaces)) {}
 
     [[nodiscard]] const Question& question() const override { return studyQuestion(); }
@@ -46,8 +46,8 @@ public:
         study->provenance = std::move(provenance);
         return std::make_shared<StudyAnswer>(std::move(study), scenario_, ofPlaces_);
     }
-    [[nodiscard]] const std::vector<KeptContributions>& ofPlaces() const override { return ofPlaces_; }
-    [[nodiscard]] std::shared_ptr<const Answer> withPlace(KeptContributions of) const override {
+    [[nodiscard]] const std::vector<ContributionTable>& ofPlaces() const override { return ofPlaces_; }
+    [[nodiscard]] std::shared_ptr<const Answer> withPlace(ContributionTable of) const override {
         return std::make_shared<StudyAnswer>(shared(), scenario_,
                                              withContributions(ofPlaces_, std::move(of)));
     }
@@ -59,7 +59,7 @@ public:
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
-        return drawnOfStudy(how);
+        return drawnByLegend(how);
     }
     [[nodiscard]] std::string json() const override {
         return withContributions(studyJson(content()), ofPlaces_);
@@ -81,7 +81,7 @@ public:
     }
     [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
                                                              const AnswerFiles& how) const override {
-        return keepWith(makeStudyBook(content(), bookOf(how)), shared());
+        return bundleBook(makeStudyBook(content(), bookOf(how)), shared());
     }
 
 private:
@@ -95,7 +95,7 @@ private:
     }
 
     std::string scenario_;
-    std::vector<KeptContributions> ofPlaces_;
+    std::vector<ContributionTable> ofPlaces_;
 };
 
 Result<std::shared_ptr<const Answer>> computeStudy(const Asked& asked, Progress& progress,
@@ -120,16 +120,12 @@ const Question& studyQuestion() {
     static const Question question{.key = "study",
                                    .label = NM_TEXT("Study"),
                                    .compute = computeStudy,
-                                   .saved = savedMaps<SavedStudy>(pageOfSavedStudy, drawnOfStudy),
+                                   .saved = savedMaps<SavedStudy>(pageOfSavedStudy, drawnByLegend),
                                    .filed = FiledForm{"study", "study.json", "report.pdf"}};
     return question;
 }
 
 namespace {
-
-std::vector<CommandOption> drawnOfPoints(const AnswerFiles& how) {
-    return listLegendOptions(how.legend, false);
-}
 
 /// The sunlight of points of one scenario: on facades, at windows, on a plane.
 class PointsAnswer final : public AnswerOf<ElementAnswer> {
@@ -159,7 +155,7 @@ public:
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content().study); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
-        return drawnOfPoints(how);
+        return drawnByLegend(how);
     }
     [[nodiscard]] std::string json() const override { return elementStudyJson(content().study, {}); }
     [[nodiscard]] SavedResult toSave(const Project& project) const override {
@@ -177,7 +173,7 @@ public:
     }
     [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>&,
                                                              const AnswerFiles& how) const override {
-        return keepWith(makeElementBook(content().study, content().map, bookOf(how)), shared());
+        return bundleBook(makeElementBook(content().study, content().map, bookOf(how)), shared());
     }
 
 private:
@@ -195,7 +191,7 @@ Result<std::optional<InputFile>> describeGlazing(const ElementSettings& points) 
 void addReadingOf(ElementStudy& study, const LoadedCity& loaded) {
     study.provenance = provenanceOf(loaded);
     study.heights = loaded.read.heights;
-    putBefore(study.warnings, loaded.read.warnings);
+    prependWarnings(study.warnings, loaded.read.warnings);
     study.seconds["read"] = loaded.seconds;
     study.seconds["total"] += loaded.seconds;
 }
@@ -225,7 +221,7 @@ SavedForm savedPoints() {
                 return writeSavedPoints(*saved.result, *saved.as<SavedElements>(), source.city, folder,
                                         how.legend, how.rules);
             },
-            drawnOfPoints};
+            drawnByLegend};
 }
 
 }  // namespace

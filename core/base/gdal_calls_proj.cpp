@@ -58,7 +58,7 @@ std::size_t writeNothing(PJ_CONTEXT*, PROJ_FILE_HANDLE*, const void*, std::size_
 int seekFile(PJ_CONTEXT*, PROJ_FILE_HANDLE* file, long long to, int from, void*) {
     return std::fseek(streamOf(file), long(to), from) == 0 ? 1 : 0;
 }
-unsigned long long tellFile(PJ_CONTEXT*, PROJ_FILE_HANDLE* file, void*) {
+unsigned long long positionInFile(PJ_CONTEXT*, PROJ_FILE_HANDLE* file, void*) {
     return static_cast<unsigned long long>(std::ftell(streamOf(file)));
 }
 void closeFile(PJ_CONTEXT*, PROJ_FILE_HANDLE* file, void*) { std::fclose(streamOf(file)); }
@@ -66,7 +66,7 @@ int isThere(PJ_CONTEXT*, const char* name, void*) { return liesInProjFolder(name
 int changeNothing(PJ_CONTEXT*, const char*, void*) { return 0; }
 int moveNothing(PJ_CONTEXT*, const char*, const char*, void*) { return 0; }
 
-constexpr PROJ_FILE_API files{1,         openFile, readFile,      writeNothing,  seekFile,   tellFile,
+constexpr PROJ_FILE_API files{1,         openFile, readFile,      writeNothing,  seekFile,   positionInFile,
                               closeFile, isThere,  changeNothing, changeNothing, moveNothing};
 
 // A context does not inherit the functions that open files, but it inherits this one, which it calls for

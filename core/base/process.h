@@ -20,7 +20,7 @@ bool isTerminal(StandardStream stream);
 
 /// A write beyond the size that the user allows files to have (ulimit -f) fails from now on, and is reported
 /// as any other; by itself the system would end the process with SIGXFSZ.
-void letLargeWritesFail();
+void ignoreFileSizeSignal();
 
 /// Memory of at least this many bytes, not initialised and aligned to 2 MB, so that the system can map it in
 /// huge pages: with few page faults, and few entries of the processor's table of pages. Throws

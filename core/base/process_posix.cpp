@@ -20,7 +20,7 @@ bool isTerminal(StandardStream stream) {
     return ::isatty(stream == StandardStream::output ? STDOUT_FILENO : STDERR_FILENO) != 0;
 }
 
-void letLargeWritesFail() { std::signal(SIGXFSZ, SIG_IGN); }
+void ignoreFileSizeSignal() { std::signal(SIGXFSZ, SIG_IGN); }
 
 void* allocateHugePages(std::size_t bytes) {
     constexpr std::size_t pageBytes = std::size_t{2} << 20U;

@@ -15,7 +15,7 @@ public:
     enum class State {
         open,
         usedByOther,  ///< another process has locked it
-        failed,       ///< it could not be opened; lastSystemProblem() tells why
+        failed,       ///< it could not be opened; lastSystemProblem() states why
     };
     /// Opens the file, or creates it, and locks it. Does not wait, and follows no link.
     explicit LockedFile(const std::filesystem::path& file);
@@ -53,7 +53,7 @@ public:
 
     /// Removes all that exist, and makes none from now on: call it before the process ends without running
     /// destructors, at a signal.
-    static void removeAllForGood();
+    static void removeAllAndStop();
 
 private:
     std::filesystem::path path_;

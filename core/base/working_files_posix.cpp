@@ -61,7 +61,7 @@ public:
         folders_.erase(folder);
         removeFiles(folder);
     }
-    void removeAllForGood() {
+    void removeAllAndStop() {
         const std::lock_guard lock(mutex_);
         ended_ = true;
         for (const fs::path& folder : folders_) removeFiles(folder);
@@ -97,7 +97,7 @@ PrivateFolder::~PrivateFolder() {
     if (!path_.empty()) foldersOfProcess().remove(path_);
 }
 
-void PrivateFolder::removeAllForGood() { foldersOfProcess().removeAllForGood(); }
+void PrivateFolder::removeAllAndStop() { foldersOfProcess().removeAllAndStop(); }
 
 bool makeOwnFolder(const fs::path& folder) {
     if (::mkdir(folder.c_str(), S_IRWXU) == 0) return true;

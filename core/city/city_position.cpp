@@ -101,7 +101,7 @@ private:
     std::map<Cell, Group> cells_;
 };
 
-Box2 boxOfMostArea(const std::vector<Body>& bodies) {
+Box2 findMainBox(const std::vector<Body>& bodies) {
     const std::vector<Group> groups = Grouping(bodies).list();
     double whole = 0, held = 0;
     for (const Group& group : groups) whole += group.areaM2;
@@ -179,7 +179,7 @@ private:
 MainPart findMainPart(const City& city) {
     const std::vector<Body> bodies = listBodies(city);
     if (bodies.empty()) return {};
-    const Box2 maximum = boxOfMostArea(bodies);
+    const Box2 maximum = findMainBox(bodies);
     const float side = std::max(maximum.high.x - maximum.low.x, maximum.high.y - maximum.low.y);
     const Box2 near = grown(maximum, std::max(cellM, besideShare * side));
     MainPart part{maximum, 0};

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/base/json_number.h"
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 
 namespace noonmark {
@@ -18,8 +19,6 @@ namespace noonmark {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-constexpr double minutesOfHour = 60;
 
 constexpr std::array shownList{
     Choice<ShownAs>{ShownAs::shadow, "shadow", NM_TEXT("Shadow")},
@@ -55,7 +54,7 @@ std::string amountOf(const FigureLine& line, UnitSystem units) {
     if (unit == FigureUnit::squareMetres) return formatSmallArea(line.value, units);
     if (unit == FigureUnit::squareMetreHours) return formatAreaHours(line.value, units);
     const bool inHours = unit == FigureUnit::hours || unit == FigureUnit::hoursADay;
-    const double amount = inHours                     ? line.value / minutesOfHour
+    const double amount = inHours                     ? line.value / minutesPerHour
                           : unit == FigureUnit::share ? 100 * line.value
                                                       : line.value;
     const int decimals = line.figure->isCount ? 0 : line.figure->shownDecimals;

@@ -6,6 +6,11 @@
 
 namespace noonmark {
 
+/// Results are held in minutes; people read long times in hours.
+inline constexpr double minutesPerHour = 60;
+/// Shares are held as 0 to 1; people read percent.
+inline constexpr double percentOfWhole = 100;
+
 /// How the time that a place spends in shadow is shown.
 enum class ShownAs {
     shadow,  ///< minutes in shadow a day

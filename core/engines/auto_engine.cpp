@@ -23,7 +23,7 @@ std::size_t overhangTrianglesOf(const Building& building) {
     return triangles;
 }
 
-void takeMost(EngineLoad& load, const City& city, const Receivers& receivers, const SunSteps& sun) {
+void addMaximum(EngineLoad& load, const City& city, const Receivers& receivers, const SunSteps& sun) {
     const std::vector<std::uint32_t> inReach = findBuildingsInReach(city, receivers, sun);
     std::size_t triangles = 0;
     for (const std::uint32_t index : inReach) triangles += overhangTrianglesOf(*city.buildings[index]);
@@ -45,7 +45,7 @@ EngineLoad measureEngineLoad(std::span<const City* const> cities, const Receiver
                     .bins = binCount(sun, sweep),
                     .level = receivers.flat(),
                     .runs = sweep.counts == ShadowCounts::grossAndRuns};
-    for (const City* city : cities) takeMost(load, *city, receivers, sun);
+    for (const City* city : cities) addMaximum(load, *city, receivers, sun);
     return load;
 }
 
@@ -113,7 +113,7 @@ std::optional<EngineChoice> AutoEngine::chooseInstead(const EngineChoice& failed
                         fmt::format("rays, since {} refused: {}", failed.why, error.what)};
 }
 
-std::optional<EngineChoice> AutoEngine::chooseCloser(const EngineChoice& used, const SampledOff& off,
+std::optional<EngineChoice> AutoEngine::chooseCloser(const EngineChoice& used, const SampledDeviation& off,
                                                      std::span<const City* const> cities,
                                                      const Receivers& receivers, const SunSteps& sun) const {
     if (used.key != "horizon" || sweep_.binDeg > 0) return std::nullopt;

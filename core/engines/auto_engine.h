@@ -69,7 +69,8 @@ public:
     /// The quicker of the exact engines that take the case, where the sweep misses its error target by more
     /// than chance explains: two standard errors of the sample, but no more than the target itself. None
     /// where the width of bins was set, which leaves no target.
-    [[nodiscard]] std::optional<EngineChoice> chooseCloser(const EngineChoice& used, const SampledOff& off,
+    [[nodiscard]] std::optional<EngineChoice> chooseCloser(const EngineChoice& used,
+                                                           const SampledDeviation& off,
                                                            std::span<const City* const> cities,
                                                            const Receivers& receivers,
                                                            const SunSteps& sun) const override;

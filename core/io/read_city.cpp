@@ -193,7 +193,7 @@ Stand standFor(const CityRead& all, Stand wanted) {
     return fromBases ? Stand::absolute : wanted;
 }
 
-void sayFit(CityRead& all, const InputFile& file, const Standing& standing, Stand wanted) {
+void warnOfFit(CityRead& all, const InputFile& file, const Standing& standing, Stand wanted) {
     if (!standing.fit() || standFor(all, wanted) != wanted) return;
     BaseFit fit = *standing.fit();
     fit.file = nameOf(file);
@@ -206,7 +206,7 @@ void joinBuildings(CityRead& all, const InputFile& file, Stand wanted) {
     const Standing standing(piece, file.carriers, all.city.frame, all.city.terrain.get(),
                             standFor(all, wanted));
     warnOfFlattened(all, file, standing.flattened());
-    sayFit(all, file, standing, wanted);
+    warnOfFit(all, file, standing, wanted);
     auto& buildings = all.city.buildings;
     const std::size_t first = buildings.size();
     buildings.resize(first + piece.buildings.size());

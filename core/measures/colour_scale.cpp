@@ -1,4 +1,5 @@
 #include "core/measures/colour_scale.h"
+#include "core/describe/shown_as.h"
 
 #include <fmt/format.h>
 
@@ -13,11 +14,10 @@ namespace {
 using Kind = LegendClasses::Kind;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double wholeSharePct = 100;
 constexpr double shareTickPct = 20;
 
 LegendScale fittedScale(const ShownQuantity& quantity, double topMin) {
-    if (quantity.as == ShownAs::share) return {wholeSharePct, shareTickPct};
+    if (quantity.as == ShownAs::share) return {percentOfWhole, shareTickPct};
     return legendScale(quantity.isSun() ? quantity.of(0) : topMin);
 }
 

@@ -56,7 +56,7 @@ struct SampledError {
     CellError continuous;  ///< 100 % is the sunlit minutes of the longest day; minutes are NaN without runs
 
     /// The part of the error that engines' error targets limit.
-    [[nodiscard]] SampledOff grossOff() const {
+    [[nodiscard]] SampledDeviation grossOff() const {
         return {gross.percent(gross.meanMin), gross.percent(gross.meanStandardErrorMin)};
     }
 };

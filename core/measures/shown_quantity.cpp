@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr double minutesAnHour = 60;
-constexpr double wholePct = 100;
 
 struct QuantityWords {
     ShownAs as;
@@ -24,27 +22,29 @@ constexpr QuantityWords quantityWords[] = {
 
 const QuantityWords& wordsOf(ShownAs as) { return *std::ranges::find(quantityWords, as, &QuantityWords::as); }
 
-double pctOf(double minutes, double sunlitMin) { return sunlitMin > 0 ? wholePct * minutes / sunlitMin : 0; }
+double pctOf(double minutes, double sunlitMin) {
+    return sunlitMin > 0 ? percentOfWhole * minutes / sunlitMin : 0;
+}
 
 }  // namespace
 
 double ShownQuantity::of(double grossMin) const {
     const double sunMin = std::max(sunlitMin - grossMin, 0.0);  // NaN stays NaN
-    if (as == ShownAs::sun) return sunMin / minutesAnHour;
+    if (as == ShownAs::sun) return sunMin / minutesPerHour;
     if (as == ShownAs::share) return pctOf(sunMin, sunlitMin);
     return grossMin;
 }
 
 double ShownQuantity::minutesOf(double value) const {
-    if (as == ShownAs::sun) return sunlitMin - value * minutesAnHour;
-    if (as == ShownAs::share) return sunlitMin * (1 - value / wholePct);
+    if (as == ShownAs::sun) return sunlitMin - value * minutesPerHour;
+    if (as == ShownAs::share) return sunlitMin * (1 - value / percentOfWhole);
     return value;
 }
 
 double ShownQuantity::ofChange(double grossMin) const { return isSun() ? -grossMin : grossMin; }
 
 double ShownQuantity::ofError(double grossMin) const {
-    if (as == ShownAs::sun) return grossMin / minutesAnHour;
+    if (as == ShownAs::sun) return grossMin / minutesPerHour;
     if (as == ShownAs::share) return pctOf(grossMin, sunlitMin);
     return grossMin;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/measures/shown_quantity.h"
@@ -67,7 +68,6 @@ ShadowStatistics computeStatistics(const ShadowField& field, const Region& regio
 namespace {
 
 constexpr double maxClasses = 14;
-constexpr double minutesOfHour = 60;
 
 /// Classes of equal width: the first one begins at `first` widths.
 struct Classes {
@@ -112,7 +112,7 @@ Bars makeSunHistogram(std::span<const double> sunMin, double possibleMin, std::s
         }
     if (whole == 0 || possibleMin <= 0) return bars;
     for (double& sum : sums) sum *= 100 / whole;
-    addGroups(bars, classes, sums, minutesOfHour);
+    addGroups(bars, classes, sums, minutesPerHour);
     for (Bars::Group& group : bars.groups) group.tone = BarTone::sun;
     return bars;
 }

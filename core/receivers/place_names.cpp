@@ -44,7 +44,7 @@ std::string cleanName(std::string_view text) {
     return name.substr(first, name.find_last_not_of(' ') - first + 1);
 }
 
-void nameApart(std::vector<Place>& places) {
+void makeNamesUnique(std::vector<Place>& places) {
     std::set<std::string> used;
     for (const Place& place : places) used.insert(place.name);
     std::set<std::string> given;
@@ -85,6 +85,12 @@ double area(const Place& place) {
 Box2 bounds(const Place& place) {
     Box2 box;
     for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
+    return box;
+}
+
+Box2 bounds(std::span<const Place> places) {
+    Box2 box;
+    for (const Place& place : places) box.add(bounds(place));
     return box;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ std::string cleanName(std::string_view text);
 
 /// Gives every place a name of its own: an empty one becomes "park (way 123)" by kind and source, and a name
 /// used before gets a number: "Community Garden (2)".
-void nameApart(std::vector<Place>& places);
+void makeNamesUnique(std::vector<Place>& places);
 
 /// The place with this name, in any case. Error: there is none; the advice names those spelled alike, or
 /// those that contain the text.
@@ -28,6 +29,7 @@ Place makePlace(const Region& region);
 /// Square metres of its polygons.
 double area(const Place& place);
 Box2 bounds(const Place& place);
+Box2 bounds(std::span<const Place> places);
 
 /// Whether the data names the place; else its name was made from its kind and source ("park (OSM way 12)").
 bool hasOwnName(const Place& place);

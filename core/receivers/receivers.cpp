@@ -58,6 +58,12 @@ Box2 bounds(const Region& region) {
     return box;
 }
 
+double area(const Region& region) {
+    double sum = 0;
+    for (const Footprint& polygon : region.polygons) sum += area(polygon);
+    return sum;
+}
+
 namespace {
 
 Grid gridOfBox(const Box2& box, double cellM) {

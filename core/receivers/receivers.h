@@ -35,6 +35,7 @@ Result<Region> makeRegionFromLonLatBox(const Frame& frame, double westDeg, doubl
 Region makeRegionFromLocalBox(const Box2& box);
 
 Box2 bounds(const Region& region);
+double area(const Region& region);  ///< m2
 
 enum class CellKind : std::uint8_t {
     outside,   ///< its centre is not in the region, or no shadow is measured there

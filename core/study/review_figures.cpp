@@ -105,8 +105,8 @@ VerdictCounts countVerdicts(const ReviewStudy& study) {
     return counts;
 }
 
-std::vector<DoubtfulPlace> listDoubtful(const ReviewStudy& study) {
-    std::vector<DoubtfulPlace> places;
+std::vector<CriticalPlace> listDoubtful(const ReviewStudy& study) {
+    std::vector<CriticalPlace> places;
     for (const Verdict verdict : {Verdict::fail, Verdict::borderline})
         for (const PlaceReview& place : study.places)
             if (place.verdict == verdict) places.push_back({place.name, describeReason(place)});
@@ -114,7 +114,7 @@ std::vector<DoubtfulPlace> listDoubtful(const ReviewStudy& study) {
 }
 
 AnswerPage makeReviewPage(const VerdictCounts& counts, const std::string& rule, const std::string& scenario,
-                          const std::vector<DoubtfulPlace>& doubtful) {
+                          const std::vector<CriticalPlace>& doubtful) {
     constexpr std::size_t maxNamed = 4;  // the table of the review has them all
     AnswerPage page{chooseHeadline(placeHeadlines, counts, rule, scenario)};
     const std::size_t named = std::min(doubtful.size(), maxNamed);

@@ -18,16 +18,16 @@ const Figures<VerdictChanges>& glazingVerdictFigures();
 VerdictCounts countVerdicts(const ReviewStudy& study);
 
 /// A place that fails or is borderline, and why.
-struct DoubtfulPlace {
+struct CriticalPlace {
     std::string name, reason;  ///< describeReason()
 };
 /// The places that fail, then those that are borderline.
-std::vector<DoubtfulPlace> listDoubtful(const ReviewStudy& study);
+std::vector<CriticalPlace> listDoubtful(const ReviewStudy& study);
 
 /// The verdicts in sentences: how many places fail the rule in the scenario, and the first of them with their
 /// reasons.
 AnswerPage makeReviewPage(const VerdictCounts& counts, const std::string& rule, const std::string& scenario,
-                          const std::vector<DoubtfulPlace>& doubtful);
+                          const std::vector<CriticalPlace>& doubtful);
 /// The same of windows; `from`: the baseline.
 AnswerPage makeGlazingPage(const VerdictChanges& changes, const std::string& rule, const std::string& from,
                            const std::string& scenario);

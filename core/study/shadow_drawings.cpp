@@ -11,6 +11,7 @@
 #include "core/measures/places/place_run.h"
 #include "core/measures/shadow_outlines.h"
 #include "core/receivers/parcels/parcel_lines.h"
+#include "core/receivers/place_names.h"
 #include "core/study/prepare_review.h"
 #include "core/sun/sun_steps.h"
 
@@ -24,13 +25,6 @@ std::vector<SunStep> stepsOf(const std::vector<DrawnTime>& times) {
     std::vector<SunStep> steps;
     for (const DrawnTime& time : times) steps.push_back(time.sun);
     return steps;
-}
-
-Box2 boxAround(const std::vector<Place>& places) {
-    Box2 box;
-    for (const Place& place : places)
-        for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
-    return box;
 }
 
 /// What differs between the two cities.
@@ -49,12 +43,12 @@ Box2 chooseArea(const City& baseline, const Changes& changes, const std::vector<
     if (const Box2 removed = boundShadows(changes.removed, steps, longestM); !removed.empty())
         reach.add(removed);
     if (reach.empty()) {
-        const Box2 around = boxAround(places);
+        const Box2 around = bounds(places);
         return around.empty() ? bounds(baseline) : around;
     }
     Box2 around = boundShadows(changes.proposal, {}, 0);
     around.add(boundShadows(changes.removed, {}, 0));
-    for (const Place& place : choosePlacesIn(places, reach)) around.add(boxAround({place}));
+    for (const Place& place : choosePlacesIn(places, reach)) around.add(bounds(place));
     return places.empty() ? reach : Box2{glm::max(around.low, reach.low), glm::min(around.high, reach.high)};
 }
 

@@ -312,11 +312,9 @@ nlohmann::ordered_json regionJson(const Region& region, const Frame& frame) {
     const Box2 box = bounds(region);
     const LonLat low = frame.lonLatFromLocal(glm::dvec2(box.low));
     const LonLat high = frame.lonLatFromLocal(glm::dvec2(box.high));
-    double areaM2 = 0;
-    for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
     return {{"name", region.name},
             {"polygons", region.polygons.size()},
-            {"area_m2", areaM2},
+            {"area_m2", area(region)},
             {"extent_lonlat", {low.lonDeg, low.latDeg, high.lonDeg, high.latDeg}}};
 }
 

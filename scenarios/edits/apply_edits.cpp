@@ -348,7 +348,7 @@ private:
 
 }  // namespace
 
-Result<EditedCity> applied(const City& city, std::span<const Edit> edits) {
+Result<EditedCity> applyEdits(const City& city, std::span<const Edit> edits) {
     CityInWork work(city);
     for (std::size_t i = 0; i < edits.size(); ++i)
         if (const auto done = std::visit(work, edits[i]); !done)

@@ -41,7 +41,7 @@ struct EditedCity {
 /// Applies edits one after the other. Error, with the number and text of the edit: a building does not exist,
 /// an id is in use, or a value is out of range. Each edit compares O(buildings) ids: 0.1 ms for 43,000
 /// buildings.
-Result<EditedCity> applied(const City& city, std::span<const Edit> edits);
+Result<EditedCity> applyEdits(const City& city, std::span<const Edit> edits);
 
 /// The plan and the top of everything that was removed or added. All changed shadow comes from this volume,
 /// so an engine recomputes only where the shadow of this volume falls.

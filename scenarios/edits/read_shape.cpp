@@ -67,7 +67,7 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
         if (*kind == FileKind::mesh) warnings.push_back(describeLowered(whole, file));
         const float footM = lowestM(whole);  // before the building is moved from: arguments have no order
         whole = liftBuilding(std::move(whole), -footM);
-        markOverhangsAgain(whole, [](glm::dvec2) { return 0.0F; });
+        redetectOverhangs(whole, [](glm::dvec2) { return 0.0F; });
     }
     return ImportMesh{std::make_shared<const Building>(std::move(whole)), {}, file.filename().string()};
 }

@@ -8,13 +8,13 @@
 
 #include "core/city/building_heights.h"
 #include "core/describe/field_values.h"
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double inPercent = 100;
 constexpr ValueRange storeyRange{0, 500}, aboveGroundRangeM{0, tallestBuildingM}, turnRangeDeg{-360, 360};
 
 /// What the tower and its podium call the same settings.
@@ -31,7 +31,7 @@ Fields<PlateSize> makePlateFields(const PartFlags& flags) {
                                            .hint = "PERCENT",
                                            .unit = "%",
                                            .range = ValueRange{0, 1},
-                                           .shownTimes = inPercent,
+                                           .shownTimes = percentOfWhole,
                                            .needs = flags.needs}),
             field(&PlateSize::areaM2, {.key = "area_m2",
                                        .flag = flags.area,
@@ -53,7 +53,7 @@ Fields<WallShape> makeWallFields(const PartFlags& flags) {
                    .hint = "PERCENT",
                    .unit = "%",
                    .range = ValueRange{0, 0.95},
-                   .shownTimes = inPercent,
+                   .shownTimes = percentOfWhole,
                    .hasDefault = false,
                    .needs = flags.needs}),
             field(&WallShape::twistDeg,
@@ -83,7 +83,7 @@ std::vector<double> numbersBetweenColons(const std::string& text) {
 std::string textOf(const Setback& setback) {
     std::string text = fmt::format("{}:{}", setback.aboveM, setback.insetM);
     if (!setback.walls.upright())
-        text += fmt::format(":{}:{}", setback.walls.taper * inPercent, setback.walls.twistDeg);
+        text += fmt::format(":{}:{}", setback.walls.taper * percentOfWhole, setback.walls.twistDeg);
     return text;
 }
 
@@ -93,7 +93,7 @@ Result<Setback> setbackFrom(const std::string& text) {
         return failure("It is not a setback", text,
                        "Give HEIGHT:INSET in metres, for example 60:3, or HEIGHT:INSET:TAPER:TWIST");
     numbers.resize(4);
-    return Setback{numbers[0], numbers[1], {.taper = numbers[2] / inPercent, .twistDeg = numbers[3]}};
+    return Setback{numbers[0], numbers[1], {.taper = numbers[2] / percentOfWhole, .twistDeg = numbers[3]}};
 }
 
 std::string textOf(const FloorUse& use) {
@@ -114,7 +114,7 @@ Result<FloorUse> useFrom(const std::string& text) {
 std::string textOf(const FurtherTower& tower) {
     std::string text = fmt::format("{}", tower.storeys);
     if (tower.plate.areaM2) text += fmt::format(":{}", *tower.plate.areaM2);
-    if (tower.plate.shareOfLot) text += fmt::format(":{}%", *tower.plate.shareOfLot * inPercent);
+    if (tower.plate.shareOfLot) text += fmt::format(":{}%", *tower.plate.shareOfLot * percentOfWhole);
     return text;
 }
 
@@ -129,7 +129,7 @@ Result<FurtherTower> furtherFrom(const std::string& text) {
                        "Give STOREYS, STOREYS:M2 or STOREYS:PERCENT%, for example 20:600 or 20:30%");
     FurtherTower tower{.storeys = int(numbers[0])};
     if (isShare)
-        tower.plate.shareOfLot = numbers[1] / inPercent;
+        tower.plate.shareOfLot = numbers[1] / percentOfWhole;
     else if (numbers.size() == 2)
         tower.plate.areaM2 = numbers[1];
     return tower;

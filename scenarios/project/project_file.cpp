@@ -158,10 +158,10 @@ Result<void> isOurs(Database& database, const ProjectFile& file) {
 
 }  // namespace
 
-Result<ProjectFile> ProjectFile::create(const fs::path& file, const Project& project, IfThere ifThere) {
+Result<ProjectFile> ProjectFile::create(const fs::path& file, const Project& project, IfExists ifThere) {
     if (auto sound = validate(project); !sound) return tl::make_unexpected(sound.error());
     std::error_code ignored;
-    if (ifThere == IfThere::refuse && fs::exists(file, ignored))
+    if (ifThere == IfExists::refuse && fs::exists(file, ignored))
         return failure("There is a file of this name already", file.string(), "Choose another name");
     if (isBeingWritten(file))  // SQLite would apply the journal of an older file to the new one
         return failure("The journal of another file lies here", file.string() + "-journal",
@@ -259,7 +259,7 @@ Result<void> Autosave::keep(const Project& project) {
     if (saved_) return saved_->save(project);
     std::error_code none;
     fs::remove(journalOf(path_), none);  // of the file that is replaced now
-    auto made = ProjectFile::create(path_, project, ProjectFile::IfThere::replace);
+    auto made = ProjectFile::create(path_, project, ProjectFile::IfExists::replace);
     if (!made) return tl::make_unexpected(made.error());
     saved_ = *std::move(made);
     return {};

@@ -21,12 +21,12 @@ inline constexpr const char* projectEnding = ".noonmark.gpkg";
 /// gives an Error and is not changed.
 class ProjectFile {
 public:
-    enum class IfThere { refuse, replace };
+    enum class IfExists { refuse, replace };
 
     /// Writes a new file under a temporary name in the same folder and renames it. Error: the file exists
     /// (refuse), or the project is invalid. About half a second for 43,000 buildings.
     static Result<ProjectFile> create(const std::filesystem::path& file, const Project& project,
-                                      IfThere ifThere = IfThere::refuse);
+                                      IfExists ifThere = IfExists::refuse);
 
     /// Reads the whole file. An older schema version is migrated in memory; the next save migrates the file.
     static Result<ProjectFile> open(const std::filesystem::path& file);

@@ -98,7 +98,7 @@ Provenance provenanceOf(const Project& project, const ProjectFile* onDisk, const
     return provenance;
 }
 
-void putBefore(Warnings& warnings, const Warnings& ofReading) {
+void prependWarnings(Warnings& warnings, const Warnings& ofReading) {
     warnings.insert(warnings.begin(), ofReading.begin(), ofReading.end());
 }
 

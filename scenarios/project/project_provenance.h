@@ -26,6 +26,6 @@ Provenance provenanceOf(const Project& project, const ProjectFile* onDisk, const
 Result<std::string> hashContent(const Project& project, const MeasuredPart& part);
 
 /// Inserts the warnings of reading the city before those of the computation.
-void putBefore(Warnings& warnings, const Warnings& ofReading);
+void prependWarnings(Warnings& warnings, const Warnings& ofReading);
 
 }  // namespace noonmark

@@ -67,7 +67,7 @@ std::vector<Place> readPlaces(Database& database) {
                           *std::move(polygons), cleanText(row.text(4))});
         if (places.back().source.empty()) places.back().source = fmt::format("place {}", row.integer(0));
     }
-    nameApart(places);
+    makeNamesUnique(places);
     return places;
 }
 

@@ -48,9 +48,7 @@ void writeRegions(Database& database, const std::vector<Region>& regions) {
     Statement add = database.prepare("INSERT INTO regions (geom, name, area_m2) VALUES (?, ?, ?)");
     Box2 box;
     for (const Region& region : regions) {
-        double areaM2 = 0;
-        for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
-        add.run(AsBlob{multiPolygonBlob(region.polygons)}, region.name, areaM2);
+        add.run(AsBlob{multiPolygonBlob(region.polygons)}, region.name, area(region));
         box.add(bounds(region));
     }
     touch(database, "regions", box);

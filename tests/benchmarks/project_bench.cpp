@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / "noonmark_project_bench.noonmark.gpkg";
     const Seconds create =
-        secondsOf([&] { must(ProjectFile::create(file, project, ProjectFile::IfThere::replace)); });
+        secondsOf([&] { must(ProjectFile::create(file, project, ProjectFile::IfExists::replace)); });
     Rounds best;
     for (int i = 0; i < rounds; ++i) round(file, project, best);
     print("create", create,

@@ -20,6 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto again = noonmark::parseEdit(kind, text);
     require(again && toJson(*again) == text, "an edit comes back");
     const noonmark::City city = threeHouses();
-    if (const auto edited = noonmark::applied(city, std::span(&*edit, 1)); edited) requireSound(edited->city);
+    if (const auto edited = noonmark::applyEdits(city, std::span(&*edit, 1)); edited)
+        requireSound(edited->city);
     return 0;
 }

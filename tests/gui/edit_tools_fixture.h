@@ -35,7 +35,7 @@ struct EditToolsTest : ::testing::Test {
                              made.push_back(edits);
                              all.insert(all.end(), edits.begin(), edits.end());
                              tools.setTowers(findProposedTowers(all));
-                             if (cityComesBack) show(applied(city->city(), edits).value().city);
+                             if (cityComesBack) show(applyEdits(city->city(), edits).value().city);
                          });
         QObject::connect(&tools, &EditTools::lotDrawn, [this](const NamedLot& lot) {
             lots.push_back(lot);

@@ -103,7 +103,7 @@ TEST_F(ElementsWindow, FacadesAreNarrowedDownByWhatTheyFace) {
 TEST_F(ElementsWindow, AClickOnAWallPicksItsFace) {
     choose({});
     measure();
-    Q_EMIT dock().wanted(20);
+    Q_EMIT dock().goToRequested(20);
     const CityView& view = window->panel().view();
     const MeasuredElement middle = workbench().answerAs<ElementAnswer>()->map.elements[20];
     window->show();
@@ -228,7 +228,7 @@ TEST_F(ElementsWindow, TheTableSortsFiltersCopiesAndPointsAtTheView) {
 TEST_F(ElementsWindow, AClickOnATileFindsItsRow) {
     choose({});
     measure();
-    Q_EMIT dock().wanted(20);
+    Q_EMIT dock().goToRequested(20);
     const CityView& view = window->panel().view();
     const auto middle = workbench().answerAs<ElementAnswer>()->map.elements[20];
     const auto pixel = pixelOf(view.pose(), view.lens(), glm::dvec3(middle.position));

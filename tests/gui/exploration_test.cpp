@@ -205,7 +205,7 @@ TEST_F(Refinement, ByAccrualMapsEachLevelOfADaySharpensStepByStep) {
             ASSERT_TRUE(shown) << running.part;
             EXPECT_EQ(shown->view.shadow.sunlitMinutesPerDay, 180) << "of all of the day";
             EXPECT_LE(offBy(shown->view, done.view), before * 1.01) << running.part;
-            EXPECT_TRUE(isSoFar(shown->view));
+            EXPECT_TRUE(coversPart(shown->view));
             EXPECT_TRUE(describeDetail(shown->view, 350).startsWith(QString::fromStdString(running.part)));
             before = offBy(shown->view, done.view);
         }

@@ -251,7 +251,7 @@ TEST_F(ExportWindow, AMovieOfTheViewIsFilmedAndCanBeStopped) {
     choice.area = MovieChoice::Area::camera;
     choice.everyMin = 240;
     choice.format.size = {320, 240};
-    const TimeLook before = window->panel().time().look();
+    const ShownTime before = window->panel().time().look();
     window->movies().writeTo(file, choice);
     ASSERT_TRUE(waitFor([this] { return !window->movies().writing().busy(); }));
     const QByteArray gif = contentOfFile(file);
@@ -283,19 +283,19 @@ TEST_F(ExportWindow, DateAndTimeOfAMovieAndOfTheStripFollowEachOther) {
     using namespace std::chrono_literals;
     TimeStrip& strip = window->panel().time();
     const auto year = strip.look().date.year();
-    strip.choose({LookSpan::moment, year / std::chrono::June / 21, 9h});
+    strip.choose({ShownSpan::moment, year / std::chrono::June / 21, 9h});
     auto* dialog = openDialog<MovieDialog>("Ctrl+Shift+E");
     ASSERT_NE(dialog, nullptr);
     EXPECT_EQ(dialog->choice().date, CivilDate(year / std::chrono::June / 21));
     auto* date = fieldOf<QDateEdit>(*dialog, "movieDate");
     date->setDate(QDate(int(year), 12, 21));
-    EXPECT_EQ(strip.look(), (TimeLook{LookSpan::moment, year / std::chrono::December / 21, 9h}));
+    EXPECT_EQ(strip.look(), (ShownTime{ShownSpan::moment, year / std::chrono::December / 21, 9h}));
     fieldOf<QTimeEdit>(*dialog, "movieTime")->setTime(QTime(14, 30));
     EXPECT_EQ(strip.look().at, 14h + 30min);
     date->setDate(QDate(2028, 2, 29));
     EXPECT_EQ(strip.look().date, CivilDate(year / std::chrono::February / 28)) << "in a year without one";
     EXPECT_EQ(date->date(), QDate(2028, 2, 29)) << "what was typed stays";
-    strip.choose({LookSpan::moment, year / std::chrono::March / 21, 10h});
+    strip.choose({ShownSpan::moment, year / std::chrono::March / 21, 10h});
     EXPECT_EQ(date->date(), QDate(2028, 3, 21)) << "the movie's year is its own";
     EXPECT_EQ(dialog->choice().at, 10h);
 }

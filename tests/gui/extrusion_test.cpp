@@ -35,14 +35,14 @@ TEST(Extrusion, NearlyVerticalRaysAndThoseThatLeadAwaySayNothing) {
 }
 
 TEST(Extrusion, HeightsSnapToStoreysWithinTheRange) {
-    EXPECT_DOUBLE_EQ(wholeStoreys(36.2, 3.5), 35);
-    EXPECT_DOUBLE_EQ(wholeStoreys(36.8, 3.5), 38.5);
-    EXPECT_DOUBLE_EQ(wholeStoreys(-20, 3.5), 3.5) << "one storey at least";
-    EXPECT_LE(wholeStoreys(1e6, 3.5), 2000);
-    EXPECT_DOUBLE_EQ(wholeStoreys(1e6, 4), 2000);
-    EXPECT_DOUBLE_EQ(freeHeight(36.24, 3.5), 36.2);
-    EXPECT_DOUBLE_EQ(freeHeight(1, 3.5), 3.5);
-    EXPECT_DOUBLE_EQ(freeHeight(5000, 3.5), 2000);
+    EXPECT_DOUBLE_EQ(roundToStoreys(36.2, 3.5), 35);
+    EXPECT_DOUBLE_EQ(roundToStoreys(36.8, 3.5), 38.5);
+    EXPECT_DOUBLE_EQ(roundToStoreys(-20, 3.5), 3.5) << "one storey at least";
+    EXPECT_LE(roundToStoreys(1e6, 3.5), 2000);
+    EXPECT_DOUBLE_EQ(roundToStoreys(1e6, 4), 2000);
+    EXPECT_DOUBLE_EQ(roundHeight(36.24, 3.5), 36.2);
+    EXPECT_DOUBLE_EQ(roundHeight(1, 3.5), 3.5);
+    EXPECT_DOUBLE_EQ(roundHeight(5000, 3.5), 2000);
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ TEST_F(LiveShadowTest, WhereTooMuchHangsForHorizonsMomentsAreShown) {
     const auto some = at(city, asked(period));
     EXPECT_EQ(some->engine(), LiveEngine::moments);
     const LiveAnswer a = answer(*some, tower());
-    EXPECT_EQ(a.counted, LiveLimits::someMoments);
+    EXPECT_EQ(a.counted, LiveLimits::sampledMoments);
     EXPECT_EQ(a.steps, 900U);
     EXPECT_FALSE(a.runs);
     city.buildings.pop_back();

@@ -60,7 +60,7 @@ TEST(TowerDraft, DemolishesWhatStandsOnTheLotAndAddsTheTower) {
     EXPECT_EQ(std::get<AddBuilding>(tower.edits[1]).building->sourceId, "Tower 1");
     EXPECT_NEAR(tower.massing.figures.grossFloorM2, 25000, 1e-3);
     EXPECT_NEAR(tower.massing.figures.floorAreaRatio, 10, 1e-6);
-    const auto edited = applied(test::smallCity(), tower.edits).value();
+    const auto edited = applyEdits(test::smallCity(), tower.edits).value();
     EXPECT_EQ(edited.city.buildings.size(), 3U);
     EXPECT_FLOAT_EQ(topM(*edited.city.buildings.back()), 40);
 }
@@ -71,7 +71,7 @@ TEST(TowerDraft, TheReplacedBuildingIsNotDemolishedToo) {
     const auto tower = draftTower(test::smallCity(), draft).value();
     ASSERT_EQ(tower.edits.size(), 1U);
     EXPECT_EQ(std::get<Replace>(tower.edits[0]).building, "South House");
-    EXPECT_TRUE(applied(test::smallCity(), tower.edits));
+    EXPECT_TRUE(applyEdits(test::smallCity(), tower.edits));
 }
 
 TEST(TowerDraft, WhatCannotBeSaysItsLimit) {
@@ -100,7 +100,7 @@ TEST(TowerDraft, AHeightIsStatedInStoreysWhereItIsWhole) {
 TEST(TowerDraft, NamesAreFree) {
     City city = test::smallCity();
     EXPECT_EQ(freeTowerName(city), "Tower 1");
-    city = applied(city, draftTower(city, draftOf(3)).value().edits).value().city;
+    city = applyEdits(city, draftTower(city, draftOf(3)).value().edits).value().city;
     EXPECT_EQ(freeTowerName(city), "Tower 2");
     EXPECT_EQ(freeLotName({southLot()}), "Lot 2");
 }
@@ -116,7 +116,7 @@ TEST(BuildingFacts, OfABox) {
     EXPECT_NEAR(facts.grossFloorM2, 17 * 1600, 1);
     EXPECT_NEAR(area(lotUnder(*city.buildings[0], city).value()), 1600, 0.1);
     const std::vector<Edit> higher{ChangeHeight{"South House", 297.5}};
-    const City changed = applied(city, higher).value().city;
+    const City changed = applyEdits(city, higher).value().city;
     EXPECT_EQ(collectFacts(*changed.buildings[0], changed).heightSource, QStringLiteral("designed"));
 }
 

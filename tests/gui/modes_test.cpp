@@ -73,7 +73,7 @@ TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {
             EXPECT_NEAR(field->property("value").toDouble(), *asNumber(option.standard), 1e-9) << option.key;
             EXPECT_FALSE(field->toolTip().isEmpty());
         }
-        EXPECT_EQ(form.applied(settings), settings) << engine.key << ": default values are not stored";
+        EXPECT_EQ(form.withFields(settings), settings) << engine.key << ": default values are not stored";
     }
 }
 
@@ -89,7 +89,7 @@ TEST(AccuracyForm, ASwitchIsACheckBox) {
     QSignalSpy edits(&form, &AccuracyForm::edited);
     runs->click();
     EXPECT_EQ(edits.size(), 1);
-    EXPECT_EQ(form.applied(settings).engineSettings, (EngineSettings{{"runs", 0}}));
+    EXPECT_EQ(form.withFields(settings).engineSettings, (EngineSettings{{"runs", 0}}));
 }
 
 TEST(AccuracyForm, OptionsChangeTheStudyAndGoWithTheirEngine) {
@@ -103,11 +103,11 @@ TEST(AccuracyForm, OptionsChangeTheStudyAndGoWithTheirEngine) {
     QSignalSpy edits(&form, &AccuracyForm::edited);
     levels->setValue(2);
     ASSERT_EQ(edits.count(), 1);
-    EXPECT_EQ(form.applied(settings).engineSettings, (EngineSettings{{"levels", 2}}));
+    EXPECT_EQ(form.withFields(settings).engineSettings, (EngineSettings{{"levels", 2}}));
     settings.engine = "ray";
     settings.engineSettings.clear();
     form.show(settings);
-    EXPECT_EQ(form.applied(settings).engineSettings, EngineSettings{});
+    EXPECT_EQ(form.withFields(settings).engineSettings, EngineSettings{});
 }
 
 /// The whole window with the sample.
@@ -121,8 +121,8 @@ struct ModesTest : ::testing::Test {
         window.show();
         window.open({QStringLiteral("sample:central-park-south")});
         ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
-        TimeLook period = window.panel().time().look();
-        period.span = LookSpan::period;
+        ShownTime period = window.panel().time().look();
+        period.span = ShownSpan::period;
         window.panel().time().choose(period);
         change([](StudySettings& question) {
             question.period.stepMinutes = 10;

@@ -87,7 +87,7 @@ struct MomentWindow : ::testing::TestWithParam<bool> {
 
 TEST_P(MomentWindow, TheGroundIsDarkWhereSomethingHidesTheSun) {
     time().setValue(15 * 60);
-    EXPECT_EQ(window.panel().time().look().span, LookSpan::moment);
+    EXPECT_EQ(window.panel().time().look().span, ShownSpan::moment);
     EXPECT_FALSE(window.exploration().working()) << "the moment is shown instead";
     ASSERT_TRUE(waitForShadow());
     captured();  // frames lag behind the scene
@@ -120,8 +120,8 @@ TEST_P(MomentWindow, TheWholePeriodAndTheNightHaveNoShadow) {
     EXPECT_FALSE(view.sun().shown());
     time().setValue(12 * 60);
     ASSERT_TRUE(waitForShadow());
-    TimeLook period = window.panel().time().look();
-    period.span = LookSpan::period;
+    ShownTime period = window.panel().time().look();
+    period.span = ShownSpan::period;
     window.panel().time().setLook(period);
     Q_EMIT window.panel().time().lookChanged(period);
     EXPECT_FALSE(hasMap());

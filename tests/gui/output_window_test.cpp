@@ -99,10 +99,10 @@ TEST_F(OutputWindow, AProjectReplacesProjectsOnly) {
 
 TEST_F(OutputWindow, AnExportIsAskedAboutAndReplacesItsOwnFilesOnly) {
     study();
-    EXPECT_EQ(workbench().filesInTheWay(out.toStdString()), QStringList());
+    EXPECT_EQ(workbench().listExistingFiles(out.toStdString()), QStringList());
     exportStudy();
     EXPECT_THAT(message(), HasSubstr("Exported to"));
-    const QStringList there = workbench().filesInTheWay(out.toStdString());
+    const QStringList there = workbench().listExistingFiles(out.toStdString());
     EXPECT_EQ(QSet<QString>(there.begin(), there.end()), [names = QDir(out).entryList(QDir::Files)] {
         return QSet<QString>(names.begin(), names.end());
     }());

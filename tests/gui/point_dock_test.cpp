@@ -39,7 +39,7 @@ TEST_F(ProjectWindow, APointShowsItsSunAndFollowsTheDay) {
     const auto first = points.answer();
     EXPECT_FALSE(first->sentence.isEmpty());
     EXPECT_GT(first->study.possibleMin, 200'000);  // half of a year's minutes
-    TimeLook look = window->panel().time().look();
+    ShownTime look = window->panel().time().look();
     look.date = look.date.year() / std::chrono::December / 21;
     window->panel().time().setLook(look);
     Q_EMIT window->panel().time().lookChanged(look);

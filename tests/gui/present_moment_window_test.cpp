@@ -23,22 +23,22 @@ Instant at(std::chrono::year_month_day date, std::chrono::minutes utc) {
     return Instant(std::chrono::sys_days(date) + utc);
 }
 
-TEST(PresentLook, IsTheTimeAtTheCityInTheYearOfThePeriod) {
-    const TimeLook look =
-        findPresentLook(newYork, inNewYork, at(2026y / std::chrono::June / 21, 18h + 5min)).value().look;
-    EXPECT_EQ(look, (TimeLook{LookSpan::moment, 2025y / std::chrono::June / 21, 14h + 5min}));
+TEST(PresentTime, IsTheTimeAtTheCityInTheYearOfThePeriod) {
+    const ShownTime look =
+        findPresentTime(newYork, inNewYork, at(2026y / std::chrono::June / 21, 18h + 5min)).value().look;
+    EXPECT_EQ(look, (ShownTime{ShownSpan::moment, 2025y / std::chrono::June / 21, 14h + 5min}));
 }
 
-TEST(PresentLook, IsNoonOfTheSameDayWhileTheSunIsDown) {
-    const TimeLook look =
-        findPresentLook(newYork, inNewYork, at(2026y / std::chrono::June / 22, 3h)).value().look;
-    EXPECT_EQ(look, (TimeLook{LookSpan::moment, 2025y / std::chrono::June / 21, 12h}))
+TEST(PresentTime, IsNoonOfTheSameDayWhileTheSunIsDown) {
+    const ShownTime look =
+        findPresentTime(newYork, inNewYork, at(2026y / std::chrono::June / 22, 3h)).value().look;
+    EXPECT_EQ(look, (ShownTime{ShownSpan::moment, 2025y / std::chrono::June / 21, 12h}))
         << "eleven in the evening before";
 }
 
-TEST(PresentLook, TheDayThatAYearLacksIsTheLastOfItsMonth) {
-    const TimeLook look =
-        findPresentLook(newYork, inNewYork, at(2028y / std::chrono::February / 29, 17h)).value().look;
+TEST(PresentTime, TheDayThatAYearLacksIsTheLastOfItsMonth) {
+    const ShownTime look =
+        findPresentTime(newYork, inNewYork, at(2028y / std::chrono::February / 29, 17h)).value().look;
     EXPECT_EQ(look.date, 2025y / std::chrono::February / 28);
 }
 
@@ -55,12 +55,12 @@ struct PresentWindow : ::testing::Test {
         window.open({QStringLiteral("sample:central-park-south")});
         ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
     }
-    [[nodiscard]] const TimeLook& look() { return window.panel().time().look(); }
+    [[nodiscard]] const ShownTime& look() { return window.panel().time().look(); }
 };
 
 TEST_F(PresentWindow, ACityOpensWithTheSunOfNowAndNoResult) {
     openAt(16h);
-    EXPECT_EQ(look().span, LookSpan::moment);
+    EXPECT_EQ(look().span, ShownSpan::moment);
     EXPECT_EQ(look().at, 12h) << "16:00 UTC in June";
     EXPECT_FALSE(window.panel().legend().legend());
     EXPECT_FALSE(window.exploration().working());
@@ -70,7 +70,7 @@ TEST_F(PresentWindow, ACityOpensWithTheSunOfNowAndNoResult) {
 
 TEST_F(PresentWindow, AtNightItIsNoonAndSaysSo) {
     openAt(5h);
-    EXPECT_EQ(look().span, LookSpan::moment);
+    EXPECT_EQ(look().span, ShownSpan::moment);
     EXPECT_EQ(look().at, 12h);
     EXPECT_TRUE(window.time().moment().startsWith(QStringLiteral("It is night there now")))
         << window.time().moment().toStdString();
@@ -80,7 +80,7 @@ TEST_F(PresentWindow, AnAnswerIsOfItsPeriodAndNotOfThatMoment) {
     openAt(16h);
     window.workbench().run();
     ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }, 60000));
-    EXPECT_EQ(look().span, LookSpan::period);
+    EXPECT_EQ(look().span, ShownSpan::period);
     EXPECT_TRUE(window.panel().legend().legend());
 }
 
@@ -92,7 +92,7 @@ TEST_F(PresentWindow, TheStripFollowsTheDayOfTheStudyAndTheMovieTheStrip) {
     window.workbench().document().change(settings, QStringLiteral("period"));
     EXPECT_EQ(look().date.month(), std::chrono::December);
     EXPECT_EQ(look().at, 12h) << "the time stays";
-    window.panel().time().choose({LookSpan::moment, settings.period.start, 9h});
+    window.panel().time().choose({ShownSpan::moment, settings.period.start, 9h});
     settings.receivers.cellM = 5;
     window.workbench().document().change(settings, QStringLiteral("cell size"));
     EXPECT_EQ(look().at, 9h) << "other settings move nothing";
@@ -100,13 +100,13 @@ TEST_F(PresentWindow, TheStripFollowsTheDayOfTheStudyAndTheMovieTheStrip) {
 
 TEST_F(PresentWindow, AMomentThatTheUserChoseStays) {
     openAt(16h);
-    window.panel().time().choose({LookSpan::moment, look().date, 9h});
+    window.panel().time().choose({ShownSpan::moment, look().date, 9h});
     window.mode().setMode(ViewMode::analysis);
-    EXPECT_EQ(look().span, LookSpan::moment);
+    EXPECT_EQ(look().span, ShownSpan::moment);
     EXPECT_EQ(look().at, 9h);
     window.workbench().run();
     ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }, 60000));
-    EXPECT_EQ(look().span, LookSpan::period) << "who runs a question sees its answer";
+    EXPECT_EQ(look().span, ShownSpan::period) << "who runs a question sees its answer";
     EXPECT_TRUE(window.panel().legend().legend());
 }
 

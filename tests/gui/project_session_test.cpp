@@ -201,7 +201,7 @@ TEST_F(Session, OtherBuildingsInTheBaselineAreReported) {
 
 TEST_F(Session, OnlyTheUsersChoiceOfABaselineAsksForAComparison) {
     demolish(0);
-    const QSignalSpy wanted(&session, &ProjectSession::comparisonWanted);
+    const QSignalSpy wanted(&session, &ProjectSession::comparisonRequested);
     const QSignalSpy baselines(&session, &ProjectSession::baselineChanged);
     session.setBaseline(existingCity);
     EXPECT_EQ(baselines.count(), 1);

@@ -56,8 +56,8 @@ struct ProjectWindow : ::testing::Test {
         ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
     }
     [[nodiscard]] std::filesystem::path recovery() const { return recoveryPath(file.toStdString()); }
-    void keepUnsaved() {
-        window->saving().keepUnsaved();
+    void writeRecovery() {
+        window->saving().writeRecovery();
         ASSERT_TRUE(waitFor([this] { return std::filesystem::exists(recovery()); }));
     }
     Workbench& workbench() { return window->workbench(); }

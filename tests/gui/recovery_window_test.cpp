@@ -18,7 +18,7 @@ using test::waitFor;
 
 TEST_F(ProjectWindow, WorkDiscardedForAFileThatCannotBeOpenedIsStillRecoverable) {
     build();
-    keepUnsaved();
+    writeRecovery();
     window->open({folder.filePath(QStringLiteral("missing.noonmark.gpkg"))});
     ASSERT_TRUE(waitFor([this] { return !message().isEmpty(); }));
     EXPECT_TRUE(session().hasUnsavedWork());
@@ -27,7 +27,7 @@ TEST_F(ProjectWindow, WorkDiscardedForAFileThatCannotBeOpenedIsStillRecoverable)
 
 TEST_F(ProjectWindow, WorkThatWasNotSavedIsOfferedAgain) {
     build();
-    window->saving().keepUnsaved();
+    window->saving().writeRecovery();
     const std::filesystem::path saved = recoveryPath(file.toStdString());
     ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
     kill();
@@ -50,7 +50,7 @@ TEST_F(ProjectWindow, WorkThatNeverHadAFileIsOfferedAgain) {
     open(QStringLiteral("sample:central-park-south"));
     ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
     const std::size_t lots = session().project().lots.size();
-    window->saving().keepUnsaved();
+    window->saving().writeRecovery();
     const QString unsaved = folder.filePath(QStringLiteral("unsaved"));
     const std::filesystem::path saved =
         recoveryPath((unsaved + QStringLiteral("/Untitled 1.noonmark.gpkg")).toStdString());
@@ -69,7 +69,7 @@ TEST_F(ProjectWindow, RecoveredWorkThatIsDiscardedIsNotOfferedAgain) {
     const QString sample = QStringLiteral("sample:central-park-south");
     open(sample);
     ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
-    window->saving().keepUnsaved();
+    window->saving().writeRecovery();
     const QDir unsaved(folder.filePath(QStringLiteral("unsaved")));
     const auto saved = [&] {
         return unsaved.entryList({QStringLiteral("*.gpkg")}, QDir::Files | QDir::Hidden);
@@ -92,7 +92,7 @@ TEST_F(ProjectWindow, RecoveredWorkThatIsDiscardedIsNotOfferedAgain) {
 
 TEST_F(ProjectWindow, RecoveredChangesOfAFileThatAreDiscardedAreNotOfferedAgain) {
     build();
-    window->saving().keepUnsaved();
+    window->saving().writeRecovery();
     const std::filesystem::path saved = recoveryPath(file.toStdString());
     ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
     for (const bool keptAgain : {false, true}) {
@@ -102,7 +102,7 @@ TEST_F(ProjectWindow, RecoveredChangesOfAFileThatAreDiscardedAreNotOfferedAgain)
         takeOffer();
         ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
         const auto older = ProjectSaving::olderRecovery(file.toStdString());
-        if (keptAgain) window->saving().keepUnsaved();
+        if (keptAgain) window->saving().writeRecovery();
         if (keptAgain) {
             ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
             EXPECT_TRUE(std::filesystem::exists(older));
@@ -118,7 +118,7 @@ TEST_F(ProjectWindow, RecoveredChangesOfAFileThatAreDiscardedAreNotOfferedAgain)
 
 TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedAndGoesWhenItIsDiscarded) {
     build();
-    keepUnsaved();
+    writeRecovery();
     kill();
     const auto older = ProjectSaving::olderRecovery(file.toStdString());
     std::filesystem::rename(recovery(), older);
@@ -134,7 +134,7 @@ TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedAndGoesWhenItIsDiscarded) {
 
 TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedBesideNewerAndCanBeDeleted) {
     build();
-    keepUnsaved();
+    writeRecovery();
     kill();
     const auto older = ProjectSaving::olderRecovery(file.toStdString());
     std::filesystem::copy_file(recovery(), older);

@@ -133,7 +133,7 @@ TEST_F(SectionWindow, IsMovedByHandlesAndNumbersAndSaved) {
 
 TEST_F(SectionWindow, ARightClickThatEndsAPolygonOpensNoMenu) {
     int menus = 0;
-    QObject::connect(&window->panel(), &ViewPanel::menuWanted, &window->panel(), [&menus] { ++menus; });
+    QObject::connect(&window->panel(), &ViewPanel::menuRequested, &window->panel(), [&menus] { ++menus; });
     PolygonTool& lot = window->panel().lotTool();
     lot.begin();
     for (const glm::dvec2 point : {glm::dvec2(0, 0), {30, 0}, {30, 30}})

@@ -56,20 +56,21 @@ TEST(PeriodForm, HoldsTheHoursFromSunriseToSunset) {
 }
 
 TEST(PeriodPresets, SetTheDaysAndLeaveTheHours) {
-    const Period year = applied(PeriodPreset::year, inLeapYear(), anyDay, 40);
+    const Period year = withPresetDays(PeriodPreset::year, inLeapYear(), anyDay, 40);
     EXPECT_EQ(year.start, CivilDate(2028y, January, 1d));
     EXPECT_EQ(year.days, 366);
     EXPECT_EQ(year.from, 8h);
     EXPECT_EQ(year.hours, 4);
-    EXPECT_EQ(applied(PeriodPreset::today, inLeapYear(), anyDay, 40).start, anyDay);
-    EXPECT_EQ(applied(PeriodPreset::december, inLeapYear(), anyDay, 40).start,
+    EXPECT_EQ(withPresetDays(PeriodPreset::today, inLeapYear(), anyDay, 40).start, anyDay);
+    EXPECT_EQ(withPresetDays(PeriodPreset::december, inLeapYear(), anyDay, 40).start,
               CivilDate(2028y, December, 21d));
-    EXPECT_EQ(applied(PeriodPreset::own, inLeapYear(), anyDay, 40), inLeapYear());
+    EXPECT_EQ(withPresetDays(PeriodPreset::own, inLeapYear(), anyDay, 40), inLeapYear());
 }
 
 TEST(PeriodPresets, TheGrowingSeasonIsThatOfTheHemisphere) {
-    EXPECT_EQ(applied(PeriodPreset::growingSeason, inLeapYear(), anyDay, 40).days, 214) << "April to October";
-    const Period south = applied(PeriodPreset::growingSeason, inLeapYear(), anyDay, -34);
+    EXPECT_EQ(withPresetDays(PeriodPreset::growingSeason, inLeapYear(), anyDay, 40).days, 214)
+        << "April to October";
+    const Period south = withPresetDays(PeriodPreset::growingSeason, inLeapYear(), anyDay, -34);
     EXPECT_EQ(south.start, CivilDate(2028y, October, 1d));
     EXPECT_EQ(south.days, 212) << "October to April 2029";
     EXPECT_TRUE(nameOf(PeriodPreset::growingSeason, -34).contains(QStringLiteral("October to April")));
@@ -77,7 +78,7 @@ TEST(PeriodPresets, TheGrowingSeasonIsThatOfTheHemisphere) {
 
 TEST(PeriodPresets, AreFoundAgain) {
     for (const PeriodPreset preset : allPeriodPresets)
-        EXPECT_EQ(presetOf(applied(preset, inLeapYear(), anyDay, 40), anyDay, 40), preset);
+        EXPECT_EQ(presetOf(withPresetDays(preset, inLeapYear(), anyDay, 40), anyDay, 40), preset);
     EXPECT_EQ(presetOf(inLeapYear(), anyDay, 40), PeriodPreset::own);
 }
 
@@ -113,14 +114,15 @@ TEST(RulePeriods, AreNotOfferedWhereAPeriodCannotStateThem) {
 TEST(AccuracyChoices, NameTheEngineThatSuitsTheGround) {
     StudySettings settings;
     EXPECT_EQ(choiceOf(settings, false), AccuracyChoice::quick);
-    EXPECT_EQ(applied(AccuracyChoice::exact, settings, false).engine, "projected");
-    EXPECT_EQ(applied(AccuracyChoice::exact, settings, true).engine, "ray") << "polygons take no terrain";
+    EXPECT_EQ(withAccuracy(AccuracyChoice::exact, settings, false).engine, "projected");
+    EXPECT_EQ(withAccuracy(AccuracyChoice::exact, settings, true).engine, "ray")
+        << "polygons take no terrain";
     settings.receivers.places = ReceiverPlaces::roofs;
-    EXPECT_EQ(applied(AccuracyChoice::exact, settings, false).engine, "ray");
+    EXPECT_EQ(withAccuracy(AccuracyChoice::exact, settings, false).engine, "ray");
     EXPECT_EQ(choiceOf(asInPaper(settings), false), AccuracyChoice::own);
     settings.engineSettings["bin"] = 1;
     EXPECT_EQ(choiceOf(settings, false), AccuracyChoice::own);
-    EXPECT_TRUE(applied(AccuracyChoice::quick, settings, false).engineSettings.empty());
+    EXPECT_TRUE(withAccuracy(AccuracyChoice::quick, settings, false).engineSettings.empty());
 }
 
 /// The dock with its document.

@@ -188,7 +188,7 @@ TEST_F(SunByPlaceWindow, OneThresholdRulesColumnsOfDatesHeadlineAndFiles) {
     const auto headline = [&] { return window->findChild<ResultsDock*>()->headline(); };
     EXPECT_TRUE(headline().contains(QStringLiteral("less than 2 h"))) << headline().toStdString();
     table().setCurrentIndex(table().model()->index(1, 0));
-    Q_EMIT window->findChild<ResultsDock*>()->allPlacesWanted();
+    Q_EMIT window->findChild<ResultsDock*>()->allPlacesRequested();
     field<QSlider>("placesSlider").setValue(120);
     QStringList headings;
     for (int column = 0; column < table().model()->columnCount(); ++column)
@@ -462,7 +462,7 @@ TEST_F(SunByPlaceWindow, ColumnsSortByTheirNumbers) {
 TEST_F(SunByPlaceWindow, ARowShowsItsPlaceAndAPlaceInTheViewSelectsItsRow) {
     measure();
     const CameraPose before = window->panel().view().pose();
-    Q_EMIT dock().wanted(0);
+    Q_EMIT dock().goToRequested(0);
     EXPECT_NE(window->panel().view().pose().target, before.target) << "it zooms to the place";
     const CityView& view = window->panel().view();
     const auto pixel = pixelOf(view.pose(), view.lens(), {-5, 80, 0});
@@ -541,7 +541,7 @@ TEST_F(SunByPlaceWindow, AChosenPlaceShowsWhoShadesItAlsoWhenSavedAndReopened) {
     QTest::mouseClick(&field<QPushButton>("placeContributors"), Qt::LeftButton);
     ASSERT_TRUE(waitFor([&] { return shownFor("North Park"); }));
     ASSERT_EQ(workbench().answer()->ofPlaces().size(), 1U);
-    const KeptContributions kept = workbench().answer()->ofPlaces().front();
+    const ContributionTable kept = workbench().answer()->ofPlaces().front();
     EXPECT_GT(kept.rows.front().attributedMinM2, 0);
     EXPECT_TRUE(sun()) << "the answer stays";
     keep("Sunny");

@@ -110,7 +110,7 @@ struct DomeWindow : ProjectWindow {
     CityView& view() { return window->panel().view(); }
     [[nodiscard]] DomePlace place() const { return window->dome().place().value_or(DomePlace{}); }
     void chooseMoment(std::chrono::minutes at) {
-        window->panel().time().choose({LookSpan::moment, 2026y / June / 21, at});
+        window->panel().time().choose({ShownSpan::moment, 2026y / June / 21, at});
     }
     QImage captured() {
         QImage image;
@@ -157,10 +157,10 @@ TEST_F(DomeWindow, TheSunFollowsTheTimeStrip) {
     ASSERT_TRUE(marks().sun().at);
     EXPECT_GT(glm::distance(*first, *marks().sun().at), 0.3 * place().radiusM);
     const auto june = marks().sun().lines.front().points;
-    window->panel().time().choose({LookSpan::moment, 2026y / std::chrono::December / 21, 18h});
+    window->panel().time().choose({ShownSpan::moment, 2026y / std::chrono::December / 21, 18h});
     EXPECT_NE(marks().sun().lines.front().points, june);
-    TimeLook period = window->panel().time().look();
-    period.span = LookSpan::period;
+    ShownTime period = window->panel().time().look();
+    period.span = ShownSpan::period;
     window->panel().time().choose(period);
     EXPECT_FALSE(marks().sun().at);
     EXPECT_THAT(marks().sun().lines, IsEmpty());

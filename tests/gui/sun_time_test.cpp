@@ -21,7 +21,7 @@ using test::waitFor;
 
 const Observer newYork{.place = {-73.98, 40.76}};
 const Period inNewYork{.zone = "America/New_York"};
-const TimeLook noon{LookSpan::moment, {2026y, March, 21d}, 13h};
+const ShownTime noon{ShownSpan::moment, {2026y, March, 21d}, 13h};
 
 // Sunrise 6:58 and sunset 19:10 (timeanddate.com); at the equinox the noon sun is 90 - 40.8 + 0.2 degrees
 // high.
@@ -34,14 +34,14 @@ TEST(SunAtMoment, IsThatOfTheAlmanac) {
     EXPECT_NEAR(glm::length(sun.towards), 1, 1e-9);
     EXPECT_LT(sun.towards.y, 0) << "in the south";
     EXPECT_TRUE(describe(sun).contains(QStringLiteral(" S, "))) << describe(sun).toStdString();
-    const SunAtMoment night = computeSunAt(newYork, inNewYork, {LookSpan::moment, noon.date, 1h}).value();
+    const SunAtMoment night = computeSunAt(newYork, inNewYork, {ShownSpan::moment, noon.date, 1h}).value();
     EXPECT_FALSE(night.isUp());
     EXPECT_EQ(describe(night), QStringLiteral("Sun below the horizon"));
 }
 
 TEST(SunAtMoment, PolarDaysHaveNeitherSunriseNorSunset) {
     const SunAtMoment sun = computeSunAt({.place = {20, 75}}, {.zone = "Europe/Oslo"},
-                                         {LookSpan::moment, {2026y, std::chrono::June, 21d}, 12h})
+                                         {ShownSpan::moment, {2026y, std::chrono::June, 21d}, 12h})
                                 .value();
     EXPECT_TRUE(sun.isUp());
     EXPECT_FALSE(sun.sunriseMin);
@@ -51,12 +51,12 @@ TEST(SunAtMoment, PolarDaysHaveNeitherSunriseNorSunset) {
 TEST(SunWalk, GoesThroughTheLightOfADayAndTheDatesOfAYear) {
     const SunAtMoment sun{.sunriseMin = 420, .sunsetMin = 1140};
     EXPECT_EQ(advance(noon, sun, SunLoop::day, 0.5, 1).at, 13h + 30min);
-    TimeLook late = noon;
+    ShownTime late = noon;
     late.at = 1139min;
     EXPECT_EQ(advance(late, sun, SunLoop::day, 0.5, 1).at, 420min) << "from sunset back to sunrise";
-    TimeLook newYearsEve = noon;
+    ShownTime newYearsEve = noon;
     newYearsEve.date = {2026y, December, 31d};
-    const TimeLook next = advance(newYearsEve, sun, SunLoop::year, 1.0 / 7, 1);
+    const ShownTime next = advance(newYearsEve, sun, SunLoop::year, 1.0 / 7, 1);
     EXPECT_EQ(next.date, CivilDate(2026y, January, 1d)) << "the same year again";
     EXPECT_EQ(next.at, noon.at);
     EXPECT_EQ(nudge(newYearsEve, 0, 5).date, newYearsEve.date) << "dates stay in the year";
@@ -67,14 +67,14 @@ TEST(SunWalk, GoesThroughTheLightOfADayAndTheDatesOfAYear) {
 TEST(TimeStrip, ATouchOfASliderShowsThatMoment) {
     TimeStrip strip;
     strip.setPeriod(inNewYork);
-    EXPECT_EQ(strip.look().span, LookSpan::period);
+    EXPECT_EQ(strip.look().span, ShownSpan::period);
     QSignalSpy looks(&strip, &TimeStrip::lookChanged);
     strip.findChild<QSlider*>(QStringLiteral("lookTime"))->setValue(600);
     EXPECT_EQ(looks.count(), 1);
-    EXPECT_EQ(strip.look().span, LookSpan::moment);
+    EXPECT_EQ(strip.look().span, ShownSpan::moment);
     EXPECT_EQ(strip.look().at, 10h);
     strip.move(10, 1);
-    EXPECT_EQ(strip.look(), (TimeLook{LookSpan::moment, {2026y, March, 22d}, 10h + 10min}));
+    EXPECT_EQ(strip.look(), (ShownTime{ShownSpan::moment, {2026y, March, 22d}, 10h + 10min}));
     EXPECT_EQ(strip.findChild<QSlider*>(QStringLiteral("lookTime"))->value(), 610);
 }
 
@@ -94,9 +94,9 @@ TEST(TimeStrip, ADayIsOfferedOnlyForAStudy) {
     TimeStrip strip;
     strip.setPeriod(inNewYork);
     strip.setDayOffered(true);
-    strip.setLook({LookSpan::day, noon.date, 13h});
+    strip.setLook({ShownSpan::day, noon.date, 13h});
     strip.setDayOffered(false);
-    EXPECT_EQ(strip.look().span, LookSpan::period);
+    EXPECT_EQ(strip.look().span, ShownSpan::period);
 }
 
 TEST(TimeStrip, PlaysUntilItIsStopped) {
@@ -108,7 +108,7 @@ TEST(TimeStrip, PlaysUntilItIsStopped) {
     play->click();
     EXPECT_TRUE(strip.playing());
     ASSERT_TRUE(waitFor([&looks] { return looks.count() > 3; }));
-    EXPECT_EQ(strip.look().span, LookSpan::moment);
+    EXPECT_EQ(strip.look().span, ShownSpan::moment);
     play->click();
     EXPECT_FALSE(strip.playing());
 }

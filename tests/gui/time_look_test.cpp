@@ -27,9 +27,9 @@ std::shared_ptr<const Study> smallStudy() {
     return std::make_shared<const Study>(runStudy(test::smallCity(), settings, progress, {}).value());
 }
 
-const TimeLook may{LookSpan::day, {2026y, std::chrono::May, 4d}, 14h};
+const ShownTime may{ShownSpan::day, {2026y, std::chrono::May, 4d}, 14h};
 
-TEST(TimeLook, IsAPartOfTheStudysTime) {
+TEST(ShownTime, IsAPartOfTheStudysTime) {
     Period study = smallStudy()->settings.period;
     study.window = SolarHours{};
     EXPECT_EQ(periodOf({}, study), study);
@@ -37,18 +37,18 @@ TEST(TimeLook, IsAPartOfTheStudysTime) {
     EXPECT_EQ(day.start, may.date);
     EXPECT_EQ(day.days, 1);
     EXPECT_EQ(day.window, study.window) << "a day has the hours of the study";
-    const Period moment = periodOf({LookSpan::moment, may.date, 14h}, study);
+    const Period moment = periodOf({ShownSpan::moment, may.date, 14h}, study);
     EXPECT_EQ(moment.hours, 0);
     EXPECT_EQ(moment.from, 14h);
     EXPECT_FALSE(moment.window);
-    EXPECT_EQ(describe({LookSpan::moment, may.date, 14h + 5min}), "4 May 2026, 14:05");
+    EXPECT_EQ(describe({ShownSpan::moment, may.date, 14h + 5min}), "4 May 2026, 14:05");
 }
 
 TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
     TimeStrip strip;
     strip.setPeriod({.start = {2028y, std::chrono::February, 27d}, .hours = 4});
     QSignalSpy looks(&strip, &TimeStrip::lookChanged);
-    strip.findChild<QComboBox*>(QStringLiteral("lookSpan"))->setCurrentIndex(int(LookSpan::moment));
+    strip.findChild<QComboBox*>(QStringLiteral("lookSpan"))->setCurrentIndex(int(ShownSpan::moment));
     auto* date = strip.findChild<QSlider*>(QStringLiteral("lookDate"));
     auto* time = strip.findChild<QSlider*>(QStringLiteral("lookTime"));
     EXPECT_EQ(date->maximum(), 365) << "2028 is a leap year";
@@ -56,7 +56,7 @@ TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
     date->setValue(date->value() + 2);
     time->setValue(16 * 60 + 30);
     EXPECT_EQ(looks.count(), 3);
-    EXPECT_EQ(strip.look(), (TimeLook{LookSpan::moment, {2028y, std::chrono::February, 29d}, 16h + 30min}));
+    EXPECT_EQ(strip.look(), (ShownTime{ShownSpan::moment, {2028y, std::chrono::February, 29d}, 16h + 30min}));
     strip.setPeriod({.start = {2028y, std::chrono::June, 1d}});
     EXPECT_EQ(strip.look().date, CivilDate(2028y, std::chrono::February, 29d)) << "another run of the year";
     strip.setPeriod({.start = {2026y, std::chrono::June, 1d}});
@@ -69,7 +69,7 @@ TEST(MomentPreview, FollowsTheSliderAndEndsAtItsLastPlace) {
     MomentPreview looking;
     looking.setStudy(study);
     EXPECT_FALSE(looking.answer()) << "the whole period needs no separate answer";
-    TimeLook look{LookSpan::moment, {2026y, std::chrono::May, 4d}, 9h};
+    ShownTime look{ShownSpan::moment, {2026y, std::chrono::May, 4d}, 9h};
     for (; look.at < 15h; look.at += 7min) {
         looking.look(look);
         QCoreApplication::processEvents();
@@ -96,9 +96,9 @@ TEST(MomentPreview, NightIsReportedAndTheNextMomentAnswered) {
     QStringList said;
     QObject::connect(
         &looking, &MomentPreview::failed, &looking,
-        [&said](const TimeLook&, const Error& error) { said << QString::fromStdString(error.what); });
+        [&said](const ShownTime&, const Error& error) { said << QString::fromStdString(error.what); });
     looking.setStudy(smallStudy());
-    looking.look({LookSpan::moment, may.date, 2h});
+    looking.look({ShownSpan::moment, may.date, 2h});
     ASSERT_TRUE(waitFor([&] { return !said.isEmpty(); }));
     EXPECT_EQ(said.front(), "The sun is below the horizon all the time");
     looking.look(may);

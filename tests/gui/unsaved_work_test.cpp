@@ -28,7 +28,7 @@ TEST_F(ProjectWindow, UnsavedWorkIsAskedAboutBeforeAnotherIsOpenedOrTheWindowClo
 
 TEST_F(ProjectWindow, QuitAndDiscardClosesAtOnceAndForgetsTheWork) {
     build();
-    keepUnsaved();
+    writeRecovery();
     int asked = 0;
     window->saving().setUnsavedQuestion([&] { return ++asked, SavingActions::Unsaved::discard; });
     EXPECT_TRUE(window->close());
@@ -48,7 +48,7 @@ TEST_F(ProjectWindow, AQuitThatIsCancelledIsAskedAboutAgainAndLosesNothing) {
         EXPECT_TRUE(window->isVisible());
         EXPECT_EQ(asked, quit);
         ASSERT_TRUE(session().addLot({"Lot", test::square({0, 0}, 10)})) << "work after the quit";
-        keepUnsaved();
+        writeRecovery();
         EXPECT_TRUE(std::filesystem::exists(recovery()));
     }
     answer = SavingActions::Unsaved::discard;
@@ -58,7 +58,7 @@ TEST_F(ProjectWindow, AQuitThatIsCancelledIsAskedAboutAgainAndLosesNothing) {
 
 TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
     build();
-    keepUnsaved();
+    writeRecovery();
     auto other = ProjectFile::open(file.toStdString()).value();
     ASSERT_TRUE(other.save(other.project()));  // saved by another program: this window's save is refused
     int asked = 0;
@@ -72,7 +72,7 @@ TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
         EXPECT_TRUE(std::filesystem::exists(recovery()));
     }
     ASSERT_TRUE(session().addLot({"Lot", test::square({0, 0}, 10)}));
-    keepUnsaved();
+    writeRecovery();
     window->saving().setUnsavedQuestion([&] { return ++asked, SavingActions::Unsaved::cancel; });
     EXPECT_FALSE(window->close());
     EXPECT_EQ(asked, 3) << "the failed quit has no later effect";

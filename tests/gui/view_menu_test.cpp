@@ -98,9 +98,9 @@ TEST_F(ProjectWindow, AViewIsSavedFoundRenamedAndDeleted) {
     window->panel().navigator().go(pose);
     const CameraPose saved = view.pose();
     window->panel().time().choose(
-        {LookSpan::moment, CivilDate{std::chrono::year{2026}, std::chrono::June, std::chrono::day{21}},
+        {ShownSpan::moment, CivilDate{std::chrono::year{2026}, std::chrono::June, std::chrono::day{21}},
          std::chrono::minutes(15 * 60)});
-    const TimeLook look = window->panel().time().look();
+    const ShownTime look = window->panel().time().look();
     const SectionBox box{{-20, -10, -1}, {40, 50, 30}};
     window->panel().section().set(box);
     window->savedViews().save();
@@ -108,7 +108,7 @@ TEST_F(ProjectWindow, AViewIsSavedFoundRenamedAndDeleted) {
     const std::string name = session().project().views[0].name;
     EXPECT_TRUE(session().hasUnsavedWork());
     window->panel().navigator().go({{0, 0, 0}, 900, 0, 40});
-    window->panel().time().choose({LookSpan::moment, look.date, std::chrono::minutes(9 * 60)});
+    window->panel().time().choose({ShownSpan::moment, look.date, std::chrono::minutes(9 * 60)});
     window->panel().section().set(std::nullopt);
     window->savedViews().show(name);
     EXPECT_EQ(window->panel().section().box(), box);

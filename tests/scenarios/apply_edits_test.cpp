@@ -14,10 +14,12 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-EditedCity edited(const City& city, const std::vector<Edit>& edits) { return applied(city, edits).value(); }
+EditedCity edited(const City& city, const std::vector<Edit>& edits) {
+    return applyEdits(city, edits).value();
+}
 
 std::string errorOf(const City& city, const std::vector<Edit>& edits) {
-    const auto made = applied(city, edits);
+    const auto made = applyEdits(city, edits);
     return made ? "" : made.error().text();
 }
 
@@ -201,7 +203,7 @@ TEST(ApplyEdits, TreesArePlantedFelledMovedReplacedAndGrown) {
     const std::vector<Edit> edits{
         PlantTree{planted}, FellTree{"lime"}, MoveTree{"pine", {30, 0}}, GrowTree{"pine", 10, 15, 3, 8},
         ReplaceTree{"new", completeTree({.sourceId = "other", .species = "Betula", .heightM = 8.0})}};
-    const auto edited = applied(before, edits);
+    const auto edited = applyEdits(before, edits);
     ASSERT_TRUE(edited) << edited.error().text();
     EXPECT_TRUE(edited->changes.none()) << "no building changed";
     const std::vector<Tree>& trees = edited->city.trees->trees;
@@ -221,7 +223,7 @@ TEST(ApplyEdits, TreesArePlantedFelledMovedReplacedAndGrown) {
 }
 
 TEST(ApplyEdits, TheLastTreeFelledLeavesNone) {
-    const auto bare = applied(withTwoTrees(), std::vector<Edit>{FellTree{"lime"}, FellTree{"pine"}});
+    const auto bare = applyEdits(withTwoTrees(), std::vector<Edit>{FellTree{"lime"}, FellTree{"pine"}});
     ASSERT_TRUE(bare);
     EXPECT_FALSE(bare->city.trees);
 }
@@ -230,7 +232,7 @@ TEST(ApplyEdits, EditsOfTreesThatCannotBeAreRefused) {
     const City city = withTwoTrees();
     const Tree good = completeTree({.sourceId = "lime", .heightM = 6.0});
     const auto error = [&](Edit edit) {
-        const auto edited = applied(city, std::vector<Edit>{std::move(edit)});
+        const auto edited = applyEdits(city, std::vector<Edit>{std::move(edit)});
         return edited ? std::string() : edited.error().what;
     };
     EXPECT_THAT(error(PlantTree{good}), HasSubstr("has this id"));

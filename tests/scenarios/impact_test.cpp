@@ -37,7 +37,7 @@ ImpactStudy impactOf(const City& before, const City& after, const ImpactSettings
     return runImpact(before, after, settings, progress, {}).value();
 }
 
-City with(const City& city, const std::vector<Edit>& edits) { return applied(city, edits).value().city; }
+City with(const City& city, const std::vector<Edit>& edits) { return applyEdits(city, edits).value().city; }
 
 Edit tower(const std::string& id, float west, float topM) {
     return AddBuilding{shared(house(id, box(west, 40, west + 20, 60), topM))};

@@ -28,7 +28,7 @@ TEST(ReadShape, AMeshComesAtItsOwnOriginAndIsPlacedByTheUser) {
     EXPECT_NEAR(topM(*import.shape), 10, 1e-3);
     EXPECT_NEAR(bounds(*import.shape).high.x, 4, 1e-3);
     import.placement = {.scale = 2, .byM = { 100, 50 }};
-    const EditedCity city = applied(threeHouses(), std::vector<Edit>{import}).value();
+    const EditedCity city = applyEdits(threeHouses(), std::vector<Edit>{import}).value();
     const Building& built = *city.city.buildings.back();
     EXPECT_NEAR(topM(built), 20, 1e-3);
     EXPECT_NEAR(bounds(built).high.x, 108, 1e-3);

@@ -38,7 +38,7 @@ protected:
     TileSubjects() {
         before = std::make_shared<const City>(threeHouses());
         const std::vector<Edit> edits{AddBuilding{shared(house("t", box(5, 40, 25, 60), 60))}, Demolish{"c"}};
-        after = std::make_shared<const City>(applied(*before, edits).value().city);
+        after = std::make_shared<const City>(applyEdits(*before, edits).value().city);
         settings.receivers.cellM = 1;
         settings.engine = "projected";
         settings.errorSample.receivers = 0;

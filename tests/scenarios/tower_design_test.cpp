@@ -135,7 +135,7 @@ TEST(ProposedHeight, IsThatOfTheHighestAddedBuildingAboveItsGround) {
     City city;
     city.buildings = {shared(house("old", box(0, 0, 10, 10), 90))};
     const auto heightAfter = [&](const std::vector<Edit>& edits) {
-        return findProposedHeightM(applied(city, edits).value().city, edits);
+        return findProposedHeightM(applyEdits(city, edits).value().city, edits);
     };
     Building onHill = house("hill", box(40, 0, 50, 10), 65);
     onHill.parts[0].bottomM = 15;

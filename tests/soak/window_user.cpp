@@ -122,8 +122,8 @@ void WindowUser::lookAtTime() {
     if (!window_->workbench().study()) study();
     waitUntilIdle();
     for (int step = 0; step < 10; ++step) {
-        TimeLook look = window_->panel().time().look();
-        look.span = chance(2) == 0 ? LookSpan::day : LookSpan::moment;
+        ShownTime look = window_->panel().time().look();
+        look.span = chance(2) == 0 ? ShownSpan::day : ShownSpan::moment;
         look.at = std::chrono::minutes(8 * 60 + chance(9 * 60));
         window_->panel().time().setLook(look);
         Q_EMIT window_->panel().time().lookChanged(look);

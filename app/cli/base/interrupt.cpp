@@ -53,7 +53,7 @@ void SignalWatch::watch(const std::stop_token& done) {
     constexpr timespec glance{0, 50'000'000};  // nanoseconds; the longest wait of the destructor
     while (!done.stop_requested()) {
         if (sigtimedwait(&signals_, nullptr, &glance) < 0 || askToStop()) continue;
-        PrivateFolder::removeAllForGood();
+        PrivateFolder::removeAllAndStop();
         std::_Exit(exitCancelled);
     }
 }

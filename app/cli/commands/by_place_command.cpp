@@ -52,7 +52,7 @@ Result<void> addRegions(const ByPlaceOptions& options, const StudyRequest& reque
         if (!region) return tl::make_unexpected(region.error());
         places.push_back(makePlace(*region));
     }
-    if (!options.regions.empty()) nameApart(places);
+    if (!options.regions.empty()) makeNamesUnique(places);
     return {};
 }
 
@@ -122,7 +122,7 @@ Result<Asked> makeAsked(const ByPlaceOptions& options, const StudyRequest& reque
     if (auto added = addRegions(options, request, places->places); !added)
         return tl::make_unexpected(added.error());
     asked.places = std::move(places->places);
-    putBefore(asked.loaded.read.warnings, places->warnings);
+    prependWarnings(asked.loaded.read.warnings, places->warnings);
     return asked;
 }
 

@@ -72,7 +72,7 @@ Result<ScenarioStudy> measureScenario(const std::string& name, const ScenariosQu
     if (!city) return tl::make_unexpected(city.error());
     auto study = runStudy(city->city, settings, progress, stop, enginesWith(settings.engine));
     if (!study) return tl::make_unexpected(study.error());
-    putBefore(study->warnings, project.reading->warnings);
+    prependWarnings(study->warnings, project.reading->warnings);
     study->provenance = provenanceOf(project, &disk, {name, {}, settings.region, question.weights});
     return makeScenarioStudy(project.scenarios, name, std::make_shared<const Study>(*std::move(study)));
 }

@@ -88,7 +88,7 @@ Result<TimelineAnswer> computeTimelines(const TimelineOptions& options, bool hou
     return runPlaceStudy(before->city, options.to.empty() ? nullptr : &after->city, *places, settings,
                          AutoEngine(), progress, interrupt.token())
         .map([&](PlaceStudy study) {
-            putBefore(study.warnings, project.reading->warnings);
+            prependWarnings(study.warnings, project.reading->warnings);
             return TimelineAnswer{std::move(study), {options.from, options.to, *zone}};
         });
 }

@@ -4,6 +4,7 @@
 
 #include "app/cli/options/project_options.h"
 #include "app/cli/options/shared_options.h"
+#include "core/receivers/place_names.h"
 
 namespace noonmark::cli {
 
@@ -14,7 +15,7 @@ Result<Box2> boxOfPlaces(const std::vector<std::string>& names, const Project& p
     for (const std::string& name : names) {
         const auto place = findPlace(project, name);
         if (!place) return tl::make_unexpected(place.error());
-        for (const Footprint& polygon : place->polygons) box.add(bounds(polygon));
+        box.add(bounds(*place));
     }
     return box;
 }

@@ -107,9 +107,9 @@ int runNew(const NewOptions& options, const Console& console) {
     City city = *project->city;
     city.context = joinContext(nullptr, std::move(context->context));
     project->city = std::make_shared<const City>(std::move(city));
-    const auto made =
-        ProjectFile::create(options.file, *project,
-                            options.overwrite ? ProjectFile::IfThere::replace : ProjectFile::IfThere::refuse);
+    const auto made = ProjectFile::create(
+        options.file, *project,
+        options.overwrite ? ProjectFile::IfExists::replace : ProjectFile::IfExists::refuse);
     if (!made) return fail(console, made.error(), exitFailed);
     const std::size_t trees = project->city->trees ? project->city->trees->trees.size() : 0;
     console.out << fmt::format(

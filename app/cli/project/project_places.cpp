@@ -52,7 +52,7 @@ Result<std::string> readFiles(const PlaceReadOptions& options, Project& project)
             std::erase_if(project.places, [&](const Place& old) { return old.source == place.source; });
     const std::size_t count = read->places.size();
     std::ranges::move(read->places, std::back_inserter(project.places));
-    nameApart(project.places);
+    makeNamesUnique(project.places);
     std::ostringstream words;
     words << fmt::format("{} read; earlier ones replaced: {}\n", countOf(count, "place"), replaced);
     printWarnings(words, read->warnings);

@@ -18,26 +18,20 @@ struct RegionOptions {
     std::string place;
 };
 
-double areaM2(const Region& region) {
-    double sum = 0;
-    for (const Footprint& polygon : region.polygons) sum += area(polygon);
-    return sum;
-}
-
 Result<std::string> addRegion(const RegionOptions& options, Project& project) {
     auto region = readRegion(options.place, project.city->frame);
     if (!region) return tl::make_unexpected(region.error());
     region->name = options.name;
     project.regions.push_back(*region);
-    return fmt::format("{}: {} m2\n", options.name, withCommas(std::size_t(std::llround(areaM2(*region)))));
+    return fmt::format("{}: {} m2\n", options.name, withCommas(std::size_t(std::llround(area(*region)))));
 }
 
 std::vector<Listed> listRegions(const Project& project) {
     std::vector<Listed> lines;
     for (const Region& region : project.regions)
         lines.push_back({region.name,
-                         fmt::format("{:.0f} m2", areaM2(region)),
-                         {{"area_m2", areaM2(region)}, {"polygons", region.polygons.size()}}});
+                         fmt::format("{:.0f} m2", area(region)),
+                         {{"area_m2", area(region)}, {"polygons", region.polygons.size()}}});
     return lines;
 }
 

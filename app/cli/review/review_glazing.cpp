@@ -27,7 +27,7 @@ namespace {
 /// The rule with what the options change.
 Result<Rule> withOptions(Rule rule, const GlazingRunOptions& windows) {
     if (windows.wallM) {
-        rule.receivers.windows.opening.wallM = *windows.wallM;
+        rule.receivers.glazing.opening.wallM = *windows.wallM;
         rule.readings.push_back(fmt::format("Walls of {:g} m, as given by the user", *windows.wallM));
     }
     if (windows.sunshine.empty()) return rule;
@@ -56,13 +56,13 @@ std::vector<CommandOption> repeatOptions(const ReviewRunOptions& options) {
 }
 
 /// What is measured, checked, and how its sheets are laid out.
-struct AskedGlazing {
+struct GlazingRequest {
     GlazingQuestion question;
     BookSettings sheets;
 };
 
-Result<AskedGlazing> makeGlazingQuestion(const ReviewRunOptions& options, const Rule& asked,
-                                         const ReviewSource& source) {
+Result<GlazingRequest> makeGlazingQuestion(const ReviewRunOptions& options, const Rule& asked,
+                                           const ReviewSource& source) {
     auto rule = withOptions(asked, options.windows);
     if (!rule) return tl::make_unexpected(rule.error());
     auto ground = prepareGround(options, source, glazingFileNames());
@@ -75,11 +75,11 @@ Result<AskedGlazing> makeGlazingQuestion(const ReviewRunOptions& options, const 
     using By = ShadedStepFinder::By;
     std::optional<By> by;
     if (options.windows.engine != "auto") by = options.windows.engine == "ray" ? By::rays : By::horizons;
-    return AskedGlazing{{std::move(ground->cities),
-                         *std::move(rule),
-                         {*std::move(elements), *std::move(region), ground->zone, ground->year, by},
-                         repeatOptions(options)},
-                        std::move(ground->sheets)};
+    return GlazingRequest{{std::move(ground->cities),
+                           *std::move(rule),
+                           {*std::move(elements), *std::move(region), ground->zone, ground->year, by},
+                           repeatOptions(options)},
+                          std::move(ground->sheets)};
 }
 
 std::string forecastText(const GlazingForecast& forecast) {

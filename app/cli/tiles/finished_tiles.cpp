@@ -96,10 +96,10 @@ AnswerFiles filesOf(const MergeOptions& options, const TaskPlan& plan, const Boo
 }
 
 // How by-place chooses the same places; none where it has no words for it.
-std::optional<PlacesAsked> askedLike(const TaskPlan& plan, const TileStudyOptions& study) {
+std::optional<PlaceSelection> findSameSelection(const TaskPlan& plan, const TileStudyOptions& study) {
     const bool ofCity = std::ranges::find(plan.files, study.byPlace) != plan.files.end();
     if (!ofCity || study.study.region != "city" || namesProject(study.study.read)) return std::nullopt;
-    return PlacesAsked{listOptions(study.places)};
+    return PlaceSelection{listOptions(study.places)};
 }
 
 Result<MergeReport> mergeByPlace(const MergeOptions& options, const TaskPlan& plan,
@@ -115,7 +115,7 @@ Result<MergeReport> mergeByPlace(const MergeOptions& options, const TaskPlan& pl
                                   options.partial, progress, stop);
     if (!merged) return tl::make_unexpected(merged.error());
     merged->sun.baseline.provenance.inputs = plan.inputs;
-    merged->sun.baseline.asked = askedLike(plan, study);
+    merged->sun.baseline.asked = findSameSelection(plan, study);
     const auto folder = makeMergedFolder(options.folder);
     if (!folder) return tl::make_unexpected(folder.error());
     MergeReport report{.places = merged->sun.baseline.places.size(),

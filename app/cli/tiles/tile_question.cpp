@@ -254,8 +254,7 @@ Result<void> takeOwnPlaces(TileQuestionRead& question, const TileStudyOptions& o
     if (!question.subject || options.study.region != "city") return {};
     const auto places = readPlaces(byPlace, question.subject->cities.back()->frame, quiet, {});
     if (!places) return tl::make_unexpected(places.error());
-    Box2 box;
-    for (const Place& place : *places) box.add(bounds(place));
+    const Box2 box = bounds(*places);
     if (!box.empty()) question.subject->region = makeRegionFromLocalBox(box);
     return {};
 }

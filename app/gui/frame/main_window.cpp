@@ -234,13 +234,13 @@ void MainWindow::connectJobs() {
     connect(&places_, &PlaceActions::photographDropped, &photograph_, [this](const QString& file) {
         photograph_.set(GroundPictureFile{file.toStdString(), {}, {}});
     });
-    connect(&reviews_, &ReviewActions::exportWanted, &results_, &ResultActions::askForExport);
+    connect(&reviews_, &ReviewActions::exportRequested, &results_, &ResultActions::askForExport);
     connect(&tools_.building(), &BuildingEditing::selectionChanged, docks_.review, [this] {
         const BuildingEditing& building = tools_.building();
         docks_.review->setSelectedBuilding(building.selected() ? QString::fromStdString(building.id())
                                                                : QString());
     });
-    connect(&reviews_, &ReviewActions::dockWanted, this, [this] { showDock(docks_.review); });
+    connect(&reviews_, &ReviewActions::dockRequested, this, [this] { showDock(docks_.review); });
     for (JobSlot* slot :
          {&workbench_.saving(), &tools_.context().preview.working(),
           &tools_.context().preview.measuringFacades(), &time_.moments().working(), &points_.working()})
@@ -281,11 +281,12 @@ void MainWindow::connectWorkbench() {
     auto* settled = new QTimer(this);
     settled->setSingleShot(true);
     settled->setInterval(settledMs);
-    connect(settled, &QTimer::timeout, this, &MainWindow::keepPicture);
+    connect(settled, &QTimer::timeout, this, &MainWindow::storePicture);
     connect(&opening_, &OpeningActions::opened, settled, qOverload<>(&QTimer::start));
     connect(&saving_, &SavingActions::saved, settled, qOverload<>(&QTimer::start));
     connect(&answers_, &LatestAnswers::failed, &panel_->messages(), &MessageBar::showError);
-    connect(&opening_, &OpeningActions::wholeCityWanted, &panel_->navigator(), &ViewNavigator::showWholeCity);
+    connect(&opening_, &OpeningActions::wholeCityRequested, &panel_->navigator(),
+            &ViewNavigator::showWholeCity);
     connect(&workbench_, &Workbench::noted, &panel_->messages(), &MessageBar::showNote);
     connect(&workbench_.document(), &StudyDocument::changed, this, &MainWindow::showDocument);
     connect(&workbench_.session(), &ProjectSession::unsavedChanged, this, &MainWindow::showTitle);
@@ -299,41 +300,42 @@ void MainWindow::connectDocks() {
         showDock(docks_.weights);
     });
     connect(docks_.places, &PlacesDock::thresholdChosen, docks_.study, &StudyDock::setEnough);
-    connect(docks_.study, &StudyDock::streetsWanted, &places_, &PlaceActions::readStreets);
+    connect(docks_.study, &StudyDock::streetsRequested, &places_, &PlaceActions::readStreets);
     connect(&display_, &ResultDisplay::elementsShown, this, [this] { showDock(docks_.elements); });
-    connect(&contributions_, &ContributionLinks::wanted, this, [this] { showDock(docks_.contributions); });
+    connect(&contributions_, &ContributionLinks::dockRequested, this,
+            [this] { showDock(docks_.contributions); });
     connect(docks_.project, &ProjectDock::placeSelected, &contributions_, [this](const std::string& place) {
         if (!place.empty() && docks_.contributions->isInFront()) contributions_.choose(place);
     });
     connect(&display_, &ResultDisplay::chosen, this, [this] { showDock(docks_.results); });
     connect(&workbench_, &Workbench::ran, this, &MainWindow::showAnswerPanel);
-    connect(docks_.contributions, &ContributionsDock::exportWanted, &results_,
+    connect(docks_.contributions, &ContributionsDock::exportRequested, &results_,
             &ResultActions::askForContributions);
     docks_.results->setActions(results_.saveResult(), scenarios_.compareAction(), results_.exportAction());
     connect(&panel_->legend(), &LegendStrip::shownChosen, this, [this] { view_.rememberShown(); });
-    connect(docks_.results, &ResultsDock::commandWanted, this, [this] {
+    connect(docks_.results, &ResultsDock::commandRequested, this, [this] {
         workbench_.findCommand({.scale = panel_->legend().changeScale(),
                                 .legend = panel_->legend().choice(),
                                 .thresholdHours = panel_->results().thresholdHours()});
     });
-    connect(docks_.results, &ResultsDock::warningsWanted, this, [this] { showDock(docks_.warnings); });
+    connect(docks_.results, &ResultsDock::warningsRequested, this, [this] { showDock(docks_.warnings); });
     connect(&workbench_, &Workbench::commandFound, &copying_, &CopyActions::copyCommand);
     scenarios_.setSideBySide(comparing_.actions().front());
     connect(&scenarios_, &ScenarioActions::comparisonShown, this, [this] {
         mode_.showStudies();
         showDock(docks_.results);
     });
-    connect(&placeLinks_, &PlaceLinks::dockWanted, this, [this] { showDock(docks_.places); });
-    connect(&placeLinks_, &PlaceLinks::placeWanted, &places_, &PlaceActions::zoomTo);
-    connect(&placeLinks_, &PlaceLinks::placeWanted, this, [this](const std::string& place) {
+    connect(&placeLinks_, &PlaceLinks::dockRequested, this, [this] { showDock(docks_.places); });
+    connect(&placeLinks_, &PlaceLinks::placeRequested, &places_, &PlaceActions::zoomTo);
+    connect(&placeLinks_, &PlaceLinks::placeRequested, this, [this](const std::string& place) {
         if (docks_.contributions->isInFront()) contributions_.choose(place);
     });
     const auto showContributors = [this](const std::string& place) {
         showDock(docks_.contributions);
         contributions_.choose(place);
     };
-    connect(&placeLinks_, &PlaceLinks::contributorsWanted, this, showContributors);
-    connect(&display_, &ResultDisplay::contributorsWanted, this, showContributors);
+    connect(&placeLinks_, &PlaceLinks::contributorsRequested, this, showContributors);
+    connect(&display_, &ResultDisplay::contributorsRequested, this, showContributors);
     connect(&placeLinks_, &PlaceLinks::chosen, &display_, &ResultDisplay::showPlace);
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connectStudyForm();
@@ -417,7 +419,7 @@ void MainWindow::connectModes() {
 
 void MainWindow::connectPreferences() {
     const auto usePaper = [this] { results_.usePaper(readPageSetup(settings_)); };
-    connect(&help_, &HelpActions::tourWanted, &tours_, &TourActions::start);
+    connect(&help_, &HelpActions::tourRequested, &tours_, &TourActions::start);
     connect(&help_, &HelpActions::questionAsked, this, &MainWindow::answerCard);
     connect(&preferences_, &PreferencesActions::paperChosen, this, usePaper);
     connect(&results_, &ResultActions::saveWanted, &saving_, &SavingActions::save);
@@ -474,12 +476,12 @@ void MainWindow::answerCard(StartQuestion question) {
 }
 
 // Some time after it was opened, when the first picture is complete.
-void MainWindow::keepPicture() {
+void MainWindow::storePicture() {
     const QString entry = opening_.recentEntry();
     if (!workbench_.city() || entry.isEmpty() || !panel_->view().isExposed()) return;
     QPointer<MainWindow> alive = this;
     panel_->view().capture([alive, entry](const QImage& image) {
-        if (alive) alive->opening_.keepPicture(entry, image);
+        if (alive) alive->opening_.storePicture(entry, image);
     });
 }
 
@@ -618,8 +620,8 @@ void MainWindow::takeOver(MainWindow& before) {
     opening_.takeProject();
     panel_->time().choose(before.panel_->time().look());
     showTitle();
-    before.saving_.forgetUnsaved();
-    if (workbench_.session().hasUnsavedWork()) saving_.keepUnsaved();
+    before.saving_.removeRecovery();
+    if (workbench_.session().hasUnsavedWork()) saving_.writeRecovery();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

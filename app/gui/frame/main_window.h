@@ -123,7 +123,7 @@ private:
     void showVerdicts();
     void useMapsOfPaper();
     void answerCard(StartQuestion question);
-    void keepPicture();
+    void storePicture();
     void chooseKind(StudyKind kind);
     void raiseDock(const QWidget* content);
     void showDock(const QWidget* content);

@@ -127,9 +127,9 @@ public:
     /// Saves the displayed answer in the project, once its buildings are hashed.
     void saveAnswer(const QString& name);
 
-    /// Keeps what buildings take from a place with the displayed answer, in all lists that have it, if its
+    /// Attaches what buildings take from a place to the displayed answer, in all lists that have it, if its
     /// question keeps such.
-    void keepWithAnswer(KeptContributions of);
+    void attachToAnswer(ContributionTable of);
     /// States the displayed answer with other hours of sun a day that are enough, in all lists that have it;
     /// does nothing where it does not depend on them, or its cells are not known.
     void setEnough(double hours);
@@ -139,15 +139,15 @@ public:
     void findCommand(const AnswerFiles& drawn);
 
     /// Writes the same files as the command line. Existing ones are replaced as far as exportRules() allow;
-    /// ask the user before, see filesInTheWay().
+    /// ask the user before, see listExistingFiles().
     void exportShown(const std::filesystem::path& folder, const ExportChoice& choice);
     /// Names of the files that exportShown() writes, and of those of them that the folder has already.
     /// region.geojson is always named, since whether it is written is known only then.
     [[nodiscard]] QStringList filesOf(const ExportChoice& choice);
     /// The sheets among those files.
     [[nodiscard]] SheetsToMake sheetsOf(const ExportChoice& choice);
-    [[nodiscard]] QStringList filesInTheWay(const std::filesystem::path& folder,
-                                            const ExportChoice& choice = {});
+    [[nodiscard]] QStringList listExistingFiles(const std::filesystem::path& folder,
+                                                const ExportChoice& choice = {});
     /// What an export of all scenarios states beside their studies, asked for when it begins.
     using ListAnswers = std::function<std::map<std::string, ScenarioAnswers>()>;
     void setScenarioAnswers(ListAnswers answers) { scenarioAnswers_ = std::move(answers); }
@@ -218,13 +218,13 @@ private:
     void forgetAnswers();
     void updateAnswers();
     void replace(const SharedAnswer& before, const SharedAnswer& now);
-    void putInFront(SharedAnswer answer);
+    void bringToFront(SharedAnswer answer);
     [[nodiscard]] std::string freeMeasuredName(const QString& name) const;
     void remember(const KnownAnswer& known, bool isWork);
     [[nodiscard]] std::string savedNameOf(const std::shared_ptr<const MeasuredAnswer>& measured) const;
     void showResult(const std::shared_ptr<const SavedResult>& result);
     void findOutdated();
-    [[nodiscard]] bool isThere(const std::string& scenario, const std::shared_ptr<const City>& city);
+    [[nodiscard]] bool isCurrent(const std::string& scenario, const std::shared_ptr<const City>& city);
     [[nodiscard]] std::string scenarioOf(const std::shared_ptr<const City>& city);
     void showByItself(const KnownAnswer& known);
     void showPast(SharedAnswer answer);

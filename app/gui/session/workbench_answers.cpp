@@ -234,7 +234,7 @@ void Workbench::adoptAnswer(KnownAnswer known, Result<SharedAnswer> answer) {
     }
     const bool isComparison = &question == &comparisonQuestion();
     if (isComparison) comparison_ = known;
-    putInFront(isComparison ? nullptr : std::move(known.answer));
+    bringToFront(isComparison ? nullptr : std::move(known.answer));
     if (!again_) Q_EMIT ran();
 }
 
@@ -340,7 +340,7 @@ void Workbench::measureAll() {
 }
 
 // Null: what is behind is displayed again.
-void Workbench::putInFront(SharedAnswer answer) {
+void Workbench::bringToFront(SharedAnswer answer) {
     reading_.drop();
     past_.reset();
     front_ = std::move(answer);
@@ -377,7 +377,7 @@ bool Workbench::rename(SharedAnswer& answer) {
     return true;
 }
 
-void Workbench::keepWithAnswer(KeptContributions of) {
+void Workbench::attachToAnswer(ContributionTable of) {
     if (const SharedAnswer before = answer()) replace(before, before->withPlace(std::move(of)));
 }
 
@@ -446,8 +446,8 @@ std::string Workbench::freeMeasuredName(const QString& name) const {
 void Workbench::adopt(const KnownAnswer& known, const Adopting& how) {
     remember(known, how.isWork);
     const MeasuredPart part = known.answer->part();
-    if (how.isShown && isThere(part.scenario, known.city) && isThere(part.baseline, known.before))
-        putInFront(known.answer);
+    if (how.isShown && isCurrent(part.scenario, known.city) && isCurrent(part.baseline, known.before))
+        bringToFront(known.answer);
 }
 
 // In place of the last answer to the same question. `isWork`: the user asked for it.
@@ -502,10 +502,10 @@ bool Workbench::isOutdated(const MeasuredAnswer& measured) {
     const KnownAnswer& known = measured.known();
     if (!known.answer) return isOutdated(*measured.toSave());
     const MeasuredPart part = known.answer->part();
-    return !isThere(part.scenario, known.city) || (known.before && !isThere(part.baseline, known.before));
+    return !isCurrent(part.scenario, known.city) || (known.before && !isCurrent(part.baseline, known.before));
 }
 
-bool Workbench::isThere(const std::string& scenario, const std::shared_ptr<const City>& city) {
+bool Workbench::isCurrent(const std::string& scenario, const std::shared_ptr<const City>& city) {
     const auto now = session_.cityOf(scenario);  // an error: it was renamed or removed
     return now ? *now == city : !scenarioOf(city).empty();
 }
@@ -551,10 +551,10 @@ void Workbench::showMeasured(const MeasuredAnswer& measured) {
     if (known.before) comparison_ = known;
     session_.goTo(scenario);
     if (known.before) session_.setBaseline(baseline);
-    if (!contentOf<Study>(known.answer)) return putInFront(known.before ? nullptr : known.answer);
+    if (!contentOf<Study>(known.answer)) return bringToFront(known.before ? nullptr : known.answer);
     session_.setBaseline({});
     adoptStudy(known);
-    putInFront(nullptr);
+    bringToFront(nullptr);
 }
 
 // Of two cities that it names itself.
@@ -562,7 +562,7 @@ void Workbench::showByItself(const KnownAnswer& known) {
     const std::string scenario = scenarioOf(known.city);
     if (scenario.empty() || scenarioOf(known.before).empty()) return showPast(known.answer);
     session_.goTo(scenario);
-    putInFront(known.answer);
+    bringToFront(known.answer);
 }
 
 void Workbench::showPast(SharedAnswer answer) {
@@ -571,6 +571,6 @@ void Workbench::showPast(SharedAnswer answer) {
     Q_EMIT answered();
 }
 
-void Workbench::showStudyAgain() { putInFront(nullptr); }
+void Workbench::showStudyAgain() { bringToFront(nullptr); }
 
 }  // namespace noonmark

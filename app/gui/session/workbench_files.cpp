@@ -111,7 +111,7 @@ SheetsToMake Workbench::sheetsOf(const ExportChoice& choice) {
         const auto measured = std::make_shared<const ScenarioStudies>(scenariosToShow());
         sheets.from.scenarios = scenariosCsv(*measured);
         sheets.make = [measured, book = bookOf(how)](Progress&, const std::stop_token&) -> Sheets {
-            return keepWith(makeScenarioBook(*measured, book), measured);
+            return bundleBook(makeScenarioBook(*measured, book), measured);
         };
         return sheets;
     }
@@ -130,10 +130,10 @@ SheetsToMake Workbench::sheetsOf(const ExportChoice& choice) {
     return sheets;
 }
 
-QStringList Workbench::filesInTheWay(const std::filesystem::path& folder, const ExportChoice& choice) {
+QStringList Workbench::listExistingFiles(const std::filesystem::path& folder, const ExportChoice& choice) {
     std::vector<std::string> names;
     for (const QString& name : filesOf(choice)) names.push_back(name.toStdString());
-    return noonmark::filesInTheWay(QString::fromStdString(folder.string()), names);
+    return noonmark::listExistingFiles(QString::fromStdString(folder.string()), names);
 }
 
 void Workbench::exportShown(const std::filesystem::path& folder, const ExportChoice& choice) {

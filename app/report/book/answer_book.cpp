@@ -213,46 +213,48 @@ std::vector<BookPage> intervalPages(const ScoreAnswer& answer, const BookSetting
                           {{plainText(answer.weights.name), {}, std::move(table)}});
 }
 
+// With the maps of the sheet.
+Book beginAnswerBook(const BookSettings& settings, const Sheet& sheet, const std::string& attribution) {
+    Book book = beginBook(settings, plainText(sheet.headline.what), attribution);
+    book.record = sheet.record;
+    addMaps(book, sheet);
+    return book;
+}
+
 }  // namespace
 
 Book makeStudyBook(const Study& study, const BookSettings& settings) {
     const Sheet sheet = makeSheet(study, settings.legend);
-    Book book = beginBook(settings, plainText(sheet.headline.what), study.provenance.attribution);
-    book.record = sheet.record;
-    addMaps(book, sheet);
+    Book book = beginAnswerBook(settings, sheet, study.provenance.attribution);
     if (const Bars months = makeMonthBars(study); !months.groups.empty())
         book.pages.push_back(sunByMonthPage(months, settings));
     addText(book, sheet, sheet.sections,
-            repeatBlocks(makeRepeatCommand(study, bookLetters), needsRegionFile(study.provenance),
-                         listLegendOptions(settings.legend, false), bookLetters));
+            repeatBlocks(makeRepeatCommand(study, bookCharacters), needsRegionFile(study.provenance),
+                         listLegendOptions(settings.legend, false), bookCharacters));
     return book;
 }
 
 Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
                     const BookSettings& settings, const LegendChoice& legend) {
     const Sheet sheet = makeSheet(answer, source, scale, legend);
-    Book book = beginBook(settings, plainText(sheet.headline.what), answer.provenance.attribution);
-    book.record = sheet.record;
-    addMaps(book, sheet);
+    Book book = beginAnswerBook(settings, sheet, answer.provenance.attribution);
     book.pages.push_back(sideBySide(answer, source, settings.setup, legend));
     appendPages(book, contributionPages(answer, settings, legend.show));
     addText(book, sheet, withoutCommand(sheet),
-            repeatBlocks(makeRepeatCommand(answer, bookLetters), needsRegionFile(answer.provenance),
-                         drawnOptions(scale, legend), bookLetters));
+            repeatBlocks(makeRepeatCommand(answer, bookCharacters), needsRegionFile(answer.provenance),
+                         drawnOptions(scale, legend), bookCharacters));
     return book;
 }
 
 Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const BookSettings& settings,
                    const LegendChoice& legend) {
     const Sheet sheet = makeSheet(answer, source, legend);
-    Book book = beginBook(settings, plainText(sheet.headline.what), answer.provenance.attribution);
-    book.record = sheet.record;
-    addMaps(book, sheet);
+    Book book = beginAnswerBook(settings, sheet, answer.provenance.attribution);
     if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings, legend.show));
     appendPages(book, intervalPages(answer, settings, legend.show));
     addText(book, sheet, withoutCommand(sheet),
-            repeatBlocks(makeRepeatCommand(answer, bookLetters), needsRegionFile(answer.provenance),
-                         listLegendOptions(legend, true), bookLetters));
+            repeatBlocks(makeRepeatCommand(answer, bookCharacters), needsRegionFile(answer.provenance),
+                         listLegendOptions(legend, true), bookCharacters));
     return book;
 }
 

@@ -9,6 +9,7 @@
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_text.h"
 #include "core/city/footprints/plan_overlay.h"
+#include "core/describe/shown_as.h"
 #include "core/receivers/points/glazing_pane.h"
 #include "core/study/contributions/contributions.h"
 #include "core/study/elements/element_study.h"
@@ -116,8 +117,8 @@ TextBlocks describeSources(const ElementStudy& study, const LegendChoice& legend
     sources.warnings = study.warnings;
     sources.provenance = study.provenance;
     sources.heights = study.heights;
-    return sourceBlocks(sources, repeatBlocks(makeRepeatCommand(study, bookLetters), false,
-                                              listLegendOptions(legend, false), bookLetters));
+    return sourceBlocks(sources, repeatBlocks(makeRepeatCommand(study, bookCharacters), false,
+                                              listLegendOptions(legend, false), bookCharacters));
 }
 
 }  // namespace
@@ -141,7 +142,6 @@ namespace {
 constexpr std::size_t maxMarks = 30, maxBars = 12;
 constexpr double minShare = 0.001;  // of all shadow, of a building that has a row
 constexpr double rowPt = 7.8;
-constexpr double minutesPerHour = 60;
 
 /// A row of the table: a building, the other buildings or the terrain, m2 h.
 struct Contribution {

@@ -61,8 +61,8 @@ struct ShadowFileSettings {
 };
 
 /// The names of the files of a drawing: shadows.dxf, shadows.gpkg; shadows.geojson, and buildings, places,
-/// fan, isochrones and distances .geojson; shadows_TIME.svg for each time. Before the drawing is made, some
-/// of them may not come about.
+/// fan, isochrones and distances .geojson; shadows_TIME.svg for each time. Known before the drawing is made;
+/// some of them may not be written.
 std::vector<std::string> shadowFileNames(const std::vector<DrawnTime>& times,
                                          const ShadowFileSettings& settings);
 

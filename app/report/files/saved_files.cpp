@@ -24,8 +24,7 @@ using Values = std::vector<float>;
 
 Grid gridOf(const std::vector<Place>& places, double cellM) {
     constexpr double maxCells = 16e6;
-    Box2 box;
-    for (const Place& place : places) box.add(bounds(place));
+    const Box2 box = bounds(places);
     const glm::dvec2 size = glm::dvec2(box.high) - glm::dvec2(box.low);
     while (size.x * size.y / (cellM * cellM) > maxCells) cellM *= 2;
     return {box.low.x, box.low.y, cellM, std::max(1, int(std::ceil(size.x / cellM))),
@@ -64,7 +63,7 @@ std::vector<std::size_t> listLargestFirst(const std::vector<Place>& places) {
     return order;
 }
 
-Result<void> writePlaceRaster(const SunOfCities& sun, const City& city, const PlaceMapLook& look,
+Result<void> writePlaceRaster(const SunOfCities& sun, const City& city, const PlaceMapStyle& look,
                               const std::filesystem::path& file) {
     const std::vector<Place>& places = sun.baseline.places;
     const Grid grid = gridOf(places, look.cellM);
@@ -96,7 +95,7 @@ std::string placeMapName(const std::optional<CivilDate>& date) {
 
 // The picture of the places and the style of their band.
 void addPlaceMap(OutputFolder& files, const std::shared_ptr<const SunOfCities>& sun, const City& city,
-                 const PlaceMapLook& look) {
+                 const PlaceMapStyle& look) {
     const std::vector<CivilDate>& dates = shownCity(*sun).settings.dates;
     const std::string name =
         placeMapName(look.colours.date ? std::optional(dates[*look.colours.date]) : std::nullopt);
@@ -116,11 +115,11 @@ std::vector<std::string> placeMapNames(std::span<const CivilDate> dates) {
 }
 
 void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, const City& city,
-                  const PlaceMapLook& look) {
+                  const PlaceMapStyle& look) {
     files.add("sun_by_place.tif", [sun, city, look](const std::filesystem::path& file) {
         return writePlaceRaster(*sun, city, look, file);
     });
-    PlaceMapLook of = look;
+    PlaceMapStyle of = look;
     of.colours.date.reset();
     addPlaceMap(files, sun, city, of);
     for (std::size_t date = 0; date < shownCity(*sun).settings.dates.size(); ++date) {
@@ -157,7 +156,7 @@ const FileNames& savedPointNames() {
 }
 
 FileNames savedPlaceNames(std::span<const CivilDate> dates) {
-    FileNames names{"places.csv", "places.gpkg", keptContributionsFile, "result.json"};
+    FileNames names{"places.csv", "places.gpkg", contributionTableFile, "result.json"};
     std::ranges::move(placeMapNames(dates), std::back_inserter(names));
     return names;
 }
@@ -169,7 +168,7 @@ const FileNames& savedFigureNames() {
 
 WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
                             const std::function<SavedSheet(const SavedMaps&)>& makeSheetOf,
-                            const std::filesystem::path& folder, const SavedLook& look) {
+                            const std::filesystem::path& folder, const SavedStyle& look) {
     if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
     const Region region = makeSavedRegion(result, origin, source.regions);
     const Sheet sheet = makeSheet(result, origin, makeSheetOf({source.city, region, look.scale, look.legend}),
@@ -205,7 +204,7 @@ WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& po
 }
 
 WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
-                              const std::vector<KeptContributions>& ofPlaces, const City& city,
+                              const std::vector<ContributionTable>& ofPlaces, const City& city,
                               const std::filesystem::path& folder, const LegendChoice& legend,
                               const OutputRules& rules) {
     sun.baseline.city = city;
@@ -218,9 +217,9 @@ WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
     });
     addPlaceMaps(files, std::make_shared<const SunOfCities>(sun), city,
                  {.colours = {legend, {}},
-                  .cellM = result.grid.cellM > 0 ? result.grid.cellM : PlaceMapLook().cellM,
+                  .cellM = result.grid.cellM > 0 ? result.grid.cellM : PlaceMapStyle().cellM,
                   .tags = {{"RESULT", result.name}, {"SCENARIO", result.scenario}}});
-    if (!ofPlaces.empty()) files.add(keptContributionsFile, textContent(contributionsCsv(ofPlaces, {})));
+    if (!ofPlaces.empty()) files.add(contributionTableFile, textContent(contributionsCsv(ofPlaces, {})));
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();
 }

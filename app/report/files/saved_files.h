@@ -18,7 +18,7 @@
 namespace noonmark {
 
 /// How the maps of places look.
-struct PlaceMapLook {
+struct PlaceMapStyle {
     PlaceColours colours{};
     int widthPx = 1920;
     double cellM = 2;  ///< of the raster; doubled until it has at most 16 million cells
@@ -34,7 +34,7 @@ std::vector<std::string> placeMapNames(std::span<const CivilDate> dates);
 /// date, and, where a baseline is compared, the change in minutes. Of the last of the cities. `look`: its
 /// date is not read. Needs a QGuiApplication.
 void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, const City& city,
-                  const PlaceMapLook& look);
+                  const PlaceMapStyle& look);
 
 // The files of saved results. What is written is as it was saved: all files or none. Each function returns
 // the paths that it wrote. Error: a file cannot be written. They need a QGuiApplication (the `offscreen`
@@ -43,7 +43,7 @@ void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, c
 using WrittenFiles = Result<std::vector<std::filesystem::path>>;
 
 /// How their maps look, and which files may be replaced.
-struct SavedLook {
+struct SavedStyle {
     ChangeScale scale{};  ///< of a comparison
     LegendChoice legend{};
     int pictureWidth = noonmark::pictureWidth;  ///< pixels: see makePicture()
@@ -54,7 +54,7 @@ struct SavedLook {
 const std::vector<std::string>& savedMapNames();
 WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
                             const std::function<SavedSheet(const SavedMaps&)>& makeSheetOf,
-                            const std::filesystem::path& folder, const SavedLook& look = {});
+                            const std::filesystem::path& folder, const SavedStyle& look = {});
 
 /// The tables of points, settings and figures.
 const std::vector<std::string>& savedPointNames();
@@ -65,7 +65,7 @@ WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& po
 /// The tables of places and of what buildings take from some of them, settings and figures.
 std::vector<std::string> savedPlaceNames(std::span<const CivilDate> dates);
 WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
-                              const std::vector<KeptContributions>& ofPlaces, const City& city,
+                              const std::vector<ContributionTable>& ofPlaces, const City& city,
                               const std::filesystem::path& folder, const LegendChoice& legend = {},
                               const OutputRules& rules = {});
 

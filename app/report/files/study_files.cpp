@@ -102,7 +102,7 @@ std::vector<std::string> studyFileNames(const StudySettings& settings, const Stu
     if (settings.contributions)
         names.insert(names.end(), {"contributions.csv", "contributions.gpkg", "contributions.pdf"});
     if (options.cellsCsv) names.emplace_back("cells.csv");
-    if (!options.ofPlaces.empty()) names.emplace_back(keptContributionsFile);
+    if (!options.ofPlaces.empty()) names.emplace_back(contributionTableFile);
     return names;
 }
 
@@ -150,7 +150,7 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
         files.add("contributions.pdf", textContent(pdf->toStdString()));
     }
     if (!options.ofPlaces.empty())
-        files.add(keptContributionsFile, textContent(contributionsCsv(options.ofPlaces, study.provenance)));
+        files.add(contributionTableFile, textContent(contributionsCsv(options.ofPlaces, study.provenance)));
     if (options.cellsCsv)
         files.add("cells.csv",
                   [&](QIODevice& device) { return writeCellsCsv(study.field, study.city.frame, device); });

@@ -30,7 +30,7 @@ struct StudyFileOptions {
     int pictureWidth = noonmark::pictureWidth;  ///< of shadow.png, pixels
     LegendChoice legend{};                      ///< of pictures, pages and styles
     std::optional<BookSettings> book{};         ///< also sheets.pdf, a book so laid out
-    std::vector<KeptContributions> ofPlaces{};  ///< of single places: a table, and a part of study.json
+    std::vector<ContributionTable> ofPlaces{};  ///< of single places: a table, and a part of study.json
 };
 
 /// The names of the files of writeStudyFiles(), except region.geojson; known before the computation.

@@ -55,7 +55,7 @@ struct ScaleBar {
 ScaleBar scaleBarWithin(double longestM, UnitSystem units = UnitSystem::metric);
 
 /// Height of a labelled scale bar or a north arrow, points.
-constexpr double furnitureHeightPt = 30;
+constexpr double scaleBarHeightPt = 30;
 
 /// Paints the bar with its labels at a scale of `unitsPerM`; its right end touches
 /// the right edge of `area`.

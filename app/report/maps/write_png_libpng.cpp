@@ -18,7 +18,7 @@ void writeBytes(png_structp png, png_bytep bytes, std::size_t size) {
 
 void ignoreFlush(png_structp) {}
 
-void sayNothing(png_structp, png_const_charp) {}
+void ignoreMessage(png_structp, png_const_charp) {}
 
 // Without it, libpng prints the message.
 void jumpOut(png_structp png, png_const_charp) { png_longjmp(png, 1); }
@@ -68,7 +68,7 @@ bool writePng(const QImage& picture, const FileTags& tags, QIODevice& device) {
     const QImage rgb = picture.convertToFormat(QImage::Format_RGB888);
     if (rgb.isNull()) return false;
     std::vector<png_text> chunks = makeChunks(tags);
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jumpOut, sayNothing);
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jumpOut, ignoreMessage);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
     bool written = false;
     if (info != nullptr) {

@@ -42,7 +42,7 @@ struct ScenarioAnswers {
     std::optional<ScenarioImpact> impact{};
     std::optional<ScenarioScore> score{};
     std::optional<ScenarioVerdicts> verdicts{};
-    std::optional<ShadowStatistics> measured{};  ///< of an earlier study, which is not at hand itself
+    std::optional<ShadowStatistics> measured{};  ///< of an earlier study, which is not in memory
 };
 
 /// A scenario with its study. Those that are put side by side have the same settings, so that their figures

@@ -69,7 +69,7 @@ std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSourc
     addBuildings(sections, computeFigures(answer));
     for (TextBlocks& section : sourceSections(after)) sections.push_back(std::move(section));
     sections.push_back(
-        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance), drawn));
+        repeatBlocks(makeRepeatCommand(answer, columnCharacters), needsRegionFile(answer.provenance), drawn));
     return sections;
 }
 
@@ -223,7 +223,7 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
     std::vector<TextBlocks> sections = sourceSections(study);
     sections.pop_back();  // cost and skipped work belong to a field
     sections.push_back(
-        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance), drawn));
+        repeatBlocks(makeRepeatCommand(answer, columnCharacters), needsRegionFile(answer.provenance), drawn));
     return sections;
 }
 

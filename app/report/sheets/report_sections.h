@@ -30,12 +30,12 @@ TextBlocks repeatBlocks(const Study& study, const std::vector<CommandOption>& dr
 
 /// Characters per code line in a column of the page. A command that the column breaks without a backslash
 /// would not run when copied.
-inline constexpr std::size_t columnLetters = 80;
+inline constexpr std::size_t columnCharacters = 80;
 /// The same in a column of a book's page.
-inline constexpr std::size_t bookLetters = 60;
+inline constexpr std::size_t bookCharacters = 60;
 
 /// The same for any result: its command, or the reason why there is none.
 TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile,
-                        const std::vector<CommandOption>& drawn = {}, std::size_t width = columnLetters);
+                        const std::vector<CommandOption>& drawn = {}, std::size_t width = columnCharacters);
 
 }  // namespace noonmark

@@ -115,7 +115,7 @@ void say(RepairedFootprint& result, const std::string& what) {
 }
 
 // Valid polygons whose points are all float32; null if GEOS fails.
-Geometry mendRings(const Geos& geos, const std::vector<RawRing>& rings, RepairedFootprint& result) {
+Geometry repairRings(const Geos& geos, const std::vector<RawRing>& rings, RepairedFootprint& result) {
     auto inFloat = rings;
     for (RawRing& ring : inFloat) ring = roundRing(ring);
     const auto isRing = [](const RawRing& ring) { return ring.size() >= fewestPoints; };
@@ -146,7 +146,7 @@ RepairedFootprint repairFootprint(const std::vector<RawRing>& rings) {
         return result;
     }
     const Geos geos;
-    const auto geometry = mendRings(geos, good, result);
+    const auto geometry = repairRings(geos, good, result);
     bool sliver = false;
     result.pieces = toPolygons(geos, geometry, &sliver);
     if (sliver) say(result, "slivers under 0.01 m2 left out");

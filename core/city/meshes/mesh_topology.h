@@ -25,7 +25,7 @@ std::size_t removeDegenerateTriangles(TriangleMesh& mesh);
 std::size_t findOpenEdges(const TriangleMesh& mesh);
 
 /// Cubic metres; positive if the faces point outward. An open mesh is measured about the middle of its box,
-/// so that the sign still tells which way most faces point.
+/// so that the sign still shows which way most faces point.
 double signedVolume(const TriangleMesh& mesh);
 
 /// Connected components: triangles that are connected through shared points.
@@ -45,7 +45,7 @@ void append(TriangleMesh& mesh, const TriangleMesh& more);
 /// component's box. Sheets are turned to face up. Returns how many solid components were turned.
 std::size_t turnOutward(TriangleMesh& mesh);
 
-/// An axis-aligned box; liesInside() tells whether it lies inside another one on all three axes, without
+/// An axis-aligned box; liesInside() states whether it lies inside another one on all three axes, without
 /// touching.
 struct Box3 {
     glm::vec3 low{1e30F};

@@ -63,7 +63,8 @@ std::optional<EngineChoice> Engine::chooseInstead(const EngineChoice& /*failed*/
     return std::nullopt;
 }
 
-std::optional<EngineChoice> Engine::chooseCloser(const EngineChoice& /*used*/, const SampledOff& /*off*/,
+std::optional<EngineChoice> Engine::chooseCloser(const EngineChoice& /*used*/,
+                                                 const SampledDeviation& /*off*/,
                                                  std::span<const City* const> /*cities*/,
                                                  const Receivers& /*receivers*/,
                                                  const SunSteps& /*sun*/) const {

@@ -65,7 +65,7 @@ constexpr EngineCapabilities combineForChoice(std::initializer_list<EngineCapabi
 struct EngineChoice;
 
 /// How far a sample of a field's cells is off from the ray reference, percent of the period.
-struct SampledOff {
+struct SampledDeviation {
     double meanPct = 0;
     double standardErrorPct = 0;  ///< of the mean, from the spread of the sample
 };
@@ -125,7 +125,7 @@ public:
                                                                     const Error& error) const;
     /// What is chosen where a sample of the choice's field is so far off; none: that is what it aims at.
     [[nodiscard]] virtual std::optional<EngineChoice> chooseCloser(const EngineChoice& used,
-                                                                   const SampledOff& off,
+                                                                   const SampledDeviation& off,
                                                                    std::span<const City* const> cities,
                                                                    const Receivers& receivers,
                                                                    const SunSteps& sun) const;

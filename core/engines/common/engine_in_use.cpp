@@ -25,12 +25,12 @@ Result<ShadowField> EngineInUse::accumulate(const City& city, Progress& progress
     return choice_->accumulate(city, receivers_, sun_, progress, stop);
 }
 
-std::optional<EngineChoice> EngineInUse::closer(const SampledOff& off) const {
+std::optional<EngineChoice> EngineInUse::closer(const SampledDeviation& off) const {
     if (!choice_) return std::nullopt;
     return asked_.chooseCloser(*choice_, off, cities_, receivers_, sun_);
 }
 
-bool EngineInUse::switchToCloser(const SampledOff& off) {
+bool EngineInUse::switchToCloser(const SampledDeviation& off) {
     auto other = closer(off);
     if (!other) return false;
     choice_ = std::move(other);

@@ -41,11 +41,11 @@ public:
 
     /// Switches to a closer engine if a sample of the field is off by more than the choice aims at. False:
     /// the field stands.
-    bool switchToCloser(const SampledOff& off);
-    [[nodiscard]] bool wouldSwitch(const SampledOff& off) const { return closer(off).has_value(); }
+    bool switchToCloser(const SampledDeviation& off);
+    [[nodiscard]] bool wouldSwitch(const SampledDeviation& off) const { return closer(off).has_value(); }
 
 private:
-    [[nodiscard]] std::optional<EngineChoice> closer(const SampledOff& off) const;
+    [[nodiscard]] std::optional<EngineChoice> closer(const SampledDeviation& off) const;
     [[nodiscard]] bool sums(bool byBuilding) const;
     [[nodiscard]] const Engine& summing() const;
     [[nodiscard]] Result<ShadowBreakdown> sumSetBySet(const City& city, const StepSets& sets,

@@ -4,8 +4,7 @@
 // changed_buildings.h compares two cities for the caches. engine_in_use.h answers a question with the engine
 // that was asked for or chosen. receiver_tiles.h divides a region into tiles and delivers running results.
 // sun_packets.h groups sun directions for SIMD. run_counter.h counts shadow and its longest runs.
-// open_below.h finds the open air that horizons count as solid. interval_engine.h is the interface of the
-// accrual maps, which shade one interval of the sun at a time.
+// open_below.h finds the open air that horizons count as solid.
 
 #include <cstdint>
 #include <vector>

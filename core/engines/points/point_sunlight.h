@@ -57,7 +57,7 @@ using MonthHours = std::array<std::array<double, 24>, 12>;
 MonthHours sumSunlight(const ShadedSteps& shaded, const SunSteps& sun, const Zone& zone);
 std::array<double, 12> sumMonths(const MonthHours& hours);
 
-/// Tells at which steps single points of a city are in shadow. By horizons: the sweep of point_horizons.h
+/// Finds at which steps single points of a city are in shadow. By horizons: the sweep of point_horizons.h
 /// finds the times in the sun, and rays correct their ends: beside each change from sun to shadow, steps are
 /// traced until ray and horizon agree. What is left of the sweep's error are times in sun or shadow that are
 /// shorter than the sun takes through a bin (a minute in middle latitudes) and begin and end in one. By rays:

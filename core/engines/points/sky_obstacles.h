@@ -2,9 +2,9 @@
 
 // The folder core/engines/points measures sunlight and sky at single points on any surface. This file lists
 // what can hide the sky, and edges as a point sees them; skyline.h is the exact skyline of one point, made of
-// these edges; sky_factors.h integrates the visible sky over it, and point_sunlight.h tells when it lets the
-// sun through. For many points, point_horizons.h counts minutes from horizons by bins of azimuth (folder
-// horizons), and point_sunlight.h tells at which steps they are in shadow.
+// these edges; sky_factors.h integrates the visible sky over it, and point_sunlight.h finds when the sun
+// reaches the point. For many points, point_horizons.h counts minutes from horizons by bins of azimuth
+// (folder horizons), and point_sunlight.h finds at which steps they are in shadow.
 
 #include <array>
 #include <cmath>

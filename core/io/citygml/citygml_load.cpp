@@ -70,7 +70,7 @@ public:
         return skipped_ == 0 && (isInGeometry_ ? reader_.wantsText() : true);
     }
 
-    void sayWhatIsInside() {
+    void warnOfInterior() {
         for (const auto& [name, count] : asides_)
             data.city.warnings.push_back({WarningKind::leftOut, "what is inside of buildings shades nothing",
                                           fmt::format("{}: {} ({})", file_, name, count)});
@@ -298,7 +298,7 @@ Result<CityGmlData> loadCityGml(const std::filesystem::path& file, const ReadSet
         if (auto done = read(false, {}, std::move(listener->shared)); !done)
             return tl::make_unexpected(done.error());
     }
-    listener->sayWhatIsInside();
+    listener->warnOfInterior();
     return std::move(listener->data);
 }
 

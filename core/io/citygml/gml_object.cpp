@@ -162,7 +162,7 @@ private:
         references_ = {};
         object.object.body = chooseBody(object);
         if (!object.object.body) object.object.footprint = chooseFootprint(object);
-        sayReferences(object.object.id);
+        warnOfReferences(object.object.id);
     }
 
     std::optional<CityJsonGeometry> chooseBody(GmlObject& object) {
@@ -176,7 +176,7 @@ private:
         bodies.resize(std::min(bodies.size(), mostTried));
         for (const GmlObject::Lod* lod : bodies)
             if (auto made = geometryOf(*lod); !made.bodies.empty()) {
-                sayOtherLod(lod->property.lod, object.object.id);
+                warnOfOtherLod(lod->property.lod, object.object.id);
                 return made;
             }
         return std::nullopt;
@@ -231,14 +231,14 @@ private:
         warnings_.push_back({kind, std::move(what), fmt::format("{}: {} ({})", file_, id, count)});
     }
 
-    void sayReferences(const std::string& id) {
+    void warnOfReferences(const std::string& id) {
         warn(WarningKind::dropped, "surfaces that refer to ids that the object does not have", id,
              references_.missing);
         warn(WarningKind::leftOut, "surfaces that refer to other files, which are not opened", id,
              references_.foreign);
     }
 
-    void sayOtherLod(double lod, const std::string& id) {
+    void warnOfOtherLod(double lod, const std::string& id) {
         if (choice_.wished && lod != *choice_.wished)
             warnings_.push_back({WarningKind::assumed,
                                  "the wanted level of detail is missing; the next one is used",

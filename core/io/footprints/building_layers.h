@@ -37,7 +37,7 @@ struct LayerSample {
 /// map library are left to the actual reading. Backend: building_layers_gdal.cpp.
 LayerSample sampleLayer(OGRLayer& layer);
 
-/// Sets the unit of height fields whose name states none where the values tell it: by storeys or by another
+/// Sets the unit of height fields whose name states none where the values show it: by storeys or by another
 /// height (height_text.h), or as inches if the name ends in "in". A field of heights that repeats the
 /// storeys becomes one of storeys. Each gives a warning. `where`: the layer.
 void weighHeights(std::vector<KnownField>& fields, const LayerSample& sample, const std::string& where,

@@ -146,7 +146,7 @@ JudgedLayer judge(OGRLayer& layer) {
     return {&layer, Likeness::unclear, ""};
 }
 
-std::string whyLeft(const JudgedLayer& layer, Likeness best) {
+std::string describeRejection(const JudgedLayer& layer, Likeness best) {
     if (!layer.why.empty()) return std::string(layer.why);
     return best == Likeness::byName ? "the name of another says buildings"
                                     : "another has fields of buildings";
@@ -179,7 +179,7 @@ std::vector<OGRLayer*> chooseBuildingLayers(GDALDataset& dataset, Warnings& warn
                 {WarningKind::leftOut,
                  fmt::format("a layer that was taken for no layer of buildings, since {}; if it "
                              "is one, read it with {}",
-                             whyLeft(one, best), readOption("layer")),
+                             describeRejection(one, best), readOption("layer")),
                  readableText(one.layer->GetName())});
     if (chosen.size() > 1)
         for (OGRLayer* layer : chosen)

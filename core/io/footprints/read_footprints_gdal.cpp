@@ -236,7 +236,7 @@ private:
     // An index delivers features in its own order; the file's order makes the city independent of the window.
     Result<void> readExtent(OGRLayer& layer, FootprintLayer& reader, const GdalCalls& calls) {
         if (!limitToExtent(layer, *window_, settings_))
-            return failure("The window cannot be expressed in its coordinate system", file_.string(),
+            return failure("The extent cannot be expressed in its coordinate system", file_.string(),
                            "Convert it to EPSG:4326");
         layer.ResetReading();
         const std::size_t failures = calls.failures();

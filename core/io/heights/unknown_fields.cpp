@@ -21,7 +21,7 @@ constexpr std::size_t maxListed = 8;
 
 constexpr double maxStoreys = 170;  // of any building, with some to spare
 
-bool saysOtherwise(const std::string& field) {
+bool namesOtherThing(const std::string& field) {
     const NameWords words(field);
     if (words.has(NameWord::otherThing)) return true;
     const bool height = words.has(NameWord::height) || words.has(NameWord::storey);
@@ -29,7 +29,7 @@ bool saysOtherwise(const std::string& field) {
 }
 
 // Names that say what they are come first.
-bool saysHeights(const UnknownField& field) {
+bool namesHeights(const UnknownField& field) {
     const NameWords words(field.field);
     return words.has(NameWord::height) || words.has(NameWord::storey);
 }
@@ -89,7 +89,8 @@ FieldEvidence UnknownFields::evidenceOf(const std::string& field) const {
 }
 
 bool UnknownFields::couldBeHeights(const std::string& field, const Values& values) const {
-    if (values.odd || values.above0 == 0 || values.high > mostOf(field) || saysOtherwise(field)) return false;
+    if (values.odd || values.above0 == 0 || values.high > mostOf(field) || namesOtherThing(field))
+        return false;
     const bool years = values.whole && values.low >= 1500 && values.high <= 2200;
     const bool numbersThem = values.whole && values.above0 > 10 &&
                              values.different.size() == std::min<std::size_t>(values.above0, enoughDifferent);
@@ -129,7 +130,7 @@ std::vector<UnknownField> UnknownFields::listPossibleHeights(const std::string& 
     for (const auto& [field, values] : fields_)
         if (couldBeHeights(field, values)) listed.push_back(describeField(file, field, values));
     std::ranges::stable_sort(listed, std::greater<>{}, [](const UnknownField& field) {
-        return std::pair(saysHeights(field), field.features);
+        return std::pair(namesHeights(field), field.features);
     });
     if (listed.size() > maxListed) listed.resize(maxListed);
     return listed;

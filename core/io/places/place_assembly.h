@@ -54,7 +54,7 @@ std::vector<StreetBlock> cutAtJunctions(const std::vector<StreetPiece>& pieces);
 
 /// Joins areas of the same name and kind that lie within `nearM` of each other into one place, as a map draws
 /// the lawns of one avenue one by one. The place's source names the first and how many more there are. In the
-/// order of the first piece; names may still be empty or repeated (nameApart). O(n log n) but for the
+/// order of the first piece; names may still be empty or repeated (makeNamesUnique). O(n log n) but for the
 /// overlay.
 std::vector<Place> joinAreas(std::vector<Place> areas, double nearM = 50);
 

@@ -134,7 +134,7 @@ public:
                                       isFromOsm(dataset_) ? "OSM " : file_ + ", ", read.warnings),
                           std::back_inserter(read.places));
         std::erase_if(read.places, [&](const Place& place) { return area(place) < settings_.minAreaM2; });
-        nameApart(read.places);
+        makeNamesUnique(read.places);
         if (stop_.stop_requested()) return cancelled();
         progress_.report(1, "reading places");
         return read;

@@ -55,7 +55,7 @@ Result<void> setAnchor(ReadSettings& settings, const Value& value) {
     const bool isPlace =
         place && place->size() == 2 && std::abs(place->front()) <= 180 && std::abs(place->back()) <= 90;
     if (!isPlace)
-        return failure("This is no place on earth", "mesh-anchor",
+        return failure("This is not a position on the earth", "mesh-anchor",
                        "Give LON,LAT in degrees, for example -73.98,40.75");
     settings.meshAnchor = LonLat{place->front(), place->back()};
     return {};

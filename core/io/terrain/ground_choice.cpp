@@ -192,7 +192,7 @@ std::optional<float> roofOverGround(const Building& building, const RoofElevatio
     return heightM <= tallestBuildingM ? std::optional(float(heightM)) : std::nullopt;
 }
 
-void sayRoofs(const GroundFile& file, const std::string& field, std::size_t count, bool chosen) {
+void warnOfRoofs(const GroundFile& file, const std::string& field, std::size_t count, bool chosen) {
     const std::string where = fmt::format("{}: {} ({})", file.name, field, countOf(count, "building"));
     if (chosen)
         file.piece->warnings.push_back({WarningKind::assumed,
@@ -258,7 +258,7 @@ void measureRoofs(const GroundFile& file, const Terrain* terrain, const Frame& f
                   HeightFacts& heights) {
     if (file.piece->roofs.empty()) return;
     if (terrain == nullptr)
-        for (const auto& [field, count] : countRoofs(*file.piece)) sayRoofs(file, field, count, chosen);
+        for (const auto& [field, count] : countRoofs(*file.piece)) warnOfRoofs(file, field, count, chosen);
     if (terrain == nullptr && !chosen) return;
     for (const auto& [field, count] : takeRoofs(*file.piece, terrain, frame))
         heights.fields.push_back(

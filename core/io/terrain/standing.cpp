@@ -129,7 +129,7 @@ void markOnTerrain(Building& building, const Terrain* terrain) {
     const float bottom = findBottom(building);
     const float highest = terrain != nullptr ? findHighestGround(building, *terrain) : 0;
     const float minimum = bottom > highest + openAirM ? -1e30F : bottom;
-    markOverhangsAgain(building, [&](glm::dvec2 at) {
+    redetectOverhangs(building, [&](glm::dvec2 at) {
         return std::max(minimum, terrain != nullptr ? elevationAt(*terrain, at) : 0);
     });
 }
@@ -192,12 +192,12 @@ void markOverhangsOnBases(FilePiece& piece, const std::vector<std::size_t>& carr
     tbb::parallel_for(std::size_t{0}, piece.buildings.size(), [&](std::size_t i) {
         const float base = *piece.groundM[carriers.empty() ? i : carriers[i]];
         Building building = *piece.buildings[i];
-        markOverhangsAgain(building, [&](glm::dvec2) { return base; });
+        redetectOverhangs(building, [&](glm::dvec2) { return base; });
         piece.buildings[i] = std::make_shared<const Building>(std::move(building));
     });
 }
 
-void markOverhangsAgain(Building& building, const std::function<float(glm::dvec2)>& groundM) {
+void redetectOverhangs(Building& building, const std::function<float(glm::dvec2)>& groundM) {
     if (!isMesh(building)) return;
     for (Part& part : building.parts)
         part.isOverhanging = part.isOverhanging && part.mesh && hasOpenAirBelow(*part.mesh);

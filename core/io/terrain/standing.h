@@ -90,6 +90,6 @@ private:
 Warnings describeStanding(const BaseFit& fit, bool asked);
 
 /// Decides anew which parts of a mesh building are overhangs above `groundM(x, y)`.
-void markOverhangsAgain(Building& building, const std::function<float(glm::dvec2)>& groundM);
+void redetectOverhangs(Building& building, const std::function<float(glm::dvec2)>& groundM);
 
 }  // namespace noonmark

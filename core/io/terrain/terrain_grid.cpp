@@ -81,7 +81,7 @@ void warnOfSquares(TerrainGrid& place, const std::string& file) {
 }
 
 // Whether the raster's own rows and columns can be used.
-bool keptWhole(TerrainGrid& place, const PixelPlaces& places) {
+bool keepsPosts(TerrainGrid& place, const PixelPlaces& places) {
     const PixelExtent& window = place.window;
     if (window.columns < 2 || window.rows < 2 || double(window.size()) > maxPosts) return false;
     const PlacedPosts placed = placePosts(places, window);
@@ -93,7 +93,7 @@ bool keptWhole(TerrainGrid& place, const PixelPlaces& places) {
     return true;
 }
 
-std::size_t forgetImpossible(std::vector<float>& elevations) {
+std::size_t removeImpossible(std::vector<float>& elevations) {
     std::size_t impossible = 0;
     for (float& elevation : elevations) {
         if (std::isnan(elevation) || (elevation > -500 && elevation < 9000)) continue;
@@ -147,7 +147,7 @@ Result<TerrainGrid> makeTerrainGrid(const RasterPlace& raster, const CrsToLonLat
         place.warnings.push_back(
             {WarningKind::clipped, NM_TEXT("terrain far from the city was left out"), file});
     place.border = borderOf(*window, places);
-    if (keptWhole(place, places)) return place;
+    if (keepsPosts(place, places)) return place;
     if (place.border.size() < 3)
         return failure("The terrain does not cover the city", file, "Choose a terrain of the same area");
     chooseSquares(place, settings.farAwayM);
@@ -158,7 +158,7 @@ Result<TerrainGrid> makeTerrainGrid(const RasterPlace& raster, const CrsToLonLat
 Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevations,
                            const ReadSettings& settings, const std::string& file, FilePiece& piece) {
     TerrainSource source = place.source;
-    source.impossible = forgetImpossible(elevations);
+    source.impossible = removeImpossible(elevations);
     if (source.impossible > 0)
         piece.warnings.push_back({WarningKind::repaired,
                                   "impossible elevations were filled from the cells around",

@@ -1,10 +1,10 @@
 #pragma once
 
 // Shadow accrual maps (paper, section 4): for each interval of the sun, a stack of depth maps that differ
-// only by a shear. caster_faces.h lists the faces of a city, and culls and places them for one interval in
-// the frame of map_frame.h, which may be warped towards the eye. slice_stack.h draws one depth map
-// (depth_slice.h) per step, for all steps of an interval. ShadowAccrualMap (this file) reads the shadow of
-// ground grids from them, SurfaceAccrual (surface_accrual.h) that of points on any surface.
+// only by a shear. In core/engines/depths caster_faces.h lists the faces of a city, and culls and places them
+// for one interval in the frame of map_frame.h, which may be warped towards the eye. slice_stack.h draws one
+// depth map (depth_slice.h) per step, for all steps of an interval. ShadowAccrualMap (this file) reads the
+// shadow of ground grids from them, SurfaceAccrual (surface_accrual.h) that of points on any surface.
 // accrual_settings.h holds the settings. sun_depth_map.h draws a single depth map for shadows in pictures.
 
 #include <cstdint>

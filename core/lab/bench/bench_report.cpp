@@ -76,7 +76,7 @@ bool misses(const SummaryFigure& figure) {
     if (!figure.target) return false;
     if (!figure.value) return true;
     const double wanted = figure.target->value;
-    return figure.target->isLeast ? *figure.value * allowance < wanted : *figure.value > wanted * allowance;
+    return figure.target->isMinimum ? *figure.value * allowance < wanted : *figure.value > wanted * allowance;
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ bool misses(const SummaryFigure& figure) {
 SummaryFigure targetFigure(std::string key, std::string what, Target target) {
     return {std::move(key),
             std::move(what),
-            fmt::format("{} {:g}", target.isLeast ? ">=" : "<=", target.value),
+            fmt::format("{} {:g}", target.isMinimum ? ">=" : "<=", target.value),
             {},
             target};
 }

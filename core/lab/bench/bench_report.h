@@ -36,7 +36,7 @@ std::string describeMachine(const Machine& machine);
 
 /// What a ratio or an error should reach on any machine.
 struct Target {
-    bool isLeast = false;  ///< the value should be at least, else at most, this
+    bool isMinimum = false;  ///< the value should be at least, else at most, this
     double value = 0;
 };
 constexpr Target atLeast(double value) { return {true, value}; }

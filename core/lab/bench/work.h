@@ -18,7 +18,7 @@ class Allowance {
 public:
     explicit Allowance(double seconds = std::numeric_limits<double>::infinity()) : seconds_(seconds) {}
 
-    [[nodiscard]] double leftS() const { return seconds_ - watch_.seconds(); }
+    [[nodiscard]] double secondsLeft() const { return seconds_ - watch_.seconds(); }
 
 private:
     double seconds_;

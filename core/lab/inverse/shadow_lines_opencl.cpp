@@ -32,7 +32,7 @@ std::vector<cl::Device> devicesOf(const cl::Platform& platform) {
 bool isGpu(const cl::Device& device) { return device.getInfo<CL_DEVICE_TYPE>() == CL_DEVICE_TYPE_GPU; }
 
 // PoCL caches compiled kernels in a folder, and terminates the process if it cannot create one.
-void giveKernelCacheAHome() {
+void createKernelCacheFolder() {
     if (std::getenv("POCL_CACHE_DIR") != nullptr) return;
     std::error_code error;
     const auto folder =
@@ -42,7 +42,7 @@ void giveKernelCacheAHome() {
 }
 
 std::vector<cl::Device> allDevices() {
-    giveKernelCacheAHome();
+    createKernelCacheFolder();
     std::vector<cl::Platform> platforms;
     try {
         cl::Platform::get(&platforms);

@@ -5,6 +5,7 @@
 
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/terrain/building_ground.h"
+#include "core/receivers/place_names.h"
 
 namespace noonmark {
 
@@ -16,12 +17,6 @@ void addContacts(const City& city, const Building& building, std::vector<Footpri
         for (Footprint& contact : findGroundContact(part, groundAt(city, glm::dvec2(corner))))
             built.push_back(std::move(contact));
     }
-}
-
-Box2 boxAround(const Place& place) {
-    Box2 box;
-    for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
-    return box;
 }
 
 /// What the edges that pass through a cell cover of it, in cells: `right` of their own part of the row's
@@ -120,7 +115,7 @@ double sumAreas(const std::vector<Footprint>& polygons) {
 std::vector<std::vector<Footprint>> findBuiltGround(std::span<const City* const> cities,
                                                     std::span<const Place> places) {
     std::vector<Box2> ofPlaces;
-    for (const Place& place : places) ofPlaces.push_back(boxAround(place));
+    for (const Place& place : places) ofPlaces.push_back(bounds(place));
     std::vector<std::vector<Footprint>> built(places.size());
     for (const City* city : cities) {
         std::vector<Box2> ofBuildings;

@@ -323,7 +323,7 @@ void narrow(Measured& sum, double error) {
 }
 
 /// Whether more of the value is worse: by the first limit, or by the quantity.
-bool moreIsWorse(const Criterion& criterion) {
+bool isWorseWhenHigher(const Criterion& criterion) {
     if (criterion.limits.empty())
         return criterion.quantity != Quantity::sun && criterion.measure != Measure::share;
     const Comparison comparison = criterion.limits.front().comparison;
@@ -386,11 +386,12 @@ bool isInSeason(const Criterion& criterion, CivilDate date) {
     return first <= last ? day >= first && day <= last : day >= first || day <= last;
 }
 
-bool CriterionDays::decidesMore(Verdict verdict, double value) const {
+bool CriterionDays::decidesOver(Verdict verdict, double value) const {
     if (!found_.value) return true;
     const bool wantsWorst = combination_ != DayCombination::chosen;
     if (verdict != found_.verdict) return (verdict > found_.verdict) == wantsWorst;
-    const bool worse = moreIsWorse(*criterion_) ? value > found_.value->value : value < found_.value->value;
+    const bool worse =
+        isWorseWhenHigher(*criterion_) ? value > found_.value->value : value < found_.value->value;
     return value != found_.value->value && worse == wantsWorst;
 }
 
@@ -399,7 +400,7 @@ void CriterionDays::takeDay(CivilDate day, const Measured& value, const std::opt
     const Verdict verdict = judgeLimits(*criterion_, value, former, unchanged);
     found_.failingDays += verdict == Verdict::fail ? 1 : 0;
     found_.borderlineDays += verdict == Verdict::borderline ? 1 : 0;
-    if (!decidesMore(verdict, value.value)) return;
+    if (!decidesOver(verdict, value.value)) return;
     found_.verdict = verdict;
     found_.value = value;
     found_.former = former;

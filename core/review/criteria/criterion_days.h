@@ -79,7 +79,7 @@ public:
 
 private:
     void takeDay(CivilDate day, const Measured& value, const std::optional<Measured>& former, bool unchanged);
-    [[nodiscard]] bool decidesMore(Verdict verdict, double value) const;
+    [[nodiscard]] bool decidesOver(Verdict verdict, double value) const;
 
     const Criterion* criterion_;
     DayCombination combination_;

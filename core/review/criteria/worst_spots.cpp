@@ -11,23 +11,17 @@
 #include "core/engines/common/sun_packets.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/measures/places/place_run.h"
+#include "core/receivers/place_names.h"
 #include "core/simd/flush_denormals.h"
 
 namespace noonmark {
 
 namespace {
 
-Box2 boxOfAll(std::span<const Place> places) {
-    Box2 box;
-    for (const Place& place : places)
-        for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
-    return box;
-}
-
 /// The buildings whose shadow can fall on a place, outside the centres of its cells too.
 std::vector<std::uint32_t> findInReach(const City& city, std::span<const Place> places, double lowestM,
                                        const SunSteps& sun) {
-    const Box2 box = boxOfAll(places);
+    const Box2 box = bounds(places);
     const ShadowReach reach(sun);
     std::vector<std::uint32_t> found;
     for (std::size_t i = 0; i < city.buildings.size(); ++i) {

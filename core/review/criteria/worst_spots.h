@@ -95,7 +95,7 @@ inline constexpr std::size_t maxSuspects = 64;
 inline constexpr double spotDistanceCells = 1.0 / 16;
 
 /// The shadow at points around the worst cells of a place on one day and around its Suspects, ever closer to
-/// the worst of them, down to spotDistanceCells: a cell's centre tells nothing about the ground beside a
+/// the worst of them, down to spotDistanceCells: a cell's centre states nothing about the ground beside a
 /// wall, and a shadow's edge crosses a cell in minutes. One list of points for each distance. Some
 /// pointsOfASearch for each search that finds shadow; a ray each for every step and city.
 std::vector<PlaceShadow> refineWorstSpots(std::size_t place, const PlaceShadow& shadow,

@@ -267,7 +267,7 @@ void judge(const Rule& rule, GlazingReview& review) {
 }
 
 /// Nothing is judged where the sun is never up in the rule's hours.
-void leaveUnjudged(GlazingReview& review) {
+void markUnjudged(GlazingReview& review) {
     for (CriterionResult& result : review.results) result.verdict = Verdict::notChecked;
     for (Verdict& verdict : review.formerVerdicts) verdict = Verdict::notChecked;
     review.verdict = review.formerVerdict = Verdict::notChecked;
@@ -307,7 +307,7 @@ GlazingReview reviewGlazing(const Rule& rule, const RuleSun& sun, const Reviewed
         review.results.back().verdict = review.formerVerdicts.back() = Verdict::notApplicable;
     }
     if (sun.sun.steps.empty()) {
-        leaveUnjudged(review);
+        markUnjudged(review);
         return review;
     }
     judge(rule, review);

@@ -171,9 +171,9 @@ GlazingOpening readOpening(RuleFields fields, const std::string& source) {
     return opening;
 }
 
-void readSweep(RuleFields fields, RuleGlazing& windows) {
-    windows.minSweepDeg = fields.numberOr("least_deg", 0, 89, 0);
-    windows.sweepOfOpening = fields.flagOr("wall_over_width", false);
+void readSweep(RuleFields fields, RuleGlazing& glazing) {
+    glazing.minSweepDeg = fields.numberOr("least_deg", 0, 89, 0);
+    glazing.sweepOfOpening = fields.flagOr("wall_over_width", false);
     fields.finish();
 }
 
@@ -268,7 +268,7 @@ void checkOfGlazing(RuleFields& fields, const Rule& rule) {
         if (!isOfSpots(criterion.measure) && !isOfGlazing(criterion.measure))
             fields.problem().add(path + ".measure", "A window has no area",
                                  "Give one of the spot's measures, share, vsc or apsh");
-        if (criterion.measure == Measure::skyComponent && rule.receivers.windows.unit != GlazingUnit::window)
+        if (criterion.measure == Measure::skyComponent && rule.receivers.glazing.unit != GlazingUnit::window)
             fields.problem().add(path + ".measure", "The sky component is of single windows",
                                  "Omit receivers.unit");
     }
@@ -277,12 +277,12 @@ void checkOfGlazing(RuleFields& fields, const Rule& rule) {
 }  // namespace
 
 RuleGlazing readRuleGlazing(RuleFields& receivers, const std::string& ruleSource) {
-    RuleGlazing windows;
-    windows.point = readGlazingPoint(receivers.object("point"));
-    windows.opening = readOpening(receivers.object("opening"), ruleSource);
-    if (receivers.has("sweep")) readSweep(receivers.object("sweep"), windows);
-    windows.unit = receivers.nameOr("unit", unitNames(), GlazingUnit::window);
-    return windows;
+    RuleGlazing glazing;
+    glazing.point = readGlazingPoint(receivers.object("point"));
+    glazing.opening = readOpening(receivers.object("opening"), ruleSource);
+    if (receivers.has("sweep")) readSweep(receivers.object("sweep"), glazing);
+    glazing.unit = receivers.nameOr("unit", unitNames(), GlazingUnit::window);
+    return glazing;
 }
 
 void readGlazingVerdicts(RuleFields& fields, Rule& rule) {

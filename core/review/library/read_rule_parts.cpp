@@ -212,7 +212,7 @@ RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource) {
     if (fields.has("road_shift") && !receivers.hasLines())
         fields.addProblem("road_shift", "The field needs lines_m");
     receivers.roads = readRoadShift(fields);
-    if (receivers.surface == RuleSurface::windows) receivers.windows = readRuleGlazing(fields, ruleSource);
+    if (receivers.surface == RuleSurface::windows) receivers.glazing = readRuleGlazing(fields, ruleSource);
     receivers.evidence = readEvidence(fields, ruleSource);
     fields.finish();
     return receivers;

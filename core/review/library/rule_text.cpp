@@ -50,17 +50,17 @@ std::string clockText(const RuleClock& clock) {
     return text;
 }
 
-std::string glazingText(const RuleGlazing& windows) {
-    const GlazingPoint& point = windows.point;
+std::string glazingText(const RuleGlazing& glazing) {
+    const GlazingPoint& point = glazing.point;
     std::string text = fmt::format(", {}, {} face", ruleNameOf(panePlaceNames(), point.place),
                                    ruleNameOf(faceNames(), point.insideFace));
     if (point.aboveSillM > 0) text += fmt::format(", {:g} m above the sill", point.aboveSillM);
     if (point.aboveFloorM > 0) text += fmt::format(", {:g} m above the floor", point.aboveFloorM);
-    if (windows.minSweepDeg > 0)
-        text += fmt::format(", sun at least {:g} deg from the pane", windows.minSweepDeg);
-    if (windows.sweepOfOpening) text += ", sun at least arctan(wall / width) from the pane";
-    text += fmt::format("; by {}", ruleNameOf(unitNames(), windows.unit));
-    const GlazingOpening& opening = windows.opening;
+    if (glazing.minSweepDeg > 0)
+        text += fmt::format(", sun at least {:g} deg from the pane", glazing.minSweepDeg);
+    if (glazing.sweepOfOpening) text += ", sun at least arctan(wall / width) from the pane";
+    text += fmt::format("; by {}", ruleNameOf(unitNames(), glazing.unit));
+    const GlazingOpening& opening = glazing.opening;
     return text + fmt::format("; sill {:g} m, wall {:g} m, windows without a size {:g} x {:g} m {}",
                               opening.sillM, opening.wallM, opening.widthM, opening.heightM,
                               statusText(opening.evidence));
@@ -68,7 +68,7 @@ std::string glazingText(const RuleGlazing& windows) {
 
 std::string receiversText(const RuleReceivers& receivers) {
     std::string text{ruleNameOf(surfaceNames(), receivers.surface)};
-    if (receivers.surface == RuleSurface::windows) return text + glazingText(receivers.windows);
+    if (receivers.surface == RuleSurface::windows) return text + glazingText(receivers.glazing);
     if (receivers.surface == RuleSurface::plane)
         text += fmt::format(" {:g} m above mean ground", receivers.planeM);
     if (receivers.hasLines())

@@ -157,20 +157,20 @@ PlaceReview PlaceEvaluation::finish() const {
 
 void PlaceEvaluation::judge(PlaceReview& review) const {
     // A criterion about nothing that was measured would hold.
-    const auto leaveUnjudged = [&](Verdict verdict, std::string reason) {
+    const auto markUnjudged = [&](Verdict verdict, std::string reason) {
         for (CriterionResult& result : review.results) result.verdict = verdict;
         review.verdict = verdict;
         review.unjudged = std::move(reason);
     };
     if (!covers(*rule_, review.kind))
-        return leaveUnjudged(
+        return markUnjudged(
             Verdict::notApplicable,
             fmt::format("The rule does not cover places of the kind '{}'", nameOf(review.kind)));
     if (rule_->receivers.surface == RuleSurface::windows)
-        return leaveUnjudged(Verdict::notApplicable, "The rule is about windows, not about places");
+        return markUnjudged(Verdict::notApplicable, "The rule is about windows, not about places");
     if (review.areaM2 <= 0)
-        return leaveUnjudged(Verdict::notChecked, "The place has no cell where shadow is measured");
-    if (!sunWasUp_) return leaveUnjudged(Verdict::notChecked, std::string(noSunInHours));
+        return markUnjudged(Verdict::notChecked, "The place has no cell where shadow is measured");
+    if (!sunWasUp_) return markUnjudged(Verdict::notChecked, std::string(noSunInHours));
     for (std::size_t i = 0; i < review.results.size(); ++i) {
         if (!decides(review.criteria[i], review.results[i])) continue;
         if (review.deciding && review.results[i].verdict <= review.verdict) continue;

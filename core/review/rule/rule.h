@@ -91,7 +91,7 @@ struct RuleReceivers {
     double innerLineM = 0;           ///< lines at this distance from the parcel's line, 0 to 1000;
     double outerLineM = 0;           ///< 0: the rule has no lines
     std::optional<RoadShift> roads;  ///< of the parcel's line
-    RuleGlazing windows;             ///< of `windows`
+    RuleGlazing glazing;             ///< of `windows`
     Evidence evidence;
     [[nodiscard]] bool hasLines() const { return outerLineM > 0; }
 };

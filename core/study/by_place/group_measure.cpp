@@ -247,7 +247,7 @@ private:
     Result<void> sweepMonths() {
         CitySweeps sweeps(m_.off.empty() ? engineOf(0) : m_.engine, m_.cities, receivers_, m_.daylight,
                           m_.months);
-        for (const SampledOff& off : m_.off) sweeps.switchToCloser(off);
+        for (const SampledDeviation& off : m_.off) sweeps.switchToCloser(off);
         for (;;) {
             auto first = sweepFirst(sweeps);
             if (!first) return tl::make_unexpected(first.error());

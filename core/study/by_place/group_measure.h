@@ -47,7 +47,7 @@ public:
     [[nodiscard]] std::string_view chosenKey() const { return engine_.chosenKey(); }
 
     /// Goes on to a closer engine where a sample of the first city is off; false: it stands.
-    bool switchToCloser(const SampledOff& off) { return engine_.switchToCloser(off); }
+    bool switchToCloser(const SampledDeviation& off) { return engine_.switchToCloser(off); }
 
 private:
     // The receivers on which a city may differ from the first; none: all may.
@@ -84,7 +84,7 @@ struct Measuring {
     Stopwatch watch{};
     /// For the cells of all places, over the period and on each date. Small places are measured by the same.
     std::vector<ChosenEngine> chosen{};
-    std::vector<SampledOff> off{};         ///< samples after which the engine was changed for a closer one
+    std::vector<SampledDeviation> off{};   ///< samples after which the engine was changed for a closer one
     std::vector<ComparedSets> compared{};  ///< the period in the cities sampled so far
     std::vector<std::vector<double>> smallOff{};  ///< of each city: how far means of small places are off
     bool hasTrees = false;                        ///< some city has trees, and they are wanted

@@ -47,7 +47,7 @@ struct SunByPlaceSettings {
 const Fields<SunByPlaceSettings>& sunByPlaceFields();
 
 /// How places were chosen.
-struct PlacesAsked {
+struct PlaceSelection {
     std::vector<CommandOption> options;  ///< of the command by-place
     bool ofProject = false;              ///< only its project has them
 };
@@ -132,8 +132,8 @@ struct SunByPlace {
     City city;
     SunByPlaceSettings settings;
     std::vector<Place> places;
-    std::optional<PlacesAsked> asked;  ///< set by the caller, with the provenance
-    std::vector<SunOfPlace> sun;       ///< of each place, without trees
+    std::optional<PlaceSelection> asked;  ///< set by the caller, with the provenance
+    std::vector<SunOfPlace> sun;          ///< of each place, without trees
     /// As StudySettings::trees asks, evergreens first. Empty: no tree reaches a place in any of the cities.
     std::vector<SunWithTrees> withTrees;
     std::string treesHow;                            ///< how they were measured, in words
@@ -239,7 +239,7 @@ double computeBelowShare(const SunOfPlace& of, std::size_t date, double hours);
 /// None: its cells are not known, as of a saved one. O(cells), without a sweep.
 std::optional<SunOfCities> withEnough(const SunOfCities& sun, double hours);
 
-/// Whether both tell of the same shadow on the same cells: they differ at most in the hours that are enough.
+/// Whether both state the same shadow on the same cells: they differ at most in the hours that are enough.
 /// False where cells are not known. O(cells)
 bool haveSameShadow(const SunOfCities& one, const SunOfCities& other);
 

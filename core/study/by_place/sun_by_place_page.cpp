@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 #include "core/receivers/place_names.h"
 #include "core/study/by_place/sun_by_place.h"
@@ -11,11 +12,9 @@ namespace noonmark {
 
 namespace {
 
-constexpr double minutesOfHour = 60;
-
-Amount hoursOf(double hours) { return {hours * minutesOfHour, FigureUnit::hours}; }
+Amount hoursOf(double hours) { return {hours * minutesPerHour, FigureUnit::hours}; }
 Amount shadowOf(double sunHours, double possibleHours) {
-    return {(possibleHours - sunHours) * minutesOfHour, FigureUnit::minutes, 0};
+    return {(possibleHours - sunHours) * minutesPerHour, FigureUnit::minutes, 0};
 }
 Amount countOf(std::size_t count) { return {double(count), FigureUnit::none, 0}; }
 
@@ -164,7 +163,7 @@ Bars barsAsShown(Bars hours, const SunOfCities& sun, const SunOrShadow& as) {
 Bars changesInMinutes(const Bars& hours, std::string_view title) {
     Bars changes = changesOf(hours, title);
     for (Bars::Group& group : changes.groups)
-        for (double& value : group.values) value *= minutesOfHour;
+        for (double& value : group.values) value *= minutesPerHour;
     return changes;
 }
 
@@ -235,7 +234,7 @@ std::vector<Bars> chartsOf(const SunOfCities& sun, const SunOrShadow& as) {
 }
 
 double meanLossMin(const ComparedSun& compared) {
-    return -minutesOfHour *
+    return -minutesPerHour *
            meanOver(compared.sun, [&](std::size_t i) { return compared.changes[i].meanHours; });
 }
 
@@ -291,7 +290,7 @@ Sentence describeDate(const SunByPlace& sun, std::size_t place, std::size_t date
 
 Sentence describeChange(const ComparedSun& compared, std::size_t place, const SunOrShadow& as) {
     const SunChange& change = compared.changes[place];
-    const double lossMin = -minutesOfHour * change.meanHours;
+    const double lossMin = -minutesPerHour * change.meanHours;
     if (lossMin < 0)
         return {as.isSun() ? NM_TEXT("%1 gives it %2 of sun a day, at most %3 at one spot.")
                            : NM_TEXT("%1 spares it %2 of shadow a day, at most %3 at one spot."),
@@ -317,7 +316,7 @@ double possibleHoursOn(const SunByPlace& sun, const std::function<bool(const Civ
         ++days;
     }
     return days == 0 ? SunOfPlace::none
-                     : double(steps) * sun.daylight.stepMinutes / minutesOfHour / double(days);
+                     : double(steps) * sun.daylight.stepMinutes / minutesPerHour / double(days);
 }
 
 AnswerPage makePage(const SunOfCities& sun, ShownAs show) {

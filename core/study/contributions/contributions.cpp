@@ -6,6 +6,7 @@
 
 #include "core/base/csv_text.h"
 #include "core/describe/figure_text.h"
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 #include "core/receivers/place_names.h"
 #include "core/study/contributions/place_contributions.h"
@@ -16,8 +17,6 @@
 namespace noonmark {
 
 namespace {
-
-constexpr double minutesAnHour = 60;
 
 /// What turns sums over cells and days into means.
 struct CellDays {
@@ -44,8 +43,8 @@ CellDays sumUpBreakdown(const ShadowBreakdown& breakdown, std::size_t days) {
     return all;
 }
 
-double attributedM2h(const Contribution& one) { return one.attributedMinM2 / minutesAnHour; }
-double soleM2h(const Contribution& one) { return one.soleMinM2 / minutesAnHour; }
+double attributedM2h(const Contribution& one) { return one.attributedMinM2 / minutesPerHour; }
+double soleM2h(const Contribution& one) { return one.soleMinM2 / minutesPerHour; }
 
 // `first`: what is stated before the figures. A single month is the whole.
 std::vector<std::string> columnsOf(std::vector<std::string> first, const std::vector<std::string>& months) {
@@ -228,17 +227,17 @@ KeptContributions keepContributions(const PlaceContributions& of, double sunlitM
             .rows = of.rows};
 }
 
-std::vector<KeptContributions> withContributions(std::vector<KeptContributions> all, KeptContributions more) {
-    std::erase_if(all, [&](const KeptContributions& old) { return old.place == more.place; });
+std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more) {
+    std::erase_if(all, [&](const ContributionTable& old) { return old.place == more.place; });
     all.push_back(std::move(more));
     return all;
 }
 
-std::string withContributions(std::string json, const std::vector<KeptContributions>& all) {
+std::string withContributions(std::string json, const std::vector<ContributionTable>& all) {
     if (all.empty()) return json;
     Json answer = Json::parse(json);
     answer[keptKey] = Json::array();
-    for (const KeptContributions& of : all)
+    for (const ContributionTable& of : all)
         answer[keptKey].push_back({{"place", of.place},
                                    {"kind", of.kind},
                                    {"period", of.period},
@@ -250,8 +249,8 @@ std::string withContributions(std::string json, const std::vector<KeptContributi
     return toJsonText(answer);
 }
 
-std::vector<KeptContributions> parseContributions(const Json& answer) {
-    std::vector<KeptContributions> all;
+std::vector<ContributionTable> parseContributions(const Json& answer) {
+    std::vector<ContributionTable> all;
     for (const Json& of : answer.value(keptKey, Json::array()))
         all.push_back({.place = of.at("place"),
                        .kind = of.at("kind"),
@@ -271,7 +270,7 @@ std::string contributionsCsv(const std::vector<KeptContributions>& all, const Pr
         if (of.months.size() > months.size()) months = of.months;
     CsvText csv(columnsOf({"place", "kind", "period", "source_id", "name"}, months));
     const SourceValues source = sourceValues(provenance);
-    for (const KeptContributions& of : all)
+    for (const ContributionTable& of : all)
         for (const Contribution& row : of.rows) {
             csv.text(of.place).text(of.kind).text(of.period).text(row.id).text(row.name);
             addRow(csv, row, months.size(), source);

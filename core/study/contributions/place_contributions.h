@@ -49,12 +49,12 @@ struct KeptContributions {
     std::vector<std::string> months{};  ///< "2026-01"; those that rows have sums of
     std::vector<Contribution> rows;     ///< read back: without indices of buildings
 };
-KeptContributions keepContributions(const PlaceContributions& of, double sunlitMinutesPerDay);
+ContributionTable makeContributionTable(const PlaceContributions& of, double sunlitMinutesPerDay);
 /// Replaces an earlier one of the same place.
-std::vector<KeptContributions> withContributions(std::vector<KeptContributions> all, KeptContributions more);
+std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more);
 
 /// The JSON of an answer with a member `contributions_of_places`; without any it stays as it is.
-std::string withContributions(std::string json, const std::vector<KeptContributions>& all);
+std::string withContributions(std::string json, const std::vector<ContributionTable>& all);
 /// Of an answer's JSON; throws nlohmann's exceptions for JSON of another structure.
 std::vector<KeptContributions> parseContributions(const nlohmann::ordered_json& answer);
 /// Columns: place,kind,period,source_id,name, the figures, two for each month as of a study's, and the source

@@ -196,8 +196,8 @@ Result<void> measureElementError(ElementStudy& study, const std::optional<RaySce
 }
 
 // By rays where "auto" swept horizons and a sample shows them to be off.
-Result<void> goOnToRays(ElementStudy& study, const std::optional<RayScene>& scene, Progress& progress,
-                        const std::stop_token& stop) {
+Result<void> recomputeByRays(ElementStudy& study, const std::optional<RayScene>& scene, Progress& progress,
+                             const std::stop_token& stop) {
     if (study.settings.engine != "auto" || !study.error || study.error->gross.meanPct <= pointErrorTargetPct)
         return {};
     study.whyRays = fmt::format(
@@ -222,7 +222,7 @@ Result<ElementStudy> answerElements(const City& city, const StudySettings& setti
                           .and_then([&] { return makeScene(study, scene, stop); })
                           .and_then([&] { return measurePoints(study, scene, progress, stop); })
                           .and_then([&] { return measureElementError(study, scene, progress, stop); })
-                          .and_then([&] { return goOnToRays(study, scene, progress, stop); });
+                          .and_then([&] { return recomputeByRays(study, scene, progress, stop); });
     if (!done) return tl::make_unexpected(done.error());
     study.seconds["total"] = watch.seconds();
     return study;

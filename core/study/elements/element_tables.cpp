@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/csv_text.h"
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 #include "core/geo/frame.h"
 #include "core/measures/statistics.h"
@@ -112,14 +113,13 @@ ElementTable makeElementTable(const ElementStudy& study) {
 }
 
 LayerStyle makeStyle(const ColourScale& scale) {
-    constexpr double minutesOfHour = 60;
     const ShownAs as = scale.quantity.as;
     const char* column = as == ShownAs::sun     ? "sunlit_min"
                          : as == ShownAs::share ? "sunlit_pct"
                                                 : "gross_min";
     return {std::string(scale.quantity.title()),
             graduatedStyle(StyledShape::points, column,
-                           styleClasses(scale, as == ShownAs::sun ? minutesOfHour : 1))};
+                           styleClasses(scale, as == ShownAs::sun ? minutesPerHour : 1))};
 }
 
 std::string toCsv(const ElementTable& table) {

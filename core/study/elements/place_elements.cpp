@@ -195,7 +195,7 @@ Result<PlacedElements> placeAll(const City& city, const StudySettings& settings,
 }
 
 // Of facades and windows those that the settings take.
-void keepTaken(const City& city, const ElementSettings& elements, PlacedElements& placed) {
+void keepChosen(const City& city, const ElementSettings& elements, PlacedElements& placed) {
     const bool onWalls =
         elements.places == ElementPlaces::facades || elements.places == ElementPlaces::windows;
     if (!onWalls || elements.faces.takesAll()) return;
@@ -245,7 +245,7 @@ Result<PlacedElements> placeElements(const City& city, const StudySettings& sett
     if (const auto ok = checkFaces(elements); !ok) return tl::make_unexpected(ok.error());
     auto placed = placeAll(city, settings, elements, progress, stop);
     if (!placed) return placed;
-    keepTaken(city, elements, *placed);
+    keepChosen(city, elements, *placed);
     if (placed->receivers.size() == 0) return noPoints(settings.region, elements, placed->warnings);
     return placed;
 }

@@ -84,7 +84,7 @@ void lightToo(ShadedSteps& shaded, const ShadedSteps& other) {
 /// The sun of one window: of both ends of a sill, where both are lit.
 GlazingSunlight measureWindow(const GlazingScene& scene, std::uint32_t window) {
     const SurfacePoints& points = scene.placed.receivers.points;
-    const RuleGlazing& rule = scene.rule.receivers.windows;
+    const RuleGlazing& rule = scene.rule.receivers.glazing;
     const SkyPoint middle{points.positions[window], points.normals[window]};
     const std::uint32_t building = scene.placed.receivers.elements[window].building;
     const SunSteps& sun = scene.days.sun;
@@ -109,7 +109,7 @@ void measureSky(const GlazingScene& scene, std::uint32_t window, GlazingSunlight
     const SurfacePoints& points = scene.placed.receivers.points;
     const SkyPoint middle{points.positions[window], points.normals[window]};
     const auto point =
-        placePanePoints(scene.rule.receivers.windows, middle, scene.paneOf(window)).front().point;
+        placePanePoints(scene.rule.receivers.glazing, middle, scene.paneOf(window)).front().point;
     light.skyComponentPct = computeSkyFactors(Skyline::at(point, *scene.sky)).skyComponentPct;
     light.formerSkyComponentPct =
         scene.formerSky && light.before
@@ -130,7 +130,7 @@ GlazingSunlight measureGroup(const GlazingScene& scene, const GlazingGroup& grou
 }
 
 std::string nameOfUnit(const Rule& rule, const PlacedElements& placed, std::uint32_t window) {
-    const GlazingUnit unit = rule.receivers.windows.unit;
+    const GlazingUnit unit = rule.receivers.glazing.unit;
     if (placed.facts.empty() || unit == GlazingUnit::window) return {};
     return unit == GlazingUnit::room ? placed.facts[window].room : placed.facts[window].dwelling;
 }
@@ -177,14 +177,14 @@ bool needsSky(const Rule& rule) {
 
 /// Facades carry a window of the rule's sizes in each bay.
 ElementSettings withOpenings(const Rule& rule, ElementSettings elements) {
-    const GlazingOpening& opening = rule.receivers.windows.opening;
+    const GlazingOpening& opening = rule.receivers.glazing.opening;
     FacadeSettings& facades = elements.facades;
     facades.aboveFloorM = std::min(facades.storeyM, opening.sillM + opening.heightM / 2);
     return elements;
 }
 
 Rule withinBays(Rule rule, const ElementSettings& elements) {
-    double& width = rule.receivers.windows.opening.widthM;
+    double& width = rule.receivers.glazing.opening.widthM;
     if (elements.places == ElementPlaces::facades) width = std::min(width, elements.facades.bayM);
     return rule;
 }

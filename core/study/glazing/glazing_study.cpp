@@ -27,7 +27,7 @@ void addAssumptions(const GlazingStudy& study, const PlacedElements& placed, War
     const auto unknown =
         std::ranges::count_if(placed.facts, [](const GlazingFacts& facts) { return !facts.pane.isKnown(); });
     if (unknown == 0) return;
-    const GlazingOpening& opening = study.rule.receivers.windows.opening;
+    const GlazingOpening& opening = study.rule.receivers.glazing.opening;
     warnings.push_back({WarningKind::assumed,
                         fmt::format("the size of the window is not stated; {:g} x {:g} m was taken",
                                     opening.widthM, opening.heightM),
@@ -50,7 +50,7 @@ void addPanes(const GlazingScene& scene, GlazingStudy& study) {
         for (const std::uint32_t window : scene.groups[unit])
             study.panes.push_back({{glm::dvec3(receivers.points.positions[window]),
                                     glm::dvec3(receivers.points.normals[window]),
-                                    sizeOrOpening(scene.rule.receivers.windows, scene.paneOf(window))},
+                                    sizeOrOpening(scene.rule.receivers.glazing, scene.paneOf(window))},
                                    unit,
                                    receivers.elements[window].building});
 }

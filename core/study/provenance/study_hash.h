@@ -28,7 +28,9 @@ std::string hashQuestion(const StudySettings& settings);
 struct QuestionHashes {
     std::string current;   ///< hashQuestion()
     std::string version1;  ///< without a number, in results saved before there were two ways
-    [[nodiscard]] bool hold(const std::string& saved) const { return saved == current || saved == version1; }
+    [[nodiscard]] bool matches(const std::string& saved) const {
+        return saved == current || saved == version1;
+    }
 };
 QuestionHashes listHashes(const StudySettings& settings);
 

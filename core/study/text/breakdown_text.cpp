@@ -7,6 +7,7 @@
 
 #include "core/base/csv_text.h"
 #include "core/describe/figure_text.h"
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 #include "core/study/provenance/provenance_texts.h"
 
@@ -14,7 +15,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr double minutesOfHour = 60;
 constexpr std::string_view monthTitle = NM_TEXT("Hours of sun a day by month");
 
 struct MonthDays {
@@ -77,7 +77,7 @@ Bars makeMonthBars(const std::vector<MonthShadow>& months, CivilDate start, int 
         countDays(start, days);  // as many as sets (monthsOf in step_sets.h)
     for (std::size_t i = 0; i < std::min(counted.size(), months.size()); ++i) {
         const double sunMin = months[i].sunlitMinutes - months[i].meanMinutes;
-        bars.groups.push_back({counted[i].month, {sunMin / minutesOfHour / counted[i].days}, BarTone::sun});
+        bars.groups.push_back({counted[i].month, {sunMin / minutesPerHour / counted[i].days}, BarTone::sun});
     }
     return bars;
 }

@@ -67,10 +67,10 @@ Result<ShadowField> ShadowMeasure::accumulate(TileResult& result, EngineInUse& e
 
 // A tile has few cells of the sample of the whole grid. Where these would change the engine, a sample of the
 // tile's own decides.
-Result<SampledOff> ShadowMeasure::findOff(const TileResult& result, const EngineInUse& engine,
-                                          const Receivers& receivers, const ShadowField& field,
-                                          Progress& progress, const std::stop_token& stop) const {
-    const SampledOff few = errorOf(result.compared, field.sunlitMinutesPerDay, 0).grossOff();
+Result<SampledDeviation> ShadowMeasure::findOff(const TileResult& result, const EngineInUse& engine,
+                                                const Receivers& receivers, const ShadowField& field,
+                                                Progress& progress, const std::stop_token& stop) const {
+    const SampledDeviation few = errorOf(result.compared, field.sunlitMinutesPerDay, 0).grossOff();
     if (!engine.wouldSwitch(few)) return few;
     const ErrorSampleSettings& sample = question_.settings.errorSample;
     const auto cells =

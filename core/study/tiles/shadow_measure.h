@@ -21,9 +21,9 @@ private:
     Result<TileAnswer> computed(const Receivers& receivers, Progress& progress, const std::stop_token& stop);
     Result<ShadowField> accumulate(TileResult& result, EngineInUse& engine, const Receivers& receivers,
                                    Progress& progress, const std::stop_token& stop);
-    Result<SampledOff> findOff(const TileResult& result, const EngineInUse& engine,
-                               const Receivers& receivers, const ShadowField& field, Progress& progress,
-                               const std::stop_token& stop) const;
+    Result<SampledDeviation> findOff(const TileResult& result, const EngineInUse& engine,
+                                     const Receivers& receivers, const ShadowField& field, Progress& progress,
+                                     const std::stop_token& stop) const;
     Result<void> addMonths(TileAnswer& answer, const EngineInUse& engine, Progress& progress,
                            const std::stop_token& stop) const;
     Result<void> compare(TileResult& result, const Receivers& receivers, const ShadowField& field,

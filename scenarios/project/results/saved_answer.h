@@ -82,7 +82,7 @@ struct SavedSunByPlace {
 struct SavedAnswer {
     SavedOrigin origin;
     std::any content;  ///< of the type that its kind gives: SavedStudy, SavedImpact...
-    std::vector<KeptContributions> ofPlaces{};  ///< what buildings take from single places
+    std::vector<ContributionTable> ofPlaces{};  ///< what buildings take from single places
 };
 
 /// Its origin alone, without its maps. Error: the settings are not those of a result.

@@ -61,7 +61,7 @@ TEST(PendingFile, WritesThroughNoLinkThatWaitsForIt) {
 [[noreturn]] void endWithoutDestructors(const std::filesystem::path& folder) {
     const PendingFile first(folder / "a"), second(folder / "b");
     std::ofstream(first.path()) << "begun";
-    PrivateFolder::removeAllForGood();
+    PrivateFolder::removeAllAndStop();
     const PendingFile late(folder / "c");
     std::cerr << std::distance(std::filesystem::directory_iterator(folder), {}) << " left";
     std::_Exit(writeText(folder / "d", "late") ? 1 : 0);

@@ -118,7 +118,7 @@ TEST(AutoEngine, LooksAtPartsThatHangInReachOnly) {
 TEST(AutoEngine, GoesOnToAnExactEngineWhereASampleMissesTheTarget) {
     const City level = oneTower(), hills = onTerrain();
     const SunSteps sun = evenDays(150, 480);
-    const auto closerThan = [&](const City& city, const Receivers& receivers, SampledOff off) {
+    const auto closerThan = [&](const City& city, const Receivers& receivers, SampledDeviation off) {
         const City* const cities[]{&city};
         const auto used = AutoEngine().choose(cities, receivers, sun);
         EXPECT_EQ(used->key, "horizon");
@@ -144,7 +144,7 @@ TEST(AutoEngine, GoesOnFromNoExactEngineAndFromNoBinsThatWereSet) {
     const City* const cities[]{&city};
     const Receivers receivers = receiversOver(city, 30, -200, 32, 200);
     const SunSteps sun = evenDays(150, 480);
-    const SampledOff far{3, 0.1};
+    const SampledDeviation far{3, 0.1};
     const EngineChoice exact{"projected", nullptr, ""}, sweep{"horizon", nullptr, ""};
     EXPECT_FALSE(AutoEngine().chooseCloser(exact, far, cities, receivers, sun));
     EXPECT_TRUE(AutoEngine().chooseCloser(sweep, far, cities, receivers, sun));

@@ -45,7 +45,7 @@ TEST(PlaceNames, AreCleanedOfControlCharactersAndBrokenBytes) {
 TEST(PlaceNames, BecomeUniqueAndTheUnnamedAreNamedByKindAndSource) {
     std::vector<Place> places{squarePlace("Garden", 0), squarePlace("Garden", 20),
                               squarePlace("Garden (2)", 40), squarePlace("", 60)};
-    nameApart(places);
+    makeNamesUnique(places);
     EXPECT_EQ(places[0].name, "Garden");
     EXPECT_EQ(places[1].name, "Garden (3)");
     EXPECT_EQ(places[2].name, "Garden (2)");

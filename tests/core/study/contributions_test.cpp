@@ -203,9 +203,9 @@ TEST(PlaceContributions, ACellOnTheEdgeOfAMeasuredPlaceCountsByItsShare) {
 TEST(PlaceContributions, KeptOnesComeBackFromTheJsonOfTheirAnswer) {
     const Study study = studied(twoTowers(), atNoon("horizon"));
     const auto keptOf = [&](const char* name) {
-        return keepContributions(attributed(study, square(name, 0, 52, 20, 92)), 120);
+        return makeContributionTable(attributed(study, square(name, 0, 52, 20, 92)), 120);
     };
-    std::vector<KeptContributions> all = withContributions({}, keptOf("Yard"));
+    std::vector<ContributionTable> all = withContributions({}, keptOf("Yard"));
     all = withContributions(all, keptOf("Lawn"));
     all = withContributions(all, keptOf("Yard"));
     ASSERT_EQ(all.size(), 2U) << "once each";

@@ -95,11 +95,11 @@ TEST(QuestionHash, OfAnEarlierVersionStaysCurrent) {
     settings.region.polygons.push_back({{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {}});
     const QuestionHashes hashes = listHashes(settings);
     EXPECT_EQ(hashes.version1, "f899ea8fcb3f0b17eba2ea3f53a2946e15abe65bd3802579336075006bd390fd");
-    EXPECT_TRUE(hashes.hold(hashes.version1));
-    EXPECT_TRUE(hashes.hold(hashQuestion(settings)));
+    EXPECT_TRUE(hashes.matches(hashes.version1));
+    EXPECT_TRUE(hashes.matches(hashQuestion(settings)));
     settings.temperatureC = 11;
-    EXPECT_FALSE(listHashes(settings).hold(hashes.version1));
-    EXPECT_FALSE(listHashes(settings).hold(hashes.current));
+    EXPECT_FALSE(listHashes(settings).matches(hashes.version1));
+    EXPECT_FALSE(listHashes(settings).matches(hashes.current));
     EXPECT_TRUE(hashes.current.starts_with("2:"));
 }
 

@@ -91,7 +91,7 @@ SunOfCities twoPlaces() {
     for (SunOfPlace& of : sun.sun) of.meanHours = of.minHours = of.maxHours = of.areaM2 = 1;
     sun.sun[1].remarks = {PlaceRemark::onWater};
     sun.partOf.resize(2);
-    sun.asked = PlacesAsked{{{"--kind", {"park"}}}, true};
+    sun.asked = PlaceSelection{{{"--kind", {"park"}}}, true};
     sun.provenance.project = ProjectRecord{"town.noonmark.gpkg", "hash", {}, {}, {}};
     sun.seconds = {{"total", 1}, {"forecast", 1}};
     return {sun, {}};

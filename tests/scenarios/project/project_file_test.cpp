@@ -222,7 +222,7 @@ TEST_F(ProjectFileTest, AReadOnlyFileIsReadAndNotSaved) {
 TEST_F(ProjectFileTest, AFileThatIsThereIsReplacedOnlyWhenAsked) {
     made();
     EXPECT_THAT(ProjectFile::create(file(), {}).error().text(), HasSubstr("already"));
-    EXPECT_TRUE(ProjectFile::create(file(), {}, ProjectFile::IfThere::replace));
+    EXPECT_TRUE(ProjectFile::create(file(), {}, ProjectFile::IfExists::replace));
     EXPECT_TRUE(opened().city->buildings.empty());
 }
 

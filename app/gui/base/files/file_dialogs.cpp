@@ -3,7 +3,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QObject>
+#include <QUrl>
 #include <algorithm>
 
 #include "core/io/files/check_output.h"
@@ -181,7 +183,14 @@ QString askForFolder(QWidget* parent, const QString& title) {
     return QFileDialog::getExistingDirectory(parent, title);
 }
 
-QStringList filesInTheWay(const QString& folder, const std::vector<std::string>& files) {
+QStringList listDroppedFiles(const QMimeData& dropped) {
+    QStringList files;
+    for (const QUrl& url : dropped.urls())
+        if (url.isLocalFile()) files << url.toLocalFile();
+    return files;
+}
+
+QStringList listExistingFiles(const QString& folder, const std::vector<std::string>& files) {
     QStringList there;
     for (const std::string& name : findExistingOutputs(folder.toStdString(), files))
         there << QString::fromStdString(name);

@@ -7,6 +7,7 @@
 
 #include "core/io/formats/format.h"
 
+class QMimeData;
 class QWidget;
 
 namespace noonmark {
@@ -46,8 +47,11 @@ QString askForMovie(QWidget* parent, const QString& suggested);  ///< .mp4 or .g
 QString askForLogo(QWidget* parent);
 QString askForFolder(QWidget* parent, const QString& title);
 
+/// The local files that are dropped; empty: none.
+QStringList listDroppedFiles(const QMimeData& dropped);
+
 /// The names of those of the files that exist in the folder already.
-QStringList filesInTheWay(const QString& folder, const std::vector<std::string>& files);
+QStringList listExistingFiles(const QString& folder, const std::vector<std::string>& files);
 /// Asks whether existing files in a folder may be replaced; true if there are none.
 bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files);
 

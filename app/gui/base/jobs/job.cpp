@@ -117,15 +117,15 @@ Job::~Job() {
 
 void Job::cancel() { thread_.request_stop(); }
 
-void Job::leave(std::unique_ptr<Job> job, QObject& keeper) {
+void Job::abandon(std::unique_ptr<Job> job, QObject& keeper) {
     job->cancel();
     job->disconnect();
-    job->left_ = true;
+    job->abandoned_ = true;
     job.release()->setParent(&keeper);
 }
 
 void Job::deliver(const Deliver& result) {
-    if (left_) return deleteLater();
+    if (abandoned_) return deleteLater();
     result();  // may destroy this job
 }
 

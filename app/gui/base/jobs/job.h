@@ -43,7 +43,7 @@ public:
 
     /// Cancels without waiting: nothing is reported or delivered any more. The job deletes itself when its
     /// work ends, or earlier together with `keeper`.
-    static void leave(std::unique_ptr<Job> job, QObject& keeper);
+    static void abandon(std::unique_ptr<Job> job, QObject& keeper);
 
 Q_SIGNALS:
     void progressed(double fraction, QString stage);
@@ -54,7 +54,7 @@ private:
     class Reporter;
     void deliver(const Deliver& result);
 
-    bool left_ = false;
+    bool abandoned_ = false;
     std::unique_ptr<Reporter> reporter_;
     std::jthread thread_;
 };
@@ -62,8 +62,8 @@ private:
 /// Turns an exception thrown by the work (such as out of memory) into an Error: on a thread it would end the
 /// program.
 template <class T>
-Result<T> tried(const std::function<Result<T>(Progress&, std::stop_token)>& work, Progress& progress,
-                std::stop_token stop) try {
+Result<T> runGuarded(const std::function<Result<T>(Progress&, std::stop_token)>& work, Progress& progress,
+                     std::stop_token stop) try {
     return work(progress, std::move(stop));
 } catch (const std::exception& exception) {
     return failure(std::string("This could not be done (") + exception.what() + ")", {},
@@ -76,7 +76,7 @@ std::unique_ptr<Job> runJob(std::function<Result<T>(Progress&, std::stop_token)>
                             std::function<void(Result<T>)> done) {
     return std::make_unique<Job>([work = std::move(work), done = std::move(done)](
                                      Progress& progress, std::stop_token stop) -> Job::Deliver {
-        auto result = std::make_shared<Result<T>>(tried<T>(work, progress, std::move(stop)));
+        auto result = std::make_shared<Result<T>>(runGuarded<T>(work, progress, std::move(stop)));
         return [result, done] { done(std::move(*result)); };
     });
 }
@@ -95,7 +95,7 @@ public:
     template <class T>
     void start(const QString& what, std::function<Result<T>(Progress&, std::stop_token)> work,
                std::function<void(Result<T>)> done) {
-        leave();
+        abandon();
         job_ = runJob<T>(std::move(work), [this, done = std::move(done)](Result<T> result) {
             end();
             done(std::move(result));
@@ -110,7 +110,7 @@ public:
     /// Cancels the job, if any, and discards its result.
     void drop() {
         if (!job_) return;
-        leave();
+        abandon();
         Q_EMIT ended();
     }
 
@@ -119,8 +119,8 @@ Q_SIGNALS:
     void ended();
 
 private:
-    void leave() {
-        if (job_) Job::leave(std::move(job_), *this);
+    void abandon() {
+        if (job_) Job::abandon(std::move(job_), *this);
     }
 
     // The job is calling this slot: it is deleted after it has returned.

@@ -125,8 +125,7 @@ constexpr double maxPixels = 2048;  // a side
 constexpr double minPixelM = 0.5;
 
 Grid gridOver(const std::vector<Place>& places) {
-    Box2 box;
-    for (const Place& place : places) box.add(bounds(place));
+    const Box2 box = bounds(places);
     if (box.empty()) return {};
     const glm::dvec2 size = glm::dvec2(box.high) - glm::dvec2(box.low);
     const double cellM = std::max(minPixelM, std::max(size.x, size.y) / maxPixels);

@@ -19,7 +19,7 @@
 
 namespace noonmark {
 
-/// Coloured tiles that the view shows instead of a result, with their legend and what is told of each.
+/// Coloured tiles that the view shows instead of a result, with their legend and the text about each.
 struct TileView {
     std::vector<ElementTiles::Tile> tiles;
     Legend legend;  ///< in English, as files have it
@@ -78,7 +78,7 @@ private:
     std::vector<std::uint32_t> numbers_;  ///< of each pixel: 0 without a place, else its index + 1
 };
 
-/// Coloured places that the view shows instead of a result, with their legend and what is told of a point.
+/// Coloured places that the view shows instead of a result, with their legend and the text about a point.
 struct PlaceView {
     GroundPicture picture;
     Legend legend;

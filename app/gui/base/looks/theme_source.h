@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-/// Tells which theme the desktop prefers.
+/// States which theme the desktop prefers.
 class ThemeSource : public QObject {
     Q_OBJECT
 public:

@@ -18,6 +18,22 @@ QPushButton* pushButton(const QString& text, const char* name, const QString& ti
     return button;
 }
 
+QWidget* widgetRow(std::initializer_list<QWidget*> widgets, int stretch) {
+    auto* row = new QWidget;
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* widget : widgets) line->addWidget(widget, widget == *widgets.begin() ? stretch : 0);
+    return row;
+}
+
+QLabel* wrappedLabel(const char* name) {
+    auto* label = new QLabel;
+    label->setObjectName(QString::fromLatin1(name));
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
 namespace {
 
 constexpr int cornerPx = 8;

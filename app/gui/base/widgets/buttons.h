@@ -4,11 +4,12 @@
 #include <QAction>
 #include <QString>
 #include <QWidget>
+#include <initializer_list>
 
 #include "app/gui/base/looks/theme.h"
 
-class QPushButton;
 class QLabel;
+class QPushButton;
 class QToolButton;
 
 namespace noonmark {
@@ -27,6 +28,12 @@ inline QAction* makeAction(QObject* owner, const QString& text, const QKeySequen
 
 /// A button with text and tooltip; tests and style sheets identify it by `name`.
 QPushButton* pushButton(const QString& text, const char* name, const QString& tip);
+
+/// Widgets side by side, without margins. `stretch`: of the first one, as QBoxLayout has it.
+QWidget* widgetRow(std::initializer_list<QWidget*> widgets, int stretch = 0);
+
+/// A label that wraps, whose text can be selected.
+QLabel* wrappedLabel(const char* name);
 
 /// A button as a card: a picture, a title and a line about it, which wrap so that nothing is cut in any
 /// language. Space and Enter press it.

@@ -153,7 +153,7 @@ QWidget* makeWidget(const Field& field) {
     }
 }
 
-// 24:00 ends a day, and a field of the window begins it.
+// 24:00 ends a day, and a field of the hours begins it.
 QTime timeIn(const QString& text) {
     return text.startsWith(QStringLiteral("24:")) ? QTime(0, 0)
                                                   : QTime::fromString(text, QStringLiteral("HH:mm"));

@@ -99,7 +99,7 @@ void MessageBar::offer(const QString& remedy, std::function<void()> done) {
     offer(remedy_, remedy, std::move(done));
 }
 
-void MessageBar::offerToo(const QString& remedy, std::function<void()> done) {
+void MessageBar::offerSecond(const QString& remedy, std::function<void()> done) {
     offer(other_, remedy, std::move(done));
 }
 

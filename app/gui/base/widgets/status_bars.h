@@ -31,7 +31,7 @@ public:
     /// Adds a button to the current message; clicking it hides the message and calls `done`.
     void offer(const QString& remedy, std::function<void()> done);
     /// Adds a second button; likewise.
-    void offerToo(const QString& remedy, std::function<void()> done);
+    void offerSecond(const QString& remedy, std::function<void()> done);
     void dismiss();                      ///< hides the message unless it offers something
     [[nodiscard]] QString text() const;  ///< all lines; empty: no message
 

@@ -49,14 +49,15 @@ ContributionLinks::ContributionLinks(ContributionsDock& dock, Workbench& workben
 void ContributionLinks::connectDock() {
     dock_.progress().follow(working_);
     connect(&dock_, &ContributionsDock::subjectChosen, this, &ContributionLinks::choose);
-    connect(&dock_, &ContributionsDock::attributionWanted, this, &ContributionLinks::attribute);
+    connect(&dock_, &ContributionsDock::attributionRequested, this, &ContributionLinks::attribute);
     connect(&dock_, &ContributionsDock::coloursChanged, this, &ContributionLinks::colour);
     connect(&dock_, &ContributionsDock::shownChanged, this, &ContributionLinks::colour);
-    connect(&dock_, &ContributionsDock::pointedAt, this, [this](const std::shared_ptr<const Building>& one) {
-        const auto index = indexOf(*one);
-        if (index && tools_.building().selected() != index) tools_.building().select(index);
-    });
-    connect(&dock_, &ContributionsDock::wanted, this,
+    connect(&dock_, &ContributionsDock::highlighted, this,
+            [this](const std::shared_ptr<const Building>& one) {
+                const auto index = indexOf(*one);
+                if (index && tools_.building().selected() != index) tools_.building().select(index);
+            });
+    connect(&dock_, &ContributionsDock::goToRequested, this,
             [this](const std::shared_ptr<const Building>& one) { goTo(*one); });
 }
 
@@ -81,7 +82,7 @@ void ContributionLinks::follow() {
         study_ = study;
         known_.clear();
         working_.drop();
-        if (study_ && study_->settings.contributions) Q_EMIT wanted();
+        if (study_ && study_->settings.contributions) Q_EMIT dockRequested();
     }
     if (!dock_.subject().empty() && !subject()) dock_.setSubject({});  // it is gone, or of another project
     refresh();
@@ -100,10 +101,10 @@ std::optional<std::size_t> ContributionLinks::placeOfSun() const {
     return at == all.end() ? std::nullopt : std::optional(std::size_t(at - all.begin()));
 }
 
-const KeptContributions* ContributionLinks::kept() const {
+const ContributionTable* ContributionLinks::savedTable() const {
     if (!workbench_.answer() || dock_.subject().empty()) return nullptr;
     const auto& all = workbench_.answer()->ofPlaces();
-    const auto at = std::ranges::find(all, dock_.subject(), &KeptContributions::place);
+    const auto at = std::ranges::find(all, dock_.subject(), &ContributionTable::place);
     return at == all.end() ? nullptr : &*at;
 }
 
@@ -137,7 +138,7 @@ ShownAs ContributionLinks::shownAs() const {
 }
 
 void ContributionLinks::showSun() {
-    if (const KeptContributions* known = kept(); known != nullptr && workbench_.city())
+    if (const ContributionTable* known = savedTable(); known != nullptr && workbench_.city())
         return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), shownAs()));
     if (placeOfSun())
         return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
@@ -148,7 +149,7 @@ void ContributionLinks::showSun() {
 
 void ContributionLinks::showStudy(const Study& study) {
     if (const auto answer = shown()) return dock_.show(makeContributionSheet(study, *answer, shownAs()));
-    if (const KeptContributions* known = kept())
+    if (const ContributionTable* known = savedTable())
         return dock_.show(makeContributionSheet(*known, study.city, shownAs()));
     if (!dock_.subject().empty())
         return dock_.explain(tr("What the buildings take from this place has not been computed yet."), true);
@@ -163,7 +164,7 @@ void ContributionLinks::showStudy(const Study& study) {
 
 // What a place gets is computed from a study, which the project file does not hold.
 void ContributionLinks::showSaved(const SavedContent& saved) {
-    if (const KeptContributions* known = kept(); known != nullptr && workbench_.city())
+    if (const ContributionTable* known = savedTable(); known != nullptr && workbench_.city())
         return dock_.show(makeContributionSheet(*known, workbench_.city()->city(), shownAs()));
     const auto* study = saved.as<SavedStudy>();
     if (study && study->contributions && dock_.subject().empty() && workbench_.city())
@@ -185,7 +186,7 @@ void ContributionLinks::choose(const std::string& place) {
     working_.drop();
     refresh();
     const bool other = workbench_.answerAs<ImpactAnswer>() || workbench_.answerAs<SavedContent>();
-    if (other || place.empty() || kept() != nullptr) return;
+    if (other || place.empty() || savedTable() != nullptr) return;
     if (sun() ? placeOfSun().has_value() : study_ && !shown()) attribute();
 }
 
@@ -200,7 +201,8 @@ void ContributionLinks::attributeSun(std::size_t place) {
             if (!sun() || !haveSameShadow(*places, *sun())) return;
             if (!made)
                 return isCancelled(made.error()) ? refresh() : dock_.explain(describeError(made.error()));
-            workbench_.keepWithAnswer(keepContributions(*made, places->baseline.field.sunlitMinutesPerDay));
+            workbench_.attachToAnswer(
+                makeContributionTable(*made, places->baseline.field.sunlitMinutesPerDay));
         });
 }
 
@@ -223,7 +225,7 @@ void ContributionLinks::take(const std::string& place, Result<PlaceContributions
     if (!made) return isCancelled(made.error()) ? refresh() : dock_.explain(describeError(made.error()));
     known_[place] = std::make_shared<const PlaceContributions>(*std::move(made));
     if (!place.empty() && workbench_.answerAs<Study>() == study_)
-        workbench_.keepWithAnswer(keepContributions(*known_[place], study_->field.sunlitMinutesPerDay));
+        workbench_.attachToAnswer(makeContributionTable(*known_[place], study_->field.sunlitMinutesPerDay));
     refresh();
 }
 

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] JobSlot& working() { return working_; }
 
 Q_SIGNALS:
-    void wanted();  ///< a study with contributions has arrived: the dock should be visible
+    void dockRequested();  ///< a study with contributions has arrived: the dock should be visible
 
 private:
     void connectDock();
@@ -52,7 +52,7 @@ private:
     [[nodiscard]] ShownAs shownAs() const;
     [[nodiscard]] std::shared_ptr<const SunOfCities> sun() const;
     [[nodiscard]] std::optional<std::size_t> placeOfSun() const;
-    [[nodiscard]] const KeptContributions* kept() const;
+    [[nodiscard]] const ContributionTable* savedTable() const;
     [[nodiscard]] std::optional<Place> subject() const;
     [[nodiscard]] std::optional<std::uint32_t> indexOf(const Building& building) const;
 

@@ -9,13 +9,12 @@
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/result_rows.h"
 #include "core/describe/figure_text.h"
+#include "core/describe/shown_as.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr double minutesOfHour = 60;
 
 QString nameOf(const std::string& name, const std::string& id) {
     return QString::fromStdString(name.empty() ? id : name);
@@ -75,7 +74,7 @@ QString describeTime(double minutesADay, double sunlitMin, ShownAs show) {
     const double sunMin = std::max(0.0, sunlitMin - minutesADay);
     if (show != ShownAs::shadow)
         return QObject::tr("%1 h of sun a day, %2 % of the sunlit time")
-            .arg(formatAmount(sunMin / minutesOfHour, 2), percentOf(sunMin / sunlitMin));
+            .arg(formatAmount(sunMin / minutesPerHour, 2), percentOf(sunMin / sunlitMin));
     return QObject::tr("%1 min a day in shadow, %2 % of the sunlit time")
         .arg(describeNumber(minutesADay), percentOf(minutesADay / sunlitMin));
 }
@@ -198,7 +197,7 @@ ContributionSheet makeContributionSheet(const SavedStudy& study, const City& cit
     return sheet;
 }
 
-ContributionSheet makeContributionSheet(const KeptContributions& of, const City& city, ShownAs show) {
+ContributionSheet makeContributionSheet(const ContributionTable& of, const City& city, ShownAs show) {
     ContributionSheet sheet{.columns = columnsOfStudy()};
     for (const Contribution& one : of.rows) {
         const QString name = isTerrain(one) ? QObject::tr("Terrain") : nameOf(one.name, one.id);
@@ -220,7 +219,7 @@ ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& 
         sheet.rows.push_back({nameOf(one.name, one.id),
                               recordedBuilding(after, one.id),
                               0,
-                              {0, mean, sum.sumMin * one.impact.grid.cellAreaM2() / minutesOfHour}});
+                              {0, mean, sum.sumMin * one.impact.grid.cellAreaM2() / minutesPerHour}});
     }
     shareOut(sheet);
     const CellChanges all = sumUpChanges(answer.study.total, place);

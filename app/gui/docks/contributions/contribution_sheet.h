@@ -51,7 +51,7 @@ ContributionSheet makeContributionSheet(const Study& study, const PlaceContribut
 /// The sheet of a saved study that states contributions(), for the buildings that still stand in `city`.
 ContributionSheet makeContributionSheet(const SavedStudy& study, const City& city, ShownAs show);
 /// The sheet of a place whose contributions an answer keeps, for the buildings that still stand in `city`.
-ContributionSheet makeContributionSheet(const KeptContributions& of, const City& city, ShownAs show);
+ContributionSheet makeContributionSheet(const ContributionTable& of, const City& city, ShownAs show);
 /// The sheet of a comparison: the new buildings, by what each of them adds alone. `place`: null is the whole
 /// region. `after`: the city with the new buildings.
 ContributionSheet makeContributionSheet(const ImpactAnswer& answer, const City& after, const Place* place,

@@ -112,14 +112,6 @@ public:
     }
 };
 
-QLabel* makeWrapped(const char* name) {
-    auto* label = new QLabel;
-    label->setObjectName(QString::fromLatin1(name));
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
 }  // namespace
 
 ContributionsDock::ContributionsDock(QWidget* parent)
@@ -127,8 +119,8 @@ ContributionsDock::ContributionsDock(QWidget* parent)
       model_(new ContributionModel(this)),
       sorted_(new QSortFilterProxyModel(this)),
       place_(new QComboBox),
-      headline_(makeWrapped("contributionHeadline")),
-      note_(makeWrapped("contributionNote")),
+      headline_(wrappedLabel("contributionHeadline")),
+      note_(wrappedLabel("contributionNote")),
       attribute_(pushButton(tr("Attribute the shadow"), "attribute",
                             tr("Finds what each building takes, by month, with the engine and the steps of "
                                "the study"))),
@@ -218,8 +210,8 @@ void ContributionsDock::placeFields() {
 void ContributionsDock::connectFields() {
     connect(place_, &QComboBox::activated, this,
             [this](int index) { chooseSubject(index == 0 ? QString() : place_->itemText(index)); });
-    connect(export_, &QPushButton::clicked, this, &ContributionsDock::exportWanted);
-    connect(attribute_, &QPushButton::clicked, this, &ContributionsDock::attributionWanted);
+    connect(export_, &QPushButton::clicked, this, &ContributionsDock::exportRequested);
+    connect(attribute_, &QPushButton::clicked, this, &ContributionsDock::attributionRequested);
     connect(colours_, &QCheckBox::toggled, this, [this](bool on) {
         legend_->setVisible(on);
         Q_EMIT coloursChanged();
@@ -229,10 +221,10 @@ void ContributionsDock::connectFields() {
     };
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this, buildingAt](const QModelIndex& index) {
-                if (const auto building = buildingAt(index)) Q_EMIT pointedAt(building);
+                if (const auto building = buildingAt(index)) Q_EMIT highlighted(building);
             });
     connect(table_, &QTableView::activated, this, [this, buildingAt](const QModelIndex& index) {
-        if (const auto building = buildingAt(index)) Q_EMIT wanted(building);
+        if (const auto building = buildingAt(index)) Q_EMIT goToRequested(building);
     });
 }
 

@@ -67,11 +67,11 @@ public:
     [[nodiscard]] ProgressStrip& progress() { return *progress_; }
 
 Q_SIGNALS:
-    void exportWanted();
-    void subjectChosen(const std::string& place);                        ///< empty: the whole region
-    void attributionWanted();                                            ///< the button of explain()
-    void pointedAt(std::shared_ptr<const noonmark::Building> building);  ///< the current row
-    void wanted(std::shared_ptr<const noonmark::Building> building);     ///< double click or Enter
+    void exportRequested();
+    void subjectChosen(const std::string& place);                            ///< empty: the whole region
+    void attributionRequested();                                             ///< the button of explain()
+    void highlighted(std::shared_ptr<const noonmark::Building> building);    ///< the current row
+    void goToRequested(std::shared_ptr<const noonmark::Building> building);  ///< double click or Enter
     void coloursChanged();
     void shownChanged();  ///< the dock was shown or hidden
 

@@ -20,6 +20,7 @@
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "app/gui/view/panel/view_presets.h"
+#include "core/describe/shown_as.h"
 #include "core/study/elements/element_tables.h"
 
 namespace noonmark {
@@ -30,8 +31,6 @@ const std::string& textIn(const MeasuredElement& element, int column) {
     if (column == ElementModel::id) return element.id;
     return element.buildingName.empty() ? element.building : element.buildingName;
 }
-
-constexpr double minutesAnHour = 60;
 
 const Figure& figureOf(int column) { return pointFigures().rows()[std::size_t(column - ElementModel::sun)]; }
 
@@ -46,7 +45,7 @@ double numberIn(const MeasuredElement& element, double possibleMin, int column) 
     const Figure& figure = figureOf(column);
     const MapPoint point{&element, possibleMin};
     const double value = figure.get(&point);
-    return isInHours(figure) ? value / minutesAnHour : value;
+    return isInHours(figure) ? value / minutesPerHour : value;
 }
 
 bool isText(int column) { return column == ElementModel::id || column == ElementModel::building; }
@@ -183,9 +182,9 @@ void ElementsDock::connectFields() {
         count();
     });
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            [this] { Q_EMIT pointedAt(selected()); });
+            [this] { Q_EMIT highlighted(selected()); });
     connect(table_, &QTableView::activated, this,
-            [this](const QModelIndex& index) { Q_EMIT wanted(elementOf(index)); });
+            [this](const QModelIndex& index) { Q_EMIT goToRequested(elementOf(index)); });
 }
 
 void ElementsDock::show(std::shared_ptr<const ElementMap> map) {
@@ -229,10 +228,10 @@ void ElementsDock::select(std::size_t element) {
 }
 
 ElementLinks::ElementLinks(ElementsDock& dock, ViewPanel& panel) : dock_(dock), panel_(panel) {
-    connect(&dock_, &ElementsDock::pointedAt, this, [this](const std::vector<std::size_t>& elements) {
+    connect(&dock_, &ElementsDock::highlighted, this, [this](const std::vector<std::size_t>& elements) {
         if (panel_.results().showsElements()) panel_.view().tiles().highlight(elements);
     });
-    connect(&dock_, &ElementsDock::wanted, this, &ElementLinks::goTo);
+    connect(&dock_, &ElementsDock::goToRequested, this, &ElementLinks::goTo);
     connect(&panel_.navigator(), &ViewNavigator::clicked, this, &ElementLinks::click);
 }
 

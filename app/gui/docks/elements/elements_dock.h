@@ -70,8 +70,8 @@ public:
     [[nodiscard]] std::vector<std::size_t> selected() const;
 
 Q_SIGNALS:
-    void pointedAt(std::vector<std::size_t> elements);  ///< the selected rows
-    void wanted(std::size_t element);                   ///< double click or Enter
+    void highlighted(std::vector<std::size_t> elements);  ///< the selected rows
+    void goToRequested(std::size_t element);              ///< double click or Enter
 
 private:
     void placeFields();

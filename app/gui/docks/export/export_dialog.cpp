@@ -50,14 +50,6 @@ QCheckBox* makeCheck(const QString& text, const char* name, const QString& tip, 
     return box;
 }
 
-QWidget* makeRow(std::initializer_list<QWidget*> fields) {
-    auto* row = new QWidget;
-    auto* line = new QHBoxLayout(row);
-    line->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* field : fields) line->addWidget(field);
-    return row;
-}
-
 }  // namespace
 
 ExportDialog::ExportDialog(const ExportChoice& first, const QString& folder, Source source,
@@ -138,7 +130,7 @@ void ExportDialog::makePicture(QFormLayout& form) {
     height_->setValue(first_.pictureHeight);
     framed_ = makeCheck(tr("Title, legend and scale bar"), "exportFramed",
                         tr("Around the view, within the size of the picture"), first_.framed);
-    form.addRow(tr("Picture"), makeRow({width_, pixels_, height_}));
+    form.addRow(tr("Picture"), widgetRow({width_, pixels_, height_}));
     form.addRow(QString(), framed_);
 }
 
@@ -155,7 +147,7 @@ void ExportDialog::makeFolder(QFormLayout& form, const QString& folder) {
         if (!asked.isEmpty()) folder_->setText(asked);
     });
     form.addRow(tr("Files"), files_);
-    form.addRow(tr("Folder"), makeRow({folder_, browse}));
+    form.addRow(tr("Folder"), widgetRow({folder_, browse}));
 }
 
 QLayout* ExportDialog::makeFoot() {

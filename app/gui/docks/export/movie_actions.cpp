@@ -24,8 +24,8 @@ void ViewFilm::begin(const FilmedView& film) {
     film_ = film;
     pose_ = panel_.view().pose();
     panel_.time().setPlaying(false);
-    TimeLook look = look_;
-    look.span = LookSpan::moment;
+    ShownTime look = look_;
+    look.span = ShownSpan::moment;
     panel_.time().choose(look);
 }
 
@@ -108,26 +108,26 @@ void MovieActions::ask() {
         const QString file = askForMovie(&window_, workbench_.projectName());
         if (!file.isEmpty()) writeTo(file, choice);
     });
-    moveTogether(*dialog);
+    syncMoment(*dialog);
     dialog->open();
 }
 
 // The view shows the moment that is chosen for the movie, and the movie follows the strip below the view.
-void MovieActions::moveTogether(MovieDialog& dialog) {
+void MovieActions::syncMoment(MovieDialog& dialog) {
     TimeStrip& strip = panel_.time();
     connect(&dialog, &MovieDialog::momentChosen, &strip, [&dialog, &strip] {
         const MovieChoice choice = dialog.choice();
         const QSignalBlocker quiet(dialog);
-        strip.choose({LookSpan::moment, choice.date, choice.at});
+        strip.choose({ShownSpan::moment, choice.date, choice.at});
     });
-    connect(&strip, &TimeStrip::lookChanged, &dialog, [&dialog](const TimeLook& look) {
+    connect(&strip, &TimeStrip::lookChanged, &dialog, [&dialog](const ShownTime& look) {
         if (!dialog.signalsBlocked()) dialog.setMoment(look.date, look.at);
     });
 }
 
 // The date and time of the strip below the view.
 MovieChoice MovieActions::firstChoice() const {
-    const TimeLook& look = panel_.time().look();
+    const ShownTime& look = panel_.time().look();
     MovieChoice first;
     first.date = look.date;
     first.at = look.at;

@@ -114,7 +114,7 @@ private:
     TimeDisplay& time_;
     std::optional<FilmedView> film_;  // empty: nothing is filmed
     CameraPose pose_;
-    TimeLook look_;  // of the strip before
+    ShownTime look_;  // of the strip before
     std::mutex mutex_;
     std::condition_variable_any drawn_;
     QImage frame_;  // guarded by mutex_; null: not drawn yet
@@ -147,7 +147,7 @@ public:
 private:
     void ask();
     [[nodiscard]] MovieChoice firstChoice() const;
-    void moveTogether(MovieDialog& dialog);
+    void syncMoment(MovieDialog& dialog);
     [[nodiscard]] DrawnTimeChoice timesOf(const MovieChoice& choice) const;
     void filmView(const QString& file, const MovieChoice& choice);
     void askToStop();

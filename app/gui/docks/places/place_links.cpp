@@ -23,27 +23,27 @@ PlaceLinks::PlaceLinks(Workbench& workbench, const ResultDisplay& display, Place
     connect(&display, &ResultDisplay::updated, this, &PlaceLinks::follow);
     connect(&workbench_, &Workbench::answered, this, [this] {
         follow();
-        if (sunOf(workbench_.answer())) Q_EMIT dockWanted();
+        if (sunOf(workbench_.answer())) Q_EMIT dockRequested();
     });
     connect(&workbench_, &Workbench::projectOpened, this, [this] {
         if (!isDisplayed_) kept_ = {};
         follow();
     });
-    connect(&dock_, &PlacesDock::returnWanted, this, &PlaceLinks::showKept);
+    connect(&dock_, &PlacesDock::returnRequested, this, &PlaceLinks::showKept);
     connect(&dock_, &PlacesDock::viewChanged, this, &PlaceLinks::paint);
     connect(&panel_.legend(), &LegendStrip::choiceChanged, this,
             [this] { dock_.setColours(panel_.legend().choice()); });
     connect(&panel_.legend(), &LegendStrip::placesShownChanged, this,
             [this] { dock_.setShown(panel_.legend().shownOfPlaces()); });
-    connect(&dock_, &PlacesDock::pointedAt, this, [this](std::size_t place) {
+    connect(&dock_, &PlacesDock::highlighted, this, [this](std::size_t place) {
         panel_.highlightPlace(nameOf(place));
         Q_EMIT chosen(place);
     });
     connect(&dock_, &PlacesDock::thresholdChosen, &workbench_, &Workbench::setEnough);
-    connect(&dock_, &PlacesDock::wanted, this,
-            [this](std::size_t place) { Q_EMIT placeWanted(nameOf(place)); });
-    connect(&dock_, &PlacesDock::contributorsWanted, this,
-            [this](std::size_t place) { Q_EMIT contributorsWanted(nameOf(place)); });
+    connect(&dock_, &PlacesDock::goToRequested, this,
+            [this](std::size_t place) { Q_EMIT placeRequested(nameOf(place)); });
+    connect(&dock_, &PlacesDock::contributorsRequested, this,
+            [this](std::size_t place) { Q_EMIT contributorsRequested(nameOf(place)); });
     connect(&panel_.navigator(), &ViewNavigator::clicked, this, &PlaceLinks::click);
 }
 

@@ -23,10 +23,10 @@ public:
     PlaceLinks(Workbench& workbench, const ResultDisplay& display, PlacesDock& dock, ViewPanel& panel);
 
 Q_SIGNALS:
-    void placeWanted(const std::string& name);         ///< to be seen in the view
-    void contributorsWanted(const std::string& name);  ///< what buildings take from it is to be shown
-    void dockWanted();                                 ///< another answer about places
-    void chosen(std::size_t place);                    ///< in table or view
+    void placeRequested(const std::string& name);         ///< to be seen in the view
+    void contributorsRequested(const std::string& name);  ///< what buildings take from it is to be shown
+    void dockRequested();                                 ///< another answer about places
+    void chosen(std::size_t place);                       ///< in table or view
 
 private:
     void follow();

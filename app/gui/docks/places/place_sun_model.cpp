@@ -8,6 +8,7 @@
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/study/region_text.h"
+#include "core/describe/shown_as.h"
 #include "core/receivers/place_names.h"
 #include "core/study/by_place/sun_by_place.h"
 
@@ -15,8 +16,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr double percentOfShare = 100;
-constexpr double minutesPerHour = 60;
 constexpr std::string_view enoughKey = "share_enough", meanKey = "hours_mean", minKey = "hours_min",
                            maxKey = "hours_max";
 
@@ -151,7 +150,7 @@ void PlaceSunModel::makeColumns() {
 }
 
 void PlaceSunModel::addFigure(const Figure& figure, const std::vector<SunOfPlace>& sun) {
-    const double factor = isShare(figure) ? percentOfShare : 1;
+    const double factor = isShare(figure) ? percentOfWhole : 1;
     const bool inShadow = isHoursOfSun(figure) && !showsSun({});
     FigureColumn column{inShadow ? shadowHeading(figure) : columnHeading(figure),
                         inShadow ? tr("Minutes of shadow a day: the sunlit time without the sun")
@@ -201,7 +200,7 @@ bool PlaceSunModel::followsEnough(int column) const {
 void PlaceSunModel::fillEnough(std::size_t column, const std::function<double(const SunOfPlace&)>& share) {
     FigureColumn& filled = columns_[column];
     const std::vector<SunOfPlace>& sun = shownCity(*sun_).sun;
-    for (std::size_t i = 0; i < sun.size(); ++i) filled.values[i] = percentOfShare * share(sun[i]);
+    for (std::size_t i = 0; i < sun.size(); ++i) filled.values[i] = percentOfWhole * share(sun[i]);
     for (std::size_t node = 1; node < nodes_.size(); ++node)
         if (!nodes_[node].place) nodes_[node].values[column] = valueAbove(int(node), filled);
     Q_EMIT headerDataChanged(Qt::Horizontal, firstFigure + int(column), firstFigure + int(column));
@@ -233,7 +232,7 @@ void PlaceSunModel::addDates() {
                    {}},
                   [&](std::size_t i) { return shownOf(sun[i].dateHours[date], of); });
         addColumn({{}, {}, 0, {}, {}},
-                  [&](std::size_t i) { return sun[i].belowShare[date] * percentOfShare; });
+                  [&](std::size_t i) { return sun[i].belowShare[date] * percentOfWhole; });
     }
 }
 
@@ -243,7 +242,7 @@ void PlaceSunModel::addChanges() {
     const ComparedSun& compared = sun_->compared.back();
     for (const Figure& figure : sunChangeFigures().rows()) {
         const bool inShadow = isChangeOfHours(figure) && show_ != ShownAs::sun;
-        const double factor = isShare(figure)           ? percentOfShare
+        const double factor = isShare(figure)           ? percentOfWhole
                               : inShadow                ? -minutesPerHour
                               : isChangeOfHours(figure) ? minutesPerHour
                                                         : 1;

@@ -28,6 +28,7 @@
 #include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/study/region_text.h"
 #include "app/report/maps/style.h"
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 
 namespace noonmark {
@@ -36,7 +37,6 @@ namespace {
 
 constexpr double maxThreshold = 12;  // hours
 constexpr int ticksOfHour = 10;
-constexpr double minutesOfHour = 60;
 constexpr int thresholdRestMs = 250;
 
 constexpr int fittedRows = 200;  // that columns are made wide enough for
@@ -73,7 +73,7 @@ QColor colourOf(const ColourScale& scale, double hours) {
     constexpr QColor withoutCell{0xa8, 0xa8, 0xa8};
     if (std::isnan(hours)) return withoutCell;
     const bool ofChange = scale.of == ColourScale::Of::change;
-    return toColour(scale.colourOf(ofChange ? hours * minutesOfHour : hours));
+    return toColour(scale.colourOf(ofChange ? hours * minutesPerHour : hours));
 }
 
 // Also before the table is shown: a view measures only the rows that it shows.
@@ -144,7 +144,7 @@ void PlacesDock::placeFields() {
 QWidget* PlacesDock::makeAside() {
     aside_->setObjectName(QStringLiteral("placesAside"));
     aside_->setWordWrap(true);
-    connect(return_, &QPushButton::clicked, this, &PlacesDock::returnWanted);
+    connect(return_, &QPushButton::clicked, this, &PlacesDock::returnRequested);
     auto* row = new QWidget;
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(0, 0, 0, 0);
@@ -244,18 +244,18 @@ void PlacesDock::connectTable() {
     };
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this, placeOf](const QModelIndex& index) {
-                if (const auto place = placeOf(index)) Q_EMIT pointedAt(*place);
+                if (const auto place = placeOf(index)) Q_EMIT highlighted(*place);
             });
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this, placeOf](const QModelIndex& index) { contributors_->setEnabled(hasSun(placeOf(index))); });
     const auto askFor = [this, placeOf](const QModelIndex& index) {
-        if (const auto place = placeOf(index); hasSun(place)) Q_EMIT contributorsWanted(*place);
+        if (const auto place = placeOf(index); hasSun(place)) Q_EMIT contributorsRequested(*place);
     };
     connect(table_, &QTreeView::doubleClicked, this, askFor);
     connect(contributors_, &QPushButton::clicked, this, [this, askFor] { askFor(table_->currentIndex()); });
     for (auto signal : {&QTreeView::clicked, &QTreeView::activated})
         connect(table_, signal, this, [this, placeOf](const QModelIndex& index) {
-            if (const auto place = placeOf(index)) Q_EMIT wanted(*place);
+            if (const auto place = placeOf(index)) Q_EMIT goToRequested(*place);
         });
 }
 

@@ -49,12 +49,12 @@ protected:
 
 Q_SIGNALS:
     /// Double click, or the button below the table: what buildings take from the place is to be shown.
-    void contributorsWanted(std::size_t place);
-    void returnWanted();                 ///< the answer set aside is to be shown again
-    void viewChanged();                  ///< view()
-    void pointedAt(std::size_t place);   ///< the current row
-    void wanted(std::size_t place);      ///< a click on its row, or Enter
-    void thresholdChosen(double hours);  ///< once it has come to rest: all of the answer is to follow it
+    void contributorsRequested(std::size_t place);
+    void returnRequested();                 ///< the answer set aside is to be shown again
+    void viewChanged();                     ///< view()
+    void highlighted(std::size_t place);    ///< the current row
+    void goToRequested(std::size_t place);  ///< a click on its row, or Enter
+    void thresholdChosen(double hours);     ///< once it has come to rest: all of the answer is to follow it
 
 private:
     void placeFields();

@@ -223,7 +223,7 @@ Result<SunPathQuestion> DomeDisplay::question() const {
     const StudySettings& settings = workbench_.document().settings();
     const auto zone = Zone::named(settings.period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
-    const TimeLook& look = panel_.time().look();
+    const ShownTime& look = panel_.time().look();
     const auto at = std::chrono::floor<std::chrono::seconds>(zone->instantAt(look.date, look.at));
     return SunPathQuestion{makeObserver(workbench_.city()->city(), settings), settings.period.zone,
                            look.date.year(), zone->offsetAt(at), settings.period.refraction};

@@ -106,7 +106,7 @@ PointInspector::PointInspector(Workbench& workbench, ViewPanel& panel)
     connect(&workbench_, &Workbench::projectOpened, this, &PointInspector::forget);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &PointInspector::follow);
     connect(&workbench_.session(), &ProjectSession::changed, this, &PointInspector::scenariosChanged);
-    connect(&panel_.time(), &TimeStrip::lookChanged, this, [this](const TimeLook& look) {
+    connect(&panel_.time(), &TimeStrip::lookChanged, this, [this](const ShownTime& look) {
         if (look.date != day_) follow();
     });
 }

@@ -60,7 +60,7 @@ public:
 
 Q_SIGNALS:
     void asked();             ///< about another point
-    void marked();            ///< the pin in the view may have come, gone or moved
+    void marked();            ///< the pin in the view was placed, moved or removed, or may have been
     void scenariosChanged();  ///< scenarios(), or comparison()
     void changed();
     void failed(noonmark::Error error);  ///< the answer is null then

@@ -104,12 +104,9 @@ void addLots(ProjectNode& root, const Project& project) {
 void addRegions(ProjectNode& root, const Project& project) {
     ProjectNode& group = addGroup(root, ProjectPart::region, QObject::tr("Regions"), project.regions.size(),
                                   QObject::tr("Where shadow is measured"));
-    for (const Region& region : project.regions) {
-        double areaM2 = 0;
-        for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
-        addPart(group, region.name, describeArea(areaM2),
+    for (const Region& region : project.regions)
+        addPart(group, region.name, describeArea(area(region)),
                 QObject::tr("Press Enter or double-click to use it as the study region"));
-    }
 }
 
 void addPlaces(ProjectNode& root, const Project& project) {

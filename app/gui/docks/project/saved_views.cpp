@@ -13,7 +13,7 @@
 
 namespace noonmark {
 
-SavedView makeSavedView(const std::string& name, const CameraPose& pose, const TimeLook& look,
+SavedView makeSavedView(const std::string& name, const CameraPose& pose, const ShownTime& look,
                         const std::optional<SectionBox>& section) {
     const double headingDeg = pose.headingDeg - 360 * std::floor(pose.headingDeg / 360);
     SavedView view{name,
@@ -22,7 +22,7 @@ SavedView makeSavedView(const std::string& name, const CameraPose& pose, const T
                    headingDeg,
                    std::clamp(pose.pitchDeg, 0.0, 90.0),
                    pose.isParallel()};
-    if (look.span == LookSpan::moment) view.moment = ViewMoment{look.date, look.at};
+    if (look.span == ShownSpan::moment) view.moment = ViewMoment{look.date, look.at};
     if (section) view.section = ViewBox{section->lowM, section->highM};
     return view;
 }
@@ -80,7 +80,7 @@ void SavedViews::show(const std::string& name) {
         if (view.name != name) continue;
         panel_.navigator().go(poseOf(view));
         panel_.section().set(sectionOf(view));
-        if (view.moment) panel_.time().choose({LookSpan::moment, view.moment->date, view.moment->at});
+        if (view.moment) panel_.time().choose({ShownSpan::moment, view.moment->date, view.moment->at});
         return;
     }
 }

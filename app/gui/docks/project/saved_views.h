@@ -19,7 +19,7 @@ class ViewPanel;
 
 /// A view of this name as it is displayed; a whole period or a day has no moment. `section`: none shows the
 /// whole city.
-SavedView makeSavedView(const std::string& name, const CameraPose& pose, const TimeLook& look,
+SavedView makeSavedView(const std::string& name, const CameraPose& pose, const ShownTime& look,
                         const std::optional<SectionBox>& section = std::nullopt);
 CameraPose poseOf(const SavedView& view);
 std::optional<SectionBox> sectionOf(const SavedView& view);

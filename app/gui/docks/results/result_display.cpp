@@ -47,12 +47,12 @@ ResultDisplay::ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditP
     connect(&workbench_, &Workbench::studyPartial, this,
             [this](const auto& partial) { places_.layer.setPartial(partial); });
     connect(&workbench_, &Workbench::studyStopped, this, [this] { places_.layer.setPartial(nullptr); });
-    connect(&places_.figures, &ResultsDock::studyWanted, &workbench_, &Workbench::showStudyAgain);
+    connect(&places_.figures, &ResultsDock::studyRequested, &workbench_, &Workbench::showStudyAgain);
     connect(&places_.figures, &ResultsDock::answerChosen, this, &ResultDisplay::showListed);
-    connect(&places_.figures, &ResultsDock::allPlacesWanted, this, &ResultDisplay::showAllPlaces);
-    connect(&places_.figures, &ResultsDock::contributorsWanted, this, [this] {
+    connect(&places_.figures, &ResultsDock::allPlacesRequested, this, &ResultDisplay::showAllPlaces);
+    connect(&places_.figures, &ResultsDock::contributorsRequested, this, [this] {
         const auto sun = sunOf(workbench_.answer());
-        if (sun && place_) Q_EMIT contributorsWanted(sun->baseline.places[*place_].name);
+        if (sun && place_) Q_EMIT contributorsRequested(sun->baseline.places[*place_].name);
     });
     connect(&workbench_.document(), &StudyDocument::changed, this, &ResultDisplay::update);
     connect(&workbench_.session(), &ProjectSession::changed, this, &ResultDisplay::update);
@@ -138,7 +138,7 @@ ShownAs ResultDisplay::shownAsOf(const std::shared_ptr<const Answer>& answer) co
 // How it was made is the same for all places.
 std::vector<ResultRow> ResultDisplay::rowsOfPlace(const Answer& answer, const SunOfCities& sun) const {
     const auto& all = answer.ofPlaces();
-    const auto kept = std::ranges::find(all, sun.baseline.places[*place_].name, &KeptContributions::place);
+    const auto kept = std::ranges::find(all, sun.baseline.places[*place_].name, &ContributionTable::place);
     auto rows = makePlaceRows(sun, *place_, shown_, kept == all.end() ? nullptr : &*kept);
     for (const ResultRow& row : viewerOf(answer).rows(answer, shown_))
         if (row.isMethod) rows.push_back(row);

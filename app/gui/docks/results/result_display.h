@@ -46,9 +46,9 @@ public:
     [[nodiscard]] const StudySettings& settings() const { return settings_; }
 
 Q_SIGNALS:
-    void updated();                                     ///< the answer, or what is stated about it
-    void elementsShown();                               ///< an answer of points: its table should be visible
-    void contributorsWanted(const std::string& place);  ///< what buildings take from it is to be shown
+    void updated();        ///< the answer, or what is stated about it
+    void elementsShown();  ///< an answer of points: its table should be visible
+    void contributorsRequested(const std::string& place);  ///< what buildings take from it is to be shown
     void chosen();  ///< an answer beside those of Run, asked for just now: its figures should be visible
 
 private:
@@ -77,8 +77,8 @@ private:
     std::vector<std::function<void()>> listed_;  ///< shows the answers of the list, in its order
     bool anyShown_ = false;
     StudySettings settings_;
-    ShownAs shown_ = ShownAs::shadow;   ///< what the figures tell of
-    std::optional<std::size_t> place_;  ///< of an answer about places: the one that the figures tell of
+    ShownAs shown_ = ShownAs::shadow;   ///< the quantity of the figures
+    std::optional<std::size_t> place_;  ///< of an answer about places: the one whose figures are shown
 };
 
 }  // namespace noonmark

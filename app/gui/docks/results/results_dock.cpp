@@ -30,16 +30,8 @@ QString defaultHint() {
         "answer then stands here.");
 }
 
-QLabel* textLabel(const char* name) {
-    auto* label = new QLabel;
-    label->setObjectName(QString::fromLatin1(name));
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
 QLabel* headlineLabel() {
-    QLabel* label = textLabel("answerHeadline");
+    QLabel* label = wrappedLabel("answerHeadline");
     QFont font = label->font();
     font.setPointSizeF(font.pointSizeF() * headlineSize);
     font.setBold(true);
@@ -102,8 +94,8 @@ ResultsDock::ResultsDock(QWidget* parent)
       scroll_(new QScrollArea),
       answers_(new QComboBox),
       headline_(headlineLabel()),
-      findings_(textLabel("answerFindings")),
-      note_(textLabel("resultNote")),
+      findings_(wrappedLabel("answerFindings")),
+      note_(wrappedLabel("resultNote")),
       back_(pushButton(tr("Show the study again"), "wayBack",
                        tr("Replaces this result by the current study or comparison"))),
       allPlaces_(pushButton({}, "allPlaces", tr("Shows the figures of all places again"))),
@@ -128,11 +120,11 @@ ResultsDock::ResultsDock(QWidget* parent)
     answers_->setPlaceholderText(tr("Show an earlier result"));
     setAnswers({}, -1);
     connect(answers_, &QComboBox::activated, this, &ResultsDock::answerChosen);
-    connect(back_, &QPushButton::clicked, this, &ResultsDock::studyWanted);
-    connect(allPlaces_, &QPushButton::clicked, this, &ResultsDock::allPlacesWanted);
-    connect(shadedBy_, &QPushButton::clicked, this, &ResultsDock::contributorsWanted);
-    connect(command_, &QPushButton::clicked, this, &ResultsDock::commandWanted);
-    connect(warnings_, &QPushButton::clicked, this, &ResultsDock::warningsWanted);
+    connect(back_, &QPushButton::clicked, this, &ResultsDock::studyRequested);
+    connect(allPlaces_, &QPushButton::clicked, this, &ResultsDock::allPlacesRequested);
+    connect(shadedBy_, &QPushButton::clicked, this, &ResultsDock::contributorsRequested);
+    connect(command_, &QPushButton::clicked, this, &ResultsDock::commandRequested);
+    connect(warnings_, &QPushButton::clicked, this, &ResultsDock::warningsRequested);
     connect(howMade_, &QToolButton::toggled, this, &ResultsDock::showMethod);
     setWarningCount(0);
     show({}, {});

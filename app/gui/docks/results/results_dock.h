@@ -48,12 +48,12 @@ public:
     void offerAllPlaces(std::size_t places);
 
 Q_SIGNALS:
-    void studyWanted();
+    void studyRequested();
     void answerChosen(int answer);  ///< of setAnswers()
-    void commandWanted();           ///< on the clipboard
-    void warningsWanted();          ///< their list
-    void allPlacesWanted();
-    void contributorsWanted();
+    void commandRequested();        ///< on the clipboard
+    void warningsRequested();       ///< their list
+    void allPlacesRequested();
+    void contributorsRequested();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

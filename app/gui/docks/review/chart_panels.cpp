@@ -21,6 +21,18 @@ namespace {
 
 constexpr double pointsPerInch = 72;
 
+// The title with a control beside it, the chart, and the text of what the mouse points at.
+void placeChart(QWidget& panel, QLabel* title, QWidget* control, ChartWidget* chart, QLabel* reading) {
+    auto* row = new QHBoxLayout;
+    row->addWidget(title, 1);
+    row->addWidget(control);
+    auto* column = new QVBoxLayout(&panel);
+    column->setContentsMargins(6, 4, 6, 4);
+    column->addLayout(row);
+    column->addWidget(chart, 1);
+    column->addWidget(reading);
+}
+
 }  // namespace
 
 ChartWidget::ChartWidget(QWidget* parent) : QWidget(parent) {
@@ -76,14 +88,7 @@ DayPanel::DayPanel(QWidget* parent)
     day_->setDisplayFormat(dayOfYear());
     day_->setCalendarPopup(true);
     day_->setToolTip(tr("Any day, in the hours of the rule"));
-    auto* row = new QHBoxLayout;
-    row->addWidget(title_, 1);
-    row->addWidget(day_);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(6, 4, 6, 4);
-    column->addLayout(row);
-    column->addWidget(widget_, 1);
-    column->addWidget(reading_);
+    placeChart(*this, title_, day_, widget_, reading_);
     connect(day_, &QDateEdit::dateChanged, this, &DayPanel::compute);
     connect(widget_, &ChartWidget::hovered, this, &DayPanel::read);
     connect(widget_, &ChartWidget::left, this, [this] { reading_->setText(times_); });
@@ -176,14 +181,7 @@ RangePanel::RangePanel(QWidget* parent)
                      tr("Shadow by month")});
     reading_->setObjectName(QStringLiteral("rangeReading"));
     reading_->setWordWrap(true);
-    auto* row = new QHBoxLayout;
-    row->addWidget(title_, 1);
-    row->addWidget(what_);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(6, 4, 6, 4);
-    column->addLayout(row);
-    column->addWidget(widget_, 1);
-    column->addWidget(reading_);
+    placeChart(*this, title_, what_, widget_, reading_);
     connect(what_, &QComboBox::activated, this, &RangePanel::draw);
     connect(widget_, &ChartWidget::hovered, this, &RangePanel::read);
     connect(widget_, &ChartWidget::left, this, &RangePanel::resetReading);

@@ -72,7 +72,7 @@ PlaceList::PlaceList(QWidget* parent)
     connect(filter_, &QLineEdit::textChanged, this, &PlaceList::filter);
     connect(list_, &QListWidget::itemChanged, this, &PlaceList::take);
     connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
-        if (item != nullptr) Q_EMIT pointedAt(item->data(nameRole).toString().toStdString());
+        if (item != nullptr) Q_EMIT highlighted(item->data(nameRole).toString().toStdString());
     });
     connect(all, &QPushButton::clicked, this, [this] { checkAll(true); });
     connect(none, &QPushButton::clicked, this, [this] { checkAll(false); });

@@ -31,7 +31,7 @@ public:
 Q_SIGNALS:
     void chosen(bool all, std::vector<std::string> names);
     void screenRequested();
-    void pointedAt(const std::string& place);  ///< the current row
+    void highlighted(const std::string& place);  ///< the current row
 
 private:
     void take();

@@ -15,8 +15,8 @@
 namespace noonmark {
 
 /// The latest answers of reviews: one for each rule, baseline and scenario. `Answer` has a `question` with
-/// its rule and its cities, before and after. An answer whose city is gone stays until newer ones push it
-/// out, since undo brings the city back.
+/// its rule and its cities, before and after. An answer stays after its city was removed, until newer
+/// ones displace it, since undo restores the city.
 template <class Answer, std::size_t maximum>
 class ReviewCache {
 public:

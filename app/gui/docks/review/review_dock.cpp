@@ -190,7 +190,7 @@ void ReviewDock::connectSession() {
     });
     connect(form_, &RuleForm::edited, &review_, &ReviewSession::choose);
     connect(places_, &PlaceList::screenRequested, &review_, &ReviewSession::screen);
-    connect(places_, &PlaceList::pointedAt, this, &ReviewDock::placePointedAt);
+    connect(places_, &PlaceList::highlighted, this, &ReviewDock::placePointedAt);
     connect(places_, &PlaceList::chosen, this, [this](bool all, const std::vector<std::string>& names) {
         ReviewChoice choice = review_.choice();
         choice.allPlaces = all;

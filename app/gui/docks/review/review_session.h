@@ -132,6 +132,20 @@ private:
     JobSlot estimating_;
 };
 
+/// Hands the reviews of several scenarios over to a cache and to the workbench, which lists them without
+/// displaying them. Returns the errors of the other scenarios.
+template <class Review, std::size_t maximum>
+ScenarioErrors adoptReviews(std::vector<Result<std::shared_ptr<const Answer>>> answers,
+                            const ScenarioQuestions<Asked>& asked, ReviewCache<Review, maximum>& cached,
+                            Workbench& workbench) {
+    return adoptEach(
+        std::move(answers), asked, [&](const std::shared_ptr<const Answer>& answer, std::size_t) {
+            const auto review = contentOf<Review>(answer);
+            cached.add(review);
+            workbench.adopt({review->question.after, review->question.before, answer}, {.isShown = false});
+        });
+}
+
 /// Displays a review that a dock shows, so that it can be exported. Error: its buildings have changed since.
 template <class Review>
 Result<void> showReview(Workbench& workbench, const std::shared_ptr<const Review>& review,

@@ -13,7 +13,7 @@
 
 namespace noonmark {
 
-/// "✓ pass", "✗ fail", "≈ borderline": a verdict is told by its symbol and word as well as by its colour.
+/// "✓ pass", "✗ fail", "≈ borderline": a verdict is marked by its symbol and word as well as by its colour.
 QString describeVerdict(Verdict verdict);
 /// The same; "figures only" where the rule states no limit for the place.
 QString describeVerdict(const PlaceReview& review);

@@ -120,7 +120,7 @@ std::optional<SavedFigures> readSavedFigures(const SavedResult& result, const Pr
 }
 
 bool haveSettings(const SavedFigures& saved, const StudySettings& settings, const QuestionHashes& hashes) {
-    return saved.question.empty() ? haveOldSettings(saved, settings) : hashes.hold(saved.question);
+    return saved.question.empty() ? haveOldSettings(saved, settings) : hashes.matches(saved.question);
 }
 
 std::string formatText(const std::vector<ViewFigures>& saved) {

@@ -44,7 +44,7 @@ QString describeMissing(const QString& key) {
         .arg(QStringLiteral("<a href=\"months\">%1</a>").arg(ScenarioCharts::tr("Measure all by month")));
 }
 
-QString describeWhatLacks(const MonthChart& chart, std::size_t shown, const std::string& baseline) {
+QString describeMissingFigures(const MonthChart& chart, std::size_t shown, const std::string& baseline) {
     QStringList lines;
     const std::size_t all = chart.values.series.size();
     if (all > shown)
@@ -146,7 +146,7 @@ void ScenarioCharts::draw() {
         if (key != QLatin1String(allKey) && textOf(chart.key) != key) continue;
         drawn.push_back(firstSeries(chart.values, maxSeries));
         drawn.push_back(firstSeries(chart.changes, maxSeries - 1));
-        const QString note = describeWhatLacks(chart, maxSeries, months.front().name);
+        const QString note = describeMissingFigures(chart, maxSeries, months.front().name);
         if (!note.isEmpty() && !notes.contains(note)) notes << note;
     }
     if (drawn.empty()) notes << describeMissing(key);
@@ -157,14 +157,6 @@ void ScenarioCharts::draw() {
 }
 
 namespace {
-
-QWidget* rowOf(std::initializer_list<QWidget*> widgets) {
-    auto* whole = new QWidget;
-    auto* row = new QHBoxLayout(whole);
-    row->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* widget : widgets) row->addWidget(widget);
-    return whole;
-}
 
 // Remembered in the settings under its name.
 QCheckBox* switchOf(const QString& text, const char* name, QSettings& settings, const QString& tip) {
@@ -233,7 +225,7 @@ QWidget* ScenariosDock::makeButtons() {
     connect(measure, &QPushButton::clicked, this, &ScenariosDock::measureAllRequested);
     connect(score, &QPushButton::clicked, this, &ScenariosDock::scoreAllRequested);
     connect(review, &QPushButton::clicked, this, &ScenariosDock::reviewAllRequested);
-    return rowOf({measure, score, review});
+    return widgetRow({measure, score, review});
 }
 
 // How figures are shown, and what is done with the table.
@@ -256,8 +248,8 @@ QWidget* ScenariosDock::makeSwitches(QSettings& settings) {
     auto* switches = new QWidget;
     auto* column = new QVBoxLayout(switches);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(rowOf({differences, shade}));
-    column->addWidget(rowOf({copy, save}));
+    column->addWidget(widgetRow({differences, shade}));
+    column->addWidget(widgetRow({copy, save}));
     return switches;
 }
 

@@ -68,7 +68,7 @@ QString describe(AccuracyChoice choice) {
     return {};
 }
 
-StudySettings applied(AccuracyChoice choice, StudySettings settings, bool terrain) {
+StudySettings withAccuracy(AccuracyChoice choice, StudySettings settings, bool terrain) {
     if (choice == AccuracyChoice::own) return settings;
     return withEngine(settings, engineOf(choice, settings, terrain));
 }
@@ -153,7 +153,7 @@ void AccuracyForm::show(const StudySettings& settings) {
     rows_->show({options_, &settings.engineSettings});
 }
 
-StudySettings AccuracyForm::applied(StudySettings settings) const {
+StudySettings AccuracyForm::withFields(StudySettings settings) const {
     settings.engine = shown_;
     settings.engineSettings.clear();
     rows_->take({options_, &settings.engineSettings});
@@ -209,11 +209,11 @@ void AccuracySection::connectFields() {
     connect(choice_, &QComboBox::activated, this, [this](int chosen) {
         const auto choice = allAccuracyChoices[std::size_t(chosen)];
         if (choice == AccuracyChoice::own) method_->setFolded(false);
-        Q_EMIT edited(applied(choice, settings_, terrain_), tr("accuracy"));
+        Q_EMIT edited(withAccuracy(choice, settings_, terrain_), tr("accuracy"));
         showChoice();
     });
     connect(form_, &AccuracyForm::edited, this, [this](const QString& field) {
-        settings_ = form_->applied(settings_);
+        settings_ = form_->withFields(settings_);
         Q_EMIT edited(settings_, field);
     });
 }

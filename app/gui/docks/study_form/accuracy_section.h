@@ -33,7 +33,7 @@ QString describe(AccuracyChoice choice);  ///< one line
 
 /// The settings with the engine of the choice and its default options; `own` changes nothing. `terrain`: the
 /// city has terrain.
-StudySettings applied(AccuracyChoice choice, StudySettings settings, bool terrain);
+StudySettings withAccuracy(AccuracyChoice choice, StudySettings settings, bool terrain);
 
 /// The choice that these settings are. Rays on terrain are the reference.
 AccuracyChoice choiceOf(const StudySettings& settings, bool terrain);
@@ -50,8 +50,8 @@ public:
     explicit AccuracyForm(const EngineList& engines = coreAndLabEngines(), QWidget* parent = nullptr);
     ~AccuracyForm() override;
 
-    void show(const StudySettings& settings);                           ///< without a signal
-    [[nodiscard]] StudySettings applied(StudySettings settings) const;  ///< with the fields' values
+    void show(const StudySettings& settings);                              ///< without a signal
+    [[nodiscard]] StudySettings withFields(StudySettings settings) const;  ///< with the fields' values
 
 Q_SIGNALS:
     void edited(QString field);  ///< the name of the field

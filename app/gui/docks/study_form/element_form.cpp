@@ -26,29 +26,6 @@ QLineEdit* lineField(const char* name, const QString& placeholder, const QString
     return field;
 }
 
-QWidget* rowOf(QWidget* field, QWidget* button) {
-    auto* row = new QWidget;
-    auto* line = new QHBoxLayout(row);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->addWidget(field, 1);
-    line->addWidget(button);
-    return row;
-}
-
-// Each name is a text of its own: a name that contains a comma is found as a whole by its id only.
-std::vector<std::string> namesIn(const QString& text) {
-    std::vector<std::string> names;
-    for (const QString& name : text.split(QLatin1Char(','), Qt::SkipEmptyParts))
-        if (!name.trimmed().isEmpty()) names.push_back(name.trimmed().toStdString());
-    return names;
-}
-
-QString joined(const std::vector<std::string>& names) {
-    QStringList list;
-    for (const std::string& name : names) list << QString::fromStdString(name);
-    return list.join(QStringLiteral(", "));
-}
-
 }  // namespace
 
 ElementForm::ElementForm(Use use, QWidget* parent)
@@ -85,14 +62,14 @@ QWidget* ElementForm::makeBuildings() {
                           : tr("Names or ids of buildings, with commas between them. Empty: all buildings"));
     selected_ = pushButton({}, "facadesOfSelected",
                            tr("Adds the selected building, or removes it. Click a building first."));
-    return rowOf(buildings_, selected_);
+    return widgetRow({buildings_, selected_}, 1);
 }
 
 QWidget* ElementForm::makeFile() {
     file_ = lineField("windowsFile", tr("file of windows"),
                       tr("Points or polygons with heights, in any vector format. Fields id, azimuth, floor"));
     browse_ = pushButton(tr("Browse..."), "browseWindows", tr("Chooses the file of windows"));
-    return rowOf(file_, browse_);
+    return widgetRow({file_, browse_}, 1);
 }
 
 void ElementForm::placeFields() {
@@ -137,7 +114,7 @@ void ElementForm::setNames(const QStringList& lots, const QStringList& places) {
 
 void ElementForm::connectFields() {
     connect(buildings_, &QLineEdit::editingFinished, this, [this] {
-        const auto names = namesIn(buildings_->text());
+        const auto names = splitNames(buildings_->text());
         if (names == settings_.buildings) return;
         settings_.buildings = names;
         Q_EMIT edited(settings_, tr("buildings"));
@@ -170,7 +147,7 @@ void ElementForm::toggleBuilding() {
 
 void ElementForm::show(const ElementSettings& settings) {
     settings_ = settings;
-    buildings_->setText(joined(settings.buildings));
+    buildings_->setText(joinNames(settings.buildings));
     file_->setText(QString::fromStdString(settings.windows.string()));
     rows_->show(elementFields().of(settings));
     proposed_->setChecked(settings.proposed);

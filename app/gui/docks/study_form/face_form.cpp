@@ -15,6 +15,19 @@
 
 namespace noonmark {
 
+std::vector<std::string> splitNames(const QString& text) {
+    std::vector<std::string> names;
+    for (const QString& name : text.split(QLatin1Char(','), Qt::SkipEmptyParts))
+        if (!name.trimmed().isEmpty()) names.push_back(name.trimmed().toStdString());
+    return names;
+}
+
+QString joinNames(const std::vector<std::string>& names) {
+    QStringList list;
+    for (const std::string& name : names) list << QString::fromStdString(name);
+    return list.join(QStringLiteral(", "));
+}
+
 namespace {
 
 // After "any direction": north, east, south and west, each 45 degrees to both sides.
@@ -23,32 +36,11 @@ constexpr int otherRange = int(sides.size()) + 1;
 // Two fields beside each other may be narrower than their longest texts, so that the form need not scroll.
 constexpr int besidePx = 68;
 
-QWidget* besideEachOther(std::initializer_list<QWidget*> fields) {
-    auto* row = new QWidget;
-    auto* line = new QHBoxLayout(row);
-    line->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* field : fields) line->addWidget(field);
-    return row;
-}
-
 QDoubleSpinBox* degreesField(const char* name, const QString& tip) {
     QDoubleSpinBox* field = numberField(0, 360, 1, 5, QObject::tr(" °"));
     field->setObjectName(QString::fromLatin1(name));
     field->setToolTip(tip);
     return field;
-}
-
-std::vector<std::string> idsIn(const QString& text) {
-    std::vector<std::string> ids;
-    for (const QString& id : text.split(QLatin1Char(','), Qt::SkipEmptyParts))
-        if (!id.trimmed().isEmpty()) ids.push_back(id.trimmed().toStdString());
-    return ids;
-}
-
-QString textOf(const std::vector<std::string>& ids) {
-    QStringList list;
-    for (const std::string& id : ids) list << QString::fromStdString(id);
-    return list.join(QStringLiteral(", "));
 }
 
 }  // namespace
@@ -95,15 +87,15 @@ void FaceForm::makeFields() {
 void FaceForm::placeFields() {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(tr("Faces"), besideEachOther({ids_, pick_}));
+    form->addRow(tr("Faces"), widgetRow({ids_, pick_}));
     form->addRow(tr("Facing"), direction_);
-    form->addRow(QString(), besideEachOther({from_, to_}));
-    form->addRow(tr("Looking at"), besideEachOther({place_, within_}));
+    form->addRow(QString(), widgetRow({from_, to_}));
+    form->addRow(tr("Looking at"), widgetRow({place_, within_}));
 }
 
 void FaceForm::connectFields() {
     connect(ids_, &QLineEdit::editingFinished, this, [this] {
-        auto ids = idsIn(ids_->text());
+        auto ids = splitNames(ids_->text());
         if (ids == faces_.faces) return;
         faces_.faces = std::move(ids);
         Q_EMIT edited(faces_, tr("faces"));
@@ -153,7 +145,7 @@ void FaceForm::showRange() {
 
 void FaceForm::show(const FaceChoice& faces) {
     faces_ = faces;
-    ids_->setText(textOf(faces.faces));
+    ids_->setText(joinNames(faces.faces));
     showRange();
     const QString place = QString::fromStdString(faces.place);
     if (!place.isEmpty() && place_->findText(place) < 0) place_->addItem(place);
@@ -179,7 +171,7 @@ void FaceForm::addFace(const QString& id) {
     const std::string face = id.toStdString();
     const auto found = std::ranges::find(faces_.faces, face);
     found == faces_.faces.end() ? faces_.faces.push_back(face) : void(faces_.faces.erase(found));
-    ids_->setText(textOf(faces_.faces));
+    ids_->setText(joinNames(faces_.faces));
     Q_EMIT edited(faces_, tr("faces"));
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
+#include <vector>
 
 #include "core/study/elements/face_choice.h"
 
@@ -10,6 +12,11 @@ class QLineEdit;
 class QPushButton;
 
 namespace noonmark {
+
+/// Names or ids as they are typed, with commas, and back. A name that contains a comma is found as a whole by
+/// its id only.
+std::vector<std::string> splitNames(const QString& text);
+QString joinNames(const std::vector<std::string>& names);
 
 /// Which faces of facades, or which windows, are taken: picked ones, those that face a direction, those that
 /// look at a place.

@@ -109,7 +109,7 @@ void StudyDock::connectForms() {
                 document_.change(document_.settings(), elements, field);
             });
     connect(what_, &WhatForm::kindChosen, this, &StudyDock::takeKind);
-    connect(places_, &PlacesForm::streetsWanted, this, &StudyDock::streetsWanted);
+    connect(places_, &PlacesForm::streetsRequested, this, &StudyDock::streetsRequested);
     connect(places_, &PlacesForm::edited, this, &StudyDock::showDocument);
     connect(when_, &WhenForm::edited, this, [this](const Period& period, const QString& field) {
         StudySettings settings = document_.settings();

@@ -69,7 +69,7 @@ Q_SIGNALS:
     void runRequested();
     void sunByPlaceRequested(std::vector<noonmark::Place> places, noonmark::SunByPlaceSettings settings,
                              bool allScenarios);
-    void streetsWanted();  ///< to be read into the project
+    void streetsRequested();  ///< to be read into the project
     void drawRequested(bool draw);
     void viewRegionRequested();
     void wholeCityRequested();

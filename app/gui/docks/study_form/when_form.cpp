@@ -51,7 +51,7 @@ void PeriodForm::explainFields() {
     rows_.widget("--start")->setObjectName(QStringLiteral("startDate"));
     rows_.widget("--no-refraction")->setObjectName(QStringLiteral("refraction"));
     explain("--start", tr("First day of the period, local date in the time zone"));
-    explain("--from", tr("Wall-clock time at which each day's window begins, hours:minutes"));
+    explain("--from", tr("Wall-clock time at which each day's hours begin, hours:minutes"));
     explain("--zone", tr("IANA time zone of the wall clock, daylight saving included.\nSet to that of the "
                          "nearest city when a file is opened: check it near borders."));
     explain("--no-refraction",
@@ -141,7 +141,7 @@ QString nameOf(PeriodPreset preset, double latitudeDeg) {
     return {};
 }
 
-Period applied(PeriodPreset preset, Period period, CivilDate today, double latitudeDeg) {
+Period withPresetDays(PeriodPreset preset, Period period, CivilDate today, double latitudeDeg) {
     using namespace std::chrono;
     const auto year = period.start.year();
     const auto oneDay = [&](CivilDate date) { return withDays(period, date, date); };
@@ -168,7 +168,7 @@ Period applied(PeriodPreset preset, Period period, CivilDate today, double latit
 
 PeriodPreset presetOf(const Period& period, CivilDate today, double latitudeDeg) {
     return *std::ranges::find_if(allPeriodPresets, [&](PeriodPreset preset) {
-        const Period there = applied(preset, period, today, latitudeDeg);
+        const Period there = withPresetDays(preset, period, today, latitudeDeg);
         return there.start == period.start && there.days == period.days;
     });
 }
@@ -265,7 +265,7 @@ WhenForm::WhenForm(QWidget* parent)
     connect(rulesMenu_, &QMenu::aboutToShow, this, &WhenForm::fillRules);
     connect(presets_, &QComboBox::activated, this, [this](int chosen) {
         const auto preset = allPeriodPresets[std::size_t(chosen)];
-        Q_EMIT edited(applied(preset, period_->period(), today(), latitudeDeg_), tr("days"));
+        Q_EMIT edited(withPresetDays(preset, period_->period(), today(), latitudeDeg_), tr("days"));
     });
     connect(period_, &PeriodForm::edited, this,
             [this](const QString& field) { Q_EMIT edited(period_->period(), field); });

@@ -53,7 +53,7 @@ QString nameOf(PeriodPreset preset, double latitudeDeg);
 
 /// `period` with the days of the preset, in the year of the period; hours and all else stay. The growing
 /// season is April to October, south of the equator October to April. `own` changes nothing.
-Period applied(PeriodPreset preset, Period period, CivilDate today, double latitudeDeg);
+Period withPresetDays(PeriodPreset preset, Period period, CivilDate today, double latitudeDeg);
 
 /// The preset whose days the period has; the first of several, `own` if none.
 PeriodPreset presetOf(const Period& period, CivilDate today, double latitudeDeg);

@@ -35,7 +35,7 @@ bool isIn(const Place& place, glm::dvec2 point) {
 ContextMenu::ContextMenu(Workbench& workbench, EditTools& tools, RegionActions& region, PlaceActions& places,
                          PointInspector& points, ViewPanel& panel)
     : workbench_(workbench), tools_(tools), region_(region), places_(places), points_(points), panel_(panel) {
-    connect(&panel_, &ViewPanel::menuWanted, this, &ContextMenu::popUp);
+    connect(&panel_, &ViewPanel::menuRequested, this, &ContextMenu::popUp);
 }
 
 void ContextMenu::popUp(QPointF pixel) {

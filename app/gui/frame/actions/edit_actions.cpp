@@ -41,7 +41,7 @@ EditActions::EditActions(Workbench& workbench, EditTools& tools, const ModeSwitc
 void EditActions::connectTools() {
     connect(&tools_, &EditTools::editsMade, this,
             [this](const std::vector<Edit>& edits, const QString& what) {
-                if (!workbench_.session().addEdits(edits, what)) tools_.takeBack();
+                if (!workbench_.session().addEdits(edits, what)) tools_.revert();
             });
     connect(&tools_, &EditTools::lotDrawn, this,
             [this](const NamedLot& lot) { workbench_.session().addLot(lot); });

@@ -195,7 +195,7 @@ void OpeningActions::askAboutTerrain(const QStringList& files, const ReadSetting
         tr("%1 is a terrain: it holds no buildings.").arg(QFileInfo(files.front()).fileName()));
     if (canAddTerrain())
         messages_.offer(tr("Add to the city"), [this, files, reading] { addTerrain(files, reading); });
-    messages_.offerToo(tr("Open alone"), [this, files, reading] { replaceBy(files, reading); });
+    messages_.offerSecond(tr("Open alone"), [this, files, reading] { replaceBy(files, reading); });
 }
 
 // The files of a project, and samples, are not read again.
@@ -220,7 +220,7 @@ void OpeningActions::addTerrain(const QStringList& files, const ReadSettings& re
 void OpeningActions::replaceBy(const QStringList& files, const ReadSettings& reading) {
     saving_.whenSafe([this, files, reading] {
         messages_.hide();  // its buttons refer to the previous files
-        Q_EMIT begun();
+        Q_EMIT openingStarted();
         workbench_.open(files, reading);
     });
 }
@@ -269,9 +269,9 @@ void OpeningActions::showGuesses() {
     const bool canReadAgain = !workbench_.source().files.isEmpty() && !workbench_.session().file();
     if (areHeightsDoubtful && canReadAgain) offerOptions();
     if (!terrains.isEmpty())
-        messages_.offerToo(tr("Add terrain"), [this] { chooseTerrain(); });
+        messages_.offerSecond(tr("Add terrain"), [this] { chooseTerrain(); });
     else if (far > 0)
-        messages_.offerToo(tr("Zoom to all"), [this] { Q_EMIT wholeCityWanted(); });
+        messages_.offerSecond(tr("Zoom to all"), [this] { Q_EMIT wholeCityRequested(); });
 }
 
 // If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.

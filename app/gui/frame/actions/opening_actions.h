@@ -60,12 +60,12 @@ public:
 
     /// The entry of the recent files that is open, and a picture of the view to keep with it.
     [[nodiscard]] QString recentEntry() const { return recent_.newest(); }
-    void keepPicture(const QString& entry, const QImage& picture) { recent_.setPicture(entry, picture); }
+    void storePicture(const QString& entry, const QImage& picture) { recent_.setPicture(entry, picture); }
 
 Q_SIGNALS:
-    void begun();            ///< files are being opened, and nothing is left to ask
-    void opened();           ///< another project is open
-    void wholeCityWanted();  ///< to see buildings that the first view leaves aside
+    void openingStarted();      ///< files are being opened, and nothing is left to ask
+    void opened();              ///< another project is open
+    void wholeCityRequested();  ///< to see buildings that the first view leaves aside
 
 private:
     void makeActions();

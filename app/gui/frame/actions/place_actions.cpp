@@ -264,7 +264,7 @@ void PlaceActions::readStreets() {
           .sidewalkM = PlaceSettings::defaultSidewalkM});
 }
 
-void PlaceActions::read(const QStringList& files, const PlaceSettings& settings, Earlier earlier) {
+void PlaceActions::read(const QStringList& files, const PlaceSettings& settings, EarlierPlaces earlier) {
     if (files.isEmpty() || !workbench_.city()) return;
     std::vector<std::string> names;
     for (const QString& file : files) names.push_back(file.toStdString());
@@ -289,14 +289,14 @@ void PlaceActions::read(const QStringList& files, const PlaceSettings& settings,
 }
 
 // The city's own file may have no streets, though its layers might hold lines.
-void PlaceActions::offerFile(const PlaceSettings& settings, Earlier earlier) {
+void PlaceActions::offerFile(const PlaceSettings& settings, EarlierPlaces earlier) {
     panel_.messages().offer(tr("Choose a file..."), [this, settings, earlier] {
         read(askForPlaces(&window_, folderOfCity()), settings, earlier);
     });
 }
 
 void PlaceActions::askForLayer(const QString& file, const std::vector<UnknownLayer>& layers,
-                               const PlaceSettings& settings, Earlier earlier) {
+                               const PlaceSettings& settings, EarlierPlaces earlier) {
     auto* form = new LayerForm(
         layers, settings,
         [this, file, earlier](const PlaceSettings& chosen) { read({file}, chosen, earlier); }, window_);
@@ -304,16 +304,16 @@ void PlaceActions::askForLayer(const QString& file, const std::vector<UnknownLay
     form->show();
 }
 
-void PlaceActions::take(const PlacesRead& read, Earlier earlier) {
+void PlaceActions::take(const PlacesRead& read, EarlierPlaces earlier) {
     if (read.places.empty())
         return panel_.messages().showError(
             {"The file holds no places", {}, "Choose a map with parks, or a file of polygons"});
     PlacesAdded added;
-    const auto join = earlier == Earlier::stay ? withMorePlaces : withPlaces;
+    const auto join = earlier == EarlierPlaces::stay ? withMorePlaces : withPlaces;
     Project next = join(workbench_.session().project(), read.places, added);
     const bool changes = added.added + added.replaced > 0;
     if (changes && !workbench_.session().change(std::move(next), tr("read places"))) return;
-    if (earlier == Earlier::areReplaced) outlines_->setChecked(true);  // asked for: they are to be seen
+    if (earlier == EarlierPlaces::areReplaced) outlines_->setChecked(true);  // asked for: they are to be seen
     const QString text = describePlacesRead(read.places.size(), added, read.warnings);
     read.warnings.empty() ? panel_.messages().showNote(text) : panel_.messages().showHelp(text);
 }
@@ -337,7 +337,7 @@ void PlaceActions::addFiles(const QStringList& files) {
         const auto kind = detectFileKind(file.toStdString());
         return kind && *kind == FileKind::terrain;
     });
-    areTerrain ? opening_.addTerrain(files) : read(files, {}, Earlier::stay);
+    areTerrain ? opening_.addTerrain(files) : read(files, {}, EarlierPlaces::stay);
 }
 
 void PlaceActions::addPhotograph(const QString& file) {

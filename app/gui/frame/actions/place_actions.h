@@ -36,11 +36,11 @@ public:
     [[nodiscard]] QAction* outlinesAction() const { return outlines_; }  ///< shows outlines of all places
 
     /// What becomes of the project's places of the same source: read again, they are replaced.
-    enum class Earlier { areReplaced, stay };
+    enum class EarlierPlaces { areReplaced, stay };
     /// Reads places into the open project. Of a single file with several layers that state no kinds of places
     /// one is asked for.
     void read(const QStringList& files, const PlaceSettings& settings = {},
-              Earlier earlier = Earlier::areReplaced);
+              EarlierPlaces earlier = EarlierPlaces::areReplaced);
     /// Reads the streets of the city's files: of OpenStreetMap, or layers of lines; where it has none, of
     /// files that the user chooses.
     void readStreets();
@@ -70,9 +70,9 @@ private:
     [[nodiscard]] QString folderOfCity() const;
     void addPhotograph(const QString& file);
     void askForLayer(const QString& file, const std::vector<UnknownLayer>& layers,
-                     const PlaceSettings& settings, Earlier earlier);
-    void offerFile(const PlaceSettings& settings, Earlier earlier);
-    void take(const PlacesRead& read, Earlier earlier);
+                     const PlaceSettings& settings, EarlierPlaces earlier);
+    void offerFile(const PlaceSettings& settings, EarlierPlaces earlier);
+    void take(const PlacesRead& read, EarlierPlaces earlier);
     void takeDrawn(const std::vector<Footprint>& pieces);
     void add(Place place, const QString& what);
     void follow();

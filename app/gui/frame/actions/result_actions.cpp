@@ -85,8 +85,8 @@ std::pair<QString, QString> ResultActions::pictureTitle() const {
     const Period& period = mode_.mode() == ViewMode::exploration || !display_.anyShown()
                                ? workbench_.document().settings().period
                                : display_.settings().period;
-    const TimeLook& look = panel_.time().look();
-    return {title, look.span == LookSpan::moment ? describe(look) : describePeriod(period)};
+    const ShownTime& look = panel_.time().look();
+    return {title, look.span == ShownSpan::moment ? describe(look) : describePeriod(period)};
 }
 
 std::vector<ExportDialog::Subject> ResultActions::exportSubjects() const {
@@ -156,7 +156,7 @@ void ResultActions::exportTo(const ExportChoice& chosen, const QString& folder) 
     const ExportChoice choice = drawn(chosen);
     last_ = choice;
     lastFolder_ = folder;
-    if (!mayReplace(&window_, folder, workbench_.filesInTheWay(folder.toStdString(), choice))) return;
+    if (!mayReplace(&window_, folder, workbench_.listExistingFiles(folder.toStdString(), choice))) return;
     choice.subject == ExportChoice::Subject::view ? exportView(choice, folder)
                                                   : workbench_.exportShown(folder.toStdString(), choice);
 }

@@ -32,7 +32,7 @@ void RecoveryOffers::offerNewest(const std::filesystem::path& project, const Rec
         workbench_.recover(moved || removed ? ProjectSaving::olderRecovery(project) : found.path);
     });
     if (std::filesystem::exists(ProjectSaving::olderRecovery(project)))
-        messages_.offerToo(tr("Older changes..."), [this] { offerOlder(); });
+        messages_.offerSecond(tr("Older changes..."), [this] { offerOlder(); });
 }
 
 // Offers an older recovery file, which was moved aside when a newer one was written.
@@ -46,7 +46,7 @@ void RecoveryOffers::offerOlder() {
         tr("There are unsaved changes to %1 from %2. They can be recovered or deleted.")
             .arg(workbench_.projectName(), info.lastModified().toString(QStringLiteral("yyyy-MM-dd HH:mm"))));
     messages_.offer(tr("Recover"), [this, older] { workbench_.recover(older); });
-    messages_.offerToo(tr("Delete them"), [older] { removeProject(older); });
+    messages_.offerSecond(tr("Delete them"), [older] { removeProject(older); });
 }
 
 // Not where the open project is itself recovered work.
@@ -82,12 +82,12 @@ void SavingActions::connectSaving() {
     connect(&saving_, &ProjectSaving::notSaved, &messages_, &MessageBar::showError);
     connect(&workbench_, &Workbench::recovered, &saving_, &ProjectSaving::setRecovery);
     // The work discarded for a file that did not open is still open.
-    connect(&workbench_, &Workbench::openFailed, this, &SavingActions::keepUnsaved);
+    connect(&workbench_, &Workbench::openFailed, this, &SavingActions::writeRecovery);
 }
 
 void SavingActions::takeSaved(const QString& file) {
     Q_EMIT saved(file);
-    if (std::exchange(leftTaken_, false)) store_.forgetLeft();
+    if (std::exchange(isRecovered_, false)) store_.forgetLeft();
     messages_.showNote(tr("Saved as %1").arg(file));
     if (const auto then = std::exchange(afterSave_, nullptr)) then();
 }
@@ -116,7 +116,7 @@ void SavingActions::saveTo(const std::filesystem::path& file) { saving_.saveAs(f
 bool SavingActions::confirmUnsaved(const std::function<void()>& afterSave) {
     afterSave_ = nullptr;
     if (!workbench_.session().hasUnsavedWork()) {
-        saving_.forgetUnsaved();
+        saving_.removeRecovery();
         return true;
     }
     const Unsaved answer = askUnsaved_();
@@ -134,13 +134,13 @@ void SavingActions::whenSafe(const std::function<void()>& then) {
 // Also removes the recovery file that the work came from; otherwise it would be offered again.
 void SavingActions::discardWork() {
     saving_.discardUnsaved();
-    if (std::exchange(leftTaken_, false)) store_.forgetLeft();
+    if (std::exchange(isRecovered_, false)) store_.forgetLeft();
 }
 
 void SavingActions::takeProject() {
     afterSave_ = nullptr;
     saving_.projectReplaced();
-    leftTaken_ = workbench_.session().recovered();
+    isRecovered_ = workbench_.session().recovered();
 }
 
 SavingActions::Unsaved SavingActions::askUnsaved() {

@@ -52,7 +52,7 @@ public:
 
     [[nodiscard]] QList<QAction*> actions() const { return {save_, saveAs_}; }
     [[nodiscard]] JobSlot& writing() { return saving_.writing(); }
-    void keepUnsaved() { saving_.keepUnsaved(); }  ///< writes the recovery file now
+    void writeRecovery() { saving_.writeRecovery(); }  ///< writes the recovery file now
 
     void save();
     void saveAs();                                   ///< asks for a file
@@ -75,7 +75,7 @@ public:
     void setSaveAsQuestion(SaveAsQuestion question) { askSaveAs_ = std::move(question); }
 
     /// The recovery file of this window is not needed any more: another one keeps the work.
-    void forgetUnsaved() { saving_.forgetUnsaved(); }
+    void removeRecovery() { saving_.removeRecovery(); }
 
 Q_SIGNALS:
     void saved(QString file);
@@ -99,7 +99,7 @@ private:
     /// Action to continue with after the save that the user asked for.
     std::function<void()> afterSave_;
     /// The open project was recovered from work that an earlier run left unsaved.
-    bool leftTaken_ = false;
+    bool isRecovered_ = false;
 };
 
 }  // namespace noonmark

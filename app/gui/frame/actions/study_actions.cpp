@@ -47,7 +47,7 @@ StudyActions::StudyActions(Workbench& workbench, const ModeSwitch& mode, ResultD
     connect(&workbench_, &Workbench::answered, &panel_.messages(), &MessageBar::dismiss);
     connect(&workbench_, &Workbench::studyStopped, this, &StudyActions::showStopped);
     connect(&workbench_, &Workbench::longRun, this, &StudyActions::announceLongRun);
-    connect(&workbench_.session(), &ProjectSession::comparisonWanted, this, &StudyActions::compare);
+    connect(&workbench_.session(), &ProjectSession::comparisonRequested, this, &StudyActions::compare);
 }
 
 void StudyActions::listenTo(StudyDock& study, ProjectDock& tree, WeightsDock& weights) {
@@ -170,7 +170,7 @@ void StudyActions::announceLongRun(const RunEstimate& estimate) {
                 .arg(describeAbout(estimate.seconds), estimate.engine,
                      describeAbout(estimate.quickerSeconds)));
         bar.offer(tr("Run quickly"), [this] { workbench_.runQuicker(); });
-        bar.offerToo(tr("Run it all the same"), [this] { workbench_.runAnyway(); });
+        bar.offerSecond(tr("Run it all the same"), [this] { workbench_.runAnyway(); });
         return;
     }
     bar.showHelp(tr("This study takes %1 (%2). Larger cells, fewer days or a smaller region make it quicker.")
@@ -195,7 +195,7 @@ ReviewActions::ReviewActions(ReviewSession& review, GlazingSession& windows, Rev
                          tr("Shows the sheets of the review, and writes them with its tables and drawings"),
                          "sheets")) {
     show_->setObjectName(QStringLiteral("reviewByRule"));
-    connect(show_, &QAction::triggered, this, &ReviewActions::dockWanted);
+    connect(show_, &QAction::triggered, this, &ReviewActions::dockRequested);
     connect(export_, &QAction::triggered, this, &ReviewActions::exportReview);
     connect(&dock, &ReviewDock::exportRequested, this, &ReviewActions::exportReview);
     connect(&dock, &ReviewDock::placePointedAt, &panel_, &ViewPanel::highlightPlace);
@@ -217,7 +217,7 @@ void ReviewActions::showVerdicts(EditPreview& preview) const {
 void ReviewActions::exportReview() {
     const auto shown = windows_.applies() ? windows_.showFinished() : review_.showFinished();
     if (!shown) return panel_.messages().showError(shown.error());
-    Q_EMIT exportWanted();
+    Q_EMIT exportRequested();
 }
 
 }  // namespace noonmark

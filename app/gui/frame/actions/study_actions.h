@@ -77,8 +77,8 @@ public:
     [[nodiscard]] QList<QAction*> actions() const { return {show_, export_}; }
 
 Q_SIGNALS:
-    void dockWanted();
-    void exportWanted();  ///< of the review, which is displayed
+    void dockRequested();
+    void exportRequested();  ///< of the review, which is displayed
 
 private:
     void showVerdicts(EditPreview& preview) const;

@@ -152,7 +152,7 @@ HelpActions::HelpActions(OpeningActions& opening, QSettings& settings, QMainWind
     connect(whatsThis_, &QAction::triggered, this, [] { QWhatsThis::enterWhatsThisMode(); });
     connect(start_, &QAction::triggered, this, [this] { showStart(); });
     connect(about_, &QAction::triggered, this, &HelpActions::showAbout);
-    connect(&opening_, &OpeningActions::begun, this, [this] {
+    connect(&opening_, &OpeningActions::openingStarted, this, [this] {
         waiting_ = startPage_ ? startPage_->waiting() : std::nullopt;
         closeStart();
     });
@@ -185,7 +185,7 @@ void HelpActions::connectStart(StartPage& page) {
     connect(&page, &StartPage::openRequested, opening_.openAction(), &QAction::trigger);
     connect(&page, &StartPage::folderRequested, &opening_, &OpeningActions::openFolder);
     connect(&page, &StartPage::guideRequested, this, [this] { showGuide({QStringLiteral("window"), {}}); });
-    connect(&page, &StartPage::tourRequested, this, &HelpActions::tourWanted);
+    connect(&page, &StartPage::tourRequested, this, &HelpActions::tourRequested);
     connect(&page, &StartPage::asked, this, [this, &page](StartQuestion question) {
         page.close();
         Q_EMIT questionAsked(question);

@@ -92,7 +92,7 @@ public:
     GuideWindow& showGuide(const GuidePlace& place);
 
 Q_SIGNALS:
-    void tourWanted(std::size_t tour);  ///< an index of listTours(), from the start page
+    void tourRequested(std::size_t tour);  ///< an index of listTours(), from the start page
     /// A card of the start page was chosen, and its city is there.
     void questionAsked(noonmark::StartQuestion question);
 

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
 #include "app/gui/frame/tour/tour.h"
@@ -206,7 +207,7 @@ void StartPage::addRecent(QVBoxLayout& column, const RecentFiles& recent) {
     column.addWidget(makeHeading(tr("Recent"), 1));
     for (const QString& entry : entries.mid(0, maxRecent)) {
         const QStringList files = RecentFiles::filesOf(entry);
-        const bool there = RecentFiles::isThere(entry);
+        const bool there = RecentFiles::exists(entry);
         const QString folder = fontMetrics().elidedText(QFileInfo(files.first()).absolutePath(),
                                                         Qt::ElideMiddle, sidePx - thumbnailPx.width() - 90);
         auto* card =
@@ -312,9 +313,7 @@ void StartPage::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void StartPage::dropEvent(QDropEvent* event) {
-    QStringList files;
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) files << url.toLocalFile();
+    const QStringList files = listDroppedFiles(*event->mimeData());
     event->acceptProposedAction();
     if (!files.isEmpty()) Q_EMIT chosen(files, {});
 }

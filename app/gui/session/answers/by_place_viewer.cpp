@@ -117,7 +117,7 @@ std::shared_ptr<const SunOfCities> sunOf(const std::shared_ptr<const Answer>& an
 }
 
 std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place, ShownAs show,
-                                     const KeptContributions* contributions) {
+                                     const ContributionTable* contributions) {
     const SunByPlace& shown = shownCity(sun);
     const SunOfPlace& of = shown.sun[place];
     std::vector<ResultRow> rows{{QObject::tr("Kind"), describeKind(shown.places[place].kind), {}}};

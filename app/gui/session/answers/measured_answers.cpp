@@ -29,7 +29,7 @@ bool isReplaced(const SavedResult& read, const Answer& later) {
         return false;
     const auto origin = readSavedOrigin(read);
     return origin && origin->weights == part.weights &&
-           listHashes(*later.settings()).hold(origin->questionSha256);
+           listHashes(*later.settings()).matches(origin->questionSha256);
 }
 
 bool isNameTaken(const Project& project, const std::string& name) {

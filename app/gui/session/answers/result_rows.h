@@ -99,7 +99,7 @@ std::vector<ResultRow> makeRows(const PlaceFigures& figures, ShownAs show);
 /// One of its places: its sun, what is remarked about it, and the buildings that take most from it, where
 /// that is known: null is not.
 std::vector<ResultRow> makePlaceRows(const SunOfCities& sun, std::size_t place, ShownAs show,
-                                     const KeptContributions* contributions);
+                                     const ContributionTable* contributions);
 
 /// "Jan 2026"
 QString describeMonth(std::chrono::year_month month);

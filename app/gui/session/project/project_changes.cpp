@@ -166,7 +166,7 @@ Project withPlaces(Project project, std::vector<Place> places, PlacesAdded& adde
         project.places[before->second] = std::move(place);
         ++added.replaced;
     }
-    nameApart(project.places);
+    makeNamesUnique(project.places);
     return project;
 }
 
@@ -181,7 +181,7 @@ Project withMorePlaces(Project project, std::vector<Place> places, PlacesAdded& 
         if (!isThere) project.places.push_back(std::move(place));
         ++(isThere ? added.same : added.added);
     }
-    nameApart(project.places);
+    makeNamesUnique(project.places);
     return project;
 }
 

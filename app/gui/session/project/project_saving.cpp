@@ -34,7 +34,7 @@ void dropOldest(const fs::path& recovery, int count) {
 }
 
 // Moves an earlier run's recovery file aside, as the newest of those moved before. Returns the newest.
-std::optional<fs::path> putAside(const fs::path& recovery) {
+std::optional<fs::path> moveAside(const fs::path& recovery) {
     std::error_code error;
     if (fs::exists(recovery, error)) {
         for (int count = countAside(recovery); count >= RecoveryStore::maxLeft; --count)
@@ -56,7 +56,7 @@ RecoveryStore::RecoveryStore(const QString& folder) {
         if (!lock->tryLock(0)) continue;
         lock_ = std::move(lock);
         file_ = (name + QLatin1String(projectEnding)).toStdString();
-        left_ = putAside(recoveryPath(file_));
+        left_ = moveAside(recoveryPath(file_));
     }
 }
 
@@ -78,7 +78,7 @@ public:
     [[nodiscard]] bool movedAside() const { return movedAside_; }
 
     Result<void> keep(const Project& project) {
-        Result<void> saved = keepUnlessGone(project);
+        Result<void> saved = saveUnlessDiscarded(project);
         if (gone_) removeUnlessWritten();
         return saved;
     }
@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    Result<void> keepUnlessGone(const Project& project) {
+    Result<void> saveUnlessDiscarded(const Project& project) {
         const std::scoped_lock lock(mutex_);
         return gone_ ? Result<void>() : autosave_.keep(project);
     }
@@ -110,7 +110,7 @@ ProjectSaving::ProjectSaving(ProjectSession& session, std::function<Compose()> c
     : QObject(parent), session_(session), capture_(std::move(capture)), unsavedFile_(std::move(unsavedFile)) {
     timer_.setSingleShot(true);
     timer_.setInterval(autosaveMs);
-    connect(&timer_, &QTimer::timeout, this, &ProjectSaving::keepUnsaved);
+    connect(&timer_, &QTimer::timeout, this, &ProjectSaving::writeRecovery);
     connect(&session_, &ProjectSession::unsavedChanged, this, [this] {
         if (session_.hasUnsavedWork() && !timer_.isActive()) timer_.start();
     });
@@ -131,7 +131,7 @@ void ProjectSaving::saveAs(const fs::path& file) {
     write(file, [file, compose = capture_()]() -> Result<ProjectFile> {
         const Project project = compose();
         return checkOutput(file, OutputKind::project, outputRules({}, project.inputs, true)).and_then([&] {
-            return ProjectFile::create(file, project, ProjectFile::IfThere::replace);
+            return ProjectFile::create(file, project, ProjectFile::IfExists::replace);
         });
     });
 }
@@ -150,7 +150,7 @@ void ProjectSaving::take(Result<ProjectFile> written, int version) {
         next_ = nullptr;
         return Q_EMIT failed(written.error());
     }
-    forgetUnsaved();
+    removeRecovery();
     recovery_.clear();
     session_.setSaved(*std::move(written), version);
     removeProject(olderRecovery(session_.file()->path()));  // superseded by this save
@@ -167,7 +167,7 @@ fs::path ProjectSaving::olderRecovery(const fs::path& file) {
                                                projectEnding);
 }
 
-void ProjectSaving::keepUnsaved() {
+void ProjectSaving::writeRecovery() {
     if (!session_.hasUnsavedWork() || savedBeside().empty()) return;
     if (recoveryJob_.busy() || writing_.busy() || !leaving_.expired()) return timer_.start();
     if (!saved_) saved_ = std::make_shared<RecoveredWork>(savedBeside());
@@ -181,7 +181,7 @@ void ProjectSaving::keepUnsaved() {
         });
 }
 
-void ProjectSaving::forgetUnsaved() {
+void ProjectSaving::removeRecovery() {
     if (saved_) {
         saved_->discard();
         leaving_ = saved_;
@@ -192,7 +192,7 @@ void ProjectSaving::forgetUnsaved() {
 void ProjectSaving::discardUnsaved() {
     if (!recovery_.empty() && session_.file()) deleteAdoptedRecovery();
     recovery_.clear();
-    forgetUnsaved();
+    removeRecovery();
 }
 
 // If this run has written a recovery file, the newer of the earlier files was moved over the older one.

@@ -57,9 +57,9 @@ public:
     void saveAs(const std::filesystem::path& file);  ///< replaces a project file, never another file
     /// Writes unsaved changes to the recovery file now; the timer calls it `autosaveMs` after a change. A
     /// recovery file of an earlier run is moved aside, not overwritten.
-    void keepUnsaved();
+    void writeRecovery();
     /// Nothing is unsaved any more: removes this run's recovery file.
-    void forgetUnsaved();
+    void removeRecovery();
     /// Reports that the session contains the work of this recovery file of an earlier run.
     void setRecovery(const std::filesystem::path& recovery) { recovery_ = recovery; }
     /// The user discards unsaved work: removes this run's recovery file, and the one that the work was
@@ -71,7 +71,7 @@ public:
 
     [[nodiscard]] JobSlot& writing() { return writing_; }
 
-    /// The path to which an earlier recovery file is moved before a new one is written; see keepUnsaved().
+    /// The path to which an earlier recovery file is moved before a new one is written; see writeRecovery().
     /// One per project, replacing an older one. The next save removes it, and so does discardUnsaved() after
     /// setRecovery() of it.
     [[nodiscard]] static std::filesystem::path olderRecovery(const std::filesystem::path& file);

@@ -127,7 +127,7 @@ Result<std::shared_ptr<const City>> ScenarioCities::cityOf(const Project& projec
     const Made from = nearest(*edits);
     if (from.edits.size() == edits->size()) return from.city;
     const auto rest = std::span(*edits).subspan(from.edits.size());
-    auto edited = applied(*from.city, rest);
+    auto edited = applyEdits(*from.city, rest);
     // Applies all edits again from the first, so that the error names the right one.
     if (!edited)
         return noonmark::cityOf(project, scenario).map([](EditedCity all) {
@@ -246,7 +246,7 @@ void ProjectSession::goTo(const std::string& scenario) {
 void ProjectSession::compareWith(const std::string& scenario) {
     if (scenario == now_.baseline) return;
     setBaseline(scenario);
-    if (scenario == now_.baseline) Q_EMIT comparisonWanted();
+    if (scenario == now_.baseline) Q_EMIT comparisonRequested();
 }
 
 void ProjectSession::setBaseline(const std::string& scenario) {
@@ -274,7 +274,7 @@ void ProjectSession::apply(const State& state, const Renaming& renaming) {
     Q_EMIT changed();
     if (after == before) return;
     Q_EMIT baselineChanged();
-    Q_EMIT comparisonWanted();
+    Q_EMIT comparisonRequested();
 }
 
 void ProjectSession::takeCity() {

@@ -120,7 +120,7 @@ Q_SIGNALS:
     void cityChanged();      ///< another scenario is displayed, or its buildings changed
     void baselineChanged();  ///< another baseline, or its buildings changed
     void
-    comparisonWanted();  ///< the user chose a baseline, or changed its buildings; after baselineChanged()
+    comparisonRequested();  ///< the user chose a baseline, or changed its buildings; after baselineChanged()
     /// Emitted on do, undo and redo, before changed().
     void renamed(noonmark::ProjectPart part, const std::string& from, const std::string& to);
     void refused(noonmark::Error error);

@@ -74,7 +74,7 @@ void RecentFiles::setPicture(const QString& entry, const QImage& picture) {
 
 bool RecentFiles::isSampleEntry(const QString& entry) { return entry.startsWith(samplePrefix); }
 
-bool RecentFiles::isThere(const QString& entry) {
+bool RecentFiles::exists(const QString& entry) {
     if (isSampleEntry(entry)) return true;
     const QStringList files = filesOf(entry);
     return std::ranges::all_of(files, [](const QString& file) { return QFileInfo::exists(file); });

@@ -30,7 +30,7 @@ public:
     void setPicture(const QString& entry, const QImage& picture);
     static constexpr QSize pictureSize{192, 128};
 
-    static bool isThere(const QString& entry);  ///< all its files exist; samples always do
+    static bool exists(const QString& entry);  ///< all its files exist; samples always do
     static bool isSampleEntry(const QString& entry);
     static QStringList filesOf(const QString& entry);
     static QString nameOf(const QString& entry);  ///< menu text: the file's name, "and 2 more"

@@ -62,8 +62,7 @@ QString describeKinds(PlaceKind kind) {
 
 QString describeRegion(const Region& region, double cellM) {
     if (region.polygons.empty()) return QObject::tr("No region yet");
-    double areaM2 = 0;
-    for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
+    const double areaM2 = area(region);
     const Box2 box = bounds(region);
     const QString name =
         region.name.empty() ? QStringLiteral("Polygon") : QString::fromStdString(region.name);

@@ -198,7 +198,7 @@ void BuildingEditing::showHandle() {
     const City& city = context_.city->city();
     const double ground = double(findGroundUnder(building(), city));
     const glm::dvec2 middle = findMiddle(building());
-    context_.handle.stand({{middle.x, middle.y, ground},
+    context_.handle.place({{middle.x, middle.y, ground},
                            double(heightM(building(), city)),
                            defaultStoreyM,
                            computeElevation(city, {middle, ground})});
@@ -225,7 +225,7 @@ void BuildingEditing::previewAll(const std::vector<Edit>& edits) {
     const glm::dvec2 middle = findMiddle(*added.front());
     const City& city = context_.city->city();
     const double ground = double(findGroundUnder(*added.front(), city));
-    context_.handle.stand({{middle.x, middle.y, ground},
+    context_.handle.place({{middle.x, middle.y, ground},
                            double(topM(*added.front())) - ground,
                            defaultStoreyM,
                            computeElevation(city, {middle, ground})});
@@ -237,7 +237,7 @@ void BuildingEditing::make(const Edit& edit) {
 
 // The project answers with a changed city; until then the preview stays.
 void BuildingEditing::makeAll(const std::vector<Edit>& edits, const QString& what) {
-    if (const auto sound = applied(context_.city->city(), edits); !sound)
+    if (const auto sound = applyEdits(context_.city->city(), edits); !sound)
         return panel_.showError(describeError(sound.error()));
     previewAll(edits);
     Q_EMIT editsMade(edits, what);
@@ -277,7 +277,7 @@ void BuildingEditing::previewHeight(double heightM) {
     const BuildingFacts facts = collectFacts(*added.front(), city);
     const double ground = double(findGroundUnder(building(), city));
     const glm::dvec2 middle = findMiddle(building());
-    context_.handle.stand(
+    context_.handle.place(
         {{middle.x, middle.y, ground}, facts.heightM, defaultStoreyM, facts.groundElevationM});
     context_.handle.showFigures(tr("%1, %2\n%3 floor area")
                                     .arg(describeHeight(facts.heightM, facts.groundElevationM),

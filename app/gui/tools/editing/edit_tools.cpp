@@ -339,7 +339,7 @@ void EditTools::key(int key) {
     if (enter && mesh_.active()) mesh_.build();
 }
 
-void EditTools::takeBack() {
+void EditTools::revert() {
     context_.preview.clear();
     building_.show();
 }

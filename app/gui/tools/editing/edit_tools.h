@@ -75,7 +75,7 @@ public:
     void designOn(const NamedLot& lot);
     void replace();  ///< the selected building with a tower
     /// The edits were refused: shows the unchanged city.
-    void takeBack();
+    void revert();
     void cancel();  ///< cancels the active tool, or else the selection
 
 Q_SIGNALS:

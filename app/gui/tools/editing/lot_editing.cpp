@@ -256,7 +256,7 @@ void LotEditing::removeSelected() {
          tr("remove a corner of %1").arg(QString::fromStdString(lot_->name)));
 }
 
-void LotEditing::takeBack() {
+void LotEditing::revert() {
     lot_ = std::exchange(drag_, std::nullopt)->before;
     next_.stop();
     context_.panel.cursorLabel().hide();
@@ -269,7 +269,7 @@ void LotEditing::takeBack() {
 bool LotEditing::key(int key) {
     if (!active()) return false;
     if (key == Qt::Key_Escape && drag_)
-        takeBack();
+        revert();
     else if (key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter)
         end();
     else if (!drag_ && (key == Qt::Key_Delete || key == Qt::Key_Backspace))

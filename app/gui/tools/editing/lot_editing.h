@@ -73,7 +73,7 @@ private:
     [[nodiscard]] Result<Footprint> dragged(const Drag& drag, glm::dvec2 to, bool snapped) const;
     void take(Result<Footprint> outline, const QString& what);
     void release(const Drag& drag);
-    void takeBack();
+    void revert();
     void removeSelected();
     void show();
     [[nodiscard]] std::optional<LotHandle> handleAt(QPointF pixel) const;

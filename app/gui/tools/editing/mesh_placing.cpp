@@ -66,7 +66,7 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     connect(axes_, &FieldRows::edited, this, &PlacingPanel::readingEdited);
     for (QDoubleSpinBox* field : {scale_, turn_, storeyHeight_})
         connect(field, &QDoubleSpinBox::valueChanged, this, &PlacingPanel::edited);
-    connect(apply_, &QPushButton::clicked, this, &PlacingPanel::applied);
+    connect(apply_, &QPushButton::clicked, this, &PlacingPanel::applyRequested);
     connect(cancel, &QPushButton::clicked, this, &PlacingPanel::cancelled);
 }
 
@@ -129,7 +129,7 @@ MeshPlacing::MeshPlacing(EditContext& context, PlacingPanel& panel, QObject* par
     : QObject(parent), context_(context), panel_(panel) {
     connect(&panel_, &PlacingPanel::edited, this, &MeshPlacing::show);
     connect(&panel_, &PlacingPanel::readingEdited, this, &MeshPlacing::read);
-    connect(&panel_, &PlacingPanel::applied, this, &MeshPlacing::build);
+    connect(&panel_, &PlacingPanel::applyRequested, this, &MeshPlacing::build);
     connect(&panel_, &PlacingPanel::cancelled, this, &MeshPlacing::cancel);
 }
 

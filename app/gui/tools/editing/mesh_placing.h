@@ -36,7 +36,7 @@ public:
 Q_SIGNALS:
     void edited();
     void readingEdited();
-    void applied();
+    void applyRequested();
     void cancelled();
 
 private:

@@ -47,7 +47,8 @@ QString describeSource(HeightSource source) {
     return {};
 }
 
-Result<GivenMass> massOf(const Building& building, const City& city, double storeyHeightM = defaultStoreyM) {
+Result<MassConstraint> massOf(const Building& building, const City& city,
+                              double storeyHeightM = defaultStoreyM) {
     return massOf(building, double(findGroundUnder(building, city)), storeyHeightM);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "core/receivers/place_names.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -75,8 +76,7 @@ bool isInside(const Box2& box, const Grid& grid) {
 std::vector<GridPlace> findPlaceCells(const std::vector<Place>& places, const Grid& grid) {
     std::vector<GridPlace> found;
     for (const Place& place : places) {
-        Box2 box;
-        for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
+        const Box2 box = bounds(place);
         if (!overlaps(box, grid)) continue;
         GridPlace cells{place.name, collectCells(place.polygons, grid), isInside(box, grid)};
         if (!cells.cells.empty()) found.push_back(std::move(cells));

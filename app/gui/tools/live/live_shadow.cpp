@@ -133,7 +133,7 @@ constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
 // Moments spread over the days and hours of a long period, as one day.
 SunSteps spread(const SunSteps& sun) {
-    const std::size_t all = sun.steps.size(), maximum = LiveLimits::someMoments;
+    const std::size_t all = sun.steps.size(), maximum = LiveLimits::sampledMoments;
     SunSteps chosen{.stepMinutes = sun.stepMinutes};
     for (std::size_t k = 0; k < maximum; ++k)
         chosen.steps.push_back(sun.steps[(2 * k + 1) * all / (2 * maximum)]);
@@ -222,7 +222,7 @@ Result<void> LiveShadow::begin(const SunSteps& sun, Progress& progress, const st
 Result<void> LiveShadow::begin(LiveEngine engine, const SunSteps& sun, Progress& progress,
                                const std::stop_token& stop) {
     engine_ = engine;
-    counted_ = engine == LiveEngine::moments ? LiveLimits::someMoments : steps_;
+    counted_ = engine == LiveEngine::moments ? LiveLimits::sampledMoments : steps_;
     if (engine == LiveEngine::horizons)
         return fieldOf(city_, receivers(), ShadowCounts::gross, progress, stop).map([](const ShadowField&) {
         });

@@ -33,7 +33,7 @@ struct LiveLimits {
     /// Up to this many steps, polygons of each step are cached: twelve hours minute by minute.
     static constexpr std::size_t maxSteps = 720;
     /// Number of moments of a longer period. Fewer than maxSteps, since moments far apart cost more each.
-    static constexpr std::size_t someMoments = 120;
+    static constexpr std::size_t sampledMoments = 120;
     /// A region with more cells is too slow to follow, and the horizons of a year would not fit into the
     /// cache: a square around the shape is used instead.
     static constexpr std::size_t maxCells = std::size_t{1} << 20U;

@@ -294,7 +294,7 @@ QWidget* MassingPanel::makeAnswerButtons() {
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(apply_);
     row->addWidget(cancel);
-    connect(apply_, &QPushButton::clicked, this, &MassingPanel::applied);
+    connect(apply_, &QPushButton::clicked, this, &MassingPanel::applyRequested);
     connect(cancel, &QPushButton::clicked, this, &MassingPanel::cancelled);
     return buttons;
 }

@@ -76,7 +76,7 @@ Q_SIGNALS:
     void nearestTaken();  ///< the nearest possible settings instead
     void facadesShownChosen(bool shown);
     void changeShownChosen(bool shown);
-    void applied();
+    void applyRequested();
     void cancelled();
 
 private:

@@ -30,7 +30,7 @@ TowerEditing::TowerEditing(EditContext& context, MassingPanel& panel, QObject* p
     connect(&panel_, &MassingPanel::edited, this, &TowerEditing::take);
     connect(&panel_, &MassingPanel::fitRequested, this, &TowerEditing::fit);
     connect(&panel_, &MassingPanel::nearestTaken, this, &TowerEditing::takeNearest);
-    connect(&panel_, &MassingPanel::applied, this, &TowerEditing::build);
+    connect(&panel_, &MassingPanel::applyRequested, this, &TowerEditing::build);
     connect(&panel_, &MassingPanel::cancelled, this, &TowerEditing::cancel);
 }
 
@@ -124,7 +124,7 @@ void TowerEditing::show() {
     const double ground = double(findGroundUnder(*built, city));
     const double elevation = computeElevation(city, {foot.x, foot.y, ground});
     panel_.showFigures(tower->massing, context_.preview.changes().removed.size(), elevation);
-    context_.handle.stand(
+    context_.handle.place(
         {{foot.x, foot.y, ground}, heightOf(draft_->settings), draft_->settings.storeyHeightM, elevation});
     context_.handle.showFigures(describeFigures(tower->massing.figures, elevation));
 }

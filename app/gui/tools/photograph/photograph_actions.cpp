@@ -51,7 +51,7 @@ void PhotographActions::ask() {
     const int result = dialog.exec();
     if (result == QDialog::Accepted) set(dialog.picture());
     follow();
-    if (result == PhotographDialog::tilesWanted) askForTiles();
+    if (result == PhotographDialog::tilesRequested) askForTiles();
 }
 
 void PhotographActions::askForTiles() {

@@ -29,8 +29,8 @@ public:
     [[nodiscard]] QAction* fileAction() const { return ask_; }   ///< opens the dialog
     [[nodiscard]] QAction* showAction() const { return show_; }  ///< checkable
 
-    /// Makes `wanted` the project's photograph; reads its file if it is not the one at hand. None: removes
-    /// it.
+    /// Makes `wanted` the project's photograph; reads its file if it is not the one read last. None:
+    /// removes it.
     void set(const std::optional<GroundPictureFile>& wanted);
     [[nodiscard]] JobSlot& reading() { return reading_; }
 

@@ -141,7 +141,7 @@ void PhotographDialog::addButtons() {
     QPushButton* tiles = buttons->addButton(tr("From tiles..."), QDialogButtonBox::ActionRole);
     tiles->setObjectName(QStringLiteral("photographTiles"));
     tiles->setToolTip(tr("Fetches tiles of the web's map scheme from an address that you state"));
-    connect(tiles, &QPushButton::clicked, this, [this] { done(tilesWanted); });
+    connect(tiles, &QPushButton::clicked, this, [this] { done(tilesRequested); });
     QPushButton* remove = buttons->addButton(tr("Remove"), QDialogButtonBox::ActionRole);
     remove->setObjectName(QStringLiteral("photographRemove"));
     remove->setToolTip(tr("Takes the photograph out of the project; its file stays"));

@@ -56,7 +56,7 @@ public:
     /// another file.
     [[nodiscard]] std::optional<GroundPictureFile> picture() const;
 
-    static constexpr int tilesWanted = 2;  ///< result(): the user wants to fetch tiles instead
+    static constexpr int tilesRequested = 2;  ///< result(): the user wants to fetch tiles instead
 
 private:
     void addFields();

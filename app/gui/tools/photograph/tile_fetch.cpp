@@ -59,7 +59,7 @@ Result<void> checkTemplate(const QString& address) {
     const QUrl url(addressOf(address, 0, 0, 0));
     const bool web = url.scheme() == QStringLiteral("http") || url.scheme() == QStringLiteral("https");
     if (!url.isValid() || !web || url.host().isEmpty())
-        return failure("The address is none of a web server", address.toStdString(),
+        return failure("The address is not that of a web server", address.toStdString(),
                        "Type an address such as https://tiles.example.org/{z}/{x}/{y}.png");
     for (const char* part : {"{x}", "{y}", "{z}"})
         if (!address.contains(QLatin1String(part)))

@@ -30,12 +30,12 @@ std::optional<double> heightOnVertical(const ViewRay& ray, glm::dvec3 foot) {
     return ray.origin.z + distance * ray.direction.z - foot.z;
 }
 
-double wholeStoreys(double heightM, double storeyM) {
+double roundToStoreys(double heightM, double storeyM) {
     const double maximum = std::floor(tallestBuildingM / storeyM + 1e-9);
     return std::clamp(std::round(heightM / storeyM), 1.0, maximum) * storeyM;
 }
 
-double freeHeight(double heightM, double storeyM) {
+double roundHeight(double heightM, double storeyM) {
     return std::clamp(std::round(heightM * 10) / 10, storeyM, tallestBuildingM);
 }
 
@@ -64,7 +64,7 @@ ExtrudeHandle::ExtrudeHandle(ViewPanel& panel, QObject* parent)
 
 ExtrudeHandle::~ExtrudeHandle() { panel_.navigator().removeTarget(*this); }
 
-void ExtrudeHandle::stand(const Tower& tower) {
+void ExtrudeHandle::place(const Tower& tower) {
     tower_ = tower;
     panel_.view().overlay().showHandle(tower.foot + glm::dvec3(0, 0, tower.heightM));
 }
@@ -117,8 +117,8 @@ void ExtrudeHandle::follow() {
     const auto height = heightAt(pixel_);
     if (!height) return;
     const double wanted = *height - *grabbedM_;
-    Q_EMIT dragged(shiftIsDown() ? freeHeight(wanted, tower_->storeyM)
-                                 : wholeStoreys(wanted, tower_->storeyM));
+    Q_EMIT dragged(shiftIsDown() ? roundHeight(wanted, tower_->storeyM)
+                                 : roundToStoreys(wanted, tower_->storeyM));
 }
 
 void ExtrudeHandle::drop() {
@@ -144,7 +144,7 @@ bool ExtrudeHandle::key(int key) {
 
 void ExtrudeHandle::takeTyped() {
     const auto height = parseLength(typed_.finish().toStdString(), unitsInUse());
-    if (height) Q_EMIT dragged(freeHeight(*height - heightZeroM(tower_->groundElevationM), tower_->storeyM));
+    if (height) Q_EMIT dragged(roundHeight(*height - heightZeroM(tower_->groundElevationM), tower_->storeyM));
     Q_EMIT dropped(tower_->heightM);
 }
 

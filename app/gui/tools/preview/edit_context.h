@@ -23,10 +23,10 @@ namespace noonmark {
 std::optional<double> heightOnVertical(const ViewRay& ray, glm::dvec3 foot);
 
 /// The nearest whole number of storeys, at least one, as a height in metres; at most 2000 m.
-double wholeStoreys(double heightM, double storeyM);
+double roundToStoreys(double heightM, double storeyM);
 
 /// The nearest height that a massing may have: in steps of 0.1 m, from one storey to 2000 m.
-double freeHeight(double heightM, double storeyM);
+double roundHeight(double heightM, double storeyM);
 
 class ViewPanel;
 
@@ -45,7 +45,7 @@ public:
         double storeyM = defaultStoreyM;
         double groundElevationM = 0;  ///< of the foot, above the datum: heights may be typed from there
     };
-    void stand(const Tower& tower);
+    void place(const Tower& tower);
     void hide();
     [[nodiscard]] bool shown() const { return tower_.has_value(); }
     [[nodiscard]] bool dragging() const { return grabbedM_.has_value(); }

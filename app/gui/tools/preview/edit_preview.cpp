@@ -180,7 +180,7 @@ void EditPreview::toggleNeighbour(const std::shared_ptr<const Building>& buildin
 
 Result<void> EditPreview::show(const std::vector<Edit>& edits) {
     if (!city_) return {};
-    auto edited = applied(city_->city(), edits);
+    auto edited = applyEdits(city_->city(), edits);
     if (!edited) return tl::make_unexpected(edited.error());
     const bool before = shown_;
     const bool others = !shown_ || changes_.removed != edited->changes.removed;

@@ -45,7 +45,7 @@ public:
 
 Q_SIGNALS:
     void changed();  ///< city() is shown
-    /// None is shown: the scenario is gone, memory ran out, or cancelled().
+    /// None is shown: the scenario was removed, memory ran out, or cancelled().
     void failed(noonmark::Error error);
 
 private:

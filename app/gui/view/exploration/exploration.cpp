@@ -33,13 +33,13 @@ Legend makeLegend(const ExploredView& view, ShadowMeasure measure, const LegendC
     return makeLegend(measure, choice, view.shadow.sunlitMinutesPerDay, top, minutes);
 }
 
-bool isSoFar(const ExploredView& view) { return !view.running.empty() || view.daysShown < view.days; }
+bool coversPart(const ExploredView& view) { return !view.running.empty() || view.daysShown < view.days; }
 
 SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, double top) {
     const std::vector<float>& minutes = minutesOf(view, measure);
     SurfacePicture picture;
     picture.camera = view.camera;
-    picture.soFar = isSoFar(view);
+    picture.soFar = coversPart(view);
     const std::size_t pixels = std::size_t(view.camera.widthPx) * std::size_t(view.camera.heightPx);
     picture.samples.assign(pixels, {0, 0, 0, -1});
     const VisibleSurface& surface = *view.surface;
@@ -61,7 +61,7 @@ QString describeDetail(const ExploredView& view, double distanceM) {
             .arg(samples, formatShort(view.sampleM(distanceM), 2), describeMethod(view.shadow.engine));
     if (!view.running.empty())
         return QObject::tr("%1; %2").arg(QString::fromStdString(view.running)).arg(detail);
-    if (!isSoFar(view)) return detail;
+    if (!coversPart(view)) return detail;
     return QObject::tr("%1 of %2 day(s); %3", "", pluralNumber(quint64(view.days)))
         .arg(formatCount(quint64(view.daysShown)), formatCount(quint64(view.days)), detail);
 }

@@ -13,7 +13,7 @@ namespace noonmark {
 Legend makeLegend(const ExploredView& view, ShadowMeasure measure, const LegendChoice& choice = {});
 
 /// Whether the view covers only a part of the period so far.
-bool isSoFar(const ExploredView& view);
+bool coversPart(const ExploredView& view);
 
 /// `top` minutes get the last colour of the palette. O(samples).
 SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, double top);

@@ -116,7 +116,7 @@ Result<std::shared_ptr<const SunSteps>> sunOf(const ViewQuestion& question, cons
     return std::make_shared<const SunSteps>(*std::move(sun));
 }
 
-void knowNothing(ExploredView& view) {
+void clearResults(ExploredView& view) {
     view.shadow.grossMin.assign(view.surface->points.size(), std::numeric_limits<float>::quiet_NaN());
     view.shadow.continuousMin = view.shadow.grossMin;
 }
@@ -124,7 +124,7 @@ void knowNothing(ExploredView& view) {
 // Gives the points of a finer view the values of the coarser one.
 void updateBuildings(ViewAnswer& answer, const ViewAnswer& coarser) {
     ExploredView& view = answer.view;
-    knowNothing(view);
+    clearResults(view);
     view.daysShown = coarser.view.daysShown;
     view.shadow.sunlitMinutesPerDay = coarser.view.shadow.sunlitMinutesPerDay;
     StepsAround around{coarser.steps, std::vector(view.surface->points.size(), StepsAround::none)};
@@ -226,7 +226,7 @@ Result<ViewAnswer> firstAnswer(const ViewQuestion& question, const ViewEngine& e
     if (!answer) return answer;
     answer->first = true;
     answer->coarseDays = coarseDays(answer->view.surface->points.size(), *answer->sun);
-    knowNothing(answer->view);
+    clearResults(answer->view);
     return withMore(*std::move(answer), question, engine, progress, stop);
 }
 

@@ -21,7 +21,7 @@ GroundAnswer makeTimeAnswer(const std::shared_ptr<const TimeAnswer>& time) {
 
 QString makeNote(const ViewAnswer& answer, double distanceM) {
     const QString words = describeDetail(answer.view, distanceM);
-    if (isSoFar(answer.view)) return QObject::tr("So far: %1").arg(words);
+    if (coversPart(answer.view)) return QObject::tr("So far: %1").arg(words);
     return !isFinest(answer) ? QObject::tr("Refining: %1").arg(words) : words;
 }
 
@@ -137,11 +137,11 @@ Legend ResultLayer::studyLegend() const {
 }
 
 void ResultLayer::show() {
-    showWhatIsWanted();
+    showCurrent();
     if (whenShown_) whenShown_();
 }
 
-void ResultLayer::showWhatIsWanted() {
+void ResultLayer::showCurrent() {
     if (showsTiles()) return showTiles();
     painted_.reset();
     if (shownElements() == nullptr) view_.tiles().clear();
@@ -248,7 +248,7 @@ void ResultLayer::showExplored() {
     view_.surfaces().show(surfacePicture(explored_->view, strip_.measure(), topMin));
     strip_.setLegend(legend);
     const double distance = glm::length(explored_->view.camera.eye - view_.pose().target);
-    strip_.setNote(makeNote(*explored_, distance), isSoFar(explored_->view));
+    strip_.setNote(makeNote(*explored_, distance), coversPart(explored_->view));
 }
 
 void ResultLayer::showGround() {

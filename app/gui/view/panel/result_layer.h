@@ -77,7 +77,7 @@ public:
     [[nodiscard]] QString minutesAt(const Pick& pick) const;  ///< text; empty if not known
 
 private:
-    void showWhatIsWanted();
+    void showCurrent();
     void showExplored();
     void showGround();
     void showElements();

@@ -65,7 +65,7 @@ void TimeDisplay::connectView() {
     connect(&strip, &TimeStrip::lookChanged, this, &TimeDisplay::look);
     connect(&strip, &TimeStrip::taken, this, &TimeDisplay::study);
     connect(&moments_, &MomentPreview::changed, this, &TimeDisplay::show);
-    connect(&moments_, &MomentPreview::failed, &strip, [&strip](const TimeLook& look, const Error& error) {
+    connect(&moments_, &MomentPreview::failed, &strip, [&strip](const ShownTime& look, const Error& error) {
         strip.setAnswer(look, QString::fromStdString(error.what));
     });
     connect(&shadow_, &SunShadow::changed, this, [this] {
@@ -105,13 +105,13 @@ void TimeDisplay::makeActions() {
         [&strip] { strip.move(0, -1); });
 }
 
-bool TimeDisplay::showsMoment() const { return panel_.time().look().span == LookSpan::moment; }
+bool TimeDisplay::showsMoment() const { return panel_.time().look().span == ShownSpan::moment; }
 
 void TimeDisplay::showPresent() {
     if (!workbench_.city()) return;
     const StudySettings& settings = workbench_.document().settings();
     const Observer observer = makeObserver(workbench_.city()->city(), settings);
-    const auto present = findPresentLook(observer, settings.period, clock_());
+    const auto present = findPresentTime(observer, settings.period, clock_());
     if (!present) return;
     present_ = *present;
     panel_.time().choose(present->look);
@@ -126,8 +126,8 @@ void TimeDisplay::leavePresent() {
 
 // Who runs a question wants to see its answer, whatever moment the strip has shown.
 void TimeDisplay::showPeriod() {
-    TimeLook look = panel_.time().look();
-    look.span = LookSpan::period;
+    ShownTime look = panel_.time().look();
+    look.span = ShownSpan::period;
     panel_.time().choose(look);
 }
 
@@ -135,7 +135,7 @@ bool TimeDisplay::showsPresent() const { return present_ && present_->look == pa
 
 QString TimeDisplay::moment() const {
     if (!showsMoment()) return {};
-    const TimeLook& look = panel_.time().look();
+    const ShownTime& look = panel_.time().look();
     const QString words = tr("%1. %2").arg(describe(look), describe(sun_));
     return showsPresent() && present_->isNight ? tr("It is night there now, so this is noon: %1").arg(words)
                                                : words;
@@ -161,12 +161,12 @@ void TimeDisplay::followPeriod() {
     if (const auto before = std::exchange(days_, days); !before || *before == days) return;
     const std::chrono::sys_days first(period.start), shown(panel_.time().look().date);
     if (shown >= first && shown < first + std::chrono::days(period.days)) return;
-    TimeLook look = panel_.time().look();
+    ShownTime look = panel_.time().look();
     look.date = period.start;
     const bool isPresent = showsPresent();
     panel_.time().choose(look);
     if (!isPresent) return;
-    present_ = PresentLook{panel_.time().look(), false};  // still left for the period by a result
+    present_ = PresentTime{panel_.time().look(), false};  // still left for the period by a result
     showSun();
 }
 
@@ -181,7 +181,7 @@ void TimeDisplay::freeLabel() {
     panel_.cursorLabel().setFreeSide({glm::dot(sun, right), -glm::dot(sun, ahead)});
 }
 
-void TimeDisplay::look(const TimeLook& look) {
+void TimeDisplay::look(const ShownTime& look) {
     moments_.look(look);
     showSun();
     Q_EMIT momentChanged();
@@ -268,10 +268,10 @@ void TimeDisplay::turnSun(QPointF byPx) {
     if (!whole.isNull()) panel_.time().move(int(whole.x()), int(whole.y()));
 }
 
-void TimeDisplay::study(const TimeLook& look) {
+void TimeDisplay::study(const ShownTime& look) {
     StudySettings settings = workbench_.document().settings();
     settings.period = periodOf(look, settings.period);
-    panel_.time().setLook(firstLook(settings.period));
+    panel_.time().setLook(firstShownTime(settings.period));
     moments_.look(panel_.time().look());
     workbench_.document().change(settings, tr("period"));
     workbench_.run();

@@ -58,7 +58,7 @@ private:
     void connectWorkbench();
     void connectView();
     void makeActions();
-    void look(const TimeLook& look);
+    void look(const ShownTime& look);
     void leavePresent();
     void showPeriod();
     void followPeriod();
@@ -71,7 +71,7 @@ private:
     void lookFrom(const std::optional<SunView>& view);
     [[nodiscard]] LitSpace seenSpace() const;
     void turnSun(QPointF byPx);
-    void study(const TimeLook& look);
+    void study(const ShownTime& look);
 
     Workbench& workbench_;
     const ModeSwitch& mode_;
@@ -84,7 +84,7 @@ private:
     Clock clock_ = [] {
         return std::chrono::time_point_cast<Instant::duration>(std::chrono::system_clock::now());
     };
-    std::optional<PresentLook> present_;             ///< of showPresent()
+    std::optional<PresentTime> present_;             ///< of showPresent()
     std::optional<std::pair<CivilDate, int>> days_;  ///< first day and days of the document's period
     QTimer* rest_;                                   // then the shadow is drawn finely
     QPointF turned_;                                 // minutes and days of a drag that are not whole yet

@@ -11,6 +11,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/layers/hover_text.h"
 #include "app/gui/session/study/region_text.h"
 #include "app/gui/view/panel/ground_layers.h"
@@ -36,12 +37,6 @@ bool isInPlace(const Place& place, glm::dvec2 point) {
         return point.x >= double(box.low.x) && point.x <= double(box.high.x) &&
                point.y >= double(box.low.y) && point.y <= double(box.high.y) && contains(polygon, point);
     });
-}
-
-double areaOf(const Place& place) {
-    double sum = 0;
-    for (const Footprint& polygon : place.polygons) sum += area(polygon);
-    return sum;
 }
 
 // Some window managers give the keys to the whole window at each click, away from the view inside it.
@@ -169,7 +164,7 @@ void ViewPanel::setBare(bool bare) {
 void ViewPanel::connectNavigator() {
     connect(navigator_, &ViewNavigator::rightClicked, this, [this](QPointF pixel) {
         if (PolygonTool* tool = polygons_->active()) return tool->finish();
-        Q_EMIT menuWanted(pixel);
+        Q_EMIT menuRequested(pixel);
     });
     connect(navigator_, &ViewNavigator::keyPressed, this, &ViewPanel::toolKey);
 }
@@ -300,7 +295,7 @@ void ViewPanel::hoverPlace(const std::optional<Pick>& pick) {
     double minM2 = std::numeric_limits<double>::max();
     for (std::size_t i = 0; pick && !pick->building && i < places_.size(); ++i)
         if (isInPlace(places_[i], glm::dvec2(pick->position)))
-            if (const double areaM2 = areaOf(places_[i]); areaM2 < minM2) {
+            if (const double areaM2 = area(places_[i]); areaM2 < minM2) {
                 smallest = i;
                 minM2 = areaM2;
             }
@@ -403,9 +398,7 @@ void ViewPanel::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void ViewPanel::dropEvent(QDropEvent* event) {
-    QStringList files;
-    for (const QUrl& url : event->mimeData()->urls())
-        if (url.isLocalFile()) files << url.toLocalFile();
+    const QStringList files = listDroppedFiles(*event->mimeData());
     event->acceptProposedAction();
     const QPointF pixel = event->position() - QPointF(view_->sideOffset(event->position()), 0);
     if (!files.isEmpty()) Q_EMIT filesDropped(files, pixel);

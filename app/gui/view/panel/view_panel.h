@@ -91,8 +91,8 @@ public:
     [[nodiscard]] PictureFrame pictureFrame(const QString& title, const QString& when) const;
 
 Q_SIGNALS:
-    void hovered(QString text);      ///< text for what is under the cursor; empty: nothing
-    void menuWanted(QPointF pixel);  ///< a right click that finishes no polygon
+    void hovered(QString text);         ///< text for what is under the cursor; empty: nothing
+    void menuRequested(QPointF pixel);  ///< a right click that finishes no polygon
     void filesDropped(QStringList files, QPointF pixel);  ///< where on the view
     void keyPressed(int key);  ///< keys over the view that the polygon being drawn does not use
 

@@ -6,29 +6,29 @@
 
 namespace noonmark {
 
-Period periodOf(const TimeLook& look, const Period& study) {
+Period periodOf(const ShownTime& look, const Period& study) {
     Period period = study;
-    if (look.span == LookSpan::period) return period;
+    if (look.span == ShownSpan::period) return period;
     period.start = look.date;
     period.days = 1;
-    if (look.span == LookSpan::day) return period;
+    if (look.span == ShownSpan::day) return period;
     period.window.reset();
     period.from = look.at;
     period.hours = 0;
     return period;
 }
 
-TimeLook firstLook(const Period& study) {
-    TimeLook look{LookSpan::period, study.start};
+ShownTime firstShownTime(const Period& study) {
+    ShownTime look{ShownSpan::period, study.start};
     const auto middle = study.from + std::chrono::minutes(int(study.hours * 30));
     if (!study.window && middle <= std::chrono::hours(24)) look.at = middle;
     return look;
 }
 
-QString describe(const TimeLook& look) {
-    if (look.span == LookSpan::period) return {};
+QString describe(const ShownTime& look) {
+    if (look.span == ShownSpan::period) return {};
     const QString date = QLocale().toString(dateOf(look.date), longDate());
-    if (look.span == LookSpan::day) return date;
+    if (look.span == ShownSpan::day) return date;
     return QStringLiteral("%1, %2").arg(date, QString::fromStdString(formatText(look.at)));
 }
 
@@ -41,10 +41,10 @@ void MomentPreview::setStudy(std::shared_ptr<const Study> study) {
     ask();
 }
 
-void MomentPreview::look(const TimeLook& look) {
+void MomentPreview::look(const ShownTime& look) {
     if (look == look_) return;
     look_ = look;
-    if (look_.span == LookSpan::period && answer_) {
+    if (look_.span == ShownSpan::period && answer_) {
         answer_.reset();
         Q_EMIT changed();
     }
@@ -52,7 +52,7 @@ void MomentPreview::look(const TimeLook& look) {
 }
 
 void MomentPreview::ask() {
-    if (!study_ || look_.span == LookSpan::period) return;
+    if (!study_ || look_.span == ShownSpan::period) return;
     computed_ = look_;
     slot_.start<TimeAnswer>(
         tr("Computing %1").arg(describe(look_)),
@@ -74,7 +74,7 @@ Result<TimeAnswer> MomentPreview::answered(TimeAnswer question, SharedHorizonCac
 }
 
 void MomentPreview::take(Result<TimeAnswer> answer) {
-    if (look_.span == LookSpan::period) return;
+    if (look_.span == ShownSpan::period) return;
     if (answer) {
         answer_ = std::make_shared<const TimeAnswer>(*std::move(answer));
         Q_EMIT changed();

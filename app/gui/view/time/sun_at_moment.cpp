@@ -69,8 +69,6 @@ void SunShadow::take(const Result<Drawn>& drawn) {
 
 namespace {
 
-constexpr int minutesOfDay = 24 * 60;
-
 int wallClock(const Zone& zone, Instant at) {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(at);
     const auto local = (seconds.time_since_epoch() + zone.offsetAt(seconds)).count();
@@ -86,7 +84,7 @@ QString quarterOf(double azimuthDeg) {
 
 }  // namespace
 
-Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period, const TimeLook& look) {
+Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period, const ShownTime& look) {
     const auto zone = Zone::named(period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
     const SolarPosition sun = computeSolarPosition(observer, zone->instantAt(look.date, look.at));
@@ -101,17 +99,17 @@ Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period,
     return moment;
 }
 
-Result<PresentLook> findPresentLook(const Observer& observer, const Period& period, Instant now) {
+Result<PresentTime> findPresentTime(const Observer& observer, const Period& period, Instant now) {
     const auto zone = Zone::named(period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
     const CivilDate today = zone->dateAt(now);
-    TimeLook look{LookSpan::moment, period.start.year() / today.month() / today.day(),
-                  std::chrono::minutes(wallClock(*zone, now))};
+    ShownTime look{ShownSpan::moment, period.start.year() / today.month() / today.day(),
+                   std::chrono::minutes(wallClock(*zone, now))};
     if (!look.date.ok()) look.date = look.date.year() / look.date.month() / std::chrono::last;
     const auto sun = computeSunAt(observer, period, look);
     if (!sun) return tl::make_unexpected(sun.error());
     if (!sun->isUp()) look.at = std::chrono::hours(12);
-    return PresentLook{look, !sun->isUp()};
+    return PresentTime{look, !sun->isUp()};
 }
 
 QString describe(const SunAtMoment& sun) {
@@ -147,7 +145,7 @@ CivilDate dayOf(std::chrono::year year, int index) { return CivilDate(firstOf(ye
 int indexOf(CivilDate date) { return int((sys_days(date) - firstOf(date.year())).count()); }
 
 // From sunrise to sunset; the whole day where there is no night or no day.
-TimeLook laterToday(TimeLook look, const SunAtMoment& sun, int step) {
+ShownTime laterToday(ShownTime look, const SunAtMoment& sun, int step) {
     const int first = sun.sunriseMin.value_or(0), last = sun.sunsetMin.value_or(lastMinute);
     const int next = int(look.at.count()) + step;
     const bool over = last > first && (next > last || next < first);
@@ -157,16 +155,16 @@ TimeLook laterToday(TimeLook look, const SunAtMoment& sun, int step) {
 
 }  // namespace
 
-TimeLook advance(const TimeLook& look, const SunAtMoment& sun, SunLoop loop, double seconds, double speed) {
+ShownTime advance(const ShownTime& look, const SunAtMoment& sun, SunLoop loop, double seconds, double speed) {
     if (loop == SunLoop::day)
         return laterToday(look, sun, std::max(1, int(std::lround(60 * speed * seconds))));
-    TimeLook later = look;
+    ShownTime later = look;
     const int step = std::max(1, int(std::lround(7 * speed * seconds)));
     later.date = dayOf(look.date.year(), (indexOf(look.date) + step) % daysIn(look.date.year()));
     return later;
 }
 
-TimeLook nudge(TimeLook look, int minutesLater, int daysLater) {
+ShownTime nudge(ShownTime look, int minutesLater, int daysLater) {
     look.at = minutes(std::clamp(int(look.at.count()) + minutesLater, 0, lastMinute));
     const auto year = look.date.year();
     look.date = dayOf(year, std::clamp(indexOf(look.date) + daysLater, 0, daysIn(year) - 1));

@@ -52,7 +52,9 @@ private:
     JobSlot slot_;
 };
 
-/// The sun at the date and time of a look, whatever its span, and sunrise and sunset of that date.
+inline constexpr int minutesOfDay = 24 * 60;  ///< of the wall clock
+
+/// The sun at a shown date and time, whatever the span, and sunrise and sunset of that date.
 struct SunAtMoment {
     glm::dvec3 towards{0, 0, 1};  ///< unit vector in the frame of the geometry
     double azimuthDeg = 0;        ///< from true north, clockwise
@@ -63,17 +65,17 @@ struct SunAtMoment {
 };
 
 /// Zone and refraction are those of `period`. Error: an unknown zone. About 0.3 ms.
-Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period, const TimeLook& look);
+Result<SunAtMoment> computeSunAt(const Observer& observer, const Period& period, const ShownTime& look);
 
-/// The present as a look.
-struct PresentLook {
-    TimeLook look;
+/// The present as a shown time.
+struct PresentTime {
+    ShownTime look;
     bool isNight = false;  ///< look is noon of that day instead
 };
 
 /// The moment that it is at `now` in the period's zone, with the day in the year of the period; noon of that
 /// day while the sun is down. Error: an unknown zone.
-Result<PresentLook> findPresentLook(const Observer& observer, const Period& period, Instant now);
+Result<PresentTime> findPresentTime(const Observer& observer, const Period& period, Instant now);
 
 /// "Sun 221° SW, 32° high", "Sun below the horizon".
 QString describe(const SunAtMoment& sun);
@@ -84,11 +86,11 @@ QString describeClock(int minutes);
 /// What play repeats.
 enum class SunLoop { day, year };
 
-/// The look a little later, when the sun is played: over the day's light, or over the dates of the year at
-/// the same time of day. Wraps around. `speed`: hours of the day or weeks of the year in a second.
-TimeLook advance(const TimeLook& look, const SunAtMoment& sun, SunLoop loop, double seconds, double speed);
+/// The shown time a little later, when the sun is played: over the day's light, or over the dates of the year
+/// at the same time of day. Wraps around. `speed`: hours of the day or weeks of the year in a second.
+ShownTime advance(const ShownTime& look, const SunAtMoment& sun, SunLoop loop, double seconds, double speed);
 
-/// The look moved by minutes and days, within its year and its day.
-TimeLook nudge(TimeLook look, int minutes, int days);
+/// The shown time moved by minutes and days, within its year and its day.
+ShownTime nudge(ShownTime look, int minutes, int days);
 
 }  // namespace noonmark

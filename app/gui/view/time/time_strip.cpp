@@ -22,7 +22,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr int minutesADay = 24 * 60;
 constexpr int tickMs = 40;
 constexpr int minWidth = 256;   // with what cannot be left out
 constexpr int fullWidth = 600;  // narrower strips hide loop, speed and the words about the sun
@@ -69,7 +68,7 @@ void TimeStrip::makeFields() {
     time_ =
         slider("lookTime",
                tr("The wall-clock time; yellow: the sun is up. Arrows: a minute; Page Up and Down: an hour"),
-               minutesADay - 1, 60);
+               minutesOfDay - 1, 60);
     dateField_ = new QDateEdit;
     dateField_->setObjectName(QStringLiteral("lookDateField"));
     dateField_->setDisplayFormat(shortDay());
@@ -143,17 +142,17 @@ void TimeStrip::resizeEvent(QResizeEvent* event) {
 
 void TimeStrip::connectFields() {
     connect(span_, &QComboBox::currentIndexChanged, this, [this](int chosen) {
-        TimeLook look = look_;
-        look.span = LookSpan(chosen);
+        ShownTime look = look_;
+        look.span = ShownSpan(chosen);
         take(look);
     });
     connect(date_, &QSlider::valueChanged, this, [this](int day) {
-        TimeLook look = look_;
+        ShownTime look = look_;
         look.date = civilOf(firstOfYear(look_.date).addDays(day));
-        look.span == LookSpan::day ? take(look) : takeMoment(look);
+        look.span == ShownSpan::day ? take(look) : takeMoment(look);
     });
     connect(time_, &QSlider::valueChanged, this, [this](int minutes) {
-        TimeLook look = look_;
+        ShownTime look = look_;
         look.at = std::chrono::minutes(minutes);
         takeMoment(look);
     });
@@ -167,17 +166,17 @@ void TimeStrip::connectFields() {
 }
 
 void TimeStrip::setPeriod(const Period& period) {
-    TimeLook look = firstLook(period);
+    ShownTime look = firstShownTime(period);
     if (look.date.year() == look_.date.year()) look = look_;
     setLook(look);
 }
 
-void TimeStrip::setLook(const TimeLook& look) {
+void TimeStrip::setLook(const ShownTime& look) {
     look_ = look;
     showLook();
 }
 
-void TimeStrip::choose(TimeLook look) {
+void TimeStrip::choose(ShownTime look) {
     look.date = look_.date.year() / look.date.month() / look.date.day();
     if (!look.date.ok())
         look.date = look_.date.year() / look.date.month() / std::chrono::last;  // 29 February
@@ -186,10 +185,10 @@ void TimeStrip::choose(TimeLook look) {
 
 void TimeStrip::setDayOffered(bool offered) {
     auto* entries = qobject_cast<QStandardItemModel*>(span_->model());
-    entries->item(int(LookSpan::day))->setEnabled(offered);
-    if (offered || look_.span != LookSpan::day) return;
-    TimeLook look = look_;
-    look.span = LookSpan::period;
+    entries->item(int(ShownSpan::day))->setEnabled(offered);
+    if (offered || look_.span != ShownSpan::day) return;
+    ShownTime look = look_;
+    look.span = ShownSpan::period;
     take(look);
 }
 
@@ -204,8 +203,8 @@ void TimeStrip::setSun(const SunAtMoment& sun) {
     time_->setBright(both ? *sun.sunriseMin : 0, both ? *sun.sunsetMin : -1);
 }
 
-void TimeStrip::setAnswer(const TimeLook& of, const QString& words) {
-    words_->setText(of.span == LookSpan::day ? QStringLiteral("%1: %2").arg(describe(of), words) : words);
+void TimeStrip::setAnswer(const ShownTime& of, const QString& words) {
+    words_->setText(of.span == ShownSpan::day ? QStringLiteral("%1: %2").arg(describe(of), words) : words);
 }
 
 void TimeStrip::move(int minutes, int days) { takeMoment(nudge(look_, minutes, days)); }
@@ -228,12 +227,12 @@ void TimeStrip::step() {
                        playSpeeds[std::size_t(speed_->currentIndex())]));
 }
 
-void TimeStrip::takeMoment(TimeLook look) {
-    look.span = LookSpan::moment;
+void TimeStrip::takeMoment(ShownTime look) {
+    look.span = ShownSpan::moment;
     take(look);
 }
 
-void TimeStrip::take(const TimeLook& look) {
+void TimeStrip::take(const ShownTime& look) {
     if (look == look_) return;
     look_ = look;
     showLook();
@@ -250,8 +249,8 @@ void TimeStrip::showLook() {
     dateField_->setDateRange(first, first.addDays(first.daysInYear() - 1));
     dateField_->setDate(dateOf(look_.date));
     timeField_->setTime(timeOf(look_.at));
-    if (look_.span == LookSpan::period) words_->clear();
-    use_->setVisible(look_.span != LookSpan::period);
+    if (look_.span == ShownSpan::period) words_->clear();
+    use_->setVisible(look_.span != ShownSpan::period);
     showMarks();
 }
 

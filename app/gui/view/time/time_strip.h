@@ -1,6 +1,6 @@
 #pragma once
 
-// Sun and time. TimeStrip below the view has the sliders and plays the sun; TimeLook is the value that they
+// Sun and time. TimeStrip below the view has the sliders and plays the sun; ShownTime is the value that they
 // choose, SunAtMoment the sun there, and play and keys move it. At one moment SunShadow draws the
 // shadow on everything; of a study's day or moment MomentPreview computes the shadow on its cells from cached
 // horizons, fast enough to follow a slider. TimeDisplay shows both; DomeDisplay shows the sun path dome.
@@ -30,18 +30,18 @@ class TimeStrip final : public QWidget {
 public:
     explicit TimeStrip(QWidget* parent = nullptr);
 
-    /// Sets the period; the look stays if the year is the same.
+    /// Sets the period; the shown time stays if the year is the same.
     void setPeriod(const Period& period);
-    [[nodiscard]] const TimeLook& look() const { return look_; }
-    void setLook(const TimeLook& look);  ///< the date must be in the year of the period
-    /// Shows a look as if it had been chosen in the strip; the day in the year of the period.
-    void choose(TimeLook look);
+    [[nodiscard]] const ShownTime& look() const { return look_; }
+    void setLook(const ShownTime& look);  ///< the date must be in the year of the period
+    /// Shows a time as if it had been chosen in the strip; the day in the year of the period.
+    void choose(ShownTime look);
     /// Whether a whole day can be shown: only of a study.
     void setDayOffered(bool offered);
     /// The sun at look().
     void setSun(const SunAtMoment& sun);
-    /// The result text of a look that was computed, such as "71 % in shadow".
-    void setAnswer(const TimeLook& of, const QString& words);
+    /// The result text of a time that was computed, such as "71 % in shadow".
+    void setAnswer(const ShownTime& of, const QString& words);
 
     void move(int minutes, int days);  ///< later, or earlier if below 0; shows that moment
     void setPlaying(bool playing);
@@ -52,16 +52,16 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 Q_SIGNALS:
-    void lookChanged(noonmark::TimeLook look);
-    void taken(noonmark::TimeLook look);  ///< to become the period of the study
+    void lookChanged(noonmark::ShownTime look);
+    void taken(noonmark::ShownTime look);  ///< to become the period of the study
 
 private:
     void makeFields();
     void makePlayer();
     void place();
     void connectFields();
-    void take(const TimeLook& look);
-    void takeMoment(TimeLook look);
+    void take(const ShownTime& look);
+    void takeMoment(ShownTime look);
     void step();
     void showLook();
     void showMarks();
@@ -79,7 +79,7 @@ private:
     QComboBox* speed_;
     QTimer* ticks_;
     QElapsedTimer sinceStep_;
-    TimeLook look_;
+    ShownTime look_;
     SunAtMoment sun_;
 };
 

@@ -129,7 +129,7 @@ TextBlocks methodOf(const GlazingBookSource& source) {
     sources.warnings = study.warnings;
     sources.provenance = source.labels.provenance;
     sources.heights = source.heights;
-    const TextBlocks repeat = repeatBlocks(makeRepeatCommand(study, source.labels, bookLetters), false);
+    const TextBlocks repeat = repeatBlocks(makeRepeatCommand(study, source.labels, bookCharacters), false);
     for (const TextBlock& block : sourceBlocks(sources, repeat)) blocks.push_back(block);
     return blocks;
 }

@@ -152,8 +152,8 @@ TextBlocks sourcesOf(const ReviewScene& scene) {
 std::vector<BookPage> makeMethodPages(const ReviewScene& scene) {
     TextBlocks blocks = methodOf(scene);
     addBlocks(blocks, sourcesOf(scene));
-    addBlocks(blocks,
-              repeatBlocks(makeRepeatCommand(scene.source.study, scene.source.labels, bookLetters), false));
+    addBlocks(blocks, repeatBlocks(makeRepeatCommand(scene.source.study, scene.source.labels, bookCharacters),
+                                   false));
     addBlocks(blocks, ruleBlocks(scene.source.study.rule));
     return makeTextPages(
         scene.settings.setup,

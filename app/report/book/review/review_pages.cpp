@@ -77,7 +77,7 @@ private:
 
     /// Rows of places together have one verdict.
     void addTogether(std::size_t i) {
-        const QString name = nameTogether(i);
+        const QString name = nameGroup(i);
         const auto row = std::ranges::find_if(together_, [&](const PlaceRow& one) {
             return one.name == name && reviewOf(one.reviews.front()).verdict == reviewOf(i).verdict;
         });
@@ -85,7 +85,7 @@ private:
         together_.push_back({{i}, name});
     }
 
-    [[nodiscard]] QString nameTogether(std::size_t i) const {
+    [[nodiscard]] QString nameGroup(std::size_t i) const {
         const QString kind = plainText(nameOf(reviewOf(i).kind));
         if (!isPiece(drawn(i))) return QStringLiteral("further places: %1").arg(kind);
         const QString size = QString::fromStdString(formatArea(settings_.minPlaceM2, settings_.units));

@@ -50,13 +50,6 @@ double highestChangeM(const DiagramScene& scene) {
     return highest;
 }
 
-Box2 boundsOfPlaces(const std::vector<Place>& places) {
-    Box2 box;
-    for (const Place& place : places)
-        for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
-    return box;
-}
-
 Box2 intersectionOf(const Box2& a, const Box2& b) {
     return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
 }
@@ -306,7 +299,7 @@ Result<ReviewScene> makeReviewScene(const ReviewBookSource& source, const BookSe
 
 Box2 reachOf(const ReviewScene& scene, const std::vector<DiagramMoment>& moments) {
     const Box2 changed = changedBounds(*scene.diagrams);
-    if (changed.empty()) return grown(boundsOfPlaces(scene.diagrams->places), marginM);
+    if (changed.empty()) return grown(bounds(scene.diagrams->places), marginM);
     Box2 reach = changed;
     const double height = highestChangeM(*scene.diagrams);
     for (const DiagramMoment& moment : moments) {

@@ -57,7 +57,7 @@ class WallCache {
 public:
     static WallCache of(const City& city, const Receivers& receivers);
 
-    /// Error if more overhangs than OverhangShapes::most are in reach of suns of this tangent or higher.
+    /// Error if more overhangs than OverhangShapes::maximum are in reach of suns of this tangent or higher.
     [[nodiscard]] Result<void> check(double lowestTan) const {
         return checkOverhangCount(overhangs_.reaching(grid_, lowestTan));
     }

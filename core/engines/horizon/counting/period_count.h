@@ -3,7 +3,7 @@
 // From horizons to minutes. PeriodCount (this file) holds what is precomputed for a period; sun_change.h
 // looks up how many suns a horizon hides, or how many more than in another period. short_sums.h sums the
 // hidden steps of a tile's cells. longest_runs.h finds the longest run of each receiver, step by step
-// (walk_steps.h). run_decider.h determines which of these steps are in doubt, and longest_runs.h settles them
+// (walk_steps.h). run_decider.h finds which of these steps are in doubt, and longest_runs.h decides them
 // with rays.
 
 #include <optional>

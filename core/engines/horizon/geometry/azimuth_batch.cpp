@@ -53,8 +53,8 @@ BatchLanes::BatchLanes(std::span<const SweptBin> bins, double cellM)
         k[lane] = axes.k;
         alongPerMetre[lane] = axes.alongPerDistance / cellM;
         riseOfMiddle[lane] = float(ofMiddle);
-        leastOff[lane] = float(std::min(0.0, shift) - rounding);
-        mostOff[lane] = float(side - 1 + std::max(0.0, shift) + rounding);
+        minOff[lane] = float(std::min(0.0, shift) - rounding);
+        maxOff[lane] = float(side - 1 + std::max(0.0, shift) + rounding);
         cotOfLowest[lane] = lane < count ? toCotangent(bin.lowest) : -std::numeric_limits<float>::infinity();
         batch.spread = std::max(batch.spread, std::abs(axes.k - batch.axes.k));
         const double tan = 1 / (ofMiddle * double(toCotangent(bin.lowest)));

@@ -25,7 +25,7 @@ struct BatchRange {
 
 std::vector<SweptBin> makeSweptBins(std::span<const AzimuthBin> bins);
 
-/// Splits bins, in order of azimuth, into batches of at most BatchLanes::most bins whose shadows run along
+/// Splits bins, in order of azimuth, into batches of at most BatchLanes::maximum bins whose shadows run along
 /// the same grid axis and in the same direction on it.
 std::vector<BatchRange> groupIntoBatches(std::span<const SweptBin> bins);
 
@@ -41,8 +41,8 @@ struct BatchLanes {
     alignas(64) double alongPerMetre[maximum];  ///< `rise` of a wall per metre of its height (WallPiece)
     alignas(64) float riseOfMiddle[maximum];    ///< the same for the middle azimuth
     alignas(
-        64) float leastOff[maximum];  ///< lower bound of the q of a block's cells relative to its first cell
-    alignas(64) float mostOff[maximum];      ///< upper bound of the same
+        64) float minOff[maximum];  ///< lower bound of the q of a block's cells relative to its first cell
+    alignas(64) float maxOff[maximum];       ///< upper bound of the same
     alignas(64) float cotOfLowest[maximum];  ///< of the lowest sun; minus infinity after the last bin
     float lowestTan = 0;                     ///< parameter of BinWalls::find()
 };

@@ -130,20 +130,20 @@ private:
 using Bins = std::vector<Slots>;
 
 // The longest bin that begins at `first`, has at most `widest` slots, and whose suns' distances from their
-// mean sum to at most `mostOff`.
-Slots binFrom(const SunsByAzimuth& suns, int first, int widest, double mostOff) {
+// mean sum to at most `maxOff`.
+Slots binFrom(const SunsByAzimuth& suns, int first, int widest, double maxOff) {
     int end = first + 1, beyond = std::min(first + widest, BinCuts::slots) + 1;
     while (beyond - end > 1) {
         const int middle = (end + beyond) / 2;
-        (suns.off({first, middle}) <= mostOff ? end : beyond) = middle;
+        (suns.off({first, middle}) <= maxOff ? end : beyond) = middle;
     }
     return {first, end};
 }
 
-Bins binsOf(const SunsByAzimuth& suns, int widest, double mostOff) {
+Bins binsOf(const SunsByAzimuth& suns, int widest, double maxOff) {
     Bins bins;
     for (int first = suns.nextSun(0); first < BinCuts::slots; first = suns.nextSun(bins.back().end))
-        bins.push_back(binFrom(suns, first, widest, mostOff));
+        bins.push_back(binFrom(suns, first, widest, maxOff));
     return bins;
 }
 

@@ -113,7 +113,7 @@ void addVisibleCells(const StripLanes& strips, const ViewingBlock& block, const 
                      HorizonCode highest, VisibleCells& seen);
 
 /// The altitudes that a layer hides from each of these cells: codes of its lower and upper end, with room for
-/// VisibleCells::most. `solid`: the layer's far side is its upper one.
+/// VisibleCells::maximum. `solid`: the layer's far side is its upper one.
 void findIntervals(const VisibleCells& seen, bool solid, HorizonCode* low, HorizonCode* high);
 
 /// The altitudes that overhangs hide from a block at one azimuth. Seen from a cell, a prism hides the

@@ -50,7 +50,7 @@ Result<std::vector<OverhangShapes>> makeOverhangShapes(const OverhangParts& part
 
 OverhangList listOf(std::span<const OverhangShapes> shapes);
 
-/// Error if the count exceeds OverhangShapes::most.
+/// Error if the count exceeds OverhangShapes::maximum.
 Result<void> checkOverhangCount(std::size_t count);
 
 /// The part of an overhang between two neighbouring corners as seen along one azimuth, lowQ <= q < highQ.

@@ -78,8 +78,8 @@ HWY_INLINE std::uint32_t findRaisingFrom(std::size_t first, const BatchLanes& ba
     const V low = round(lows), high = round(highs), zero = hn::Zero(d),
             perRise = perRiseOf(batch.alongPerMetre + first, wall.topM);
     const V nearest = hn::Mul(hn::Set(d, wall.nearestAlong * nearly - margin), perRise);
-    const auto across = hn::And(hn::Ge(hn::Add(low, hn::Load(d, batch.mostOff + first)), zero),
-                                hn::Lt(hn::Add(high, hn::Load(d, batch.leastOff + first)), zero));
+    const auto across = hn::And(hn::Ge(hn::Add(low, hn::Load(d, batch.maxOff + first)), zero),
+                                hn::Lt(hn::Add(high, hn::Load(d, batch.minOff + first)), zero));
     const auto above = hn::Gt(hn::Load(d, cots + first), nearest);
     const std::uint32_t may = bitsOfMask(d, hn::And(across, above)) & findFacingAway(lows, highs);
     if (may == 0) return 0;

@@ -39,7 +39,7 @@ struct SunPackets {
 };
 
 /// One bit a packet, in words of 64: all of its suns are hidden, or none is. Where both bits are 0, some are,
-/// or the bounds do not tell.
+/// or the bounds leave it open.
 struct PacketBits {
     std::vector<std::uint64_t> hidden, lit;
 };

@@ -211,6 +211,6 @@ Result<std::vector<ResolutionRun>> benchResolutions(const BenchSite& site, const
                                                     const StartList& engines, const Work& work);
 
 /// For pages: " at 1024" if the finest resolution measured is not the finest requested; else nothing.
-std::string unlessAt(int finest, double cellsASide);
+std::string describeResolutionIfCoarser(int finest, double cellsASide);
 
 }  // namespace noonmark::bench

@@ -187,7 +187,7 @@ Result<void> competeOver(std::vector<Arena>& arenas, Series& series, const Work&
     Pieces pieces(work, "periods from an hour to a year, other settings", arenas.size());
     for (std::size_t i = 0; i < arenas.size(); ++i) {
         pieces.next();
-        const double share = std::max(0.0, work.allowance.leftS()) / double(arenas.size() - i);
+        const double share = std::max(0.0, work.allowance.secondsLeft()) / double(arenas.size() - i);
         if (const auto done = series.competeVaried(arenas[i], share); !done) return done;
     }
     return {};
@@ -248,7 +248,7 @@ Result<ResolutionRun> runAt(int resolution, const std::vector<double>& costs, do
 
 }  // namespace
 
-std::string unlessAt(int finest, double cellsASide) {
+std::string describeResolutionIfCoarser(int finest, double cellsASide) {
     return cellsASide == finest ? "" : fmt::format(" at {:g}", cellsASide);
 }
 
@@ -261,7 +261,7 @@ Result<std::vector<ResolutionRun>> benchResolutions(const BenchSite& site, const
     for (const int resolution : extent.resolutions) {
         pieces.next();
         const double share = shareOfNext(extent.resolutions.size() - runs.size());
-        const double left = std::max(0.0, work.allowance.leftS()) * share;
+        const double left = std::max(0.0, work.allowance.secondsLeft()) * share;
         auto run = runAt(resolution, costs, left, site, extent, engines, work);
         if (!run) return tl::make_unexpected(run.error());
         runs.push_back(std::move(*run));

@@ -81,7 +81,7 @@ Result<SunSteps> daylightOf(const BenchSite& site, CivilDate date) {
     return computeSunOver(site, Period{.start = date, .window = SolarHours{}});
 }
 
-SunSteps stretchOf(const SunSteps& sun, std::size_t first, std::size_t count) {
+SunSteps sliceSteps(const SunSteps& sun, std::size_t first, std::size_t count) {
     SunSteps stretch;
     stretch.stepMinutes = sun.stepMinutes;
     stretch.steps.assign(sun.steps.begin() + std::ptrdiff_t(first),

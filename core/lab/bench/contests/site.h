@@ -30,6 +30,9 @@ std::vector<Region> pickRandomSquares(const BenchSite& site, int count);
 /// Random days of the site's year, in order.
 std::vector<CivilDate> pickRandomDays(const BenchSite& site, int count);
 
+/// Steps of an hour in all experiments: one a minute.
+inline constexpr int stepsPerHour = 60;
+
 /// Every minute of `hours` per day around noon: 6 h begin at 9:00, as in the paper.
 Result<SunSteps> computeSunOver(const BenchSite& site, CivilDate start, int days, double hours = 6);
 Result<SunSteps> computeYearSun(const BenchSite& site, double hours = 6);
@@ -41,7 +44,7 @@ Result<SunSteps> makeNoonHour(const BenchSite& site);
 Result<SunSteps> daylightOf(const BenchSite& site, CivilDate date);
 
 /// `count` steps of one day of `sun` from step `first` on, as a day of their own.
-SunSteps stretchOf(const SunSteps& sun, std::size_t first, std::size_t count);
+SunSteps sliceSteps(const SunSteps& sun, std::size_t first, std::size_t count);
 
 /// The values of `cellsASide` whose cells have an allowed size.
 std::vector<int> chooseResolutions(const BenchSite& site, std::vector<int> cellsASide);

@@ -40,7 +40,7 @@ Result<double> mistaggedPct(const Scene& scene, const Work& work) {
     for (std::size_t first = 0; first < scene.sun.steps.size(); first += maxMaskSteps) {
         if (work.stopped()) return cancelled();
         const SunSteps stretch =
-            stretchOf(scene.sun, first, std::min<std::size_t>(maxMaskSteps, scene.sun.steps.size() - first));
+            sliceSteps(scene.sun, first, std::min<std::size_t>(maxMaskSteps, scene.sun.steps.size() - first));
         const auto rasters = computeShadowRasters(scene.city, scene.receivers, stretch);
         if (!rasters) return tl::make_unexpected(rasters.error());
         std::vector<glm::dvec3> directions;

@@ -176,12 +176,13 @@ Result<void> measure(CacheTimes& times, const BenchSite& site, const Extent& ext
     return state;
 }
 
-void addRows(Finding& finding, const char* what, const std::vector<double>& seconds) {
+// `decimals`: of milliseconds.
+void addRows(Finding& finding, const char* what, const std::vector<double>& seconds, int decimals) {
     for (const double one : seconds) finding.table.rows.push_back({std::string(what), one});
     const Moments moments = computeMoments(seconds);
-    finding.comparisons[0].rows.push_back({what, fmt::format("{:.1f}", 1e3 * moments.median),
-                                           fmt::format("{:.1f}", 1e3 * moments.minimum),
-                                           fmt::format("{:.1f}", 1e3 * moments.maximum)});
+    finding.comparisons[0].rows.push_back({what, fmt::format("{:.{}f}", 1e3 * moments.median, decimals),
+                                           fmt::format("{:.{}f}", 1e3 * moments.minimum, decimals),
+                                           fmt::format("{:.{}f}", 1e3 * moments.maximum, decimals)});
     ChartSeries series{.name = what, .colourOf = what, .joined = false};
     for (std::size_t i = 0; i < seconds.size(); ++i)
         series.points.push_back({double(i + 1), 1e3 * seconds[i], {}});
@@ -210,13 +211,13 @@ Result<Finding> benchHorizonEdits(const BenchSite& site, const Extent& extent, c
     finding.table.columns = {"what", "time_s"};
     finding.comparisons[0].header = {"", "median, ms", "least", "most"};
     finding.charts = {{"Time of each run", {.label = "run", .whole = true}, {"time, ms", true}, {}}};
-    addRows(finding, "full sweep, gross", times.full.gross);
-    addRows(finding, "full sweep, with runs", times.full.both);
-    addRows(finding, "other hours, gross", times.retimes.gross);
-    addRows(finding, "other hours, with runs", times.retimes.both);
-    addRows(finding, "tower moved for the first time, gross", times.firstEdit);
-    addRows(finding, "tower moved, gross", times.edits.gross);
-    addRows(finding, "tower moved, with runs", times.edits.both);
+    addRows(finding, "full sweep, gross", times.full.gross, 1);
+    addRows(finding, "full sweep, with runs", times.full.both, 1);
+    addRows(finding, "other hours, gross", times.retimes.gross, 1);
+    addRows(finding, "other hours, with runs", times.retimes.both, 1);
+    addRows(finding, "tower moved for the first time, gross", times.firstEdit, 1);
+    addRows(finding, "tower moved, gross", times.edits.gross, 1);
+    addRows(finding, "tower moved, with runs", times.edits.both, 1);
     const auto fraction = [](const std::vector<double>& part, const std::vector<double>& whole) {
         return computeMoments(part).median / computeMoments(whole).median;
     };
@@ -281,18 +282,6 @@ Result<DayTimes> measureDay(const BenchSite& site, const Extent& extent, const S
     return times;
 }
 
-void addDayRows(Finding& finding, const char* what, const std::vector<double>& seconds) {
-    for (const double one : seconds) finding.table.rows.push_back({std::string(what), one});
-    const Moments moments = computeMoments(seconds);
-    finding.comparisons[0].rows.push_back({what, fmt::format("{:.2f}", 1e3 * moments.median),
-                                           fmt::format("{:.2f}", 1e3 * moments.minimum),
-                                           fmt::format("{:.2f}", 1e3 * moments.maximum)});
-    ChartSeries series{.name = what, .colourOf = what, .joined = false};
-    for (std::size_t i = 0; i < seconds.size(); ++i)
-        series.points.push_back({double(i + 1), 1e3 * seconds[i], {}});
-    finding.charts[0].series.push_back(std::move(series));
-}
-
 }  // namespace
 
 Result<Finding> benchDayEdits(const BenchSite& site, const Extent& extent, const Work& work) {
@@ -313,8 +302,8 @@ Result<Finding> benchDayEdits(const BenchSite& site, const Extent& extent, const
     finding.table.columns = {"what", "time_s"};
     finding.comparisons[0].header = {"", "median, ms", "least", "most"};
     finding.charts = {{"Time of each run", {.label = "run", .whole = true}, {"time, ms", true}, {}}};
-    addDayRows(finding, "full run", times->full);
-    addDayRows(finding, "tower moved", times->edits);
+    addRows(finding, "full run", times->full, 2);
+    addRows(finding, "tower moved", times->edits, 2);
     const double editS = computeMoments(times->edits).median;
     finding.summary = {{"day_edit_fraction", editS / computeMoments(times->full).median},
                        {"day_edit_ms", 1e3 * editS}};

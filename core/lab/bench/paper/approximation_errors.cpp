@@ -144,7 +144,6 @@ Result<Finding> benchSunLinearity(const BenchSite& site, const Extent& extent, c
 
 namespace {
 
-constexpr int stepsAnHour = 60;
 constexpr std::size_t levelsOfPaper = 3;
 
 /// Errors of all levels in one hour; the first element is for one level.
@@ -189,9 +188,9 @@ public:
         const CivilDate date = pickRandomDays(site_, 365)[random_() % 365];
         const auto day = daylightOf(site_, date);
         if (!day) return tl::make_unexpected(day.error());
-        const std::size_t count = std::min<std::size_t>(stepsAnHour, day->steps.size());
+        const std::size_t count = std::min<std::size_t>(stepsPerHour, day->steps.size());
         const std::size_t first = random_() % (day->steps.size() - count + 1);
-        const SunSteps sun = stretchOf(*day, first, count);
+        const SunSteps sun = sliceSteps(*day, first, count);
         return errorsIn({site_.city, *receivers, sun}, levels, work_).map([&](LevelErrors errors) {
             errors.position = int(position) + 1;
             errors.date = date;

@@ -259,10 +259,17 @@ void addGrowth(Finding& finding, int finest) {
         if (series.points.size() < 2) continue;
         const ChartPoint &first = series.points.front(), &last = series.points.back();
         const double cells = (last.x * last.x) / (first.x * first.x);
-        finding.comparisons[0].rows.push_back({series.name, fmt::format("{:.4f}", first.y),
-                                               fmt::format("{:.3f}{}", last.y, unlessAt(finest, last.x)),
-                                               fmt::format("{:.1f} for {:.0f}", last.y / first.y, cells)});
+        finding.comparisons[0].rows.push_back(
+            {series.name, fmt::format("{:.4f}", first.y),
+             fmt::format("{:.3f}{}", last.y, describeResolutionIfCoarser(finest, last.x)),
+             fmt::format("{:.1f} for {:.0f}", last.y / first.y, cells)});
     }
+}
+
+// One of each engine, without points yet.
+void addEmptySeries(Chart& chart, const StartList& engines) {
+    for (const Contestant& engine : engines.contestants)
+        chart.series.push_back({.name = engine.name, .colourOf = engine.engine});
 }
 
 Finding emptyScalingFinding(const BenchSite& site, const Extent& extent, const StartList& engines) {
@@ -280,8 +287,7 @@ Finding emptyScalingFinding(const BenchSite& site, const Extent& extent, const S
                                      fmt::format("{}, s", extent.resolutions.back()),
                                      "times as long, for cells"};
     finding.charts = {{"Time for one hour of sun", {"cells per side", true}, {"time, s", true}, {}}};
-    for (const Contestant& engine : engines.contestants)
-        finding.charts[0].series.push_back({.name = engine.name, .colourOf = engine.engine});
+    addEmptySeries(finding.charts[0], engines);
     return finding;
 }
 
@@ -332,7 +338,7 @@ void addComparison(Finding& finding, int finest) {
         const ChartPoint &first = series.points.front(), &last = series.points.back();
         const double bytes = mebibyte * (last.y - first.y) / (last.x * last.x - first.x * first.x);
         finding.comparisons[0].rows.push_back(
-            {series.name, fmt::format("{:.0f}{}", last.y, unlessAt(finest, last.x)),
+            {series.name, fmt::format("{:.0f}{}", last.y, describeResolutionIfCoarser(finest, last.x)),
              fmt::format("{:.0f}", bytes), paperBytesACell(series.colourOf)});
     }
 }
@@ -362,8 +368,7 @@ Finding emptyScalingFinding(const StartList& engines, const Extent& extent) {
     finding.comparisons[0].header = {"engine", fmt::format("MiB at {}", extent.resolutions.back()),
                                      "bytes per cell", "paper"};
     finding.charts = {{"Memory of an engine", {"cells per side", true}, {"peak, MiB", true}, {}}};
-    for (const Contestant& engine : engines.contestants)
-        finding.charts[0].series.push_back({.name = engine.name, .colourOf = engine.engine});
+    addEmptySeries(finding.charts[0], engines);
     return finding;
 }
 

@@ -45,7 +45,6 @@ private:
 
 constexpr std::array<double, 5> boundsDeg{1, 2, 5, 10, 20};
 constexpr double paperBoundDeg = 5;
-constexpr int hourSteps = 60;
 
 /// Results of one bound over the year.
 struct BoundFigures {
@@ -77,10 +76,10 @@ Moments similarityToEdge(const SunSteps& year, const DirectionGraph& graph,
     std::vector<double> cosines;
     for (const std::size_t time : times) {
         const SunDay& day = year.days[time % year.days.size()];
-        if (day.count < hourSteps) continue;
-        const std::size_t hour = (time / year.days.size()) % (day.count / hourSteps);
-        const std::size_t first = day.first + hour * hourSteps, step = time % hourSteps;
-        const auto* edge = edges.find(year.steps[first], year.steps[first + hourSteps - 1], hourSteps);
+        if (day.count < stepsPerHour) continue;
+        const std::size_t hour = (time / year.days.size()) % (day.count / stepsPerHour);
+        const std::size_t first = day.first + hour * stepsPerHour, step = time % stepsPerHour;
+        const auto* edge = edges.find(year.steps[first], year.steps[first + stepsPerHour - 1], stepsPerHour);
         if (edge == nullptr) continue;
         cosines.push_back(glm::dot(glm::dvec3(year.steps[first + step].direction), edge->sun.at(int(step))));
     }
@@ -94,9 +93,9 @@ std::size_t edgesOfPlainBins(const SunSteps& year, double boundDeg) {
     };
     std::set<std::pair<std::pair<int, int>, std::pair<int, int>>> edges;
     for (const SunDay& day : year.days)
-        for (std::uint32_t first = 0; first + hourSteps <= day.count; first += hourSteps)
+        for (std::uint32_t first = 0; first + stepsPerHour <= day.count; first += stepsPerHour)
             edges.emplace(binOfPlain(year.steps[day.first + first]),
-                          binOfPlain(year.steps[day.first + first + hourSteps - 1]));
+                          binOfPlain(year.steps[day.first + first + stepsPerHour - 1]));
     return edges.size();
 }
 
@@ -205,12 +204,13 @@ public:
     std::optional<Hour> compare(const RayMasks& rays, std::mt19937& random) const {
         const SunDay& day = year_.days[random() % year_.days.size()];
         const std::size_t draw = random();
-        if (day.count < hourSteps) return {};
-        const std::size_t hour = draw % (day.count / hourSteps), first = day.first + hour * hourSteps;
-        const auto* edge = edges_.find(year_.steps[first], year_.steps[first + hourSteps - 1], hourSteps);
+        if (day.count < stepsPerHour) return {};
+        const std::size_t hour = draw % (day.count / stepsPerHour), first = day.first + hour * stepsPerHour;
+        const auto* edge =
+            edges_.find(year_.steps[first], year_.steps[first + stepsPerHour - 1], stepsPerHour);
         if (edge == nullptr) return {};
         std::vector<glm::dvec3> is, taken;
-        for (int step = 0; step < hourSteps; ++step) {
+        for (int step = 0; step < stepsPerHour; ++step) {
             is.emplace_back(year_.steps[first + std::size_t(step)].direction);
             taken.push_back(edge->sun.at(step));
         }
@@ -227,7 +227,7 @@ private:
             taggedShadow += std::size_t(std::popcount(taken[i]));
             mistagged += std::size_t(std::popcount(is[i] ^ taken[i]));
         }
-        const double toPct = 100.0 / (double(is.size()) * hourSteps);
+        const double toPct = 100.0 / (double(is.size()) * stepsPerHour);
         return {0,
                 date,
                 std::move(begin),

@@ -56,9 +56,9 @@ Result<std::vector<Meeting>> meetings(const BenchSite& site, const Extent& exten
         for (std::size_t day = 0; day < days.size(); ++day) {
             pieces.next();
             const std::size_t runsLeft = std::size_t(extent.positions) * days.size() - all.size();
-            auto one =
-                meeting(site, *receivers, days[day], costs,
-                        std::max(0.0, work.allowance.leftS()) / double(runsLeft), extent, engines, work);
+            auto one = meeting(site, *receivers, days[day], costs,
+                               std::max(0.0, work.allowance.secondsLeft()) / double(runsLeft), extent,
+                               engines, work);
             if (!one) return tl::make_unexpected(one.error());
             note(costs, *one);
             one->position = int(all.size() / days.size()) + 1;

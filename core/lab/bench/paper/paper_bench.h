@@ -1,8 +1,7 @@
 #pragma once
 
-// The folder core/lab/bench/paper repeats the paper's experiments. runPaperBench() (this file) runs one
-// experiment per header, through Experiments (paper_bench.h), which divides the time budget. graph_errors.cpp
-// finds the edge of the direction graph for an interval.
+// The folder core/lab/bench/paper repeats the paper's experiments. runPaperBench() runs them one after the
+// other through Experiments, which divides the time budget.
 
 #include <array>
 #include <functional>

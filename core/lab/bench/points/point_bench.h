@@ -1,7 +1,7 @@
 #pragma once
 
 // The folder core/lab/bench/points measures the sweep of point receivers. runPointBench() (this file) runs
-// its experiment, point_bench.h.
+// its experiment, benchFacadeYear().
 
 #include <array>
 

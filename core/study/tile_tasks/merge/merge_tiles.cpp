@@ -21,6 +21,7 @@
 #include "core/measures/shadow_figures.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/place.h"
+#include "core/receivers/place_names.h"
 #include "core/receivers/rasterize.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/text/error_text.h"
@@ -64,10 +65,7 @@ ShadowSums sumOver(const Footprint& polygon, const Grid& tile, const Bands& band
 
 std::vector<Box2> boxesOfPlaces(const std::vector<Place>& places) {
     std::vector<Box2> boxes;
-    for (const Place& place : places) {
-        Box2& box = boxes.emplace_back();
-        for (const Footprint& polygon : place.polygons) box.add(bounds(polygon));
-    }
+    for (const Place& place : places) boxes.push_back(bounds(place));
     return boxes;
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/io/read_region.h"
 #include "core/measures/places/place_run.h"
+#include "core/measures/places/place_screening.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -50,19 +51,10 @@ double reliefM(const City& ground) {
     return double(high) - double(low);
 }
 
-// Length of the longest shadow of a metre.
-double longestPerMetre(const SunSteps& sun) {
-    double longest = 0;
-    for (const SunStep& step : sun.steps)
-        longest = std::max(longest, std::hypot(double(step.direction.x), double(step.direction.y)) /
-                                        std::max(double(step.direction.z), 1e-9));
-    return longest;
-}
-
 // The region, and every coarse cell of the scan that holds something tall enough to reach it.
 Box2 reachingBox(const Box2& region, const InputsScan& scan, const City& ground, const SunSteps& sun,
                  double farAwayM) {
-    const double longest = longestPerMetre(sun), relief = reliefM(ground);
+    const double longest = findLengthFactor(sun), relief = reliefM(ground);
     Box2 box = region;
     for (const auto& [cell, tallest] : scan.footprints.tallestM) {
         const Box2 own = localBox(boxOfCell(cell), ground.frame);

@@ -5,13 +5,13 @@
 namespace noonmark::bench {
 namespace {
 
-TEST(Allowance, AnEndlessOneHasRoomForAll) { EXPECT_GT(Allowance().leftS(), 1e9); }
+TEST(Allowance, AnEndlessOneHasRoomForAll) { EXPECT_GT(Allowance().secondsLeft(), 1e9); }
 
 TEST(Allowance, TheLongerItLastsTheLessIsLeft) {
     const Allowance hour(3600);
-    const double before = hour.leftS();
+    const double before = hour.secondsLeft();
     EXPECT_LE(before, 3600);
-    EXPECT_LE(hour.leftS(), before);
+    EXPECT_LE(hour.secondsLeft(), before);
 }
 
 TEST(Allowance, TheCheapestPiecesThatFitTogetherAreTaken) {

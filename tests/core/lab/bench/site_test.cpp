@@ -57,7 +57,7 @@ TEST(BenchSite, TheSampleIsMadeOfWholeSquaresAndOfReceiversOnly) {
 TEST(BenchSite, AStretchIsADayOfItsOwn) {
     const BenchSite site = tests::tinySite();
     const SunSteps day = computeSunOver(site, site.date, 1).value();
-    const SunSteps stretch = stretchOf(day, 100, 60);
+    const SunSteps stretch = sliceSteps(day, 100, 60);
     ASSERT_EQ(stretch.steps.size(), 60U);
     EXPECT_EQ(stretch.steps[0].direction, day.steps[100].direction);
     ASSERT_EQ(stretch.days.size(), 1U);

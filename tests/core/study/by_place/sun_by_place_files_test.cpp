@@ -277,7 +277,7 @@ TEST(SunByPlace, TheCommandNamesPlacesScenariosAndSettings) {
     SunByPlace sun;
     EXPECT_FALSE(makeRepeatCommand(sun));
     sun.name = "Existing";
-    sun.asked = PlacesAsked{{{"--kind", {"park"}}}, true};
+    sun.asked = PlaceSelection{{{"--kind", {"park"}}}, true};
     sun.settings = settingsOfDays(3);
     sun.settings.enoughHours = 3;
     sun.settings.dates = {std::chrono::year(2026) / 12 / 21};

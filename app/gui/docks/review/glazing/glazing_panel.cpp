@@ -81,14 +81,14 @@ void GlazingPanel::setShown(ShownVerdicts shown) {
     Q_EMIT shownChanged();
 }
 
-void GlazingPanel::putAway() {
+void GlazingPanel::suspend() {
     if (shown() == ShownVerdicts::none) return;
     const ShownVerdicts before = shown();
     setShown(ShownVerdicts::none);
     away_ = before;
 }
 
-void GlazingPanel::bringBack() {
+void GlazingPanel::resumeShown() {
     if (away_) setShown(*away_);
 }
 
@@ -147,11 +147,11 @@ GlazingTable::GlazingTable(QWidget* parent) : QTreeWidget(parent) {
     setHeaderHidden(true);
     connect(this, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
         describe(item);
-        if (const auto window = windowOf(item)) Q_EMIT pointedAt(*window);
+        if (const auto window = windowOf(item)) Q_EMIT highlighted(*window);
     });
     for (auto signal : {&QTreeWidget::itemClicked, &QTreeWidget::itemActivated})
         connect(this, signal, this, [this](const QTreeWidgetItem* item) {
-            if (const auto window = windowOf(item)) Q_EMIT wanted(*window);
+            if (const auto window = windowOf(item)) Q_EMIT goToRequested(*window);
         });
 }
 

@@ -43,9 +43,9 @@ public:
     [[nodiscard]] GlazingTable& table() { return *table_; }
     [[nodiscard]] ShownVerdicts shown() const;
     void setShown(ShownVerdicts shown);  ///< as if the user had chosen it
-    /// Another result is shown instead, until bringBack() or a choice of the user.
-    void putAway();
-    void bringBack();
+    /// Another result is shown instead, until resumeShown() or a choice of the user.
+    void suspend();
+    void resumeShown();
 
 Q_SIGNALS:
     void shownChanged();
@@ -53,7 +53,7 @@ Q_SIGNALS:
 private:
     QComboBox* choice_;
     GlazingTable* table_;
-    std::optional<ShownVerdicts> away_;  ///< what bringBack() shows
+    std::optional<ShownVerdicts> away_;  ///< what resumeShown() shows
 };
 
 /// The windows of a review with their verdicts, those that get worse first, with the values of each criterion
@@ -76,8 +76,8 @@ public:
 Q_SIGNALS:
     /// The sentence on the chosen window, and its times in the sun; empty: none is chosen.
     void described(QString words);
-    void pointedAt(std::size_t window);  ///< the chosen row
-    void wanted(std::size_t window);     ///< a click on a row, or Enter
+    void highlighted(std::size_t window);    ///< the chosen row
+    void goToRequested(std::size_t window);  ///< a click on a row, or Enter
 
 private:
     void showColumns();

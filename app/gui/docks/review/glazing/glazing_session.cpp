@@ -123,13 +123,7 @@ void GlazingSession::runAll() {
         },
         [this, asked](Result<Made> answers) {
             if (!answers) return report(answers.error());
-            const ScenarioErrors errors =
-                adoptEach(*std::move(answers), asked, [this](const Shared& answer, std::size_t) {
-                    const auto review = contentOf<GlazingAnswer>(answer);
-                    cached_.add(review);
-                    workbench_.adopt({review->question.after, review->question.before, answer},
-                                     {.isShown = false});
-                });
+            const ScenarioErrors errors = adoptReviews(*std::move(answers), asked, cached_, workbench_);
             Q_EMIT answered();
             reportAll(errors, asked.count());
         });

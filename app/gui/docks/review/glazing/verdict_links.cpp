@@ -113,21 +113,21 @@ VerdictLinks::VerdictLinks(GlazingPanel& table, GlazingSession& windows, ReviewS
 
 void VerdictLinks::connectTable() {
     connect(&table_, &GlazingPanel::shownChanged, this, &VerdictLinks::show);
-    connect(&table_.table(), &GlazingTable::pointedAt, this, &VerdictLinks::mark);
-    connect(&table_.table(), &GlazingTable::wanted, this, &VerdictLinks::goTo);
+    connect(&table_.table(), &GlazingTable::highlighted, this, &VerdictLinks::mark);
+    connect(&table_.table(), &GlazingTable::goToRequested, this, &VerdictLinks::goTo);
 }
 
 // What the user computed or chose last is in front.
 void VerdictLinks::connectOtherResults(Workbench& workbench, ReviewSession& review) {
     connect(&workbench, &Workbench::answered, &table_,
-            [this, &workbench] { workbench.answerAs<GlazingAnswer>() ? takeAnswer() : table_.putAway(); });
-    connect(&workbench.running(), &JobSlot::started, &table_, &GlazingPanel::putAway);
+            [this, &workbench] { workbench.answerAs<GlazingAnswer>() ? takeAnswer() : table_.suspend(); });
+    connect(&workbench.running(), &JobSlot::started, &table_, &GlazingPanel::suspend);
     for (auto changed : {&ReviewSession::changed, &ReviewSession::answered})
         connect(&review, changed, this, &VerdictLinks::show);
 }
 
 void VerdictLinks::takeAnswer() {
-    table_.bringBack();
+    table_.resumeShown();
     show();
 }
 
@@ -163,7 +163,7 @@ void VerdictLinks::mark(std::size_t window) {
 }
 
 void VerdictLinks::goTo(std::size_t window) {
-    table_.bringBack();
+    table_.resumeShown();
     if (!answer_) return;
     const auto& panes = answer_->study.panes;
     const auto pane = std::ranges::find(panes, window, &ReviewedPane::window);
