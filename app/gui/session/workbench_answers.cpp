@@ -291,7 +291,7 @@ void Workbench::adoptStudies(Result<std::vector<Measured>> made) {
     const bool isOfOthers =
         std::ranges::none_of(*made, [this](const Measured& one) { return isOfShown(one.study); });
     const bool staysInFront = (made->size() > 1 && sunOf(front_)) || isOfOthers;
-    putInFront(staysInFront ? front_ : nullptr);
+    bringToFront(staysInFront ? front_ : nullptr);
     if (!again_) Q_EMIT ran();
     reportAll(*made);
 }

@@ -293,8 +293,8 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
         std::ranges::move(pages, std::back_inserter(book.pages));
     };
     TextBlocks blocks = describeFinding(all, settings.units);
-    const TextBlocks repeat = repeatBlocks(makeRepeatCommand(sun, all.compared, bookLetters), false,
-                                           listColourOptions(colours), bookLetters);
+    const TextBlocks repeat = repeatBlocks(makeRepeatCommand(sun, all.compared, bookCharacters), false,
+                                           listColourOptions(colours), bookCharacters);
     for (const TextBlocks& more : {describeMethod(all), repeat, describeSources(sun)})
         blocks.insert(blocks.end(), more.begin(), more.end());
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, blocks));

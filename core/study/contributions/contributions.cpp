@@ -216,7 +216,7 @@ std::vector<Contribution> parseRows(const Json& json) {
 
 }  // namespace
 
-KeptContributions keepContributions(const PlaceContributions& of, double sunlitMinutesPerDay) {
+ContributionTable makeContributionTable(const PlaceContributions& of, double sunlitMinutesPerDay) {
     return {.place = of.place.name,
             .kind = std::string(nameOf(of.place.kind)),
             .period = formatText(of.period),
@@ -264,9 +264,9 @@ std::vector<ContributionTable> parseContributions(const Json& answer) {
 }
 
 // The months of the place that has most of them: they are those of the answer's period.
-std::string contributionsCsv(const std::vector<KeptContributions>& all, const Provenance& provenance) {
+std::string contributionsCsv(const std::vector<ContributionTable>& all, const Provenance& provenance) {
     std::vector<std::string> months;
-    for (const KeptContributions& of : all)
+    for (const ContributionTable& of : all)
         if (of.months.size() > months.size()) months = of.months;
     CsvText csv(columnsOf({"place", "kind", "period", "source_id", "name"}, months));
     const SourceValues source = sourceValues(provenance);

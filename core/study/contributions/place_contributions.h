@@ -39,7 +39,7 @@ Result<PlaceContributions> computePlaceContributions(const SunOfCities& sun, std
                                                      const EngineList& engines = coreEngines());
 
 /// What buildings take from a place, as an answer keeps it: without maps.
-struct KeptContributions {
+struct ContributionTable {
     std::string place;   ///< its name
     std::string kind;    ///< nameOf(PlaceKind)
     std::string period;  ///< in words; empty: saved by a version that did not state it
@@ -56,10 +56,10 @@ std::vector<ContributionTable> withContributions(std::vector<ContributionTable> 
 /// The JSON of an answer with a member `contributions_of_places`; without any it stays as it is.
 std::string withContributions(std::string json, const std::vector<ContributionTable>& all);
 /// Of an answer's JSON; throws nlohmann's exceptions for JSON of another structure.
-std::vector<KeptContributions> parseContributions(const nlohmann::ordered_json& answer);
+std::vector<ContributionTable> parseContributions(const nlohmann::ordered_json& answer);
 /// Columns: place,kind,period,source_id,name, the figures, two for each month as of a study's, and the source
 /// columns; a row for each building of each place.
-std::string contributionsCsv(const std::vector<KeptContributions>& all, const Provenance& provenance);
-inline constexpr const char* keptContributionsFile = "contributions_of_places.csv";
+std::string contributionsCsv(const std::vector<ContributionTable>& all, const Provenance& provenance);
+inline constexpr const char* contributionTableFile = "contributions_of_places.csv";
 
 }  // namespace noonmark

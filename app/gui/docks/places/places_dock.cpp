@@ -538,7 +538,7 @@ QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown) const {
 
 // Hours of sun a day below which a place is counted.
 double PlacesDock::limitOf(const ShownSun& shown) const {
-    constexpr double aMinute = 1 / minutesOfHour;
+    constexpr double aMinute = 1 / minutesPerHour;
     return shown.what == ShownSun::What::change ? -aMinute : threshold_->value();
 }
 

@@ -84,7 +84,7 @@ PlacesForm::PlacesForm(QWidget* parent)
     column->addLayout(form);
     column->addWidget(all_);
     column->addWidget(refusal_);
-    connect(streets_, &QPushButton::clicked, this, &PlacesForm::streetsWanted);
+    connect(streets_, &QPushButton::clicked, this, &PlacesForm::streetsRequested);
     connect(kinds_, &QListWidget::itemChanged, this, &PlacesForm::follow);
     connect(enough_, &QDoubleSpinBox::valueChanged, this, &PlacesForm::edited);
     connect(dates_, &QLineEdit::textChanged, this, &PlacesForm::follow);
@@ -183,7 +183,7 @@ std::vector<Place> PlacesForm::chosen() const {
                          [this](const Place& place) { return !unticked_.contains(place.kind); });
     if (!regionsTicked_) return chosen;
     for (const Region& region : regions_) chosen.push_back(makePlace(region));
-    nameApart(chosen);
+    makeNamesUnique(chosen);
     return chosen;
 }
 

@@ -45,7 +45,7 @@ public:
 
 Q_SIGNALS:
     void edited();
-    void streetsWanted();  ///< to be read into the project, which has none
+    void streetsRequested();  ///< to be read into the project, which has none
 
 private:
     void fill();

@@ -33,7 +33,7 @@ QGroupBox* groupOf(const QString& title, std::initializer_list<QWidget*> content
     return group;
 }
 
-Period wholeYear(const Period& period) { return applied(PeriodPreset::year, period, period.start, 0); }
+Period wholeYear(const Period& period) { return withPresetDays(PeriodPreset::year, period, period.start, 0); }
 
 QLabel* lineOf(const char* name) {
     auto* line = new QLabel;
