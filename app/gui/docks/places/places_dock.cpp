@@ -40,7 +40,7 @@ constexpr int ticksOfHour = 10;
 constexpr int thresholdRestMs = 250;
 
 constexpr int fittedRows = 200;  // that columns are made wide enough for
-constexpr int nameLetters = 24;  // of a name at least
+constexpr int nameLetters = 14;  // of a name at least: the number beside it is seen whole
 
 // From them the shares for another threshold follow. A saved answer holds none, nor how many there were.
 bool knowsCells(const SunByPlace& sun) {
