@@ -422,7 +422,7 @@ void MainWindow::connectPreferences() {
     connect(&help_, &HelpActions::tourRequested, &tours_, &TourActions::start);
     connect(&help_, &HelpActions::questionAsked, this, &MainWindow::answerCard);
     connect(&preferences_, &PreferencesActions::paperChosen, this, usePaper);
-    connect(&results_, &ResultActions::saveWanted, &saving_, &SavingActions::save);
+    connect(&results_, &ResultActions::saveRequested, &saving_, &SavingActions::save);
     connect(&results_, &ResultActions::setupChosen, this,
             [this](const PageSetup& setup) { savePageSetup(setup, settings_); });
     connect(&preferences_, &PreferencesActions::textsChanged, this, &MainWindow::textsChanged);

@@ -259,8 +259,8 @@ Result<std::optional<TakenBySet>> traceTreeSets(const City& city, const Receiver
 }
 
 double countCrownsAtRays(const CrownScene& crowns, const Receivers& receivers, const SunSteps& sun) {
-    constexpr std::size_t most = 16;  // receivers
-    const std::size_t count = std::min(most, receivers.cells.size());
+    constexpr std::size_t maximum = 16;  // receivers
+    const std::size_t count = std::min(maximum, receivers.cells.size());
     if (count == 0 || sun.steps.empty()) return 0;
     const CrownSun crownSun(sun);
     std::vector<std::uint32_t> all(crowns.crowns.size());

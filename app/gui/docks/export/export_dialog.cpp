@@ -164,7 +164,7 @@ QLayout* ExportDialog::makeFoot() {
     saveFirst_ = pushButton(tr("Save project first..."), "exportSaveFirst",
                             tr("A result can be verified only with the project that it comes from, and this "
                                "project is not saved"));
-    connect(saveFirst_, &QPushButton::clicked, this, &ExportDialog::saveWanted);
+    connect(saveFirst_, &QPushButton::clicked, this, &ExportDialog::saveRequested);
     write_ = pushButton(tr("Export"), "exportWrite", {});
     openFolder_ = pushButton(tr("Open folder"), "exportOpenFolder", tr("Shows the written files"));
     openFolder_->setEnabled(false);

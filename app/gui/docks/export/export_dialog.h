@@ -63,7 +63,7 @@ public:
 Q_SIGNALS:
     void chosen(noonmark::ExportChoice choice, QString folder);
     void setupChosen(const noonmark::PageSetup& setup);
-    void saveWanted();  ///< of the project, which has no file
+    void saveRequested();  ///< of the project, which has no file
 
 private:
     QLayout* makeFields();

@@ -130,7 +130,7 @@ void ResultActions::makeExportDialog() {
         workbench_.session(), &window_);
     connect(dialog_, &ExportDialog::chosen, this, &ResultActions::exportTo);
     connect(dialog_, &ExportDialog::setupChosen, this, &ResultActions::setupChosen);
-    connect(dialog_, &ExportDialog::saveWanted, this, &ResultActions::saveWanted);
+    connect(dialog_, &ExportDialog::saveRequested, this, &ResultActions::saveRequested);
     dialog_->followWriting(workbench_.writing());
     connect(&workbench_, &Workbench::exported, dialog_, &ExportDialog::showWritten);
     connect(&workbench_, &Workbench::failed, dialog_, &ExportDialog::showError);

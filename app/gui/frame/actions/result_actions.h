@@ -42,7 +42,7 @@ public:
 
 Q_SIGNALS:
     void setupChosen(const noonmark::PageSetup& setup);
-    void saveWanted();  ///< of the project, which has no file
+    void saveRequested();  ///< of the project, which has no file
 
 private:
     void takePicture(std::function<void(const QImage&)> done);
