@@ -261,22 +261,19 @@ Sentence headlineOf(const std::string& name, const SunOfPlace& of, double enough
              as.amount(enoughHours)}};
 }
 
-std::string_view templateWithTrees(TreeColumns column, bool isSun) {
-    if (column == TreeColumns::evergreen)
-        return isSun ? NM_TEXT("With trees as evergreens: %1; %2 of its area has %3 or more.")
-                     : NM_TEXT("With trees as evergreens: %1; %2 of its area has %3 or less.");
-    return isSun ? NM_TEXT("With trees that lose their leaves by season: %1; %2 of its area has %3 or more.")
-                 : NM_TEXT("With trees that lose their leaves by season: %1; %2 of its area has %3 or less.");
-}
-
-std::vector<Sentence> describeWithTrees(const SunByPlace& sun, std::size_t place, const SunOrShadow& as) {
-    std::vector<Sentence> sentences;
-    for (const SunWithTrees& with : sun.withTrees)
-        sentences.push_back(
-            {templateWithTrees(with.column, as.isSun()),
-             {as.amount(with.sun[place].meanHours), Amount{with.sun[place].enoughShare, FigureUnit::share, 0},
-              as.amount(sun.settings.enoughHours)}});
-    return sentences;
+Sentence describeWithTrees(const SunWithTrees& with, std::size_t place, double enoughHours,
+                           const SunOrShadow& as) {
+    const std::vector<Sentence::Argument> arguments{as.amount(with.sun[place].meanHours),
+                                                    Amount{with.sun[place].enoughShare, FigureUnit::share, 0},
+                                                    as.amount(enoughHours)};
+    if (with.column == TreeColumns::evergreen)
+        return {as.isSun() ? NM_TEXT("With trees as evergreens: %1; %2 of its area has %3 or more.")
+                           : NM_TEXT("With trees as evergreens: %1; %2 of its area has %3 or less."),
+                arguments};
+    return {as.isSun()
+                ? NM_TEXT("With trees that lose their leaves by season: %1; %2 of its area has %3 or more.")
+                : NM_TEXT("With trees that lose their leaves by season: %1; %2 of its area has %3 or less."),
+            arguments};
 }
 
 Sentence describeDate(const SunByPlace& sun, std::size_t place, std::size_t date, const SunOrShadow& as) {
@@ -338,8 +335,8 @@ AnswerPage makePage(const SunOfCities& sun, std::size_t place, ShownAs show) {
     const SunOrShadow as{show, sun.baseline.possibleHours};
     AnswerPage page{headlineOf(shown.places[place].name, of, shown.settings.enoughHours, as)};
     if (std::isnan(of.meanHours)) return page;
-    for (Sentence& sentence : describeWithTrees(shown, place, as))
-        page.findings.push_back(std::move(sentence));
+    for (const SunWithTrees& with : shown.withTrees)
+        page.findings.push_back(describeWithTrees(with, place, shown.settings.enoughHours, as));
     for (const ComparedSun& compared : sun.compared)
         page.findings.push_back(describeChange(compared, place, as));
     for (std::size_t date = 0; date < of.dateHours.size(); ++date)
