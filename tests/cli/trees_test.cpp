@@ -124,8 +124,18 @@ protected:
 
 TEST_F(TreesLeftOut, QuestionsThatMeasureNoneSaySo) {
     expectSaid(over({"city-study", town.string(), "--region", region}), notMeasured);
-    expectSaid(over({"study", town.string(), "--region", region, "--receivers", "facades"}), notMeasured);
     expectSaid({"point", town.string(), "--at", "-73.9800,40.7504"}, notMeasured);
+}
+
+TEST_F(TreesLeftOut, FacadesCountThem) {
+    auto question = over({"study", town.string(), "--trees", inventory, "--region", region});
+    for (const char* word : {"--receivers", "facades"}) question.emplace_back(word);
+    EXPECT_THAT(noonmarkCli(question).out, HasSubstr("trees with their seasons"));
+    question.emplace_back("--json");
+    const nlohmann::json facades = noonmarkCli(question).json();
+    EXPECT_LT(facades.at("mean_sunlit_min_evergreen"), facades.at("mean_sunlit_min"));
+    for (const nlohmann::json& warning : facades.at("warnings"))
+        EXPECT_THAT(warning.at("what").get<std::string>(), Not(testing::StartsWith("trees:")));
 }
 
 TEST_F(TreesLeftOut, SunByPlaceCountsThem) {
