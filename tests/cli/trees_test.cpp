@@ -93,6 +93,21 @@ TEST_F(TreesCommand, TheTableAndTheCellsStateThem) {
     EXPECT_THAT(study({}).out, Not(HasSubstr("trees")));
 }
 
+// January has all days of the period: its figures are those of the period.
+TEST_F(TreesCommand, MonthsHaveThreeColumns) {
+    const nlohmann::json all = figures({"--trees", inventory, "--by-month"});
+    const nlohmann::json& month = all.at("by_month").at(0);
+    for (const char* key : {"shadow_area_m2", "shadow_area_m2_evergreen", "shadow_area_m2_seasonal"})
+        EXPECT_NEAR(month.at(key).get<double>(), all.at(key).get<double>(), 1e-3 * all.at(key).get<double>())
+            << key;
+    EXPECT_LT(month.at("mean_shadow_min"), month.at("mean_shadow_min_seasonal"));
+    std::ifstream table(folder.path("out") / "by_month.csv");
+    std::string heading;
+    std::getline(table, heading);
+    EXPECT_THAT(heading, HasSubstr("mean_shadow_min,shadow_area_m2_evergreen,mean_shadow_min_evergreen,"));
+    EXPECT_FALSE(figures({"--by-month"}).at("by_month").at(0).contains("shadow_area_m2_evergreen"));
+}
+
 // A question about the town with its two trees; `says`: why they are left out.
 class TreesLeftOut : public TreesCommand {
 protected:
