@@ -255,6 +255,15 @@ TEST_F(TreesOfAProject, FellingThemChangesTheShadowWithTreesOnly) {
     EXPECT_FALSE(impact({"--tree-shade", "seasonal"}).at("impact").at(0).contains("gross_evergreen"));
 }
 
+TEST_F(TreesOfAProject, WhatLeavesThemOutSaysSo) {
+    EXPECT_THAT(noonmarkCli({"point", project, "--at", "-73.9800,40.7504"}).out, HasSubstr("trees:"));
+    const CommandOutput drawn =
+        noonmarkCli({"project", "shadows", project, "--day", "2026-01-15", "--times", "12:00", "--region",
+                     "-73.9815,40.7495,-73.9785,40.7515", "--zone", "America/New_York", "--out",
+                     folder.path("drawn").string()});
+    EXPECT_THAT(drawn.out, HasSubstr("trees:")) << drawn.err;
+}
+
 TEST_F(TreesOfAProject, ARowIsPlantedMovedAndGrown) {
     const CommandOutput row =
         tree({"add", "--along", "-73.9805,40.7500", "-73.9795,40.7500", "--spacing", "10", "--species",
