@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/csv_text.h"
 #include "core/base/json_number.h"
 #include "core/base/memory_guard.h"
 #include "core/city/trees/tree.h"
 #include "core/describe/figure_text.h"
+#include "core/engines/shade_trees.h"
 #include "core/measures/places/place_run.h"
 #include "core/receivers/place_names.h"
 #include "core/study/text/error_text.h"
@@ -33,6 +36,27 @@ void warnOfEmptyPlaces(const PlaceReceivers& cells, PlaceStudy& study) {
                                       study.places[i].place.name});
 }
 
+Warnings warnOfUnmeasured(const City& baseline, const City* scenario) {
+    Warnings warnings = warnOfTrees(baseline.trees);
+    if (warnings.empty() && scenario != nullptr) warnings = warnOfTrees(scenario->trees);
+    return warnings;
+}
+
+void addColumns(TreeColumns columns, PlaceStudy& study) {
+    for (PlaceTimeline& place : study.places)
+        for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+            if (isAmong(columns, column)) place.withTrees.push_back({column, {}, {}});
+}
+
+void addShaded(PlaceTrees::Shaded shaded, bool keepsSteps, PlaceTimeline& timeline) {
+    for (ShadedPlace& with : timeline.withTrees) {
+        DayTimeline& day = with.column == TreeColumns::evergreen ? shaded.evergreen : shaded.seasonal;
+        with.sums.add(day);
+        if (!keepsSteps) day.steps.clear();
+        with.days.push_back(std::move(day));
+    }
+}
+
 Result<PlaceStudy> computePlaceStudy(const City& baseline, const City* scenario,
                                      const std::vector<Place>& places, const PlaceStudySettings& settings,
                                      const Engine& engine, Progress& progress, std::stop_token stop) {
@@ -48,22 +72,27 @@ Result<PlaceStudy> computePlaceStudy(const City& baseline, const City* scenario,
                      .cellM = settings.cellM};
     study.stepMinutes = sun->stepMinutes;
     for (const Place& place : places) study.places.push_back({.place = place});
-    study.warnings = warnOfTrees(baseline.trees);
+    const PlaceTrees trees(baseline, scenario, *cells, *sun);
+    study.treesUsed = trees.treesUsed();
+    const bool hasTrees = study.treesUsed > 0;
+    if (hasTrees) addColumns(settings.trees, study);
     warnOfEmptyPlaces(*cells, study);
-    const TimelineSettings wanted{settings.allSteps, settings.longestStays};
-    const auto take = [&](std::size_t, std::span<const PlaceShadow> shadows) -> Result<void> {
+    const TimelineSettings wanted{settings.allSteps || hasTrees, settings.longestStays};
+    const auto take = [&](std::size_t ofDay, std::span<const PlaceShadow> shadows) -> Result<void> {
         tbb::parallel_for(std::size_t{0}, shadows.size(), [&](std::size_t i) {
             PlaceTimeline& timeline = study.places[i];
             timeline.days.push_back(computeTimeline(shadows[i], wanted));
-            const DayTimeline& day = timeline.days.back();
+            DayTimeline& day = timeline.days.back();
             timeline.sums.add(day);
+            if (hasTrees)
+                addShaded(trees.shade(i, ofDay, shadows[i], day, stop), settings.allSteps, timeline);
+            if (!settings.allSteps) day.steps.clear();
             timeline.longestIncrementalAt.push_back(
                 locate(day.incremental.longest, *cells, i, baseline.frame));
         });
         return {};
     };
-    if (auto done = shadePlaces(engine, baseline, scenario, *cells, *sun, take, progress, std::move(stop));
-        !done)
+    if (auto done = shadePlaces(engine, baseline, scenario, *cells, *sun, take, progress, stop); !done)
         return tl::make_unexpected(done.error());
     return study;
 }
@@ -73,8 +102,18 @@ Result<PlaceStudy> computePlaceStudy(const City& baseline, const City* scenario,
 Result<PlaceStudy> runPlaceStudy(const City& baseline, const City* scenario, const std::vector<Place>& places,
                                  const PlaceStudySettings& settings, const Engine& engine, Progress& progress,
                                  std::stop_token stop) {
+    const City before = withTreesFor(baseline, settings.trees);
+    std::optional<City> after;
+    if (scenario != nullptr) after = withTreesFor(*scenario, settings.trees);
+    if (after && scenario->trees == baseline.trees) after->trees = before.trees;
     return guardMemory({.what = "timelines of places"}, [&] {
-        return computePlaceStudy(baseline, scenario, places, settings, engine, progress, std::move(stop));
+        auto study = computePlaceStudy(before, after ? &*after : nullptr, places, settings, engine, progress,
+                                       std::move(stop));
+        if (study && settings.trees == TreeColumns::without) {
+            const Warnings first = warnOfUnmeasured(baseline, scenario);
+            study->warnings.insert(study->warnings.begin(), first.begin(), first.end());
+        }
+        return study;
     });
 }
 
@@ -125,21 +164,51 @@ public:
         return json;
     }
 
-    [[nodiscard]] Json steps(const DayTimeline& day) const {
+    [[nodiscard]] Json steps(const PlaceTimeline& place, std::size_t day) const {
         Json steps = Json::array();
-        for (const PlaceStep& step : day.steps)
-            steps.emplace_back(Json{{"at", time(step.at)}}).update(figuresJson(placeStepFigures().of(step)));
+        for (std::size_t i = 0; i < place.days[day].steps.size(); ++i) {
+            const PlaceStep& step = place.days[day].steps[i];
+            Json& json = steps.emplace_back(Json{{"at", time(step.at)}});
+            json.update(figuresJson(placeStepFigures().of(step)));
+            for (const ShadedPlace& with : place.withTrees)
+                json.update(
+                    figuresJson({placeStepFiguresWithTrees(with.column), &with.days[day].steps.at(i)}));
+        }
         return steps;
+    }
+
+    // Beside those of each kind of shadow without trees.
+    static void addTrees(Json& json, const PlaceTimeline& place, std::size_t day) {
+        for (const ShadedPlace& with : place.withTrees) {
+            const DayTimeline& own = with.days[day];
+            const std::string key = "area_hours_m2h" + suffixOf(with.column);
+            json["baseline"][key] = round4(own.baseline.areaHoursM2);
+            json["scenario"][key] = round4(own.scenario.areaHoursM2);
+            json["incremental"][key] = round4(own.incremental.areaHoursM2);
+            json["gained"][key] = round4(own.gained.areaHoursM2);
+        }
     }
 
     static Json sums(const AreaHours& sums) { return figuresJson(areaHoursFigures().of(sums)); }
 
-    [[nodiscard]] Json period(const PlaceSums& all) const {
-        Json months = Json::object(), quarters = Json::object();
+    static void addTrees(Json& json, const AreaHours& sums, TreeColumns column) {
+        json.update(figuresJson({areaHoursFiguresWithTrees(column), &sums}));
+    }
+
+    [[nodiscard]] Json period(const PlaceTimeline& place) const {
+        const PlaceSums& all = place.sums;
+        Json months = Json::object(), quarters = Json::object(), whole = sums(all.all());
         for (const auto& [month, one] : all.months()) months[month] = sums(one);
         for (std::size_t i = 0; i < quarterNames.size(); ++i)
             if (all.quarters()[i].days > 0) quarters[quarterNames[i]] = sums(all.quarters()[i]);
-        return {{"sums", sums(all.all())},
+        for (const ShadedPlace& with : place.withTrees) {
+            addTrees(whole, with.sums.all(), with.column);
+            for (const auto& [month, one] : with.sums.months()) addTrees(months[month], one, with.column);
+            for (std::size_t i = 0; i < quarterNames.size(); ++i)
+                if (with.sums.quarters()[i].days > 0)
+                    addTrees(quarters[quarterNames[i]], with.sums.quarters()[i], with.column);
+        }
+        return {{"sums", whole},
                 {"months", months},
                 {"quarters", quarters},
                 {"day_of_most_shadow", maximum(all.maxScenarioDay())},
@@ -181,16 +250,19 @@ Json timelineJson(const PlaceStudy& study, const PlaceTimeline& place, const Tim
               {"engine", study.engine}};
     if (place.days.size() == 1) {
         json.update(writer.day(place.days.front(), place.longestIncrementalAt.front()));
-        json["steps"] = writer.steps(place.days.front());
+        writer.addTrees(json, place, 0);
+        json["steps"] = writer.steps(place, 0);
     } else {
         Json days = Json::array();
         for (std::size_t i = 0; i < place.days.size(); ++i) {
             days.push_back(writer.day(place.days[i], place.longestIncrementalAt[i]));
-            if (!place.days[i].steps.empty()) days.back()["steps"] = writer.steps(place.days[i]);
+            writer.addTrees(days.back(), place, i);
+            if (!place.days[i].steps.empty()) days.back()["steps"] = writer.steps(place, i);
         }
-        json.update(writer.period(place.sums));
+        json.update(writer.period(place));
         json["days"] = days;
     }
+    if (study.treesUsed > 0) json["trees_used"] = study.treesUsed;
     json["warnings"] = warningsJson(study.warnings);
     return json;
 }
@@ -199,12 +271,19 @@ std::string timelineCsv(const PlaceStudy& study, const TimelineLabels& labels) {
     const TimelineWriter writer(labels.zone);
     std::vector<std::string> columns = listColumns(placeStepFigures().rows());
     columns.insert(columns.begin(), {"place", "day", "at"});
+    if (!study.places.empty())
+        for (const ShadedPlace& with : study.places.front().withTrees)
+            std::ranges::move(listColumns(placeStepFiguresWithTrees(with.column)),
+                              std::back_inserter(columns));
     CsvText csv(columns);
     for (const PlaceTimeline& place : study.places)
-        for (const DayTimeline& day : place.days)
-            for (const PlaceStep& step : day.steps) {
-                csv.text(place.place.name).text(formatText(day.day)).text(writer.time(step.at));
+        for (std::size_t day = 0; day < place.days.size(); ++day)
+            for (std::size_t i = 0; i < place.days[day].steps.size(); ++i) {
+                const PlaceStep& step = place.days[day].steps[i];
+                csv.text(place.place.name).text(formatText(place.days[day].day)).text(writer.time(step.at));
                 addFigures(csv, placeStepFigures().of(step));
+                for (const ShadedPlace& with : place.withTrees)
+                    addFigures(csv, {placeStepFiguresWithTrees(with.column), &with.days[day].steps.at(i)});
                 csv.endRow();
             }
     return csv.take();

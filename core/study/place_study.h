@@ -11,6 +11,7 @@
 #include "core/base/warnings.h"
 #include "core/city/city.h"
 #include "core/engines/api/engine.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/measures/places/place_sums.h"
 #include "core/measures/places/place_timeline.h"
 #include "core/receivers/place.h"
@@ -24,6 +25,15 @@ struct PlaceStudySettings {
     double cellM = 1;          ///< 0.25 to 10
     bool allSteps = true;      ///< hold the areas of every step of every day (40 bytes each)
     bool longestStays = true;  ///< and the longest stay at one spot of every day
+    /// Which shade of trees is measured, too; where it is none, a warning says so of a city with trees.
+    TreeColumns trees = TreeColumns::without;
+};
+
+/// A place's shadow with trees of one column: areas and area x hours, no times (PlaceTrees).
+struct ShadedPlace {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+    std::vector<DayTimeline> days;
+    PlaceSums sums;
 };
 
 /// A place's shadow over the days of a period.
@@ -33,6 +43,7 @@ struct PlaceTimeline {
     PlaceSums sums;
     /// Where the longest stay of incremental shadow is, of each day, degrees; none without one.
     std::vector<std::optional<LonLat>> longestIncrementalAt;
+    std::vector<ShadedPlace> withTrees{};  ///< evergreens first; empty: no tree reaches a place
 };
 
 struct PlaceStudy {
@@ -40,7 +51,8 @@ struct PlaceStudy {
     std::string engine;                 ///< "Projected shadows"
     double cellM = 1;
     double stepMinutes = 1;
-    Warnings warnings;  ///< places without a cell
+    Warnings warnings;          ///< places without a cell, trees that were not measured
+    std::size_t treesUsed = 0;  ///< trees whose shadow can reach a place
 };
 
 /// The timelines of places in a baseline and in a scenario (null: the baseline alone). The sun is that of the
@@ -58,13 +70,15 @@ struct TimelineLabels {
 };
 
 /// One place as JSON (docs/user/places.md lists the keys): of one day its steps and summary, of several days
-/// a list of days and the sums by month and quarter. Scripts rely on `steps`: `at`, `baseline_m2`,
-/// `scenario_m2`, `incremental_m2`. Areas in m2, rounded to the cm2; times in ISO 8601 with offset.
+/// a list of days and the sums by month and quarter. With trees further keys: `baseline_m2_evergreen` of a
+/// step, `area_hours_m2h_seasonal` of a day, `scenario_m2h_seasonal` of sums. Scripts rely on `steps`: `at`,
+/// `baseline_m2`, `scenario_m2`, `incremental_m2`. Areas in m2, rounded to the cm2; times in ISO 8601 with
+/// offset.
 nlohmann::ordered_json timelineJson(const PlaceStudy& study, const PlaceTimeline& place,
                                     const TimelineLabels& labels);
 
 /// All places as CSV, one row for each place and step: place, day, at, baseline_m2, scenario_m2,
-/// incremental_m2, gained_m2.
+/// incremental_m2, gained_m2, and the areas with trees.
 std::string timelineCsv(const PlaceStudy& study, const TimelineLabels& labels);
 
 }  // namespace noonmark

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/safe_text.h"
 #include "core/city/trees/tree.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/places/place_run.h"
@@ -19,7 +20,12 @@ std::vector<std::string> listUnchecked(const Rule& rule, const City& city) {
     if (!city.terrain) all.emplace_back("Slopes: there is no terrain, so the ground is taken as flat");
     if (!rule.occluders.terrain && city.terrain)
         all.emplace_back("The rule leaves terrain out; here terrain casts shadow");
-    if (rule.occluders.trees) all.emplace_back("The rule counts trees; the city has none");
+    const std::size_t trees = city.trees ? city.trees->trees.size() : 0;
+    if (rule.occluders.trees)
+        all.emplace_back("The rule counts shadow of trees; the figures are those without trees");
+    if (trees > 0)
+        all.push_back(fmt::format("Trees: the figures are those without trees; the city has {}",
+                                  countOf(trees, "tree")));
     return all;
 }
 

@@ -11,7 +11,6 @@
 #include "core/city/city_position.h"
 #include "core/describe/text.h"
 #include "core/engines/common/engine_in_use.h"
-#include "core/engines/shade_trees.h"
 #include "core/measures/error_sample.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/study_cost.h"
@@ -57,6 +56,21 @@ Result<void> breakDown(Study& study, const EngineInUse& engine, Progress& progre
              study.settings.region.name});
     return timeStage(study, "breakdown", study.breakdown, stop,
                      [&] { return engine.breakDown(study.city, sets, byBuilding, progress, stop); });
+}
+
+Result<void> shadeMonths(Study& study, Progress& progress, const std::stop_token& stop) {
+    if (!study.settings.byMonth || !study.breakdown || !study.field.trees) return {};
+    return timeStage(study, "trees", study.shadedMonths, stop, [&] {
+        return shadeTreeSets(study.city, study.receivers, study.sun, *study.breakdown, study.settings.trees,
+                             progress, stop);
+    });
+}
+
+Result<void> divideAmongTrees(Study& study, Progress& progress, const std::stop_token& stop) {
+    if (!study.settings.contributions || !study.field.trees) return {};
+    return timeStage(study, "trees", study.byTree, stop, [&] {
+        return traceTakenByTree(study.city, study.receivers, study.sun, progress, stop);
+    });
 }
 
 Result<void> placeStudy(Study& study, const std::stop_token& stop) {
@@ -151,7 +165,10 @@ Result<void> measureField(Study& study, EngineInUse& engine, Progress& progress,
         }
         if (auto done = measureError(study, progress, stop); !done) return done;
     } while (goesOn(study, engine));
-    return breakDown(study, engine, progress, stop).and_then([&] { return measureMonthError(study, stop); });
+    return breakDown(study, engine, progress, stop)
+        .and_then([&] { return shadeMonths(study, progress, stop); })
+        .and_then([&] { return divideAmongTrees(study, progress, stop); })
+        .and_then([&] { return measureMonthError(study, stop); });
 }
 
 }  // namespace

@@ -15,6 +15,8 @@
 #include "core/engines/api/engine_registry.h"
 #include "core/engines/api/tree_shade.h"
 #include "core/engines/horizon/attribution/horizon_breakdown.h"
+#include "core/engines/ray/tree_rays.h"
+#include "core/engines/shade_trees.h"
 #include "core/io/read_city.h"
 #include "core/measures/error_sample.h"
 #include "core/measures/shown_error.h"
@@ -56,6 +58,10 @@ struct Study {
     TerrainCoverage terrainCoverage;  ///< how much of the study lies beyond the terrain
     std::optional<ShadowBreakdown>
         breakdown;  ///< by month (else one set) and by building, if the settings ask for it
+    /// The shadow of each month with trees, if the settings ask for months and a tree reaches a receiver.
+    std::optional<ShadedSets> shadedMonths;
+    /// What single trees take, if the settings ask for contributions and a tree reaches a receiver.
+    std::optional<TakenByTree> byTree;
     /// Error against the ray reference; nothing if it was switched off, could not be measured (a warning says
     /// so) or the engine is the reference itself.
     std::optional<SampledError> error;

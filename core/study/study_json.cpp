@@ -126,7 +126,8 @@ std::string studyJson(const Study& study, const FileSeconds& writeSeconds) {
     addCost(json, study, writeSeconds);
     if (study.settings.byMonth)
         json["by_month"] =
-            monthsJson(study.breakdown ? monthsOf(*study.breakdown) : std::vector<MonthShadow>());
+            monthsJson(study.breakdown ? monthsOf(*study.breakdown) : std::vector<MonthShadow>(),
+                       listMonthsWithTrees(study));
     json["region"] = regionJson(study.settings.region, study.city.frame);
     json["cells"] = cellsJson(study);
     json["terrain"] = study.city.terrain ? terrainJson(*study.city.terrain) : Json();

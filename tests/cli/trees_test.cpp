@@ -93,6 +93,21 @@ TEST_F(TreesCommand, TheTableAndTheCellsStateThem) {
     EXPECT_THAT(study({}).out, Not(HasSubstr("trees")));
 }
 
+// January has all days of the period: its figures are those of the period.
+TEST_F(TreesCommand, MonthsHaveThreeColumns) {
+    const nlohmann::json all = figures({"--trees", inventory, "--by-month"});
+    const nlohmann::json& month = all.at("by_month").at(0);
+    for (const char* key : {"shadow_area_m2", "shadow_area_m2_evergreen", "shadow_area_m2_seasonal"})
+        EXPECT_NEAR(month.at(key).get<double>(), all.at(key).get<double>(), 1e-3 * all.at(key).get<double>())
+            << key;
+    EXPECT_LT(month.at("mean_shadow_min"), month.at("mean_shadow_min_seasonal"));
+    std::ifstream table(folder.path("out") / "by_month.csv");
+    std::string heading;
+    std::getline(table, heading);
+    EXPECT_THAT(heading, HasSubstr("mean_shadow_min,shadow_area_m2_evergreen,mean_shadow_min_evergreen,"));
+    EXPECT_FALSE(figures({"--by-month"}).at("by_month").at(0).contains("shadow_area_m2_evergreen"));
+}
+
 // A question about the town with its two trees; `says`: why they are left out.
 class TreesLeftOut : public TreesCommand {
 protected:
@@ -124,8 +139,18 @@ protected:
 
 TEST_F(TreesLeftOut, QuestionsThatMeasureNoneSaySo) {
     expectSaid(over({"city-study", town.string(), "--region", region}), notMeasured);
-    expectSaid(over({"study", town.string(), "--region", region, "--receivers", "facades"}), notMeasured);
     expectSaid({"point", town.string(), "--at", "-73.9800,40.7504"}, notMeasured);
+}
+
+TEST_F(TreesLeftOut, FacadesCountThem) {
+    auto question = over({"study", town.string(), "--trees", inventory, "--region", region});
+    for (const char* word : {"--receivers", "facades"}) question.emplace_back(word);
+    EXPECT_THAT(noonmarkCli(question).out, HasSubstr("trees with their seasons"));
+    question.emplace_back("--json");
+    const nlohmann::json facades = noonmarkCli(question).json();
+    EXPECT_LT(facades.at("mean_sunlit_min_evergreen"), facades.at("mean_sunlit_min"));
+    for (const nlohmann::json& warning : facades.at("warnings"))
+        EXPECT_THAT(warning.at("what").get<std::string>(), Not(testing::StartsWith("trees:")));
 }
 
 TEST_F(TreesLeftOut, SunByPlaceCountsThem) {
@@ -228,6 +253,15 @@ TEST_F(TreesOfAProject, FellingThemChangesTheShadowWithTreesOnly) {
     EXPECT_LT(change.at("gross_evergreen").at("mean_min"), 0);
     EXPECT_LT(change.at("gross_seasonal").at("mean_min"), 0);
     EXPECT_FALSE(impact({"--tree-shade", "seasonal"}).at("impact").at(0).contains("gross_evergreen"));
+}
+
+TEST_F(TreesOfAProject, WhatLeavesThemOutSaysSo) {
+    EXPECT_THAT(noonmarkCli({"point", project, "--at", "-73.9800,40.7504"}).out, HasSubstr("trees:"));
+    const CommandOutput drawn =
+        noonmarkCli({"project", "shadows", project, "--day", "2026-01-15", "--times", "12:00", "--region",
+                     "-73.9815,40.7495,-73.9785,40.7515", "--zone", "America/New_York", "--out",
+                     folder.path("drawn").string()});
+    EXPECT_THAT(drawn.out, HasSubstr("trees:")) << drawn.err;
 }
 
 TEST_F(TreesOfAProject, ARowIsPlantedMovedAndGrown) {

@@ -89,6 +89,7 @@ Result<PointCities> citiesOfProject(const PointOptions& options) {
         if (!cases) return tl::make_unexpected(cases.error());
         cities.cases = *std::move(cases);
     }
+    std::ranges::move(warnOfTrees(before->city.trees), std::back_inserter(cities.warnings));
     return cities;
 }
 

@@ -93,7 +93,7 @@ void printElements(const ElementStudy& study, const std::vector<std::filesystem:
     table.add("steps", fmt::format("{} with the sun up, {} left out below the horizon",
                                    withCommas(study.sun.steps.size()), withCommas(study.sun.belowHorizon)));
     table.add("receivers on", std::string(nameOf(study.elements.places)));
-    addFigures(table, listLines(elementFigures().of(figures), {.sunlitMin = figures.possibleMin}));
+    addFigures(table, listElementLines(figures, listFiguresWithTrees(study)));
     table.add("error against rays", errorText(study));
     table.add("time", fmt::format("{:.2f} s", study.seconds.at("total")));
     table.print(out);

@@ -8,6 +8,7 @@
 #include "app/cli/base/command.h"
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/terminal_text.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/project_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/study_options.h"
@@ -15,7 +16,9 @@
 #include "core/describe/command_options.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/places/place_sums.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/place_study.h"
+#include "core/study/study_fields.h"
 #include "core/study/text/error_text.h"
 #include "scenarios/project/project_file.h"
 #include "scenarios/project/project_provenance.h"
@@ -33,6 +36,7 @@ struct TimelineOptions {
     std::string periodName;
     PeriodOptions period{.names = {{"--from", "--at"}, {"--start", "--day,--start"}}};
     PlaceStudySettings study;
+    StudySettings shade;  // only its trees
     bool allSteps = false;
     bool json = false;
     bool csv = false;
@@ -82,6 +86,7 @@ Result<TimelineAnswer> computeTimelines(const TimelineOptions& options, bool hou
     if (!after) return tl::make_unexpected(after.error());
     PlaceStudySettings settings = options.study;
     settings.period = *period;
+    settings.trees = options.shade.trees;
     settings.allSteps = period->days == 1 || options.allSteps || options.csv;
     const Interrupt interrupt;
     ProgressLine progress(console);
@@ -109,7 +114,12 @@ std::string lineOf(const ShadowOnPlace& shadow, const Zone& zone) {
     return text;
 }
 
-void printDay(const DayTimeline& day, const TimelineAnswer& answer, std::ostream& out) {
+std::string lineOfShaded(const ShadowOnPlace& shadow) {
+    return fmt::format("largest {:.0f} m2; {:.1f} m2 x h", shadow.largestM2, shadow.areaHoursM2);
+}
+
+void printDay(const PlaceTimeline& place, const TimelineAnswer& answer, std::ostream& out) {
+    const DayTimeline& day = place.days.front();
     const Zone& zone = answer.labels.zone;
     Table table;
     std::string when = fmt::format("{}, {:.0f} min of sun; times of {}", formatText(day.day),
@@ -117,8 +127,14 @@ void printDay(const DayTimeline& day, const TimelineAnswer& answer, std::ostream
     if (day.stepMinutes > 1) when += fmt::format(", up to {:g} min too late", day.stepMinutes);
     table.add("day", when);
     table.add("baseline", lineOf(day.baseline, zone));
+    for (const ShadedPlace& with : place.withTrees)
+        table.add(fmt::format("baseline, {}", describeTrees(with.column)),
+                  lineOfShaded(with.days.front().baseline));
     if (!answer.labels.to.empty()) {
         table.add("scenario", lineOf(day.scenario, zone));
+        for (const ShadedPlace& with : place.withTrees)
+            table.add(fmt::format("scenario, {}", describeTrees(with.column)),
+                      lineOfShaded(with.days.front().scenario));
         table.add("incremental", lineOf(day.incremental, zone));
         table.add("gained", lineOf(day.gained, zone));
         table.add("all sun taken", fmt::format("{:.0f} min", day.allSunTakenMin));
@@ -131,6 +147,8 @@ void printPeriod(const PlaceTimeline& place, std::ostream& out) {
     Table table;
     const PlaceSums& sums = place.sums;
     addFigures(table, listLines(areaHoursFigures().of(sums.all())));
+    for (const ShadedPlace& with : place.withTrees)
+        addFigures(table, listLines({areaHoursFiguresWithTrees(with.column), &with.sums.all()}));
     for (std::size_t i = 0; i < quarterNames.size(); ++i)
         if (sums.quarters()[i].days > 0)
             addFigures(table, quarterNames[i],
@@ -148,7 +166,7 @@ void print(const TimelineAnswer& answer, std::ostream& out) {
                            place.days.empty() ? 0 : place.days.front().areaM2, answer.labels.from,
                            answer.labels.to.empty() ? "" : " -> " + answer.labels.to);
         if (place.days.size() == 1)
-            printDay(place.days.front(), answer, out);
+            printDay(place, answer, out);
         else
             printPeriod(place, out);
     }
@@ -201,6 +219,7 @@ void addTimelineCommand(CLI::App& app, Run& run) {
         ->capture_default_str()
         ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
         ->type_name("M");
+    addFieldOptions(*command, treeFields().of(options->shade));
     command->add_flag("--all-steps", options->allSteps, "Of several days, state the steps of each too");
     CLI::Option* json = addJsonFlag(*command, options->json);
     command->add_flag("--csv", options->csv, "Print only CSV to standard output: one row for each step")

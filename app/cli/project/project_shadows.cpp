@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <ostream>
@@ -15,6 +16,7 @@
 #include "app/cli/project/project_commands.h"
 #include "app/input/load_city.h"
 #include "app/report/files/answer_files.h"
+#include "core/city/trees/tree.h"
 #include "core/describe/command_options.h"
 #include "core/measures/outlines/day_isochrones.h"
 #include "core/measures/places/place_run.h"
@@ -86,6 +88,7 @@ Result<ShadowAnswer> computeDrawing(const ShadowOptions& options, const ProjectF
     if (const auto given = checkTimesGiven(options.when); !given) return tl::make_unexpected(given.error());
     const auto times = listDrawnTimes(options.when, before->city, answer.warnings);
     if (!times) return tl::make_unexpected(times.error());
+    std::ranges::move(warnOfTrees(after->city.trees), std::back_inserter(answer.warnings));
     const auto area = findDrawnArea(options.where, project, before->city);
     if (!area) return tl::make_unexpected(area.error());
     DrawingSettings settings = options.drawing;

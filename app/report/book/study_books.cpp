@@ -98,7 +98,8 @@ TextBlocks summariseElements(const ElementStudy& study) {
     const auto add = [&](const QString& text) { blocks.push_back(body(text)); };
     add(QStringLiteral("Points on %1. %2.")
             .arg(plainText(nameOf(study.elements.places)), describePeriod(study.settings.period)));
-    const auto lines = listLines(elementFigures().of(figures), {.sunlitMin = figures.possibleMin});
+    const auto withTrees = listFiguresWithTrees(study);
+    const auto lines = listElementLines(figures, withTrees);
     for (const FigureText& figure : figureTexts(lines))
         add(QStringLiteral("%1: %2.").arg(figure.name, figure.value));
     blocks.push_back(heading(QStringLiteral("Method")));

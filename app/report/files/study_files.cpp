@@ -1,7 +1,10 @@
 #include "app/report/files/study_files.h"
 
+#include <fmt/format.h>
+
 #include <QGuiApplication>
 #include <cmath>
+#include <deque>
 
 #include "app/report/book/answer_books.h"
 #include "app/report/book/print_book.h"
@@ -26,6 +29,7 @@ namespace noonmark {
 
 namespace {
 
+constexpr const char* treeContributionsFile = "tree_contributions.csv";
 constexpr std::size_t chunkBytes = 1U << 20U;
 
 bool flush(CsvText& csv, QIODevice& device) {
@@ -75,15 +79,26 @@ Result<void> writeRaster(const Study& study, const std::filesystem::path& file) 
                         makeProvenanceTags(study.provenance));
 }
 
-Result<void> writeMonths(const Study& study, const std::filesystem::path& file) {
+/// Bands of months, with the minutes that they point to.
+struct MonthBands {
     std::vector<RasterBand> bands;
-    const ShadowBreakdown& months = *study.breakdown;
-    std::vector<std::vector<float>> ofGrid;
-    for (std::size_t set = 0; set < months.sets.names.size(); ++set)
-        ofGrid.push_back(spreadOverGrid(months, set));
-    for (std::size_t set = 0; set < months.sets.names.size(); ++set)
-        bands.push_back({months.sets.names[set], "min", &ofGrid[set]});
-    return writeGeoTiff(file, study.city.frame, months.grid, bands, makeProvenanceTags(study.provenance));
+    std::deque<std::vector<float>> ofGrid;
+    void add(const ShadowBreakdown& months, const std::string& with = {}) {
+        for (std::size_t set = 0; set < months.sets.names.size(); ++set)
+            bands.push_back(
+                {months.sets.names[set] + with, "min", &ofGrid.emplace_back(spreadOverGrid(months, set))});
+    }
+};
+
+// Those without trees first.
+Result<void> writeMonths(const Study& study, const std::filesystem::path& file) {
+    MonthBands all;
+    all.add(*study.breakdown);
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (study.shadedMonths && study.shadedMonths->of(column))
+            all.add(*study.shadedMonths->of(column), fmt::format(", {}", describeTrees(column)));
+    return writeGeoTiff(file, study.city.frame, study.breakdown->grid, all.bands,
+                        makeProvenanceTags(study.provenance));
 }
 
 Result<void> writeContributions(const Study& study, const std::filesystem::path& file) {
@@ -101,6 +116,8 @@ std::vector<std::string> studyFileNames(const StudySettings& settings, const Stu
     if (settings.byMonth) names.insert(names.end(), {"by_month.tif", "by_month.qml", "by_month.csv"});
     if (settings.contributions)
         names.insert(names.end(), {"contributions.csv", "contributions.gpkg", "contributions.pdf"});
+    if (settings.contributions && settings.trees != TreeColumns::without)
+        names.emplace_back(treeContributionsFile);
     if (options.cellsCsv) names.emplace_back("cells.csv");
     if (!options.ofPlaces.empty()) names.emplace_back(contributionTableFile);
     return names;
@@ -149,6 +166,7 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
         if (!pdf) return tl::make_unexpected(pdf.error());
         files.add("contributions.pdf", textContent(pdf->toStdString()));
     }
+    if (study.byTree) files.add(treeContributionsFile, textContent(treeContributionsCsv(study)));
     if (!options.ofPlaces.empty())
         files.add(contributionTableFile, textContent(contributionsCsv(options.ofPlaces, study.provenance)));
     if (options.cellsCsv)

@@ -10,6 +10,7 @@
 #include "app/report/book/paper.h"
 #include "app/report/sheets/study_text.h"
 #include "core/base/progress.h"
+#include "core/city/trees/tree.h"
 #include "core/io/files/write_text.h"
 #include "core/measures/shadow_outlines.h"
 #include "core/receivers/place_names.h"
@@ -215,6 +216,8 @@ Result<MovieFacts> writeShadowMovie(const ShadowMovie& movie, const std::filesys
     Warnings warnings;
     const auto times = listDrawnTimes(movie.when, *movie.baseline, warnings);
     if (!times) return tl::make_unexpected(times.error());
+    std::ranges::move(warnOfTrees((movie.scenario ? movie.scenario : movie.baseline)->trees),
+                      std::back_inserter(warnings));
     const auto wanted = findArea(movie, *times, stop);
     if (!wanted) return tl::make_unexpected(wanted.error());
     const Box2 area = widenToFrame(*wanted, movie.format);

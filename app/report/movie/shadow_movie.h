@@ -34,7 +34,7 @@ struct MovieFacts {
     std::size_t frames = 0;
     double seconds = 0;
     Box2 area;          ///< that the frames show: the wanted one, widened to their proportions
-    Warnings warnings;  ///< of listDrawnTimes()
+    Warnings warnings;  ///< of listDrawnTimes(), and of trees, which are not drawn
 };
 
 /// Computes the shadows and writes the movie; the file appears when it is complete. Each frame states its

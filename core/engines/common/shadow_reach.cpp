@@ -123,18 +123,24 @@ std::vector<std::uint32_t> findBuildingsInReach(const City& city, const Receiver
 
 std::vector<std::uint32_t> findTreesInReach(const City& city, const Receivers& receivers,
                                             const SunSteps& sun) {
-    std::vector<std::uint32_t> indices;
-    if (!city.trees || !city.trees->weighed || receivers.cells.empty()) return indices;
-    const ShadowReach reach(sun);
+    if (!city.trees || !city.trees->weighed || receivers.cells.empty()) return {};
     const LowestGround lowest = lowestGround(receivers);
+    return findTreesInReach(city, lowest.box, lowest.groundM, sun);
+}
+
+std::vector<std::uint32_t> findTreesInReach(const City& city, const Box2& receivers, float lowestM,
+                                            const SunSteps& sun) {
+    std::vector<std::uint32_t> indices;
+    if (!city.trees || !city.trees->weighed || receivers.empty()) return indices;
+    const ShadowReach reach(sun);
     for (std::uint32_t i = 0; i < city.trees->trees.size(); ++i) {
         const Tree& tree = city.trees->trees[i];
         const glm::vec2 place(tree.place), half(tree.crownDiameterM / 2);
         Box2 box;
         box.add(place - half);
         box.add(place + half);
-        const double heightM = double(tree.groundM) + double(tree.heightM) - double(lowest.groundM);
-        if (reach.touches(box, heightM, lowest.box)) indices.push_back(i);
+        const double heightM = double(tree.groundM) + double(tree.heightM) - double(lowestM);
+        if (reach.touches(box, heightM, receivers)) indices.push_back(i);
     }
     return indices;
 }

@@ -53,6 +53,9 @@ std::vector<std::uint32_t> findBuildingsInReach(const City& city, const Receiver
 /// are not weighed. O(cells + trees).
 std::vector<std::uint32_t> findTreesInReach(const City& city, const Receivers& receivers,
                                             const SunSteps& sun);
+/// The same of receivers in a box, none of which is lower than `lowestM`. O(trees)
+std::vector<std::uint32_t> findTreesInReach(const City& city, const Box2& receivers, float lowestM,
+                                            const SunSteps& sun);
 
 /// Key of Cost::skipped.
 inline constexpr const char* buildingsOutOfReach = "buildings whose shadow cannot reach a receiver";

@@ -3,12 +3,13 @@
 #include <array>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/city/city.h"
-#include "core/engines/api/shadow_field.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/receivers/point_receivers.h"
 #include "core/sun/sun_steps.h"
@@ -27,6 +28,19 @@ struct PointMonths {
         double sum = 0;
         for (const float minutes : sunlitMin[point]) sum += double(minutes);
         return sum;
+    }
+};
+
+/// The same with trees, weighted by what crowns let through; unbroken times count a step as in shadow where
+/// at least `shadedFrom` of the sun is taken. Their costs are empty.
+struct ShadedPoints {
+    std::optional<PointMonths> evergreen;  ///< every tree in leaf all year
+    std::optional<PointMonths> seasonal;   ///< trees bare out of season
+    double shadedFrom = TreeShade::defaultShadedFrom;
+    std::size_t treesUsed = 0;  ///< trees whose shadow can reach a point
+    std::string how;            ///< in words, for the report
+    [[nodiscard]] const std::optional<PointMonths>& of(TreeColumns column) const {
+        return column == TreeColumns::evergreen ? evergreen : seasonal;
     }
 };
 

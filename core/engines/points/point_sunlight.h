@@ -10,6 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/engines/points/horizons/horizon_of_point.h"
+#include "core/engines/points/point_horizons.h"
 #include "core/engines/points/skyline.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/sun/sun_steps.h"
@@ -87,5 +88,16 @@ private:
     const SunSteps* sun_;
     std::shared_ptr<const HorizonScene> horizons_;  // null: by rays
 };
+
+/// The sunlight of points with trees, on top of that of the same points and steps without them. At each step
+/// that nothing solid darkens, a crown takes 1 - exp(-path x optical depth of a metre), with the exact length
+/// of the path; suns within half a degree of each other, which is the sun's own width, count as one. Points
+/// that no crown can shade stay as they are and cost nothing; the others as ShadedStepFinder::find(), and
+/// some 10 ns for each crown near the azimuth of each half degree of the sun's paths. Uses all cores;
+/// cancelled() soon after a stop request. None where no tree reaches a point, and for TreeColumns::without.
+Result<std::optional<ShadedPoints>> shadeTreesAtPoints(const City& city, const SurfacePoints& points,
+                                                       const SunSteps& sun, const PointMonths& without,
+                                                       TreeColumns columns, ShadedStepFinder::By by,
+                                                       Progress& progress, const std::stop_token& stop);
 
 }  // namespace noonmark

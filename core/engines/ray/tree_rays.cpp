@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -17,18 +16,12 @@
 #include "core/engines/common/run_counter.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/engines/trees/crowns_around.h"
 #include "core/simd/flush_denormals.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr int azimuthSlots = 360;
-
-int slotOf(double azimuth) {
-    const double turn = azimuth / (2 * std::numbers::pi);
-    return int((turn - std::floor(turn)) * azimuthSlots) % azimuthSlots;
-}
 
 /// The sun's steps as crowns need them.
 struct CrownSun {
@@ -36,45 +29,13 @@ struct CrownSun {
         for (const SunStep& step : sun.steps) {
             const glm::dvec3 direction = glm::normalize(glm::dvec3(step.direction));
             directions.push_back(direction);
-            slots.push_back(std::uint16_t(slotOf(std::atan2(direction.x, direction.y))));
+            slots.push_back(CrownsAround::slotOf(direction));
             lowestTan = std::min(lowestTan, direction.z / std::hypot(direction.x, direction.y));
         }
     }
     std::vector<glm::dvec3> directions;  // unit vectors, towards the sun
     std::vector<std::uint16_t> slots;    // of azimuth
     double lowestTan = 1e9;
-};
-
-/// The crowns that may stand between one receiver and the sun, by azimuth. Reuses its memory.
-class CrownsAround {
-public:
-    // False if there are none.
-    bool gather(const std::vector<Crown>& crowns, std::span<const std::uint32_t> some, glm::dvec3 origin,
-                double lowestTan) {
-        for (auto& slot : slots_) slot.clear();
-        any_ = false;
-        for (const std::uint32_t index : some) add(crowns[index], index, origin, lowestTan);
-        return any_;
-    }
-
-    [[nodiscard]] std::span<const std::uint32_t> at(std::uint16_t slot) const { return slots_[slot]; }
-
-private:
-    void add(const Crown& crown, std::uint32_t index, glm::dvec3 origin, double lowestTan) {
-        const double x = crown.x - origin.x, y = crown.y - origin.y, distance = std::hypot(x, y);
-        const double reach = crown.radiusM * (1 + 1e-6) + 1e-3;
-        if (crown.topM <= origin.z) return;
-        if (distance > reach && (crown.topM - origin.z) < lowestTan * (1 - 1e-6) * (distance - reach)) return;
-        const double slotWidth = 2 * std::numbers::pi / azimuthSlots;
-        const double half = distance <= reach ? std::numbers::pi : std::asin(reach / distance);
-        const int count = std::min(azimuthSlots, int(2 * half / slotWidth) + 2);
-        const int first = slotOf(std::atan2(x, y) - half);
-        for (int i = 0; i < count; ++i) slots_[std::size_t((first + i) % azimuthSlots)].push_back(index);
-        any_ = true;
-    }
-
-    std::array<std::vector<std::uint32_t>, azimuthSlots> slots_;
-    bool any_ = false;
 };
 
 /// What crowns add to one receiver's shadow.

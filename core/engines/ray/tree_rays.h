@@ -37,4 +37,27 @@ Result<std::shared_ptr<const TreeShade>> traceTrees(const City& city, const Rece
 /// receivers; O(crowns + steps) for each.
 double countCrownsAtRays(const CrownScene& crowns, const Receivers& receivers, const SunSteps& sun);
 
+/// What one tree takes of the sun that buildings leave, over all receivers and the whole period.
+struct TreeTaken {
+    std::uint32_t tree = 0;  ///< index in City::trees
+    /// On each ray by its share of the optical depth; all trees add up to what crowns take.
+    double attributedMinM2 = 0;
+    double soleMinM2 = 0;  ///< what would be lit if only this tree were gone
+};
+
+/// The same of all trees that take some, ascending by tree.
+struct TakenByTree {
+    std::vector<TreeTaken> evergreen, seasonal;
+    std::size_t cells = 0;  ///< receivers that were measured, evenly spread, if not all
+    [[nodiscard]] const std::vector<TreeTaken>& of(TreeColumns column) const {
+        return column == TreeColumns::evergreen ? evergreen : seasonal;
+    }
+};
+
+/// What single trees take: a ray to each half degree of the sun's paths, with the exact length of its path
+/// through each crown. From all receivers up to 10^8 rays, else from so many of them, evenly spread, that
+/// they are fewer. The same in whatever order threads work.
+Result<TakenByTree> traceTakenByTree(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                     Progress& progress, const std::stop_token& stop);
+
 }  // namespace noonmark

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "core/describe/text.h"
+#include "core/measures/shadow_figures.h"
 
 namespace noonmark {
 
@@ -187,6 +188,20 @@ const Figures<AreaHours>& areaHoursFigures() {
               NM_TEXT("Share of incremental")),
     };
     return figures;
+}
+
+std::span<const Figure> placeStepFiguresWithTrees(TreeColumns column) {
+    static const FiguresWithTrees evergreen(placeStepFigures().rows(), TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(placeStepFigures().rows(), TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
+}
+
+std::span<const Figure> areaHoursFiguresWithTrees(TreeColumns column) {
+    // The first three are those without any shadow.
+    static const std::span<const Figure> rows = areaHoursFigures().rows().subspan(3);
+    static const FiguresWithTrees evergreen(rows, TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(rows, TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
 }
 
 }  // namespace noonmark

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/describe/figure.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/measures/places/place_cells.h"
 #include "core/measures/places/place_timeline.h"
 
@@ -112,5 +113,9 @@ private:
 const Figures<PlaceStep>& placeStepFigures();
 
 const Figures<AreaHours>& areaHoursFigures();
+
+/// The same with trees: "baseline_m2_evergreen", "scenario_m2h_seasonal".
+std::span<const Figure> placeStepFiguresWithTrees(TreeColumns column);
+std::span<const Figure> areaHoursFiguresWithTrees(TreeColumns column);
 
 }  // namespace noonmark

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/base/csv_text.h"
+#include "core/city/trees/tree.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/shown_as.h"
 #include "core/describe/text.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/place_names.h"
 #include "core/study/contributions/place_contributions.h"
 #include "core/study/provenance/provenance_texts.h"
@@ -159,6 +162,66 @@ std::string contributionsCsv(const Study& study) {
     const ShadowBreakdown& breakdown = *study.breakdown;
     return contributionsCsv(listContributions(study.city, breakdown, study.sun.dayCount()), breakdown.sets,
                             study.provenance);
+}
+
+std::span<const Figure> contributionFiguresWithTrees(TreeColumns column) {
+    static const FiguresWithTrees evergreen(contributionFigures().rows(), TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(contributionFigures().rows(), TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
+}
+
+namespace {
+
+Contribution contributionOf(const TreeTaken& taken, const Tree& tree, const CellDays& all) {
+    Contribution one =
+        makeContribution({.attributedMinM2 = {taken.attributedMinM2}, .soleMinM2 = {taken.soleMinM2}}, all);
+    one.id = tree.sourceId;
+    one.name = tree.species;
+    return one;
+}
+
+CellDays sumUpColumn(const Study& study, const ShadowField& column) {
+    const auto days = double(study.sun.dayCount());
+    const double cellM2 = study.receivers.grid.cellAreaM2();
+    return {double(study.receivers.cells.size()) * cellM2 * days, sumOf(column.grossMin) * cellM2 * days};
+}
+
+}  // namespace
+
+std::vector<TreeContribution> listTreeContributions(const Study& study) {
+    std::vector<TreeContribution> rows;
+    if (!study.byTree) return rows;
+    for (const TreeTaken& taken : study.byTree->evergreen) rows.push_back({taken.tree, {}});
+    for (const ShadeColumn& shade : listShadeColumns(study.field)) {
+        const CellDays all = sumUpColumn(study, *shade.field);
+        const std::vector<TreeTaken>& taken = study.byTree->of(shade.column);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rows[i].columns.emplace_back(
+                shade.column, contributionOf(taken[i], study.city.trees->trees[rows[i].tree], all));
+    }
+    std::ranges::stable_sort(rows, std::ranges::greater{}, [](const TreeContribution& row) {
+        return row.columns.back().second.attributedMinM2;
+    });
+    return rows;
+}
+
+std::string treeContributionsCsv(const Study& study) {
+    std::vector<std::string> columns{"source_id", "species", "lon_deg", "lat_deg"};
+    for (const ShadeColumn& shade : listShadeColumns(study.field))
+        std::ranges::move(listColumns(contributionFiguresWithTrees(shade.column)),
+                          std::back_inserter(columns));
+    CsvText csv(withSourceColumns(std::move(columns)));
+    const SourceValues source = sourceValues(study.provenance);
+    for (const TreeContribution& row : listTreeContributions(study)) {
+        const Tree& tree = study.city.trees->trees[row.tree];
+        const LonLat place = study.city.frame.lonLatFromLocal(tree.place);
+        csv.text(tree.sourceId).text(tree.species).number(place.lonDeg, 8).number(place.latDeg, 8);
+        for (const auto& [column, one] : row.columns)
+            addFigures(csv, {contributionFiguresWithTrees(column), &one});
+        addSource(csv, source);
+        csv.endRow();
+    }
+    return csv.take();
 }
 
 std::vector<BuildingColumn> contributionColumns(const std::vector<Contribution>& rows,

@@ -5,7 +5,9 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/describe/figure.h"
@@ -44,6 +46,19 @@ std::string contributionsCsv(const std::vector<Contribution>& rows, const StepSe
                              const Provenance& provenance);
 /// The study's breakdown must exist.
 std::string contributionsCsv(const Study& study);
+
+/// What one tree takes, in each column that the study has; the shadow by set is empty.
+struct TreeContribution {
+    std::uint32_t tree = 0;                                     ///< index in City::trees
+    std::vector<std::pair<TreeColumns, Contribution>> columns;  ///< evergreens first
+};
+/// One row for each tree that takes some, those that take most by their seasons, else as evergreens, first.
+/// Shares are of all shadow with trees. Empty where the study has none.
+std::vector<TreeContribution> listTreeContributions(const Study& study);
+/// "share_evergreen", "attributed_min_day_seasonal"
+std::span<const Figure> contributionFiguresWithTrees(TreeColumns column);
+/// Columns: source_id,species,lon_deg,lat_deg and the figures with trees; then the source columns.
+std::string treeContributionsCsv(const Study& study);
 
 /// The figures as columns of the layer of buildings; 0 where a building shades nothing.
 std::vector<BuildingColumn> contributionColumns(const std::vector<Contribution>& rows, std::size_t buildings);

@@ -82,6 +82,17 @@ ElementJson whereJson(const ElementStudy& study) {
     return json;
 }
 
+void addTreesJson(ElementJson& json, const ElementStudy& study) {
+    for (const ShadedElementFigures& with : listFiguresWithTrees(study))
+        json.update(figuresJson({elementFiguresWithTrees(with.column), &with.figures}));
+    if (!study.city.trees) return;
+    json["trees"] = treesJson(*study.city.trees);
+    json["trees"]["used"] = study.trees ? study.trees->treesUsed : 0;
+    if (!study.trees) return;
+    json["trees"]["shaded_from"] = study.trees->shadedFrom;
+    json["trees"]["how"] = study.trees->how;
+}
+
 ElementJson elementErrorJson(const ElementStudy& study) {
     if (!study.error) return {};
     const ElementError& error = *study.error;
@@ -173,6 +184,7 @@ std::string elementStudyJson(const ElementStudy& study, const std::map<std::stri
     json["steps"] = study.sun.steps.size();
     json["steps_below_horizon"] = study.sun.belowHorizon;
     json.update(figuresJson(elementFigures().of(computeFigures(study))));
+    addTreesJson(json, study);
     json["error"] = elementErrorJson(study);
     json["buildings"] = study.city.buildings.size();
     addElementCost(json, study, writeSeconds);
@@ -186,6 +198,8 @@ std::string elementStudyJson(const ElementStudy& study, const std::map<std::stri
     addRepeat(json, makeRepeatCommand(study));
     json["definitions"] = elementDefinitions();
     json["definitions"].update(definitionsJson(elementFigures().rows()));
+    for (const ShadedElementFigures& with : listFiguresWithTrees(study))
+        json["definitions"].update(definitionsJson(elementFiguresWithTrees(with.column)));
     json["warnings"] = warningsJson(study.warnings);
     return toJsonText(json);
 }

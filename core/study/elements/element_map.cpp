@@ -17,15 +17,28 @@ void addBuilding(MeasuredElement& measured, const ElementStudy& study, const Poi
     measured.buildingName = study.city.buildings[element.building]->name;
 }
 
-void addMinutes(MeasuredElement& measured, const ElementStudy& study, std::size_t point,
-                const std::set<unsigned>& months) {
-    measured.sunlitMin = study.minutes.sunlitOf(point) / double(study.sun.dayCount());
-    measured.grossMin = study.grossMin(point);
-    measured.continuousMin = double(study.minutes.longestShadowMin[point]);
-    measured.longestSunMin = double(study.minutes.longestSunMin[point]);
+// `all`: without trees or with them.
+void addMinutes(ElementMinutes& measured, const ElementStudy& study, const PointMonths& all,
+                std::size_t point, const std::set<unsigned>& months) {
+    const auto days = double(study.sun.dayCount());
+    measured.sunlitMin = all.sunlitOf(point) / days;
+    measured.grossMin = (all.possibleMin - all.sunlitOf(point)) / days;
+    measured.continuousMin = double(all.longestShadowMin[point]);
+    measured.longestSunMin = double(all.longestSunMin[point]);
     measured.monthMin.fill(std::nan(""));
     for (const unsigned month : months)
-        measured.monthMin[month - 1] = double(study.minutes.sunlitMin[point][month - 1]);
+        measured.monthMin[month - 1] = double(all.sunlitMin[point][month - 1]);
+}
+
+void addTrees(MeasuredElement& measured, const ElementStudy& study, std::size_t point,
+              const std::set<unsigned>& months) {
+    if (!study.trees) return;
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (const auto& all = study.trees->of(column)) {
+            ShadedMinutes& with = measured.withTrees.emplace_back();
+            with.column = column;
+            addMinutes(with, study, *all, point, months);
+        }
 }
 
 MeasuredElement measureElement(const ElementStudy& study, std::size_t point,
@@ -39,7 +52,8 @@ MeasuredElement measureElement(const ElementStudy& study, std::size_t point,
     const LonLat place = study.city.frame.lonLatFromLocal(glm::dvec2(measured.position));
     measured.azimuthDeg = facingAzimuthDeg(study.city.frame, place, measured.normal);
     addBuilding(measured, study, element);
-    addMinutes(measured, study, point, months);
+    addMinutes(measured, study, study.minutes, point, months);
+    addTrees(measured, study, point, months);
     return measured;
 }
 

@@ -25,18 +25,28 @@ inline double facingAzimuthDeg(const Frame& frame, LonLat place, glm::vec3 norma
     return azimuth < 0 ? azimuth + 360 : azimuth;
 }
 
+/// The minutes of one point.
+struct ElementMinutes {
+    double sunlitMin = 0, grossMin = 0;           ///< a day, mean over the days
+    double continuousMin = 0, longestSunMin = 0;  ///< the longest unbroken shadow and sun on any day
+    std::array<double, 12> monthMin{};  ///< sun by month, minutes in all; NaN outside the period's months
+};
+
+/// The same with trees, as ShadedPoints.
+struct ShadedMinutes : ElementMinutes {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+};
+
 /// What was measured at one point, with the building that it belongs to.
-struct MeasuredElement {
+struct MeasuredElement : ElementMinutes {
     std::string id;
     ElementKind kind = ElementKind::facade;
     std::string building, buildingName;  ///< id and name; empty: no building
     std::optional<std::int32_t> floor;   ///< of facades and windows
     double azimuthDeg = 0;               ///< that it faces, from true north; NaN where it faces up or down
-    glm::vec3 position{0}, normal{0, 0, 1};       ///< local metres; a unit vector
-    PaneSize pane;                                ///< the rectangle that it stands for
-    double sunlitMin = 0, grossMin = 0;           ///< minutes a day, mean over the days
-    double continuousMin = 0, longestSunMin = 0;  ///< the longest unbroken shadow and sun on any day
-    std::array<double, 12> monthMin{};  ///< sun by month, minutes in all; NaN outside the period's months
+    glm::vec3 position{0}, normal{0, 0, 1};  ///< local metres; a unit vector
+    PaneSize pane;                           ///< the rectangle that it stands for
+    std::vector<ShadedMinutes> withTrees;  ///< evergreens first; those of all points are of the same columns
 };
 
 /// The results of a study at points as a list, for tables, the view and the project.

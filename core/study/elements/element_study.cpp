@@ -8,8 +8,9 @@
 
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
-#include "core/city/trees/tree.h"
 #include "core/describe/command_options.h"
+#include "core/engines/points/point_sunlight.h"
+#include "core/engines/shade_trees.h"
 #include "core/study/study_fields.h"
 
 namespace noonmark {
@@ -131,7 +132,6 @@ Result<void> placePoints(ElementStudy& study, Progress& progress, const std::sto
     study.receivers = std::move(placed->receivers);
     study.planeM = placed->planeM;
     study.warnings = std::move(placed->warnings);
-    std::ranges::move(warnOfTrees(study.city.trees), std::back_inserter(study.warnings));
     study.seconds["receivers"] = watch.seconds();
     return {};
 }
@@ -209,11 +209,24 @@ Result<void> recomputeByRays(ElementStudy& study, const std::optional<RayScene>&
     return measurePoints(study, scene, progress, stop);
 }
 
+Result<void> shadePoints(ElementStudy& study, Progress& progress, const std::stop_token& stop) {
+    const Stopwatch watch;
+    const auto by =
+        study.engineKey == referenceEngine ? ShadedStepFinder::By::rays : ShadedStepFinder::By::horizons;
+    auto trees = shadeTreesAtPoints(study.city, study.receivers.points, study.sun, study.minutes,
+                                    study.settings.trees, by, progress, stop);
+    if (!trees) return tl::make_unexpected(trees.error());
+    study.trees = *std::move(trees);
+    if (study.trees) study.seconds["trees"] = watch.seconds();
+    return {};
+}
+
 Result<ElementStudy> answerElements(const City& city, const StudySettings& settings,
                                     const ElementSettings& elements, Progress& progress,
                                     const std::stop_token& stop) {
     const Stopwatch watch;
-    ElementStudy study{.city = city, .settings = settings, .elements = elements};
+    ElementStudy study{
+        .city = withTreesFor(city, settings.trees), .settings = settings, .elements = elements};
     std::optional<RayScene> scene;
     const auto done = chooseEngine(study)
                           .and_then([&] { return checkPeriod(settings.period); })
@@ -222,7 +235,8 @@ Result<ElementStudy> answerElements(const City& city, const StudySettings& setti
                           .and_then([&] { return makeScene(study, scene, stop); })
                           .and_then([&] { return measurePoints(study, scene, progress, stop); })
                           .and_then([&] { return measureElementError(study, scene, progress, stop); })
-                          .and_then([&] { return recomputeByRays(study, scene, progress, stop); });
+                          .and_then([&] { return recomputeByRays(study, scene, progress, stop); })
+                          .and_then([&] { return shadePoints(study, progress, stop); });
     if (!done) return tl::make_unexpected(done.error());
     study.seconds["total"] = watch.seconds();
     return study;

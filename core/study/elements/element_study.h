@@ -46,6 +46,7 @@ struct ElementStudy {
     double planeM = 0;  ///< local z of the plane
     SunSteps sun;
     PointMonths minutes;                    ///< with unbroken times
+    std::optional<ShadedPoints> trees;      ///< the same with trees; none: no tree reaches a point
     std::string engineKey;                  ///< "horizon" or "ray"
     std::string whyRays;                    ///< why "auto" went on to rays; empty: it did not
     std::optional<ElementError> error;      ///< none for the ray reference, or if none was asked for
@@ -67,9 +68,9 @@ std::string describeEngine(const ElementStudy& study);
 /// Places the points, computes the sun in the middle of the region, and measures every point: engine
 /// "horizon" sweeps horizons, "ray" traces every step; "auto" sweeps, and goes on to rays where a sample of
 /// the points is off by more than pointErrorTargetPct in the mean. Points inside a building or below the
-/// ground are left out, with a warning. Error: a setting out of range, another engine, a building that does
-/// not exist or lies outside the region, no points, what readGlazing() refuses, a sun that never rises,
-/// cancelled().
+/// ground are left out, with a warning. Then with trees, as `settings.trees` asks. Error: a setting out of
+/// range, another engine, a building that does not exist or lies outside the region, no points, what
+/// readGlazing() refuses, a sun that never rises, cancelled().
 Result<ElementStudy> runElementStudy(const City& city, const StudySettings& settings,
                                      const ElementSettings& elements, Progress& progress,
                                      const std::stop_token& stop);

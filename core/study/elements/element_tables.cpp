@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/base/csv_text.h"
 #include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 #include "core/geo/frame.h"
+#include "core/measures/shadow_figures.h"
 #include "core/measures/statistics.h"
 
 namespace noonmark {
@@ -24,7 +26,15 @@ std::vector<unsigned> monthsIn(const ElementMap& map) {
     return months;
 }
 
-std::vector<ElementColumn> columnsOf(const std::vector<unsigned>& months) {
+// `rows`: without trees or with them; `suffix`: of the columns of months.
+void addColumns(std::vector<ElementColumn>& columns, std::span<const Figure> rows,
+                const std::vector<unsigned>& months, const std::string& suffix) {
+    for (const Figure& figure : rows) columns.push_back({std::string(figure.key), 0.0, figure.decimals});
+    for (const unsigned month : months)
+        columns.push_back({fmt::format("sunlit_min_{:02}{}", month, suffix), 0.0});
+}
+
+std::vector<ElementColumn> columnsOf(const ElementMap& map, const std::vector<unsigned>& months) {
     const std::string text;
     std::vector<ElementColumn> columns{{"id", text},
                                        {"kind", text},
@@ -36,9 +46,10 @@ std::vector<ElementColumn> columnsOf(const std::vector<unsigned>& months) {
                                        {"lat_deg", 0.0, placeDecimals},
                                        {"elevation_m", 0.0},
                                        {"above_ground_m", 0.0}};
-    for (const Figure& figure : pointFigures().rows())
-        columns.push_back({std::string(figure.key), 0.0, figure.decimals});
-    for (const unsigned month : months) columns.push_back({fmt::format("sunlit_min_{:02}", month), 0.0});
+    addColumns(columns, pointFigures().rows(), months, {});
+    if (!map.elements.empty())
+        for (const ShadedMinutes& with : map.elements.front().withTrees)
+            addColumns(columns, pointFiguresWithTrees(with.column), months, suffixOf(with.column));
     for (const char* name : sourceColumnNames) columns.push_back({name, text});
     return columns;
 }
@@ -58,7 +69,9 @@ public:
         std::vector<ElementValue> row = elementValues(element);
         row.insert(row.end(), {element.azimuthDeg, place.lonDeg, place.latDeg, elevation,
                                position.z - double(groundAt(city_, glm::dvec2(position)))});
-        addMinutes(element, row);
+        addMinutes(element, pointFigures().rows(), row);
+        for (const ShadedMinutes& with : element.withTrees)
+            addMinutes(with, pointFiguresWithTrees(with.column), row);
         for (const std::string& value : source_) row.emplace_back(value);
         table.rows.push_back(std::move(row));
         table.places.emplace_back(place.lonDeg, place.latDeg, elevation);
@@ -75,10 +88,11 @@ private:
         return row;
     }
 
-    void addMinutes(const MeasuredElement& element, std::vector<ElementValue>& row) const {
-        const MapPoint point{&element, map_.possibleMin};
-        for (const Figure& figure : pointFigures().rows()) row.emplace_back(figure.get(&point));
-        for (const unsigned month : months_) row.emplace_back(element.monthMin[month - 1]);
+    void addMinutes(const ElementMinutes& minutes, std::span<const Figure> figures,
+                    std::vector<ElementValue>& row) const {
+        const MapPoint point{&minutes, map_.possibleMin};
+        for (const Figure& figure : figures) row.emplace_back(figure.get(&point));
+        for (const unsigned month : months_) row.emplace_back(minutes.monthMin[month - 1]);
     }
 
     const ElementMap& map_;
@@ -102,7 +116,7 @@ void addValue(CsvText& csv, const ElementValue& value, int decimals) {
 
 ElementTable makeElementTable(const ElementMap& map, const City& city, const SourceValues& source) {
     const std::vector<unsigned> months = monthsIn(map);
-    ElementTable table{.columns = columnsOf(months)};
+    ElementTable table{.columns = columnsOf(map, months)};
     const ElementRows rows(map, city, source, months);
     for (const MeasuredElement& element : map.elements) rows.add(element, table);
     return table;
@@ -133,13 +147,15 @@ std::string toCsv(const ElementTable& table) {
     return csv.take();
 }
 
-ElementFigures computeFigures(const ElementStudy& study) {
+namespace {
+
+ElementFigures sumUpPoints(const ElementStudy& study, const PointMonths& minutes) {
     ElementFigures figures{.points = study.receivers.size(), .minSunlitMin = 1e30};
-    figures.possibleMin = study.minutes.possibleMin / double(study.sun.dayCount());
+    figures.possibleMin = minutes.possibleMin / double(study.sun.dayCount());
     const auto count = double(study.receivers.size());
     for (std::size_t point = 0; point < study.receivers.size(); ++point) {
-        const double sunlit = study.minutes.sunlitOf(point) / double(study.sun.dayCount());
-        const auto run = double(study.minutes.longestShadowMin[point]);
+        const double sunlit = minutes.sunlitOf(point) / double(study.sun.dayCount());
+        const auto run = double(minutes.longestShadowMin[point]);
         figures.meanSunlitMin += sunlit / count;
         figures.minSunlitMin = std::min(figures.minSunlitMin, sunlit);
         figures.maxSunlitMin = std::max(figures.maxSunlitMin, sunlit);
@@ -148,6 +164,30 @@ ElementFigures computeFigures(const ElementStudy& study) {
     }
     figures.meanGrossMin = figures.possibleMin - figures.meanSunlitMin;
     return figures;
+}
+
+}  // namespace
+
+ElementFigures computeFigures(const ElementStudy& study) { return sumUpPoints(study, study.minutes); }
+
+std::vector<ShadedElementFigures> listFiguresWithTrees(const ElementStudy& study) {
+    std::vector<ShadedElementFigures> all;
+    if (!study.trees) return all;
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (const auto& minutes = study.trees->of(column))
+            all.push_back({column, sumUpPoints(study, *minutes)});
+    return all;
+}
+
+std::vector<FigureLine> listElementLines(const ElementFigures& figures,
+                                         std::span<const ShadedElementFigures> withTrees,
+                                         FigureContext context) {
+    context.sunlitMin = figures.possibleMin;
+    std::vector<FigureLine> lines = listLines(elementFigures().of(figures), context);
+    for (const ShadedElementFigures& with : withTrees)
+        std::ranges::move(listLines({elementFiguresWithTrees(with.column), &with.figures}, context),
+                          std::back_inserter(lines));
+    return lines;
 }
 
 AnswerPage makePage(const ElementMap& map, const ElementFigures& figures) {
@@ -217,13 +257,25 @@ const Figures<ElementFigures>& elementFigures() {
     return figures;
 }
 
+std::span<const Figure> elementFiguresWithTrees(TreeColumns column) {
+    static const FiguresWithTrees evergreen(elementFigures().rows(), TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(elementFigures().rows(), TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
+}
+
+std::span<const Figure> pointFiguresWithTrees(TreeColumns column) {
+    static const FiguresWithTrees evergreen(pointFigures().rows(), TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(pointFigures().rows(), TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
+}
+
 // Minutes are sums of steps that count a hair more or less than whole minutes: 179 of them are 179.00, and
 // not 178.999.
 const Figures<MapPoint>& pointFigures() {
     using Point = const MapPoint&;
     static const Figures<MapPoint> figures{
         derivedFigure<MapPoint>(
-            [](Point point) { return point.element->sunlitMin; },
+            [](Point point) { return point.minutes->sunlitMin; },
             {.key = "sunlit_min",
              .label = NM_TEXT("Sun"),
              .definition = NM_TEXT("minutes per day that a point is in the sun, mean over the days"),
@@ -231,27 +283,27 @@ const Figures<MapPoint>& pointFigures() {
              .unit = FigureUnit::hoursADay,
              .shownDecimals = 2}),
         derivedFigure<MapPoint>(
-            [](Point point) { return 100 * point.element->sunlitMin / point.possibleMin; },
+            [](Point point) { return 100 * point.minutes->sunlitMin / point.possibleMin; },
             {.key = "sunlit_pct",
              .label = NM_TEXT("Share of time"),
              .definition = NM_TEXT("sun, of the time with the sun above the horizon"),
              .decimals = 3,
              .unit = FigureUnit::percent}),
         derivedFigure<MapPoint>(
-            [](Point point) { return point.element->grossMin; },
+            [](Point point) { return point.minutes->grossMin; },
             {.key = "gross_min",
              .label = NM_TEXT("Gross"),
              .definition = NM_TEXT("minutes in shadow per day, mean over the days; a point "
                                    "that faces away from the sun is in shadow"),
              .decimals = 2,
              .unit = FigureUnit::minutesADay}),
-        derivedFigure<MapPoint>([](Point point) { return point.element->continuousMin; },
+        derivedFigure<MapPoint>([](Point point) { return point.minutes->continuousMin; },
                                 {.key = "continuous_min",
                                  .label = NM_TEXT("Continuous"),
                                  .definition = NM_TEXT("longest unbroken run in shadow on any day"),
                                  .decimals = 2,
                                  .unit = FigureUnit::minutes}),
-        derivedFigure<MapPoint>([](Point point) { return point.element->longestSunMin; },
+        derivedFigure<MapPoint>([](Point point) { return point.minutes->longestSunMin; },
                                 {.key = "longest_sun_min",
                                  .label = NM_TEXT("Longest sun"),
                                  .definition = NM_TEXT("longest unbroken run in the sun on any day"),

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/describe/answer_page.h"
 #include "core/describe/figure.h"
+#include "core/describe/figure_text.h"
 #include "core/io/elements/write_elements.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/provenance/command_text.h"
@@ -16,8 +19,9 @@ namespace noonmark {
 /// azimuth_deg (that it faces, from true north; empty where it faces up or down), lon_deg, lat_deg,
 /// elevation_m, above_ground_m, sunlit_min (minutes of sun a day, mean over the days), sunlit_pct (of the
 /// time with the sun up), gross_min and continuous_min (shadow, as in a study of cells), longest_sun_min, a
-/// column sunlit_min_01 to sunlit_min_12 for each month of the period (minutes in all), and the source
-/// columns (core/study/provenance/provenance_texts.h).
+/// column sunlit_min_01 to sunlit_min_12 for each month of the period (minutes in all), the same with trees
+/// (sunlit_min_evergreen, sunlit_min_01_evergreen), and the source columns
+/// (core/study/provenance/provenance_texts.h).
 ElementTable makeElementTable(const ElementStudy& study);
 
 /// The same of results that are read back: `city` is the one that was measured, `source` the source columns'
@@ -46,15 +50,31 @@ struct ElementFigures {
 ElementFigures computeFigures(const ElementStudy& study);
 const Figures<ElementFigures>& elementFigures();
 
+/// Those with trees of one column.
+struct ShadedElementFigures {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+    ElementFigures figures;
+};
+/// Evergreens first; empty where the study has none.
+std::vector<ShadedElementFigures> listFiguresWithTrees(const ElementStudy& study);
+/// "mean_sunlit_min_evergreen"
+std::span<const Figure> elementFiguresWithTrees(TreeColumns column);
+/// The figures for people: without trees, then with them.
+std::vector<FigureLine> listElementLines(const ElementFigures& figures,
+                                         std::span<const ShadedElementFigures> withTrees,
+                                         FigureContext context = {});
+
 /// What points say: hours of sun on average, at the darkest and the sunniest, and how they divide into hours.
 AnswerPage makePage(const ElementMap& map, const ElementFigures& figures);
 
 /// A point of a map, for the figures of its row.
 struct MapPoint {
-    const MeasuredElement* element = nullptr;
+    const ElementMinutes* minutes = nullptr;
     double possibleMin = 0;  ///< ElementMap::possibleMin
 };
 /// The numbers that are measured at each point; without those of months.
 const Figures<MapPoint>& pointFigures();
+/// The same with trees: "sunlit_min_evergreen".
+std::span<const Figure> pointFiguresWithTrees(TreeColumns column);
 
 }  // namespace noonmark

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "core/describe/figure_text.h"
 #include "core/describe/shown_as.h"
 #include "core/describe/text.h"
+#include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_texts.h"
 
 namespace noonmark {
@@ -122,11 +124,29 @@ const Figures<MonthShadow>& monthFigures() {
     return figures;
 }
 
-nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months) {
+std::span<const Figure> monthFiguresWithTrees(TreeColumns column) {
+    static const FiguresWithTrees evergreen(monthFigures().rows(), TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(monthFigures().rows(), TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
+}
+
+std::vector<MonthsWithTrees> listMonthsWithTrees(const Study& study) {
+    std::vector<MonthsWithTrees> all;
+    if (!study.shadedMonths) return all;
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (const auto& breakdown = study.shadedMonths->of(column))
+            all.push_back({column, monthsOf(*breakdown)});
+    return all;
+}
+
+nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months,
+                                  std::span<const MonthsWithTrees> withTrees) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const MonthShadow& month : months) {
-        json.push_back({{"month", month.month}});
-        json.back().update(figuresJson(monthFigures().of(month)));
+    for (std::size_t i = 0; i < months.size(); ++i) {
+        json.push_back({{"month", months[i].month}});
+        json.back().update(figuresJson(monthFigures().of(months[i])));
+        for (const MonthsWithTrees& with : withTrees)
+            json.back().update(figuresJson({monthFiguresWithTrees(with.column), &with.months.at(i)}));
     }
     return json;
 }
@@ -140,20 +160,27 @@ std::vector<MonthShadow> parseMonths(const nlohmann::ordered_json& json) {
     return months;
 }
 
-std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance) {
+std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance,
+                      std::span<const MonthsWithTrees> withTrees) {
     std::vector<std::string> columns = listColumns(monthFigures().rows());
     columns.insert(columns.begin(), "month");
+    for (const MonthsWithTrees& with : withTrees)
+        std::ranges::move(listColumns(monthFiguresWithTrees(with.column)), std::back_inserter(columns));
     CsvText csv(withSourceColumns(std::move(columns)));
     const SourceValues source = sourceValues(provenance);
-    for (const MonthShadow& month : months) {
-        csv.text(month.month);
-        addFigures(csv, monthFigures().of(month));
+    for (std::size_t i = 0; i < months.size(); ++i) {
+        csv.text(months[i].month);
+        addFigures(csv, monthFigures().of(months[i]));
+        for (const MonthsWithTrees& with : withTrees)
+            addFigures(csv, {monthFiguresWithTrees(with.column), &with.months.at(i)});
         addSource(csv, source);
         csv.endRow();
     }
     return csv.take();
 }
 
-std::string monthsCsv(const Study& study) { return monthsCsv(monthsOf(*study.breakdown), study.provenance); }
+std::string monthsCsv(const Study& study) {
+    return monthsCsv(monthsOf(*study.breakdown), study.provenance, listMonthsWithTrees(study));
+}
 
 }  // namespace noonmark

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,17 @@ struct MonthShadow {
 };
 /// The figures of a month, without its name.
 const Figures<MonthShadow>& monthFigures();
+/// The same with trees of a column: "shadow_area_m2_evergreen".
+std::span<const Figure> monthFiguresWithTrees(TreeColumns column);
 std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown);
+
+/// The months with trees of one column, in the order of those without.
+struct MonthsWithTrees {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+    std::vector<MonthShadow> months;
+};
+/// Evergreens first. None where the study has no months with trees.
+std::vector<MonthsWithTrees> listMonthsWithTrees(const Study& study);
 
 /// The same from the sums over all receivers of a study in tiles. `minutes`: one sum for each set.
 std::vector<MonthShadow> monthsFromSums(const StepSets& sets, const std::vector<double>& sunlitMinutes,
@@ -43,14 +54,16 @@ Bars makeMonthBars(const ShadowBreakdown& breakdown, const SunSteps& sun);
 /// The page with these bars before its other charts; as it is where they have no groups.
 AnswerPage withMonths(AnswerPage page, Bars months);
 
-/// One object for each month: month, and its figures.
-nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months);
+/// One object for each month: month, and its figures, then those with trees.
+nlohmann::ordered_json monthsJson(const std::vector<MonthShadow>& months,
+                                  std::span<const MonthsWithTrees> withTrees = {});
 /// The inverse. Throws where the JSON has another shape.
 std::vector<MonthShadow> parseMonths(const nlohmann::ordered_json& json);
 
-/// Columns: month,sunlit_min,shadow_area_m2,mean_shadow_min and the source columns (provenance_texts.h); one
-/// row per set of the study's breakdown, which must exist.
+/// Columns: month,sunlit_min,shadow_area_m2,mean_shadow_min, the latter two with trees, and the source
+/// columns (provenance_texts.h); one row per set of the study's breakdown, which must exist.
 std::string monthsCsv(const Study& study);
-std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance);
+std::string monthsCsv(const std::vector<MonthShadow>& months, const Provenance& provenance,
+                      std::span<const MonthsWithTrees> withTrees = {});
 
 }  // namespace noonmark

@@ -70,6 +70,7 @@ Json ruleJson(const Rule& rule) {
             {"choices", chosen},
             {"status", ruleNameOf(figureStatusNames(), findLeastCertain(rule))},
             {"readings", rule.readings},
+            {"trees", keyOf<TreeColumns>(treeColumnChoices, TreeColumns::without)},
             {"figures", figures}};
 }
 

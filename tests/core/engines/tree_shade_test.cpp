@@ -9,6 +9,7 @@
 #include "core/city/trees/tree.h"
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/horizon/trees/crown_sweep.h"
+#include "core/engines/points/point_sunlight.h"
 #include "core/engines/ray/tree_rays.h"
 #include "tests/core/engines/sweep_scenes.h"
 
@@ -325,6 +326,80 @@ TEST(TreeShade, BySetsIsPutOnTopOfWhatBuildingsTake) {
     EXPECT_FALSE(shadeTreeSets(city, receivers, sun, without, TreeColumns::without, quiet, {}).value());
     city.trees = plant({treeAt(90'000, 0)});
     EXPECT_FALSE(shadeTreeSets(city, receivers, sun, without, TreeColumns::all, quiet, {}).value());
+}
+
+// Receivers' places as points, facing up.
+SurfacePoints pointsOn(const Receivers& receivers) {
+    SurfacePoints points;
+    for (const std::uint32_t cell : receivers.cells) {
+        points.positions.push_back(receivers.position(cell));
+        points.normals.emplace_back(0, 0, 1);
+    }
+    return points;
+}
+
+std::optional<ShadedPoints> shadedPoints(const City& city, const SurfacePoints& points, const SunSteps& sun,
+                                         TreeColumns columns = TreeColumns::all,
+                                         ShadedStepFinder::By by = ShadedStepFinder::By::rays) {
+    NoProgress quiet;
+    const auto without = tracePoints(city, points, sun, quiet, {}).value();
+    return shadeTreesAtPoints(city, points, sun, without, columns, by, quiet, {}).value();
+}
+
+TEST(TreeShade, OfPointsFollowsThePathThroughTheCrown) {
+    City city;
+    city.trees = plant({treeAt(0, 0)});
+    SunSteps sun = oneDay({{180, 45}});
+    setDates(sun, {std::chrono::January / 10});
+    SurfacePoints points = pointsOn(receiversOver(city, -12, -12, 12, 24, 2));
+    const auto shaded = shadedPoints(city, points, sun);
+    ASSERT_TRUE(shaded);
+    EXPECT_EQ(shaded->treesUsed, 1U);
+    const glm::dvec3 direction(towardsSun(180, 45));
+    double lowest = 1;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec3 origin(points.positions[i]);
+        const double green = passes(city.trees->trees[0], origin, direction, true);
+        EXPECT_NEAR(shaded->evergreen->sunlitOf(i), green, 0.01);
+        EXPECT_NEAR(shaded->seasonal->sunlitOf(i), passes(city.trees->trees[0], origin, direction, false),
+                    0.01);
+        EXPECT_EQ(shaded->evergreen->longestShadowMin[i], green <= 0.5 ? 1 : 0);
+        EXPECT_EQ(shaded->evergreen->longestSunMin[i], green <= 0.5 ? 0 : 1);
+        EXPECT_EQ(shaded->seasonal->longestShadowMin[i], 0) << "a bare crown takes a third";
+        lowest = std::min(lowest, green);
+    }
+    EXPECT_LT(lowest, 0.1);
+    for (glm::vec3& normal : points.normals) normal = {0, 1, 0};  // away from the sun
+    EXPECT_EQ(shadedPoints(city, points, sun)->evergreen->sunlitOf(0), 0);
+    EXPECT_FALSE(shadedPoints(city, points, sun, TreeColumns::without));
+    EXPECT_FALSE(shadedPoints(city, points, sun, TreeColumns::seasonal)->evergreen);
+    city.trees = plant({treeAt(90'000, 0)});
+    EXPECT_FALSE(shadedPoints(city, points, sun));
+}
+
+// The sun by half degrees against each of its steps, over three days among houses and trees.
+TEST(TreeShade, OfPointsIsThatOfCellsInTheirPlaces) {
+    const City city = townWithTrees(40, 3);
+    const SunSteps sun = daysOfThreeMonths();
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 4);
+    const ShadowField field = traced(city, receivers, sun);
+    const SurfacePoints points = pointsOn(receivers);
+    for (const auto by : {ShadedStepFinder::By::rays, ShadedStepFinder::By::horizons}) {
+        const auto shaded = shadedPoints(city, points, sun, TreeColumns::all, by);
+        ASSERT_TRUE(shaded);
+        double off = 0, taken = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::uint32_t cell = receivers.cells[i];
+            for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal}) {
+                const double shadow = double(fieldOfColumn(field, column).grossMin[cell]) * 3;
+                const double sunlit = shaded->of(column)->sunlitOf(i);
+                off += std::abs(shaded->of(column)->possibleMin - sunlit - shadow);
+                taken += shadow - double(field.grossMin[cell]) * 3;
+            }
+        }
+        EXPECT_GT(taken, 15.0 * double(points.size()));
+        EXPECT_LT(off, 0.01 * taken);
+    }
 }
 
 TEST(TreeShade, StopsWhenAsked) {

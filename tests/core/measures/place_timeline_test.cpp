@@ -5,8 +5,10 @@
 
 #include <random>
 
+#include "core/city/trees/tree.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/engines/shade_trees.h"
 #include "core/measures/places/place_run.h"
 #include "core/measures/places/place_sums.h"
 #include "core/samples/sample_city.h"
@@ -211,6 +213,63 @@ TEST(PlaceStudy, OfATowerUnderASunThatStandsStill) {
     EXPECT_EQ(days[0].baseline.minutes, 0);
     EXPECT_EQ(days[0].incremental.longest->minutes, 3);
     EXPECT_EQ(days[1].areaM2, 0);
+}
+
+// Two trees in a park, one of them in the scenario alone, and a sun that stands still: at each step the areas
+// are those of rays on the same cells.
+TEST(PlaceStudy, WeighsCrownsAtEachStep) {
+    City before = cityOf({{{10, 100, 0}, {14, 104, 8}}});
+    const auto plant = [&](std::vector<glm::dvec2> places) {
+        Trees trees{{}, {100, 300}, true};
+        for (const glm::dvec2 place : places)
+            trees.trees.push_back({.place = place,
+                                   .heightM = 10,
+                                   .crownBaseM = 3,
+                                   .crownDiameterM = 8,
+                                   .leafOnTransmissivity = 0.1F,
+                                   .leafOffTransmissivity = 0.6F});
+        return std::make_shared<const Trees>(trees);
+    };
+    before.trees = plant({{10, 110}});
+    City after = before;
+    after.trees = plant({{10, 110}, {30, 120}});
+    const City* const cities[]{&before, &after};
+    const std::vector<Place> places{squareAt("park", 0, 100, 40)};
+    const auto cells = placeReceiversOnPlaces(cities, places, {.cellM = 1}).value();
+    SunSteps sun = oneDay({{180, 45}, {180, 45}});
+    sun.days[0].date = std::chrono::year(2026) / 1 / 15;
+    for (std::size_t i = 0; i < 2; ++i) sun.steps[i].at = noon + i * 1min;
+    NoProgress quiet;
+    const PlaceTrees trees(before, &after, cells, sun);
+    EXPECT_EQ(trees.treesUsed(), 2U);
+    DayTimeline without;
+    PlaceTrees::Shaded shaded;
+    const auto take = [&](std::size_t day, std::span<const PlaceShadow> shadows) -> Result<void> {
+        without = computeTimeline(shadows[0]);
+        shaded = trees.shade(0, day, shadows[0], without, {});
+        return {};
+    };
+    ASSERT_TRUE(shadePlaces(ProjectedShadows(), before, &after, cells, sun, take, quiet, {}));
+    const auto areaM2 = [&](const City& city, TreeColumns column) {
+        const ShadowField field = RayReference().accumulate(city, cells.receivers, sun, quiet, {}).value();
+        double sum = 0;
+        for (const std::uint32_t cell : cells.receivers.cells)
+            sum += double(fieldOfColumn(field, column).grossMin[cell]) / 2;  // of two minutes
+        return sum;
+    };
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal}) {
+        const DayTimeline& day = column == TreeColumns::evergreen ? shaded.evergreen : shaded.seasonal;
+        ASSERT_EQ(day.steps.size(), 2U);
+        const double was = areaM2(before, column), is = areaM2(after, column);
+        EXPECT_GT(was, without.steps[0].baselineM2 + 5);
+        EXPECT_NEAR(day.steps[0].baselineM2, was, 1e-3 * was);
+        EXPECT_NEAR(day.steps[1].scenarioM2, is, 1e-3 * is);
+        EXPECT_NEAR(day.steps[0].incrementalM2, is - was, 1e-3 * is) << "a tree takes nothing away";
+        EXPECT_NEAR(day.steps[0].gainedM2, 0, 1e-6);
+        EXPECT_NEAR(day.scenario.areaHoursM2, 2 * is / 60, 1e-3 * is);
+        EXPECT_NEAR(day.scenario.largestM2, is, 1e-3 * is);
+    }
+    EXPECT_LT(shaded.seasonal.steps[0].scenarioM2, shaded.evergreen.steps[0].scenarioM2);
 }
 
 // Enters and exits to the step and areas to the cell, on parks among the blocks of the grid sample.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/city/trees/tree.h"
 #include "core/samples/sample_city.h"
 #include "core/study/by_place/sun_by_place.h"
 #include "tests/core/engines/scenes.h"
@@ -267,6 +268,75 @@ TEST(Contributions, TheTableStatesEachFigureAndTheTerrainLast) {
     const auto columns = contributionColumns(rows, 2);
     EXPECT_EQ(columns[0].values, (std::vector<double>{120, 240}));
     EXPECT_EQ(columns.size(), 5U);
+}
+
+// Trees on open ground, bare at atNoon().
+City grove(std::vector<glm::dvec2> places) {
+    City city = twoTowers();
+    Trees trees{{}, {120, 300}};
+    for (const glm::dvec2 place : places)
+        trees.trees.push_back({.sourceId = "tree " + std::to_string(trees.trees.size()),
+                               .species = "Tilia",
+                               .place = place,
+                               .heightM = 12,
+                               .crownBaseM = 2,
+                               .crownDiameterM = 10,
+                               .leafOnTransmissivity = 0.05F,
+                               .leafOffTransmissivity = 0.6F});
+    city.trees = std::make_shared<const Trees>(trees);
+    return city;
+}
+
+Study studiedByTree(const City& city) {
+    StudySettings settings = atNoon("horizon");
+    settings.contributions = true;
+    return studied(city, settings);
+}
+
+// Minutes a day that trees of a column add, mean over the cells.
+double addedMin(const Study& study, TreeColumns column) {
+    return computeStatistics(fieldOfColumn(study.field, column)).meanGrossMin - study.statistics.meanGrossMin;
+}
+
+TEST(TreeContributions, OneTreeAloneHasAllThatCrownsTake) {
+    const Study study = studiedByTree(grove({{60, -40}}));
+    const std::vector<TreeContribution> rows = listTreeContributions(study);
+    ASSERT_EQ(rows.size(), 1U);
+    ASSERT_EQ(rows[0].columns.size(), 2U);
+    EXPECT_EQ(rows[0].columns[0].first, TreeColumns::evergreen);
+    for (const auto& [column, one] : rows[0].columns) {
+        const double added = addedMin(study, column);
+        EXPECT_GT(added, 0.05);
+        EXPECT_NEAR(one.attributedMin, added, 0.03 * added);
+        EXPECT_NEAR(one.soleMin, one.attributedMin, 1e-9);
+        EXPECT_EQ(one.id, "tree 0");
+        EXPECT_EQ(one.name, "Tilia");
+    }
+    EXPECT_EQ(study.byTree->cells, study.receivers.cells.size()) << "few rays: all cells";
+}
+
+// Of two trees in one place each is charged with half, and felling one gives back less than that.
+TEST(TreeContributions, TreesAddUpAndAreSoleForLess) {
+    const Study study = studiedByTree(grove({{60, -40}, {60, -40}, {-60, 100}}));
+    const std::vector<TreeContribution> rows = listTreeContributions(study);
+    ASSERT_EQ(rows.size(), 3U);
+    for (const std::size_t column : {0U, 1U}) {
+        double sum = 0;
+        for (const TreeContribution& row : rows) sum += row.columns[column].second.attributedMin;
+        const double added = addedMin(study, rows[0].columns[column].first);
+        EXPECT_NEAR(sum, added, 0.03 * added);
+    }
+    EXPECT_EQ(rows[0].tree, 2U) << "alone, it takes most";
+    const Contribution &one = rows[1].columns[0].second, &other = rows[2].columns[0].second;
+    EXPECT_NEAR(one.attributedMin, other.attributedMin, 1e-9);
+    EXPECT_LT(one.soleMin, 0.5 * one.attributedMin);
+    const std::string csv = treeContributionsCsv(study);
+    EXPECT_THAT(csv,
+                testing::StartsWith("source_id,species,lon_deg,lat_deg,share_evergreen,"
+                                    "attributed_min_day_evergreen,sole_min_day_evergreen,share_seasonal,"));
+    EXPECT_THAT(csv, HasSubstr("\ntree 2,Tilia,"));
+    EXPECT_FALSE(studied(grove({{60, -40}}), atNoon("horizon")).byTree) << "not asked for";
+    EXPECT_FALSE(studiedByTree(grove({})).byTree);
 }
 
 }  // namespace

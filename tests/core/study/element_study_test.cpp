@@ -7,7 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/city/trees/tree.h"
 #include "core/io/read_city.h"
+#include "core/study/elements/element_map.h"
 #include "core/study/elements/element_tables.h"
 #include "tests/core/engines/scenes.h"
 #include "tests/core/io/temporary_folder.h"
@@ -50,6 +52,54 @@ Result<ElementStudy> measure(const City& city, const ElementSettings& elements,
                              const StudySettings& settings = ofOneDay(aroundHouses)) {
     NoProgress quiet;
     return runElementStudy(city, settings, elements, quiet, {});
+}
+
+// Alma behind a dense tree, 7 m in front of its southern wall, bare before June.
+City behindATree() {
+    City city = twoHouses();
+    city.trees = std::make_shared<const Trees>(Trees{{{.sourceId = "plane",
+                                                       .place = {6, -7},
+                                                       .heightM = 12,
+                                                       .crownBaseM = 1,
+                                                       .crownDiameterM = 10,
+                                                       .leafOnTransmissivity = 0.05F,
+                                                       .leafOffTransmissivity = 0.7F}},
+                                                     {152, 300}});
+    return city;
+}
+
+TEST(ElementStudy, ATreeBeforeAWallTakesItsSun) {
+    const ElementStudy study = measure(behindATree(), {.buildings = {"Alma"}}).value();
+    const ElementMap map = makeElementMap(study);
+    for (const MeasuredElement& element : map.elements) {
+        ASSERT_EQ(element.withTrees.size(), 2U) << "evergreen and seasonal";
+        const ShadedMinutes &green = element.withTrees[0], &season = element.withTrees[1];
+        EXPECT_LE(green.sunlitMin, season.sunlitMin);
+        EXPECT_LE(season.sunlitMin, element.sunlitMin);
+        EXPECT_NEAR(green.grossMin, map.possibleMin - green.sunlitMin, 1e-6);
+        EXPECT_NEAR(green.monthMin[2], green.sunlitMin, 1e-3) << "one day of March";
+        if (element.normal.y > 0.9F) {
+            EXPECT_EQ(green.sunlitMin, element.sunlitMin) << "of the north wall";
+        }
+        if (element.normal.y > -0.9F || element.floor != 0) continue;
+        EXPECT_LT(green.sunlitMin, 0.9 * element.sunlitMin) << "of the south wall, " << element.id;
+        EXPECT_LT(season.sunlitMin, element.sunlitMin);
+    }
+    EXPECT_THAT(study.warnings, testing::IsEmpty());
+    const auto json = nlohmann::json::parse(elementStudyJson(study, {}));
+    EXPECT_LT(json.at("mean_sunlit_min_evergreen"), json.at("mean_sunlit_min_seasonal"));
+    EXPECT_LT(json.at("mean_sunlit_min_seasonal"), json.at("mean_sunlit_min"));
+    EXPECT_EQ(json.at("trees").at("used"), 1);
+    EXPECT_TRUE(json.at("definitions").contains("mean_gross_min_seasonal"));
+    EXPECT_THAT(toCsv(makeElementTable(study)),
+                HasSubstr(",sunlit_min_evergreen,sunlit_pct_evergreen,gross_min_evergreen,"
+                          "continuous_min_evergreen,longest_sun_min_evergreen,sunlit_min_03_evergreen,"));
+
+    StudySettings without = ofOneDay(aroundHouses);
+    without.trees = TreeColumns::without;
+    const ElementStudy bare = measure(behindATree(), {.buildings = {"Alma"}}, without).value();
+    EXPECT_FALSE(bare.trees);
+    EXPECT_EQ(bare.minutes.sunlitMin, study.minutes.sunlitMin);
 }
 
 TEST(ElementStudy, FacadesOfNamedBuildings) {

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/city/trees/tree.h"
 #include "core/engines/auto_engine.h"
 #include "core/engines/projected/projected_shadows.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/review/library/rule_text.h"
 #include "core/study/shadow_drawings.h"
 #include "core/study/text/review_text.h"
 #include "tests/core/engines/terrain_scenes.h"
@@ -74,6 +76,24 @@ TEST(ReviewStudy, SaysThatTheGroundIsFlatAndThatNothingChanges) {
     };
     EXPECT_TRUE(saysSame(same));
     EXPECT_FALSE(saysSame(reviewed(rule, cityAt(melbourne, {}), tower, parks, "Australia/Melbourne")));
+}
+
+TEST(ReviewStudy, SaysThatItsFiguresAreThoseWithoutTrees) {
+    City before = cityAt(melbourne, {}), after = cityAt(melbourne, {{{-10, 0, 0}, {10, 20, 60}}});
+    const std::vector<Place> parks{placeOf("Green", -100, -120, 100, -60)};
+    const Rule rule = shippedRule("melbourne-c278");
+    const auto saysTrees = testing::Contains(testing::HasSubstr("figures are those without trees"));
+    const ReviewStudy bare = reviewed(rule, before, after, parks, "Australia/Melbourne");
+    EXPECT_THAT(bare.notChecked, testing::Not(saysTrees));
+    const auto trees = std::make_shared<const Trees>(Trees{
+        {{.sourceId = "elm", .place = {0, -90}, .heightM = 15, .crownBaseM = 4, .crownDiameterM = 12}}, {}});
+    before.trees = after.trees = trees;
+    const ReviewStudy planted = reviewed(rule, before, after, parks, "Australia/Melbourne");
+    EXPECT_THAT(planted.notChecked, saysTrees);
+    EXPECT_THAT(planted.notChecked, testing::Contains(testing::HasSubstr("the city has 1 tree")));
+    EXPECT_EQ(planted.places.at(0).totals.incrementalM2h, bare.places.at(0).totals.incrementalM2h);
+    EXPECT_EQ(reviewJson(planted, {"A", "B", {}}).at("trees"), "without");
+    EXPECT_THAT(describeRule(rule), testing::HasSubstr("trees        without"));
 }
 
 TEST(ReviewStudy, EnginesAgreeToTheStep) {

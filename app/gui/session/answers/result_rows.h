@@ -70,6 +70,7 @@ struct PointFigures {
     std::string error;   ///< against rays, in words; empty: not measured
     bool byRays = false;
     std::string engine;  ///< in words, with what "auto" chose it for
+    std::vector<ShadedElementFigures> withTrees{};
 };
 std::vector<ResultRow> makeRows(const PointFigures& figures, ShownAs show);
 

@@ -135,7 +135,8 @@ std::vector<ResultRow> rowsOfPoints(const Answer& answer, ShownAs show) {
                        .seconds = study.seconds.at("accumulate"),
                        .period = formatText(study.settings.period),
                        .byRays = study.engineKey == referenceEngine,
-                       .engine = describeEngine(study)};
+                       .engine = describeEngine(study),
+                       .withTrees = listFiguresWithTrees(study)};
     if (study.error) shown.error = describe(*study.error);
     return makeRows(shown, show);
 }
@@ -177,8 +178,8 @@ const AnswerViewer& pointsViewer() {
 }
 
 std::vector<ResultRow> makeRows(const PointFigures& shown, ShownAs show) {
-    const FigureContext context{.sunlitMin = shown.figures.possibleMin, .show = show};
-    std::vector<ResultRow> rows = figureRows(listLines(elementFigures().of(shown.figures), context));
+    std::vector<ResultRow> rows =
+        figureRows(listElementLines(shown.figures, shown.withTrees, {.show = show}));
     rows.push_back(methodRow(QObject::tr("Period"), QString::fromStdString(shown.period)));
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
                              describeSteps(shown.belowHorizon)));

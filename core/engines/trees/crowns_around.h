@@ -1,0 +1,107 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <numbers>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/city/trees/tree.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+/// The crowns that may stand between one receiver and the sun, by azimuth. Reuses its memory.
+class CrownsAround {
+public:
+    static constexpr int slots = 360;
+
+    /// The slot of a direction's azimuth.
+    static std::uint16_t slotOf(glm::dvec3 direction) {
+        return std::uint16_t(slotOf(std::atan2(direction.x, direction.y)));
+    }
+
+    /// `some`: indices of `crowns`; `lowestTan`: of the lowest sun's altitude. False if there are none. Some
+    /// ns a crown.
+    bool gather(const std::vector<Crown>& crowns, std::span<const std::uint32_t> some, glm::dvec3 origin,
+                double lowestTan) {
+        for (auto& slot : crowns_) slot.clear();
+        any_ = false;
+        for (const std::uint32_t index : some) add(crowns[index], index, origin, lowestTan);
+        return any_;
+    }
+
+    [[nodiscard]] std::span<const std::uint32_t> at(std::uint16_t slot) const { return crowns_[slot]; }
+
+private:
+    static int slotOf(double azimuth) {
+        const double turn = azimuth / (2 * std::numbers::pi);
+        return int((turn - std::floor(turn)) * slots) % slots;
+    }
+
+    void add(const Crown& crown, std::uint32_t index, glm::dvec3 origin, double lowestTan) {
+        const double x = crown.x - origin.x, y = crown.y - origin.y, distance = std::hypot(x, y);
+        const double reach = crown.radiusM * (1 + 1e-6) + 1e-3;
+        if (crown.topM <= origin.z) return;
+        if (distance > reach && (crown.topM - origin.z) < lowestTan * (1 - 1e-6) * (distance - reach)) return;
+        const double slotWidth = 2 * std::numbers::pi / slots;
+        const double half = distance <= reach ? std::numbers::pi : std::asin(reach / distance);
+        const int count = std::min(slots, int(2 * half / slotWidth) + 2);
+        const int first = slotOf(std::atan2(x, y) - half);
+        for (int i = 0; i < count; ++i) crowns_[std::size_t((first + i) % slots)].push_back(index);
+        any_ = true;
+    }
+
+    std::array<std::vector<std::uint32_t>, slots> crowns_;
+    bool any_ = false;
+};
+
+/// The sun's steps by half degrees of azimuth and altitude, the sun's own width: to crowns, the suns of a
+/// patch are one.
+class SunPatches {
+public:
+    explicit SunPatches(const SunSteps& sun) {
+        std::unordered_map<std::int64_t, std::uint32_t> known;
+        std::vector<glm::dvec3> sums;
+        for (const SunStep& step : sun.steps) {
+            const glm::dvec3 direction = glm::normalize(glm::dvec3(step.direction));
+            lowestTan_ = std::min(lowestTan_, direction.z / std::hypot(direction.x, direction.y));
+            const auto [found, isNew] = known.try_emplace(keyOf(direction), std::uint32_t(sums.size()));
+            if (isNew) sums.emplace_back(0);
+            sums[found->second] += direction;
+            ofStep_.push_back(found->second);
+        }
+        for (const glm::dvec3& sum : sums) {
+            directions_.push_back(glm::normalize(sum));
+            slots_.push_back(CrownsAround::slotOf(directions_.back()));
+        }
+    }
+
+    [[nodiscard]] std::size_t count() const { return directions_.size(); }
+    /// Of a step.
+    [[nodiscard]] std::uint32_t ofStep(std::size_t step) const { return ofStep_[step]; }
+    [[nodiscard]] glm::dvec3 direction(std::uint32_t patch) const { return directions_[patch]; }
+    [[nodiscard]] std::uint16_t slot(std::uint32_t patch) const { return slots_[patch]; }
+    [[nodiscard]] double lowestTan() const { return lowestTan_; }
+
+private:
+    static std::int64_t keyOf(glm::dvec3 direction) {
+        constexpr double perRadian = 2 * 180 / std::numbers::pi;
+        const double azimuth = std::atan2(direction.x, direction.y);
+        const double altitude = std::asin(std::clamp(direction.z, -1.0, 1.0));
+        return std::int64_t(std::floor(azimuth * perRadian)) * 1000 +
+               std::int64_t(std::floor(altitude * perRadian));
+    }
+
+    std::vector<std::uint32_t> ofStep_;
+    std::vector<glm::dvec3> directions_;  // the mean of each patch
+    std::vector<std::uint16_t> slots_;    // of azimuth
+    double lowestTan_ = 1e9;
+};
+
+}  // namespace noonmark
