@@ -256,10 +256,10 @@ void dropSame(CityRead& all, const std::vector<InputFile>& files) {
     const std::vector<std::string> names = nameBuildings(all, files);
     std::vector<char> isDropped(buildings.size());
     for (const SameBuilding& one : same) {
-        const char* what = one.byId ? "a second building of the same id at the same place"
-                                    : "a second building of the same outline at the same place";
         all.warnings.push_back(
-            {WarningKind::leftOut, what, fmt::format("{}, beside {}", names[one.dropped], names[one.kept])});
+            {WarningKind::leftOut,
+             fmt::format("{}{} at the same place", secondBuilding, one.byId ? "id" : "outline"),
+             fmt::format("{}, beside {}", names[one.dropped], names[one.kept])});
         isDropped[one.dropped] = 1;
     }
     std::size_t next = 0;

@@ -105,6 +105,9 @@ void keepExtent(const std::string& file, FilePiece& piece, const Frame& frame, c
 /// Readers that read an extent alone read this much around it: the parts of buildings on its border.
 inline constexpr double aroundExtentM = 500;
 
+/// How the warnings of such buildings begin.
+inline constexpr std::string_view secondBuilding = "a second building of the same ";
+
 /// A building that is in the city twice, as positions in the list.
 struct SameBuilding {
     std::size_t kept = 0, dropped = 0;
