@@ -116,7 +116,10 @@ private:
         if (kind == GmlObjectKind::container) return;
         if (kind != GmlObjectKind::other) return beginObject(element);
         ++data.city.features;
-        warn(WarningKind::leftOut, fmt::format("not a building but {}", element.name),
+        const bool isRaster = element.name == "RasterRelief";
+        warn(WarningKind::leftOut,
+             isRaster ? "a terrain that is a raster (RasterRelief): name it as a GeoTIFF beside this file"
+                      : fmt::format("not a building but {}", element.name),
              std::string(element.attribute("id")));
         skip();
     }
