@@ -22,6 +22,17 @@ void LonLatBox::add(LonLat place) {
     northDeg = std::max(northDeg, place.latDeg);
 }
 
+LonLatBox growBox(LonLatBox box, double byM) {
+    constexpr double metresPerDegree = 111000;  // at least that of a degree of latitude but near the poles
+    const double latitude = byM / metresPerDegree;
+    box.southDeg = std::max(-90.0, box.southDeg - latitude);
+    box.northDeg = std::min(90.0, box.northDeg + latitude);
+    const double farthest = Degrees{std::max(std::abs(box.southDeg), std::abs(box.northDeg))}.radians().value;
+    const double longitude = std::min(360.0, latitude / std::max(1e-6, std::cos(farthest)));
+    box.westDeg -= longitude, box.eastDeg += longitude;
+    return box;
+}
+
 // Parallels are curved in the local plane: points along the sides, and a margin for the arc between two
 // points.
 LonLatBox makeLonLatBox(const Frame& frame, glm::dvec2 lowM, glm::dvec2 highM) {

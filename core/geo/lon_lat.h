@@ -37,6 +37,9 @@ struct LonLatBox {
 /// A box without a point in it, to add places to.
 inline constexpr LonLatBox emptyLonLatBox{1e9, 1e9, -1e9, -1e9};
 
+/// The box with some metres more to each side, not beyond the poles.
+LonLatBox growBox(LonLatBox box, double byM);
+
 /// A box around the local box from `lowM` to `highM`, with a margin of a metre. It covers all longitudes
 /// where the local box reaches across the antimeridian.
 LonLatBox makeLonLatBox(const Frame& frame, glm::dvec2 lowM, glm::dvec2 highM);

@@ -76,6 +76,12 @@ bool beginsStl(const FileHead& head) {
     return head.size == before + sizeof triangles + std::uintmax_t(50) * triangles;
 }
 
+// KML's reader gives such files up, since what an entity stands for may grow without end.
+bool beginsKmlWithEntities(const FileHead& head) {
+    const std::string_view text = head.text();
+    return text.starts_with("<") && text.find("<!ENTITY") != text.npos && text.find("<kml") != text.npos;
+}
+
 bool isObjLine(std::string_view line) {
     constexpr std::array starts{"v ", "v\t", "vn ", "vt ", "f ", "o ", "g ", "mtllib ", "usemtl ", "s "};
     return std::ranges::any_of(starts, [&](std::string_view start) { return line.starts_with(start); });
@@ -145,6 +151,9 @@ Formats coreFormats() {
          .instead = toFootprints},
         {.name = "a table of a Shapefile", .marks = {{"", "", ".dbf"}}, .instead = nameShp},
         {.name = "an index of a Shapefile", .marks = {{"", "", ".shx"}}, .instead = nameShp},
+        {.name = "KML that declares entities",
+         .begins = beginsKmlWithEntities,
+         .instead = "Remove its DOCTYPE, and write the values themselves"},
         {.name = "QGIS project", .marks = {{"<!DOCTYPE qgis"}}, .instead = "Name the files of its layers"},
         {.name = "Excel",
          .marks = {{zip, "", ".xlsx"}},

@@ -70,8 +70,23 @@ int readingOrderOf(const InputFile& file, const ReadSettings& settings) {
 Result<FilePiece> readPiece(const InputFile& file, const ReadSettings& settings, Progress& progress,
                             const std::stop_token& stop, const ReadExtent* window) {
     if (window != nullptr && window->terrain && file.is(FileKind::terrain)) return FilePiece{};
-    return file.format->reader.read(file.path, settings, progress, stop,
-                                    window == nullptr ? nullptr : &window->box);
+    std::optional<LonLatBox> box;
+    if (settings.extent) box = growBox(*settings.extent, aroundExtentM);
+    if (window != nullptr) box = window->box;
+    return file.format->reader.read(file.path, settings, progress, stop, box ? &*box : nullptr);
+}
+
+// Of what was read: implausible buildings and those outside of the extent go.
+Result<void> chooseBuildings(FilePiece& piece, const std::string& file, const ReadSettings& settings) {
+    const std::optional<Frame>& frame = settings.frame ? settings.frame : piece.frame;
+    if (settings.extent && frame) keepExtent(file, piece, *frame, *settings.extent);
+    return leaveOutImplausible(file, piece);
+}
+
+tl::unexpected<Error> noneInExtent() {
+    return failure("No building touches the extent", readOption("extent"),
+                   "Give west,south,east,north in degrees; without it, `noonmark-cli info` says where the "
+                   "buildings are");
 }
 
 // Of several files, a mesh that holds no building is left out and said; nothing for any other error.
@@ -84,6 +99,13 @@ std::optional<FilePiece> pieceWithout(const InputFile& file, const Error& error,
 
 bool holdsNothing(const InputFile& file) { return file.piece.buildings.empty() && !file.piece.terrain; }
 
+bool isTerrain(const InputFile& file) { return file.is(FileKind::terrain); }
+
+// Of several terrains alone buildings may be made, which takes as long as reading a file.
+std::size_t partsOfReading(const std::vector<InputFile>& files) {
+    return files.size() + (files.size() > 1 && std::ranges::all_of(files, isTerrain) ? 1 : 0);
+}
+
 // Reads every file into its piece; the first reader that chooses a frame fixes it for the others.
 Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, Progress& progress,
                          const std::stop_token& stop, const ReadExtent* window) {
@@ -93,7 +115,7 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
                              [&](const InputFile* file) { return readingOrderOf(*file, settings); });
     for (std::size_t i = 0; i < turns.size(); ++i) {
         if (stop.stop_requested()) return cancelled();
-        ProgressShare share(progress, i, turns.size());
+        ProgressShare share(progress, i, partsOfReading(files));
         auto piece = readPiece(*turns[i], settings, share, stop, window);
         if (!piece) {
             auto without = pieceWithout(*turns[i], piece.error(), turns.size() > 1);
@@ -101,12 +123,13 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
                 return tl::make_unexpected(piece.error());
             piece = *std::move(without);
         }
-        if (auto some = leaveOutImplausible(turns[i]->path.filename().string(), *piece); !some)
+        if (auto some = chooseBuildings(*piece, turns[i]->path.filename().string(), settings); !some)
             return tl::make_unexpected(some.error());
         if (!settings.frame) settings.frame = piece->frame;
         turns[i]->piece = *std::move(piece);
     }
     if (settings.frame) return *settings.frame;
+    if (settings.extent) return noneInExtent();
     return failure(NM_TEXT("None of the files states its position on earth"), files.front().path.string(),
                    anchorAdvice());
 }
@@ -233,10 +256,10 @@ void dropSame(CityRead& all, const std::vector<InputFile>& files) {
     const std::vector<std::string> names = nameBuildings(all, files);
     std::vector<char> isDropped(buildings.size());
     for (const SameBuilding& one : same) {
-        const char* what = one.byId ? "a second building of the same id at the same place"
-                                    : "a second building of the same outline at the same place";
         all.warnings.push_back(
-            {WarningKind::leftOut, what, fmt::format("{}, beside {}", names[one.dropped], names[one.kept])});
+            {WarningKind::leftOut,
+             fmt::format("{}{} at the same place", secondBuilding, one.byId ? "id" : "outline"),
+             fmt::format("{}, beside {}", names[one.dropped], names[one.kept])});
         isDropped[one.dropped] = 1;
     }
     std::size_t next = 0;
@@ -289,19 +312,44 @@ void readWater(CityRead& all, const std::vector<Path>& files, const std::stop_to
 }
 
 // Of the city's own files, then of the inventories.
-Result<void> readAllTrees(CityRead& all, std::vector<InputFile>& files, const ReadSettings& settings,
-                          const std::stop_token& stop) {
-    std::vector<ReadTree> trees;
-    for (InputFile& file : files) std::ranges::move(file.piece.trees, std::back_inserter(trees));
+Result<TreesRead> readAllTrees(std::vector<InputFile>& files, const ReadSettings& settings,
+                               const std::stop_token& stop) {
+    TreesRead all;
+    for (InputFile& file : files) std::ranges::move(file.piece.trees, std::back_inserter(all.trees));
     for (const std::string& file : settings.treeFiles) {
         NoProgress quiet;
         auto read = readTrees(file, settings.crs, quiet, stop);
         if (!read) return tl::make_unexpected(read.error());
-        std::ranges::move(read->trees, std::back_inserter(trees));
+        std::ranges::move(read->trees, std::back_inserter(all.trees));
         std::ranges::move(read->warnings, std::back_inserter(all.warnings));
     }
-    all.city.trees = joinTrees(trees, all.city, settings.farAwayM, all.warnings);
+    return all;
+}
+
+void joinAllTrees(CityRead& all, TreesRead read, double farAwayM) {
+    std::ranges::move(read.warnings, std::back_inserter(all.warnings));
+    all.city.trees = joinTrees(read.trees, all.city, farAwayM, all.warnings);
+}
+
+// The terrain; models of the surface without outlines give buildings, too.
+Result<void> takeGround(CityRead& all, std::vector<InputFile>& files, const std::vector<ReadTree>& trees,
+                        ReadSettings settings, Progress& progress, const std::stop_token& stop) {
+    ProgressShare share(progress, partsOfReading(files) - 1, partsOfReading(files));
+    const auto made =
+        makeSurfaceBuildings(groundFiles(files), trees, settings, all.city.frame, all.heights, share, stop);
+    if (!made) return tl::make_unexpected(made.error());
+    if (*made) settings.heightsFromSurface = false;  // all have their height
+    GroundChoice ground = chooseGround(groundFiles(files), settings, all.heights, stop);
+    if (ground.terrain) all.city.terrain = ground.terrain;
+    std::ranges::move(ground.warnings, std::back_inserter(all.warnings));
     return {};
+}
+
+// Terrain alone, which a plan of tiles reads by itself, has no buildings anyway.
+bool missesExtent(const CityRead& all, const std::vector<InputFile>& files, const ReadSettings& settings) {
+    const bool isGround = std::ranges::all_of(
+        files, [](const InputFile& file) { return file.piece.terrain && file.piece.buildings.empty(); });
+    return settings.extent && all.city.buildings.empty() && !isGround;
 }
 
 Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& settings,
@@ -310,15 +358,17 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
     const GdalCalls calls(stop);  // recognising a file may read all of it
     auto files = recogniseFiles(paths, window, formats);
     if (!files) return tl::make_unexpected(files.error());
-    const auto frame = readPieces(*files, settings, progress, stop, window);
+    RisingProgress rising(progress);
+    const auto frame = readPieces(*files, settings, rising, stop, window);
     if (!frame) return tl::make_unexpected(frame.error());
     CityRead all;
     all.city.frame = *frame;
     if (window != nullptr) all.city.terrain = window->terrain;
-    GroundChoice ground = chooseGround(groundFiles(*files), settings, all.heights, stop);
+    auto trees = readAllTrees(*files, settings, stop);
+    if (!trees) return tl::make_unexpected(trees.error());
+    if (auto done = takeGround(all, *files, trees->trees, settings, rising, stop); !done)
+        return tl::make_unexpected(done.error());
     if (stop.stop_requested()) return cancelled();
-    if (ground.terrain) all.city.terrain = ground.terrain;
-    std::ranges::move(ground.warnings, std::back_inserter(all.warnings));
     for (const GroundFile& file : groundFiles(*files))
         measureRoofs(file, all.city.terrain.get(), all.city.frame, !settings.heightField.empty(),
                      all.heights);
@@ -334,11 +384,11 @@ Result<CityRead> readAll(const std::vector<Path>& paths, const ReadSettings& set
         joinHeights(all.heights, file.piece.heights);
         all.features += file.piece.features;
     }
+    if (window == nullptr && missesExtent(all, *files, settings)) return noneInExtent();
     dropSame(all, *files);
     readWater(all, paths, stop);
     countBeyondTerrain(all);
-    if (auto done = readAllTrees(all, *files, settings, stop); !done)
-        return tl::make_unexpected(done.error());
+    joinAllTrees(all, *std::move(trees), settings.farAwayM);
     all.format = joinedTexts(*files, &FilePiece::format);
     all.attribution = joinedTexts(*files, &FilePiece::attribution);
     all.crs = joinedTexts(*files, &FilePiece::crs);

@@ -190,6 +190,13 @@ struct SceneWalk {
     }
 };
 
+// Of Assimp's reasons some are names of exceptions.
+std::string explain(std::string_view reason) {
+    if (reason.find("bad_cast") != reason.npos) return "an entity refers to one of another kind";
+    if (reason.find("bad_alloc") != reason.npos) return "it needs too much memory";
+    return std::string(reason);
+}
+
 Result<void> takeIfc(const aiScene& scene, const std::function<void(const MeshObject&)>& take) {
     IfcObjects objects;
     SceneWalk{scene,
@@ -211,7 +218,8 @@ Result<void> readScene(const std::filesystem::path& file,
     importer.SetIOHandler(guardedFiles(file, std::move(near.content)).release());  // the importer owns it
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr)
-        return failure(fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
+        return failure(fmt::format("The mesh cannot be read ({})", explain(importer.GetErrorString())),
+                       file.string(),
                        ifc ? "Export it as IFC 2x3, without spaces and zones" : "Export it again");
     if (scene->mRootNode == nullptr)
         return failure("The file holds no triangles", file.string(), trianglesAdvice);
@@ -220,7 +228,7 @@ Result<void> readScene(const std::filesystem::path& file,
         *scene->mRootNode, glm::translate(glm::dmat4(1), near.origin));
     return {};
 } catch (const std::exception& exception) {
-    return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),
+    return failure(fmt::format("The mesh cannot be read ({})", explain(exception.what())), file.string(),
                    "Export it again");
 }
 

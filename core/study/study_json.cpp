@@ -211,6 +211,18 @@ Json groundRange(const City& city) {
     return range.json();
 }
 
+// Elevations of the terrain's posts, metres above the datum of the city.
+Json terrainRange(const City& city) {
+    if (!city.terrain) return nullptr;
+    const PostGrid& posts = city.terrain->grid;
+    Range range;
+    for (int row = 0; row < posts.rows; ++row)
+        for (int column = 0; column < posts.columns; ++column)
+            range.add(city.frame.originElevationM() + earthDropM(posts.centre(column, row)) +
+                      double(city.terrain->elevationM[posts.index(column, row)]));
+    return range.json();
+}
+
 Json extentLonLat(const City& city) {
     const Box2 box = bounds(city);
     if (box.empty()) return nullptr;
@@ -246,6 +258,7 @@ std::string infoJson(const CityRead& read) {
     info["height_sources"] = info["heights"]["by_source"];
     info["height_ranges_m"] = heightRanges(read.city);
     info["ground_m"] = groundRange(read.city);
+    info["terrain_m"] = terrainRange(read.city);
     info["tallest_m"] = double(counts.tallestM);
     info["tallest"] = counts.tallest;
     info["crs"] = read.crs;
@@ -257,6 +270,7 @@ std::string infoJson(const CityRead& read) {
     info["terrain_source"] = read.city.terrain ? terrainJson(*read.city.terrain) : Json();
     info["trees"] = read.city.trees ? treesJson(*read.city.trees) : Json();
     info["attribution"] = read.attribution;
+    info["changes"] = changesJson(read.warnings);
     info["warnings"] = warningsJson(read.warnings);
     return toJsonText(info);
 }

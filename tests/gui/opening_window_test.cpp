@@ -96,6 +96,16 @@ TEST_F(OpeningWindow, AFolderNamesItsTerrainsAndOffersToAddOne) {
     EXPECT_TRUE(window.opening().terrainsBeside().isEmpty()) << "it is in the city";
 }
 
+TEST_F(OpeningWindow, SaysAtAGlanceWhatWasRead) {
+    window.open({city});
+    ASSERT_TRUE(waitFor([this] { return message().contains(QStringLiteral("Changed in reading: ")); }))
+        << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("GeoJSON (WGS 84, as the file states), ")))
+        << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("1 building of 1 part, up to ")))
+        << message().toStdString();
+}
+
 void turnWheel(QWidget& field) {
     const QPointF middle = field.rect().center();
     QWheelEvent wheel(middle, field.mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,

@@ -54,6 +54,7 @@ inline Value otherValue(const Field& field, const Value& value) {
                                    ? field.choices.back().key
                                    : field.choices.front().key);
         case ValueKind::numbers:
+            if (field.key == "extent") return std::vector{12.5, 41.25, 12.75, 41.5};
             return std::vector{12.5, 41.25};
         case ValueKind::texts:
             return std::vector<std::string>{"one", "another"};

@@ -121,6 +121,8 @@ void print(const CityRead& read, const nlohmann::ordered_json& info, std::ostrea
     if (const auto& ground = info["ground_m"]; !ground.is_null())
         table.add("ground", describeRange(ground) + " above the datum, under the buildings");
     table.add("terrain", read.city.terrain ? formatText(*read.city.terrain) : "none: flat ground");
+    if (const auto& range = info["terrain_m"]; !range.is_null())
+        table.add("elevations", describeRange(range) + " above the datum, of the terrain");
     if (!read.crs.empty()) table.add("coordinates", read.crs);
     if (const auto& town = info["nearest_town"]; !town.is_null())
         table.add("place", fmt::format("{:.1f} km from {}, {}", town["away_m"].get<double>() / 1000,
@@ -131,6 +133,7 @@ void print(const CityRead& read, const nlohmann::ordered_json& info, std::ostrea
                               box[1].get<double>(), box[2].get<double>(), box[3].get<double>()));
     if (read.city.trees) table.add("trees", describeTrees(*read.city.trees));
     if (!read.attribution.empty()) table.add("data", read.attribution);
+    table.add("changed", describeChanges(read.warnings));
     table.print(out);
     printHeights(out, read);
     printWarnings(out, read.warnings);

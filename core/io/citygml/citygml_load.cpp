@@ -31,7 +31,11 @@ std::string_view trimmed(std::string_view text) {
 class CityGmlListener final : public XmlListener {
 public:
     CityGmlListener(std::string file, const ReadSettings& settings, LodChoice choice, GmlContent wanted)
-        : file_(std::move(file)), values_(file_, settings), choice_(choice), wanted_(wanted) {}
+        : file_(std::move(file)),
+          values_(file_, settings),
+          choice_(choice),
+          wanted_(wanted),
+          settings_(settings) {}
     CityGmlData data;
     std::unordered_set<std::string> wantedIds;  ///< that an object refers to and another one may have
     GmlShared shared;                           ///< what has these ids
@@ -112,7 +116,10 @@ private:
         if (kind == GmlObjectKind::container) return;
         if (kind != GmlObjectKind::other) return beginObject(element);
         ++data.city.features;
-        warn(WarningKind::leftOut, fmt::format("not a building but {}", element.name),
+        const bool isRaster = element.name == "RasterRelief";
+        warn(WarningKind::leftOut,
+             isRaster ? "a terrain that is a raster (RasterRelief): name it as a GeoTIFF beside this file"
+                      : fmt::format("not a building but {}", element.name),
              std::string(element.attribute("id")));
         skip();
     }
@@ -224,6 +231,11 @@ private:
             std::ranges::move(findOpenings(one, reader_), std::back_inserter(data.openings));
         const std::string id = objects_.front().object.id;
         CityJsonBlock block = makeBlock(objects_, reader_, choice_, areDegrees_, file_, data.city.warnings);
+        if (!isInExtent(block)) {
+            ++data.outsideExtent;
+            forgetObject();
+            return {};
+        }
         corners_ += block.vertices.size();
         if (corners_ > maxCorners)
             return limitReached(fmt::format("The file has more than {} corners", maxCorners), id,
@@ -232,6 +244,15 @@ private:
         warnOf(id);
         forgetObject();
         return {};
+    }
+
+    bool isInExtent(const CityJsonBlock& block) {
+        if (!settings_.extent || wanted_ == GmlContent::openings ||
+            findGmlObjectKind(block.objects.empty() ? "" : block.objects.front().type) ==
+                GmlObjectKind::terrain)
+            return true;
+        if (!extent_) extent_.emplace(settings_, data.city.crs);
+        return extent_->mayTouch(block.vertices);
     }
 
     void forgetObject() {
@@ -260,6 +281,8 @@ private:
     ObjectValues values_;
     LodChoice choice_;
     GmlContent wanted_;
+    const ReadSettings& settings_;
+    std::optional<GmlExtent> extent_;
     GmlGeometryReader reader_;
     std::vector<std::string> names_;  // of the open elements but those of geometries
     std::size_t skipped_ = 0;         // depth below what is left out
@@ -311,6 +334,12 @@ Result<FilePiece> readGml(const std::filesystem::path& file, const ReadSettings&
     Result<CityGmlData> data = loadCityGml(file, settings, progress, stop);
     if (!data) return tl::make_unexpected(data.error());
     CityJsonData& city = data->city;
+    if (data->outsideExtent > 0)
+        city.warnings.push_back(
+            {WarningKind::leftOut, "objects far from " + readOption("extent"),
+             fmt::format("{} ({})", file.filename().string(), formatThousands(data->outsideExtent))});
+    if (city.blocks.empty() && data->outsideExtent > 0)
+        return FilePiece{.warnings = std::move(city.warnings), .features = city.features};
     if (city.blocks.empty())
         return failure("The file holds no buildings and no terrain", file.string(),
                        "Choose a file that contains some");

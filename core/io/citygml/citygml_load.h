@@ -15,6 +15,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/geo/crs.h"
 #include "core/io/cityjson/cityjson_model.h"
 #include "core/io/settings/read_settings.h"
 
@@ -27,6 +28,7 @@ struct CityGmlData {
     };
     std::optional<Envelope> envelope;   ///< of the whole model
     std::vector<FileOpening> openings;  ///< if they are wanted; in the file's order of axes
+    std::size_t outsideExtent = 0;      ///< objects that are no part of `city`
 };
 
 /// What is wanted besides buildings and terrain.
@@ -46,6 +48,19 @@ std::string translateReference(const std::string& stated);
 
 /// Whether its coordinates are degrees. False for unknown systems.
 bool isGeographicReference(const std::string& stated);
+
+/// Tells which objects may lie in an extent and aroundExtentM around it, before the order of the axes is
+/// settled: those that do in one of the two orders. Backend: citygml_reference_gdal.cpp.
+class GmlExtent {
+public:
+    /// `stated`: as the file names its system; the settings' where that is unknown. Without any, all may.
+    GmlExtent(const ReadSettings& settings, const std::string& stated);
+    [[nodiscard]] bool mayTouch(const std::vector<glm::dvec3>& vertices) const;
+
+private:
+    LonLatBox box_;
+    std::optional<CrsToLonLat> crs_;
+};
 
 /// Brings the vertices into the order easting or longitude first, and `city.crs` into the form that
 /// parseCrs() takes; empty if the one of `settings` is to be used. The order is that of the system's

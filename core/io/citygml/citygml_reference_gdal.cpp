@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <utility>
 
 #include "core/base/gdal_calls.h"
 #include "core/describe/text.h"
 #include "core/geo/crs.h"
 #include "core/io/citygml/citygml_load.h"
+#include "core/io/pieces/read_part.h"
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {
@@ -137,6 +139,32 @@ bool isGeographicReference(const std::string& stated) {
     const GdalCalls gdal;
     const auto system = parseCrs(translateReference(stated));
     return system && system->IsGeographic() != 0;
+}
+
+GmlExtent::GmlExtent(const ReadSettings& settings, const std::string& stated)
+    : box_(growBox(*settings.extent, aroundExtentM)) {
+    const GdalCalls gdal;
+    auto crs = CrsToLonLat::of(translateReference(stated));
+    if (!crs && settings.crs) crs = CrsToLonLat::of(*settings.crs);
+    if (!crs) return;
+    crs->removeZoneNumber();
+    crs_.emplace(*std::move(crs));
+}
+
+bool GmlExtent::mayTouch(const std::vector<glm::dvec3>& vertices) const {
+    if (!crs_ || vertices.empty()) return true;
+    glm::dvec3 low(1e300), high(-1e300);
+    for (const glm::dvec3& vertex : vertices) low = glm::min(low, vertex), high = glm::max(high, vertex);
+    const GdalCalls gdal;
+    const std::array corners{inOrder(low, false), inOrder(high, false), inOrder(low, true),
+                             inOrder(high, true)};
+    const std::vector<LonLat> places = crs_->lonLat(corners);
+    for (const std::size_t first : {0, 2}) {
+        LonLatBox place = emptyLonLatBox;
+        place.add(places[first]), place.add(places[first + 1]);
+        if (place.touches(box_)) return true;
+    }
+    return false;
 }
 
 Result<void> settleReference(CityGmlData& data, const ReadSettings& settings,

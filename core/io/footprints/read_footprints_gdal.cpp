@@ -98,7 +98,7 @@ Result<std::vector<OGRLayer*>> chosenLayers(const OpenFile& open, const ReadSett
     return layers;
 }
 
-// A table names no system, but numbers that are all longitudes and latitudes are taken for them.
+// Tables and TopoJSON name no system, but numbers that are all longitudes and latitudes are taken for them.
 bool holdsDegrees(OGRLayer& layer) {
     OGREnvelope extent;
     return layer.GetSpatialRef() == nullptr && layer.GetExtent(&extent) == OGRERR_NONE &&
@@ -176,12 +176,13 @@ private:
     ReadSettings settingsFor(OGRLayer& layer) {
         ReadSettings settings = settings_;
         crsSource_ = settings_.crs ? CrsSource::user : CrsSource::file;
-        if (open_.driver != "CSV" || settings.crs || !holdsDegrees(layer)) return settings;
+        const bool statesNone = open_.driver == "CSV" || open_.driver == "TopoJSON";
+        if (!statesNone || settings.crs || !holdsDegrees(layer)) return settings;
         settings.crs = "EPSG:4326";
         crsSource_ = CrsSource::guessed;
         warnings.push_back(
             {WarningKind::assumed,
-             fmt::format("the table names no coordinate reference system; its numbers are taken "
+             fmt::format("the file names no coordinate reference system; its numbers are taken "
                          "for degrees ({})",
                          readOption("crs", *settings.crs)),
              file_.filename().string()});

@@ -12,6 +12,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,12 @@
 
 namespace noonmark {
 
-enum class OsmFormat { pbf, xml };
+enum class OsmFormat {
+    pbf,
+    xml,
+    overpass,  ///< JSON, as the Overpass API and OpenStreetMap's own answer
+};
+std::string_view nameOf(OsmFormat format);  ///< "OpenStreetMap PBF"; defined in read_osm_buildings.cpp
 
 /// A node's place in units of 1e-7 degrees, the resolution of OpenStreetMap.
 struct OsmPoint {
@@ -91,6 +97,12 @@ struct OsmMap {
 /// own limits. Stops with cancelled() within 0.1 s. Backend: read_osm_map_osmium.cpp.
 Result<OsmMap> readOsmMap(const std::filesystem::path& file, OsmFormat format, const OsmSelection& selection,
                           Progress& progress, const std::stop_token& stop);
+
+/// The elements of a JSON file of Overpass as OpenStreetMap XML: nodes by id, and the shapes that `out geom`
+/// adds to ways and to members of relations. An element that comes twice is taken once. Error: it is damaged,
+/// larger than 1 GB, broken off by the server, or has no shapes (`out` alone). Needs the memory of the file.
+Result<std::string> readOverpassAsXml(const std::filesystem::path& file,
+                                      const std::stop_token& stop);  ///< defined in overpass_xml.cpp
 
 /// Cuts an OpenStreetMap PBF file at its blocks, so that a library which cannot be stopped reads it in pieces
 /// of some 0.1 s each. Backend: pbf_pieces_protozero.cpp.

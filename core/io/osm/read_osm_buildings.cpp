@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -157,12 +158,37 @@ private:
 
 }  // namespace
 
+std::string_view nameOf(OsmFormat format) {
+    switch (format) {
+        case OsmFormat::pbf:
+            return "OpenStreetMap PBF";
+        case OsmFormat::xml:
+            return "OpenStreetMap XML";
+        case OsmFormat::overpass:
+            return "OpenStreetMap JSON (Overpass)";
+    }
+    return "OpenStreetMap";
+}
+
+namespace {
+
+// Its header stands before its elements, and names the program that made it.
+bool isOverpass(std::string_view head) {
+    constexpr std::array<std::string_view, 4> makers{"\"osm3s\"", "Overpass API", "OpenStreetMap server",
+                                                     "CGImap"};
+    return head.find("\"elements\"") != head.npos &&
+           std::ranges::any_of(makers, [&](std::string_view maker) { return head.find(maker) != head.npos; });
+}
+
+}  // namespace
+
 std::optional<OsmFormat> osmFormatOf(std::string_view head) {
     // PBF begins with the length of a blob header whose type is "OSMHeader".
     if (head.size() > 15 && head.substr(4, 11) == "\x0a\x09OSMHeader") return OsmFormat::pbf;
     const auto start = head.find_first_not_of("\xEF\xBB\xBF \t\r\n");
     const bool markup = start != head.npos && head[start] == '<';
     const bool xml = markup && (head.find("<osm ") != head.npos || head.find("<osm>") != head.npos);
+    if (start != head.npos && head[start] == '{' && isOverpass(head)) return OsmFormat::overpass;
     return xml ? std::optional(OsmFormat::xml) : std::nullopt;
 }
 
@@ -256,7 +282,7 @@ Result<FilePiece> readOsmFootprints(const Path& file, const ReadSettings& settin
     auto buildings = readChecked(file, format, settings, progress, stop);
     if (!buildings) return tl::make_unexpected(buildings.error());
     FilePiece piece{.warnings = std::move(buildings->warnings),
-                    .format = format == OsmFormat::pbf ? "OpenStreetMap PBF" : "OpenStreetMap XML",
+                    .format = std::string(nameOf(format)),
                     .features = buildings->areas,
                     .attribution = osmCredit,
                     .heights = std::move(buildings->heights),

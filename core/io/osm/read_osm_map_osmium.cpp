@@ -12,6 +12,7 @@
 #include <osmium/io/reader.hpp>
 #include <osmium/io/xml_input.hpp>
 #include <osmium/osm.hpp>
+#include <sstream>
 #include <string_view>
 
 #include "core/io/osm/osm_map.h"
@@ -126,22 +127,22 @@ constexpr std::size_t maxMembers = 32000;  // of a relation
 // XML that ends when the work is stopped; the parser then finds it damaged.
 class StoppableText final : public osmium::io::Decompressor {
 public:
-    StoppableText(const std::filesystem::path& file, std::stop_token stop)
-        : stream_(file, std::ios::binary), stop_(std::move(stop)) {}
+    StoppableText(std::unique_ptr<std::istream> stream, std::stop_token stop)
+        : stream_(std::move(stream)), stop_(std::move(stop)) {}
 
     std::string read() override {
         constexpr std::size_t pieceBytes = 1U << 17U;  // the library reads some twenty pieces ahead
         if (stop_.stop_requested()) return {};
         std::string piece(pieceBytes, '\0');
-        stream_.read(piece.data(), std::streamsize(piece.size()));
-        piece.resize(std::size_t(stream_.gcount()));
+        stream_->read(piece.data(), std::streamsize(piece.size()));
+        piece.resize(std::size_t(stream_->gcount()));
         set_offset(taken_ += piece.size());
         return piece;
     }
     void close() override {}
 
 private:
-    std::ifstream stream_;
+    std::unique_ptr<std::istream> stream_;
     std::stop_token stop_;
     std::size_t taken_ = 0;
 };
@@ -175,6 +176,12 @@ public:
           stop_(stop) {}
 
     Result<OsmMap> read() {
+        if (format_ == OsmFormat::overpass) {
+            auto text = readOverpassAsXml(path_, stop_);
+            if (!text) return tl::make_unexpected(text.error());
+            text_ = *std::move(text);
+            bytes_ = double(text_.size());
+        }
         return readEach<osmium::Relation>(0, [&](const auto& relation) { return take(relation); })
             .and_then([&] {
                 sortUnique(members_, stop_);
@@ -193,8 +200,8 @@ private:
 
     template <class Object, class Take>
     Taken readEach(std::size_t turn, Take take) {
-        if (format_ == OsmFormat::xml) {
-            openText = [this] { return std::make_unique<StoppableText>(path_, stop_); };
+        if (format_ != OsmFormat::pbf) {
+            openText = [this] { return std::make_unique<StoppableText>(openStream(), stop_); };
             return readPart<Object>(stoppableText(), take,
                                     [&](double bytes) { report(turn, bytes / bytes_); });
         }
@@ -205,6 +212,11 @@ private:
             report(turn, pieces.share());
         }
         return {};
+    }
+
+    [[nodiscard]] std::unique_ptr<std::istream> openStream() const {
+        if (format_ == OsmFormat::overpass) return std::make_unique<std::istringstream>(text_);
+        return std::make_unique<std::ifstream>(path_, std::ios::binary);
     }
 
     template <class Object, class Take, class Report>
@@ -334,7 +346,8 @@ private:
 
     const std::filesystem::path& path_;
     OsmFormat format_;
-    double bytes_;  // of the file
+    double bytes_;      // of the file, or of text_
+    std::string text_;  // of Overpass as XML
     const OsmSelection& selection_;
     Progress& progress_;
     const std::stop_token& stop_;

@@ -8,6 +8,7 @@
 #include "core/city/building_heights.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_outline.h"
+#include "core/geo/lon_lat.h"
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {
@@ -42,29 +43,53 @@ void warn(const std::string& file, const Building& building, const char* why, Wa
     warnings.push_back({WarningKind::leftOut, why, fmt::format("{}: {}", file, building.sourceId)});
 }
 
+// Keeps the buildings that `isKept` says, with what belongs to each. Returns the number of the others.
+template <class Keeps>
+std::size_t keepBuildings(FilePiece& piece, const Keeps& isKept) {
+    const std::size_t all = piece.buildings.size();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < all; ++i) {
+        if (!isKept(*piece.buildings[i])) continue;
+        if (!piece.groundM.empty()) piece.groundM[kept] = piece.groundM[i];
+        if (!piece.roofs.empty() && kept != i) piece.roofs[kept] = std::move(piece.roofs[i]);
+        if (kept != i) piece.buildings[kept] = std::move(piece.buildings[i]);
+        ++kept;
+    }
+    piece.buildings.resize(kept);
+    if (!piece.groundM.empty()) piece.groundM.resize(kept);
+    if (!piece.roofs.empty()) piece.roofs.resize(kept);
+    return all - kept;
+}
+
 }  // namespace
 
 Result<void> leaveOutImplausible(const std::string& file, FilePiece& piece) {
-    const bool grounds = !piece.groundM.empty();
-    std::size_t kept = 0;
     const char* lastWhy = nullptr;
-    for (std::size_t i = 0; i < piece.buildings.size(); ++i) {
-        if (const char* why = whyImplausible(*piece.buildings[i])) {
-            warn(file, *piece.buildings[i], why, piece.warnings);
-            lastWhy = why;
-            continue;
-        }
-        if (grounds) piece.groundM[kept] = piece.groundM[i];
-        if (!piece.roofs.empty() && kept != i) piece.roofs[kept] = std::move(piece.roofs[i]);
-        piece.buildings[kept++] = std::move(piece.buildings[i]);
-    }
-    if (kept == 0 && lastWhy != nullptr)
+    keepBuildings(piece, [&](const Building& building) {
+        const char* why = whyImplausible(building);
+        if (why == nullptr) return true;
+        warn(file, building, why, piece.warnings);
+        lastWhy = why;
+        return false;
+    });
+    if (piece.buildings.empty() && lastWhy != nullptr)
         return failure(fmt::format("No building can be used, each because {}", lastWhy), file,
                        "Check the unit of its coordinates and which axis is up");
-    piece.buildings.resize(kept);
-    if (grounds) piece.groundM.resize(kept);
-    if (!piece.roofs.empty()) piece.roofs.resize(kept);
     return {};
+}
+
+void keepExtent(const std::string& file, FilePiece& piece, const Frame& frame, const LonLatBox& extent) {
+    const std::size_t out = keepBuildings(piece, [&](const Building& building) {
+        const Box2 box = bounds(building);
+        LonLatBox place = emptyLonLatBox;
+        for (const glm::dvec2 corner : {glm::dvec2(box.low), glm::dvec2(box.low.x, box.high.y),
+                                        glm::dvec2(box.high), glm::dvec2(box.high.x, box.low.y)})
+            place.add(frame.lonLatFromLocal(corner));
+        return place.touches(extent);
+    });
+    if (out > 0)
+        piece.warnings.push_back({WarningKind::leftOut, "buildings outside of " + readOption("extent"),
+                                  fmt::format("{} ({})", file, formatThousands(out))});
 }
 
 namespace {

@@ -44,6 +44,8 @@ struct FilePiece {
     bool ownZero = false;
     std::vector<ReadTree> trees;
     std::shared_ptr<const Terrain> terrain;
+    /// Of the terrain's posts those that the file has no elevation of, 1 each; empty if it has all.
+    std::vector<char> unknownPosts;
     Warnings warnings;
     std::string format;
     std::size_t features = 0;
@@ -96,6 +98,15 @@ Result<FilePiece> readTerrain(const std::filesystem::path& file, const ReadSetti
 /// Readers of attributes check heights themselves and have other values to use; a mesh has nothing but its
 /// shape. Error: this applied to all buildings, as happens if the unit is not the metre. O(vertices).
 Result<void> leaveOutImplausible(const std::string& file, FilePiece& piece);
+
+/// Leaves the buildings out whose box in longitude and latitude does not touch the extent, with one warning.
+void keepExtent(const std::string& file, FilePiece& piece, const Frame& frame, const LonLatBox& extent);
+
+/// Readers that read an extent alone read this much around it: the parts of buildings on its border.
+inline constexpr double aroundExtentM = 500;
+
+/// How the warnings of such buildings begin.
+inline constexpr std::string_view secondBuilding = "a second building of the same ";
 
 /// A building that is in the city twice, as positions in the list.
 struct SameBuilding {

@@ -61,6 +61,31 @@ Result<void> setAnchor(ReadSettings& settings, const Value& value) {
     return {};
 }
 
+Value getExtent(const ReadSettings& settings) {
+    if (!settings.extent) return {};
+    const LonLatBox& box = *settings.extent;
+    return std::vector{box.westDeg, box.southDeg, box.eastDeg, box.northDeg};
+}
+
+Result<void> setExtent(ReadSettings& settings, const Value& value) {
+    if (value == Value()) {
+        settings.extent.reset();
+        return {};
+    }
+    const auto* sides = std::get_if<std::vector<double>>(&value);
+    const auto isBox = [](const LonLatBox& box) {
+        return box.westDeg >= -180 && box.eastDeg <= 180 && box.southDeg >= -90 && box.northDeg <= 90 &&
+               box.westDeg < box.eastDeg && box.southDeg < box.northDeg;
+    };
+    if (sides != nullptr && sides->size() == 4)
+        if (const LonLatBox box{sides->at(0), sides->at(1), sides->at(2), sides->at(3)}; isBox(box)) {
+            settings.extent = box;
+            return {};
+        }
+    return failure("This is no box on earth", "extent",
+                   "Give west,south,east,north in degrees, for example -73.99,40.75,-73.97,40.77");
+}
+
 Fields<ReadSettings> heightFields() {
     return {
         field(&ReadSettings::heightField,
@@ -132,6 +157,14 @@ Fields<ReadSettings> terrainFields() {
              .flag = "--heights-from-surface",
              .label = NM_TEXT("Missing heights from the surface model"),
              .help = NM_TEXT("Give buildings without a height that of the surface model above the ground")}),
+        field(&ReadSettings::surfaceToleranceM,
+              {.key = "surface_tolerance_m",
+               .flag = "--surface-tolerance",
+               .label = NM_TEXT("Tolerance of buildings from a surface model"),
+               .help = NM_TEXT("How far buildings that are made of a surface model may lie above or below "
+                               "its cells, 0.05 to 5 m"),
+               .unit = "m",
+               .range = ValueRange{0.05, 5}}),
     };
 }
 
@@ -171,6 +204,13 @@ Fields<ReadSettings> dataFields() {
                .help = NM_TEXT("Leave out features farther than this from the middle of the data, m"),
                .unit = "m",
                .range = ValueRange{100, 200000}}),
+        derivedField(ValueKind::numbers, &getExtent, &setExtent,
+                     {.key = "extent",
+                      .flag = "--extent",
+                      .label = NM_TEXT("Extent"),
+                      .help = NM_TEXT("Read only the buildings that touch this box, degrees; terrain is read "
+                                      "whole"),
+                      .hint = "W,S,E,N"}),
     };
 }
 

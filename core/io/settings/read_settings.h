@@ -12,6 +12,7 @@
 #include "core/base/result.h"
 #include "core/describe/field.h"
 #include "core/geo/frame.h"
+#include "core/geo/lon_lat.h"
 
 namespace noonmark {
 
@@ -59,11 +60,14 @@ struct ReadSettings {
     std::optional<std::string> crs;        ///< "EPSG:2263"; stated by the user for files that state none
     std::string lod;          ///< level of detail of CityJSON: "2.2"; empty: the highest available
     double farAwayM = 60000;  ///< features farther from the middle of the data are left out, with a warning
+    std::optional<LonLatBox> extent;  ///< only buildings that touch it are read; terrain stays whole
 
     TerrainFromBases terrainFromBases = TerrainFromBases::automatic;
     Stand stand = Stand::automatic;
     TerrainShows terrainShows = TerrainShows::automatic;
     bool heightsFromSurface = false;  ///< buildings without a height get that of the surface model
+    /// Buildings that are made of a surface model follow its cells to within this height, 0.05 to 5 m.
+    double surfaceToleranceM = 0.5;
 
     std::vector<std::string> treeFiles;  ///< inventories of trees beside those of the city's files
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "core/city/city.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "core/city/terrain/terrain.h"
 #include "core/io/pieces/read_part.h"
 
@@ -63,6 +65,42 @@ struct GroundChoice {
 /// surface model, and its field is added to `heights`. Ends early when stopped.
 GroundChoice chooseGround(const std::vector<GroundFile>& files, const ReadSettings& settings,
                           HeightFacts& heights, const std::stop_token& stop);
+
+/// The outlines of equal numbers in a row-major grid, each area that is joined over sides of cells: `take`
+/// gets the number and the rings, the outer one first, in columns and rows from the corner of the first cell.
+/// 0 is no area. False if it fails or is stopped. Backend: surface_model_gdal.cpp.
+bool outlineNumbers(std::vector<std::int32_t>& numbers, int columns, int rows,
+                    const std::function<void(std::int32_t, const std::vector<RawRing>&)>& take,
+                    const std::stop_token& stop);
+
+/// What rises less above the ground is walls and cars.
+inline constexpr float leastRaisedM = 2;
+
+/// Two rasters of one place: a surface with buildings and the ground below it.
+struct SurfacePair {
+    const GroundFile* surface = nullptr;
+    const GroundFile* ground = nullptr;
+    double zeroM = 0;  ///< how far the surface lies above the ground where both show the ground
+};
+
+/// The surfaces above one ground, in the files' order; none if no file lies above another one as a surface.
+/// Of several grounds that one above which a surface rises on the largest share of its posts. Error:
+/// elevations that count from different zeros (more than 2 m between them) in all pairs. Looks at up to 500 x
+/// 500 posts a pair.
+Result<std::vector<SurfacePair>> findSurfacePairs(const std::vector<GroundFile>& files);
+
+/// Of files without any building, rasters of which some show a surface and one the ground below them: makes
+/// buildings of what rises more than 2 m above the ground on 10 m2 or more. What is joined over the
+/// sides of cells is one building; its parts are prisms over cells whose elevations differ by at most twice
+/// the tolerance of the settings, at the mean of the extremes. Cells without elevation and those of canopy
+/// (`trees`, of a raster, whose height fits) are no buildings, nor are cells beyond the ground, or of a
+/// second surface where the first has some. The surfaces' files get the buildings, and the ground is the only
+/// terrain afterwards. With an extent only the buildings that touch it are made. False: there are no such
+/// rasters. Error: their elevations count from different zeros, too many parts (a million), no buildings;
+/// cancelled(). Some 2 us a cell.
+Result<bool> makeSurfaceBuildings(const std::vector<GroundFile>& files, const std::vector<ReadTree>& trees,
+                                  const ReadSettings& settings, const Frame& frame, HeightFacts& heights,
+                                  Progress& progress, const std::stop_token& stop);
 
 /// Whether a part of the building has an assumed height.
 bool hasAssumedHeight(const Building& building);

@@ -336,6 +336,7 @@ Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& se
     if (const auto finished = finishTerrain(*place, *std::move(elevations), settings, source->file, piece);
         !finished)
         return tl::make_unexpected(finished.error());
+    if (stop.stop_requested()) return cancelled();  // gaps may be left
     if (!place->resampledTo) return piece;
     auto terrain = std::make_shared<Terrain>(*piece.terrain);
     const Frame frame = settings.frame.value_or(piece.frame.value_or(place->frame));

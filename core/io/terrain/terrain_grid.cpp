@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -168,6 +169,9 @@ Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevatio
         piece.warnings.push_back(
             {WarningKind::repaired, NM_TEXT("cells without elevation were filled from the cells around"),
              fmt::format("{} ({} of {})", file, source.filled, countOf(elevations.size(), "cell"))});
+    if (std::ranges::any_of(elevations, [](float elevation) { return std::isnan(elevation); }))
+        std::ranges::transform(elevations, std::back_inserter(piece.unknownPosts),
+                               [](float elevation) { return char(std::isnan(elevation)); });
     fillGaps(elevations, place.posts.columns, place.posts.rows);
     const float lowest = findLowest(elevations);
     if (!std::isfinite(lowest))

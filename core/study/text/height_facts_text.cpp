@@ -7,6 +7,11 @@
 #include <cmath>
 
 #include "core/base/json_number.h"
+#include "core/base/safe_text.h"
+#include "core/city/terrain/building_ground.h"
+#include "core/io/pieces/read_part.h"
+#include "core/io/read_city.h"
+#include "core/sun/zone_country.h"
 
 namespace noonmark {
 
@@ -152,6 +157,62 @@ Json heightsJson(const HeightCounts& counts, const HeightFacts& facts) {
     json["assumed_m"] = counts.of(HeightSource::assumed) > 0 ? Json(counts.assumedM) : Json();
     json.update(heightFactsJson(facts));
     return json;
+}
+
+Json changesJson(const Warnings& warnings) {
+    Json json = Json::object();
+    for (const WarningKind kind : {WarningKind::repaired, WarningKind::clipped, WarningKind::dropped,
+                                   WarningKind::leftOut, WarningKind::assumed}) {
+        std::string key(nameOf(kind));
+        std::ranges::replace(key, ' ', '_');
+        json[key] = std::ranges::count(warnings, kind, &Warning::kind);
+    }
+    json["duplicates"] = std::ranges::count_if(
+        warnings, [](const Warning& warning) { return warning.what.starts_with(secondBuilding); });
+    return json;
+}
+
+std::string describeChanges(const Warnings& warnings) {
+    std::vector<std::string> texts;
+    for (const auto& [key, count] : changesJson(warnings).items()) {
+        std::string name = key;
+        std::ranges::replace(name, '_', ' ');
+        if (count != 0) texts.push_back(formatThousands(count.get<std::size_t>()) + " " + name);
+    }
+    return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+namespace {
+
+std::string describeWhere(const CityRead& read) {
+    const Box2 box = bounds(read.city);
+    if (box.empty()) return {};
+    const auto middle = (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0;
+    const auto town = findNearestTown(read.city.frame.lonLatFromLocal(middle));
+    if (!town) return {};
+    return fmt::format(", {:.1f} km from {}, {}", town->distanceM / 1000, town->name,
+                       countryName(town->country));
+}
+
+std::string describeSize(const City& city) {
+    if (city.buildings.empty()) return "no buildings";
+    std::size_t parts = 0;
+    float tallestM = 0;
+    for (const auto& building : city.buildings) {
+        parts += building->parts.size();
+        tallestM = std::max(tallestM, heightM(*building, city));
+    }
+    return fmt::format("{} of {}, up to {:.1f} m high", countOf(city.buildings.size(), "building"),
+                       countOf(parts, "part"), tallestM);
+}
+
+}  // namespace
+
+std::string summariseReading(const CityRead& read) {
+    return fmt::format("{}{}{}. {}{}. Changed in reading: {}.", read.format,
+                       read.crs.empty() ? "" : fmt::format(" ({})", read.crs), describeWhere(read),
+                       describeSize(read.city), read.city.terrain ? ", on a terrain" : ", on flat ground",
+                       describeChanges(read.warnings));
 }
 
 }  // namespace noonmark

@@ -319,6 +319,20 @@ TEST(DxfMasses, WhatIsLeftOutIsStated) {
                                                     HasSubstr("without a thickness (1)")));
 }
 
+// In the middle of an entity, between two, and before its last line: what is missing cannot be seen in the
+// masses that were read.
+TEST(DxfMasses, ADrawingThatIsCutOffIsRefused) {
+    const TemporaryFolder folder;
+    const std::string whole = drawing(outline() + boxFaces(), header(6));
+    ASSERT_TRUE(readMass(folder.file("whole.dxf", whole)));
+    for (const std::size_t length :
+         {whole.find("3DFACE") + 20, whole.find("3DFACE"), whole.rfind("0\nEOF"), whole.size() - 2}) {
+        const auto piece = readMass(folder.file("cut.dxf", whole.substr(0, length)));
+        ASSERT_FALSE(piece) << length;
+        EXPECT_THAT(piece.error().text(), HasSubstr("cut off: its last line should be EOF"));
+    }
+}
+
 TEST(DxfMasses, HostileDrawingsEndWithAnError) {
     const TemporaryFolder folder;
     const auto refusal = [&](const std::string& text) {

@@ -96,6 +96,36 @@ TEST_F(ReadFootprints, WithoutASystemTheUserMustStateIt) {
     EXPECT_THAT(errorOf(file), HasSubstr("EPSG:999999"));
 }
 
+// The reader's library would say an option of its own.
+TEST_F(ReadFootprints, AShapefileWithoutItsIndexSaysWhichFileIsMissing) {
+    const auto file = folder.path("a.shp");
+    writeRectangle(file, "ESRI Shapefile", "EPSG:2263", {{"height_m", 12}});
+    EXPECT_EQ(read(file).buildings.size(), 1U);
+    std::filesystem::remove(folder.path("a.shx"));
+    EXPECT_THAT(errorOf(file), testing::AllOf(HasSubstr("the same name that ends in .shx"),
+                                              HasSubstr("save it as GeoPackage")));
+}
+
+std::string topology(const std::string& corners) {
+    return R"({"type":"Topology","objects":{"town":{"type":"GeometryCollection","geometries":[)"
+           R"({"type":"Polygon","arcs":[[0]],"properties":{"height":12}}]}},"arcs":[[)" +
+           corners + "]]}";
+}
+
+// The format has no place for a reference system.
+TEST_F(ReadFootprints, ATopologyInDegreesIsTakenForThem) {
+    const FilePiece piece = read(folder.file(
+        "a.topojson",
+        topology("[-73.98,40.75],[-73.9798,40.75],[-73.9798,40.7501],[-73.98,40.7501],[-73.98,40.75]")));
+    ASSERT_EQ(piece.buildings.size(), 1U);
+    EXPECT_EQ(piece.buildings[0]->parts[0].topM, 12);
+    EXPECT_THAT(piece.crs, HasSubstr("WGS 84, guessed from the numbers"));
+    EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("its numbers are taken for degrees")));
+    EXPECT_THAT(errorOf(folder.file("b.topojson", topology("[980000,210000],[980100,210000],[980100,210100],"
+                                                           "[980000,210000]"))),
+                HasSubstr("--crs"));
+}
+
 TEST_F(ReadFootprints, CoordinatesThatCannotBeDegreesAreAnError) {
     const auto file =
         geoJson(R"({"type":"Feature","properties":{"height":9},"geometry":{"type":"Polygon","coordinates":)"

@@ -272,13 +272,19 @@ TEST(ReadCityGml, WhatIsNoBuildingIsListed) {
             "</core:cityObjectMember>",
             name);
     };
+    const std::string relief =
+        "<core:cityObjectMember><dem:ReliefFeature gml:id=\"r\"><dem:reliefComponent>"
+        "<dem:RasterRelief "
+        "gml:id=\"raster\"><dem:grid><gml:RectifiedGridCoverage/></dem:grid></dem:RasterRelief>"
+        "</dem:reliefComponent></dem:ReliefFeature></core:cityObjectMember>";
     const auto piece =
         readGmlText(cityGml(member("veg:SolitaryVegetationObject") + member("veg:PlantCover") +
-                            member("frn:CityFurniture") + member("tran:Road") +
+                            member("frn:CityFurniture") + member("tran:Road") + relief +
                             gmlBuilding("house", gmlBoxSolid({0, 0, 0}, {10, 10, 9}) +
                                                      "<bldg:interiorRoom><bldg:Room/></bldg:interiorRoom>")));
     ASSERT_TRUE(piece) << piece.error().text();
-    EXPECT_EQ(piece->features, 5U);
+    EXPECT_EQ(piece->features, 6U);
+    EXPECT_TRUE(warns(*piece, "name it as a GeoTIFF beside this file"));
     for (const char* name : {"SolitaryVegetationObject", "PlantCover", "CityFurniture", "Road"})
         EXPECT_TRUE(warns(*piece, std::string("not a building but ") + name)) << name;
     EXPECT_TRUE(warns(*piece, "inside of buildings"));

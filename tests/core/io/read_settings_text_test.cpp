@@ -16,6 +16,8 @@ ReadSettings everySetting() {
     reading.stand = Stand::absolute;
     reading.terrainShows = TerrainShows::surface;
     reading.heightsFromSurface = true;
+    reading.surfaceToleranceM = 0.25;
+    reading.extent = LonLatBox{-73.99, 40.75, -73.97, 40.77};
     reading.layer = "buildings";
     reading.crs = "EPSG:2263";
     reading.lod = "2.2";
@@ -37,6 +39,7 @@ TEST(ReadSettingsText, ComesBackToTheLastBit) {
     EXPECT_EQ(back.stand, Stand::absolute);
     EXPECT_EQ(back.terrainShows, TerrainShows::surface);
     EXPECT_TRUE(back.heightsFromSurface);
+    EXPECT_EQ(back.extent->eastDeg, -73.97);
     EXPECT_EQ(formatText(readSettingsFrom("").value()), "");
 }
 

@@ -63,6 +63,44 @@ TEST(InfoJson, StatesTheRangesOfHeightsAndGround) {
     EXPECT_TRUE(nlohmann::json::parse(infoJson({}))["ground_m"].is_null());
 }
 
+TEST(InfoJson, CountsWhatReadingChanged) {
+    CityRead read = twoBuildings();
+    read.crs = "WGS 84, as the file states";
+    read.warnings.push_back(
+        {WarningKind::leftOut, "a second building of the same id at the same place", "a"});
+    read.warnings.push_back({WarningKind::leftOut, "far away", "b"});
+    const auto info = nlohmann::json::parse(infoJson(read));
+    EXPECT_EQ(info["changes"], (nlohmann::json{{"repaired", 2},
+                                               {"clipped", 0},
+                                               {"dropped", 0},
+                                               {"left_out", 2},
+                                               {"assumed", 0},
+                                               {"duplicates", 1}}));
+    EXPECT_EQ(describeChanges(read.warnings), "2 repaired, 2 left out, 1 duplicates");
+    EXPECT_EQ(describeChanges({}), "nothing");
+    const std::string text = summariseReading(read);
+    EXPECT_TRUE(text.starts_with("GeoJSON (WGS 84, as the file states), ")) << text;
+    EXPECT_NE(
+        text.find("United States. 2 buildings of 3 parts, up to 40.0 m high, on flat ground. Changed in "
+                  "reading: 2 repaired"),
+        std::string::npos)
+        << text;
+}
+
+// 2 x 2 posts, 4 km east of the origin, where the earth's surface has dropped by 1.26 m.
+TEST(InfoJson, StatesTheElevationsOfTheTerrain) {
+    CityRead read = twoBuildings();
+    EXPECT_TRUE(nlohmann::json::parse(infoJson(read))["terrain_m"].is_null());
+    const auto drop = float(earthDropM({4000, 0}));
+    EXPECT_NEAR(drop, 1.26, 0.01);
+    read.city.frame = Frame({-73.98, 40.75}, 100);
+    read.city.terrain = std::make_shared<const Terrain>(
+        Terrain{{4000, 0, 1, 2, 2}, {5 - drop, 6 - drop, 7 - drop, 8 - drop}, {}});
+    const auto range = nlohmann::json::parse(infoJson(read))["terrain_m"];
+    EXPECT_NEAR(range[0], 105, 0.01);
+    EXPECT_NEAR(range[1], 108, 0.01);
+}
+
 TEST(InfoJson, BytesThatAreNoTextDoNotBreakIt) {
     const auto info = nlohmann::json::parse(infoJson(twoBuildings()));
     EXPECT_EQ(info["tallest"], "Bad \xEF\xBF\xBD name");

@@ -24,7 +24,7 @@ static_assert(countMembers<Period>() == 8);
 static_assert(countMembers<ReceiverSettings>() == 2);
 static_assert(countMembers<ErrorSampleSettings>() == 2);
 static_assert(countMembers<StudySettings>() == 12);
-static_assert(countMembers<ReadSettings>() == 21);
+static_assert(countMembers<ReadSettings>() == 23);
 static_assert(countMembers<ElementSettings>() == 13);
 
 TEST(SettingsFields, NoneOfAReviewIsForgotten) {
@@ -155,9 +155,9 @@ TEST(SettingsFields, AFlagMayDifferOnACommand) {
 
 TEST(SettingsFields, MessagesNameOptionsThatExist) {
     EXPECT_EQ(readOption("stand", "absolute"), "--stand absolute");
-    for (const char* key :
-         {"layer", "height_unit", "mesh_anchor", "mesh_north_deg", "up", "terrain_shows",
-          "heights_from_surface", "levels_field", "height_field", "terrain_from_bases", "crs"})
+    for (const char* key : {"layer", "height_unit", "mesh_anchor", "mesh_north_deg", "up", "terrain_shows",
+                            "heights_from_surface", "surface_tolerance_m", "levels_field", "height_field",
+                            "terrain_from_bases", "extent", "crs"})
         EXPECT_TRUE(readOption(key).starts_with("--")) << key;
 }
 

@@ -258,13 +258,17 @@ void OpeningActions::showGuesses() {
     const auto areSamples = [](const QStringList& files) {
         return std::ranges::any_of(files, &RecentFiles::isSampleEntry);
     };
-    const bool read = !workbench_.session().file() && !workbench_.session().project().places.empty() &&
-                      !areSamples(workbench_.source().files);
-    if (read || !workbench_.placeWarnings().empty())
-        lines << describePlacesRead(workbench_.session().project().places.size(), {},
-                                    workbench_.placeWarnings());
+    const bool fromFiles = !workbench_.session().file() && !areSamples(workbench_.source().files);
+    const std::size_t places = workbench_.session().project().places.size();
+    const bool needsAttention = !lines.isEmpty() || !workbench_.placeWarnings().empty();
+    if ((fromFiles && places > 0) || !workbench_.placeWarnings().empty())
+        lines << describePlacesRead(places, {}, workbench_.placeWarnings());
+    // The bar shows the first line alone until it is unfolded.
+    if (fromFiles)
+        lines.insert(needsAttention ? lines.size() : 0,
+                     QString::fromStdString(summariseReading(workbench_.city()->loaded.read)));
     if (lines.isEmpty()) return;
-    if (lines.size() == 1 && read && workbench_.placeWarnings().empty()) return messages_.showNote(lines[0]);
+    if (!needsAttention) return messages_.showNote(lines.join(u'\n'));
     messages_.showHelp(lines.join(u'\n'));
     const bool canReadAgain = !workbench_.source().files.isEmpty() && !workbench_.session().file();
     if (areHeightsDoubtful && canReadAgain) offerOptions();

@@ -8,6 +8,7 @@
 #include "core/study/tile_tasks/run_task.h"
 #include "core/study/tiles/tile_maps.h"
 #include "tests/core/io/cityjson_fixtures.h"
+#include "tests/core/io/terrain_files.h"
 #include "tests/core/study/tile_tasks/task_plan_fixture.h"
 
 namespace noonmark {
@@ -168,6 +169,39 @@ TEST_F(TaskPlanTest, CityJsonWithATerrainIsReadWholeByEveryTask) {
     const TaskPlan made = plan();
     EXPECT_FALSE(made.byExtent);
     EXPECT_FALSE(made.districts[0].terrainHash.empty());
+}
+
+// A tower and a block, 30 and 12 m high, on ground that rises to the north.
+double slope(double /*x*/, double y) { return 20 + y / 20; }
+
+double builtSlope(double x, double y) {
+    const bool tower = std::abs(x + 40) < 10 && std::abs(y) < 10,
+               block = std::abs(x - 30) < 15 && std::abs(y) < 25;
+    return slope(x, y) + (tower ? 30 : block ? 12 : 0);
+}
+
+TEST_F(TaskPlanTest, ASurfaceModelWithoutOutlinesEqualsOneStudyToTheLastBit) {
+    request.files = {writeTerrain(folder.path("dsm.tif"), {-73.98, 40.75}, builtSlope).string(),
+                     writeTerrain(folder.path("dtm.tif"), {-73.98, 40.75}, slope).string()};
+    const TaskPlan made = plan();
+    EXPECT_FALSE(made.byExtent);
+    const auto merged = runAndMerge(made);
+    ASSERT_TRUE(merged) << merged.error().text();
+    EXPECT_EQ(onOneMachine().study.city.buildings.size(), 2U);
+    expectEqualMaps(made, "plan/merged/shadow.tif", "whole.tif", 2);
+}
+
+// The ground is read without the buildings.
+TEST_F(TaskPlanTest, AnExtentIsThatOfTheBuildingsWhereAGroundLiesBesideThem) {
+    request.files.push_back(writeTerrain(folder.path("dtm.tif"), {-73.98, 40.75}, slope).string());
+    request.reading.stand = Stand::terrain;
+    request.reading.terrainShows = TerrainShows::ground;
+    const Box2 all = bounds(plan().districts[0].region);
+    request.reading.extent = LonLatBox{-73.98, 40.75, -73.979, 40.751};
+    const TaskPlan part = plan();
+    EXPECT_TRUE(part.byExtent);
+    EXPECT_FALSE(part.districts[0].terrainHash.empty());
+    EXPECT_LT(bounds(part.districts[0].region).high.x, all.high.x - 50);
 }
 
 TEST_F(TaskPlanTest, MonthsEqualThoseOfOneMachineToTheLastBit) {

@@ -1,0 +1,13 @@
+// OpenStreetMap as the JSON of Overpass.
+#include "core/io/osm/read_osm_buildings.h"
+#include "tests/fuzz/fuzz_file.h"
+#include "tests/fuzz/sound.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace noonmark::tests;
+    noonmark::NoProgress progress;
+    const auto file = fuzzFile("footprints.json", R"({"generator":"Overpass API","elements":[)" +
+                                                      std::string(formatText(data, size)) + "]}");
+    use(noonmark::readOsmFootprints(file, {}, progress, {}));
+    return 0;
+}
