@@ -10,6 +10,7 @@
 #include "core/base/memory_guard.h"
 #include "core/base/progress.h"
 #include "core/city/trees/tree.h"
+#include "core/engines/shade_trees.h"
 #include "core/measures/error_sample.h"
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
@@ -57,6 +58,15 @@ public:
                                        sumUpTotalError("weighted_shade_m2h", shade, areaM2())};
         for (const bool byMonth : {true, false}) addParts(errors, *truth, byMonth);
         return errors;
+    }
+
+    /// run() measures these columns with trees, too.
+    void addTrees(TreeColumns columns) {
+        shaded_ = withTreesFor(city_, columns);
+        if (!shaded_.trees || shaded_.trees->trees.empty()) return;
+        for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+            if (isAmong(columns, column)) treeColumns_.push_back(column);
+        columns_ = columns;
     }
 
     Result<Score> run(const Engine& engine) {
@@ -160,22 +170,41 @@ private:
 
     Result<Score> atOnce(const Engine& engine) {
         return engine.breakDown(city_, receivers_, sun_, makeSets(pieces_, sun_), false, progress_, stop_)
-            .map([&](const ShadowBreakdown& breakdown) { return summed(breakdown); });
+            .and_then([&](const ShadowBreakdown& breakdown) {
+                minutes_ = minutesAt(breakdown, sampled_);
+                Score score = sumUp(breakdown);
+                score.engine = breakdown.engine;
+                return shade(std::move(score), breakdown);
+            });
     }
 
-    Score summed(const ShadowBreakdown& breakdown) {
-        minutes_ = minutesAt(breakdown, sampled_);
+    Score sumUp(const ShadowBreakdown& breakdown) const {
         ScoreSum sum(receivers_, weights_, pieces_);
         for (std::size_t i = 0; i < pieces_.size(); ++i) sum.add(pieces_[i], spreadOverGrid(breakdown, i));
-        Score score = std::move(sum).finish();
-        score.engine = breakdown.engine;
-        return score;
+        return std::move(sum).finish();
+    }
+
+    Result<Score> shade(Score score, const ShadowBreakdown& without) const {
+        if (treeColumns_.empty()) return score;
+        return shadeTreeSets(shaded_, receivers_, sun_, without, columns_, progress_, stop_)
+            .map([&](const std::optional<ShadedSets>& shaded) {
+                if (!shaded) return std::move(score);
+                score.treesHow = shaded->how;
+                for (const TreeColumns column : treeColumns_)
+                    score.withTrees.push_back(withColumn(column, sumUp(*shaded->of(column))));
+                return std::move(score);
+            });
+    }
+
+    static ShadedScore withColumn(TreeColumns column, Score score) {
+        return {score, column, std::move(score.score), std::move(score.months), std::move(score.intervals)};
     }
 
     Result<Score> pieceByPiece(const Engine& engine) {
         ScoreSum sum(receivers_, weights_, pieces_);
+        std::vector<ScoreSum> ofColumns(treeColumns_.size(), sum);
         minutes_.clear();
-        std::string words;
+        std::string words, treesHow;
         Warnings warnings;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             ProgressShare share(progress_, i, pieces_.size());
@@ -183,6 +212,8 @@ private:
             if (!field) return tl::make_unexpected(field.error());
             const auto days = double(pieces_[i].sun.dayCount());
             sum.add(pieces_[i], field->grossMin, days);
+            if (auto done = addShade(pieces_[i], *field, ofColumns, treesHow, share); !done)
+                return tl::make_unexpected(done.error());
             std::vector<double>& minutes = minutes_.emplace_back();
             for (const std::uint32_t cell : sampled_) minutes.push_back(double(field->grossMin[cell]) * days);
             words = field->engine;
@@ -191,7 +222,25 @@ private:
         Score score = std::move(sum).finish();
         score.engine = std::move(words);
         score.warnings = std::move(warnings);
+        score.treesHow = std::move(treesHow);
+        for (std::size_t i = 0; i < treeColumns_.size() && !score.treesHow.empty(); ++i)
+            score.withTrees.push_back(withColumn(treeColumns_[i], std::move(ofColumns[i]).finish()));
         return score;
+    }
+
+    // `how` stays empty until a tree reaches a receiver.
+    Result<void> addShade(const TimePiece& piece, const ShadowField& field, std::vector<ScoreSum>& ofColumns,
+                          std::string& how, Progress& progress) const {
+        if (treeColumns_.empty()) return {};
+        auto shade = shadeTrees(shaded_, receivers_, piece.sun, field, columns_, progress, stop_);
+        if (!shade) return tl::make_unexpected(shade.error());
+        if (*shade) how = (*shade)->how;
+        ShadowField with = field;
+        with.trees = *std::move(shade);
+        for (std::size_t i = 0; i < treeColumns_.size(); ++i)
+            ofColumns[i].add(piece, fieldOfColumn(with, treeColumns_[i]).grossMin,
+                             double(piece.sun.dayCount()));
+        return {};
     }
 
     const City& city_;
@@ -201,6 +250,9 @@ private:
     std::vector<TimePiece> pieces_;
     std::vector<std::uint32_t> sampled_{};
     std::vector<std::vector<double>> minutes_{};  // of run(), by piece and sampled cell
+    City shaded_{};                               // with its trees weighed
+    TreeColumns columns_ = TreeColumns::without;
+    std::vector<TreeColumns> treeColumns_{};  // of columns_; empty: there are no trees
     Progress& progress_;
     std::stop_token stop_;
 };
@@ -249,6 +301,7 @@ Result<Score> placeAndScore(const City& city, const StudySettings& settings, con
     Scoring scoring(city, *receivers, *sun, *zone, weights, progress, stop);
     const bool wantsErrors = settings.errorSample.receivers > 0;
     if (wantsErrors) scoring.sample(settings.errorSample);
+    scoring.addTrees(settings.trees);
     auto score = scoring.run(**engine);
     if (!score) return score;
     if (score->engineKey.empty()) score->engineKey = settings.engine;
@@ -257,7 +310,6 @@ Result<Score> placeAndScore(const City& city, const StudySettings& settings, con
             return tl::make_unexpected(done.error());
     if (auto mismatch = findSeasonMismatch(weights, city.frame.origin().latDeg))
         score->warnings.push_back(*std::move(mismatch));
-    std::ranges::move(warnOfTrees(city.trees), std::back_inserter(score->warnings));
     return score;
 }
 

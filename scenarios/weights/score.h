@@ -40,6 +40,14 @@ struct ScoreTotals {
     double weightedShadeM2h = 0;  ///< NaN: of a result saved before it was counted
 };
 
+/// A score with trees: a step counts the share of the sun that buildings and crowns take.
+struct ShadedScore : ScoreTotals {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+    std::vector<float> score;                    ///< as that without trees
+    std::vector<MonthFigures> months;            ///< likewise, of the same months
+    std::vector<IntervalFigures> intervals;      ///< likewise
+};
+
 /// Shadow score (paper, section 5.4). At a receiver: the sum over intervals of weight x share of the
 /// interval's sunlit time in shadow. Over a region: the sum over receivers of that x cell area. Positive
 /// where wanted shade outweighs unwanted shadow. An interval that is cut in two counts twice, as each share
@@ -57,19 +65,22 @@ struct Score : ScoreTotals {
     /// Errors of a cell, of the total and of the weighted shade, on a sample against the ray reference. None:
     /// not measured, or the reference computed it.
     std::vector<ShownError> errors;
+    /// Evergreens first. Empty: no tree reaches a receiver, or none is wanted.
+    std::vector<ShadedScore> withTrees;
+    std::string treesHow;  ///< how they were measured, as text
     Warnings warnings;
 };
 
 /// Computes the score over given steps. `zone`: time zone of their wall clock. The horizon sweep and
 /// projected shadows process the city once for all months and intervals, at the cost of one field. Any other
 /// engine runs once per combination of month and interval. The engine "auto" chooses once, and `engine`
-/// states its choice. Error: an invalid table, or an error of the engine.
+/// states its choice. Without trees. Error: an invalid table, or an error of the engine.
 Result<Score> computeScore(const City& city, const Receivers& receivers, const SunSteps& sun,
                            const Zone& zone, const TimeWeights& weights, const Engine& engine,
                            Progress& progress, const std::stop_token& stop);
 
-/// Places receivers in `settings.region`, computes the steps of the sun, the score and its errors. Errors as
-/// of runStudy() and computeScore().
+/// Places receivers in `settings.region`, computes the steps of the sun, the score, its errors and, as
+/// `settings.trees` asks, the score with trees. Errors as of runStudy() and computeScore().
 Result<Score> runScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
                        Progress& progress, const std::stop_token& stop,
                        const EngineList& engines = coreEngines());
@@ -97,7 +108,7 @@ public:
     /// `minutes` x `factor`: minutes in shadow during the steps of the piece; grid order.
     void add(const TimePiece& piece, const std::vector<float>& minutes, double factor = 1);
 
-    /// The score without `engine` and `warnings`.
+    /// The score without `engine`, trees and `warnings`.
     [[nodiscard]] Score finish() &&;
 
 private:

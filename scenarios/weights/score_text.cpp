@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/describe/command_options.h"
@@ -103,6 +104,35 @@ const Figures<IntervalFigures>& scoreIntervalFigures() {
     return figures;
 }
 
+std::span<const Figure> scoreFiguresWithTrees(TreeColumns column) {
+    static const FiguresWithTrees evergreen(scoreFigures().rows(), TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(scoreFigures().rows(), TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
+}
+
+std::span<const Figure> scoreMonthFiguresWithTrees(TreeColumns column) {
+    static const FiguresWithTrees evergreen(scoreMonthFigures().rows(), TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(scoreMonthFigures().rows(), TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
+}
+
+std::span<const Figure> scoreIntervalFiguresWithTrees(TreeColumns column) {
+    // The first one is the weight, which trees do not change.
+    static const std::span<const Figure> rows = scoreIntervalFigures().rows().subspan(1);
+    static const FiguresWithTrees evergreen(rows, TreeColumns::evergreen);
+    static const FiguresWithTrees seasonal(rows, TreeColumns::seasonal);
+    return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
+}
+
+std::vector<FigureLine> listScoreLines(const Score& score) {
+    std::vector<FigureLine> lines = listLines(scoreFigures().of(score));
+    for (const ShadedScore& with : score.withTrees)
+        std::ranges::move(
+            listLines({scoreFiguresWithTrees(with.column), static_cast<const ScoreTotals*>(&with)}),
+            std::back_inserter(lines));
+    return lines;
+}
+
 namespace {
 
 Sentence describeBalance(const Score& score, const std::string& scenario) {
@@ -169,6 +199,15 @@ Json listJson(const std::vector<R>& list, const char* key, Name nameOf, const Fi
     return json;
 }
 
+// Adds to each object of a list what is measured of it with trees.
+template <class R>
+void addToEach(Json& list, const std::vector<ShadedScore>& withTrees, std::vector<R> ShadedScore::*ofColumn,
+               std::span<const Figure> (*figuresOf)(TreeColumns)) {
+    for (const ShadedScore& with : withTrees)
+        for (std::size_t i = 0; i < list.size(); ++i)
+            list[i].update(figuresJson({figuresOf(with.column), &(with.*ofColumn).at(i)}));
+}
+
 std::string monthOf(const MonthFigures& month) { return formatText(month.month); }
 
 }  // namespace
@@ -180,8 +219,10 @@ Result<std::string> makeRepeatCommand(const ScoreAnswer& answer, std::size_t wid
         width);
 }
 
-Json monthsJson(const std::vector<MonthFigures>& months) {
-    return listJson(months, "month", &monthOf, scoreMonthFigures());
+Json monthsJson(const std::vector<MonthFigures>& months, const std::vector<ShadedScore>& withTrees) {
+    Json json = listJson(months, "month", &monthOf, scoreMonthFigures());
+    addToEach(json, withTrees, &ShadedScore::months, &scoreMonthFiguresWithTrees);
+    return json;
 }
 
 std::string scoreJson(const ScoreAnswer& answer) {
@@ -192,12 +233,20 @@ std::string scoreJson(const ScoreAnswer& answer) {
     json["weights"] = answer.weights.name;
     json["engine_settings"] = answer.score.engine;
     json.update(figuresJson(scoreFigures().of(answer.score)));
+    const std::vector<ShadedScore>& withTrees = answer.score.withTrees;
+    for (const ShadedScore& with : withTrees)
+        json.update(
+            figuresJson({scoreFiguresWithTrees(with.column), static_cast<const ScoreTotals*>(&with)}));
+    if (!withTrees.empty()) json["engine_trees"] = answer.score.treesHow;
     json["errors"] = errorsJson(answer.score.errors);
-    json["months"] = monthsJson(answer.score.months);
+    json["months"] = monthsJson(answer.score.months, withTrees);
     json["intervals"] = listJson(
         answer.score.intervals, "name", [](const IntervalFigures& interval) { return interval.name; },
         scoreIntervalFigures());
+    addToEach(json["intervals"], withTrees, &ShadedScore::intervals, &scoreIntervalFiguresWithTrees);
     json["definitions"] = definitionsJson(scoreMonthFigures().rows());
+    for (const ShadedScore& with : withTrees)
+        json["definitions"].update(definitionsJson(scoreMonthFiguresWithTrees(with.column)));
     json["warnings"] = warningsJson(answer.score.warnings);
     return toJsonText(json);
 }
@@ -205,11 +254,16 @@ std::string scoreJson(const ScoreAnswer& answer) {
 std::string scoreCsv(const ScoreAnswer& answer) {
     std::vector<std::string> columns = listColumns(scoreMonthFigures().rows());
     columns.insert(columns.begin(), "month");
+    for (const ShadedScore& with : answer.score.withTrees)
+        std::ranges::move(listColumns(scoreMonthFiguresWithTrees(with.column)), std::back_inserter(columns));
     CsvText csv(withSourceColumns(std::move(columns)));
     const SourceValues source = sourceValues(answer.provenance);
-    for (const MonthFigures& month : answer.score.months) {
+    for (std::size_t i = 0; i < answer.score.months.size(); ++i) {
+        const MonthFigures& month = answer.score.months[i];
         csv.text(monthOf(month));
         addFigures(csv, scoreMonthFigures().of(month));
+        for (const ShadedScore& with : answer.score.withTrees)
+            addFigures(csv, {scoreMonthFiguresWithTrees(with.column), &with.months.at(i)});
         addSource(csv, source);
         csv.endRow();
     }

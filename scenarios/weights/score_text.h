@@ -1,10 +1,12 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 
 #include "core/describe/answer_page.h"
 #include "core/describe/figure.h"
+#include "core/describe/figure_text.h"
 #include "scenarios/weights/score.h"
 
 namespace noonmark {
@@ -12,6 +14,14 @@ namespace noonmark {
 const Figures<ScoreTotals>& scoreFigures();
 const Figures<MonthFigures>& scoreMonthFigures();        ///< of a month, without its name
 const Figures<IntervalFigures>& scoreIntervalFigures();  ///< of an interval, without its name
+
+/// The same with trees of a column: "score_m2_evergreen".
+std::span<const Figure> scoreFiguresWithTrees(TreeColumns column);
+std::span<const Figure> scoreMonthFiguresWithTrees(TreeColumns column);
+std::span<const Figure> scoreIntervalFiguresWithTrees(TreeColumns column);
+
+/// The totals for people: without trees, then with them.
+std::vector<FigureLine> listScoreLines(const Score& score);
 
 /// The page of a score: whether wanted shade outweighs unwanted shadow, and both by month.
 AnswerPage makePage(const Score& score, const std::string& scenario, ShownAs show = ShownAs::shadow);
@@ -28,13 +38,15 @@ struct ScoreAnswer {
 /// The command line that repeats it; see core/study/provenance/repeat_command.h.
 Result<std::string> makeRepeatCommand(const ScoreAnswer& answer, std::size_t width = 120);
 
-/// An object for each month: month, and its figures.
-nlohmann::ordered_json monthsJson(const std::vector<MonthFigures>& months);
+/// An object for each month: month, and its figures, then those with trees.
+nlohmann::ordered_json monthsJson(const std::vector<MonthFigures>& months,
+                                  const std::vector<ShadedScore>& withTrees = {});
 
 /// Stable keys with their units; lists months, and intervals with their weights.
 std::string scoreJson(const ScoreAnswer& answer);
 
-/// A heading and one line per month: month, sunlit minutes, weighted shade, shadow area, score.
+/// A heading and one line per month: month, sunlit minutes, weighted shade, shadow area, score; the latter
+/// three also with trees.
 std::string scoreCsv(const ScoreAnswer& answer);
 
 }  // namespace noonmark

@@ -264,6 +264,61 @@ TEST_F(TreesOfAProject, WhatLeavesThemOutSaysSo) {
     EXPECT_THAT(drawn.out, HasSubstr("trees:")) << drawn.err;
 }
 
+TEST_F(TreesOfAProject, AScoreHasThreeColumns) {
+    const std::vector<std::string> question{"score",      project,
+                                            "--region",   "-73.9815,40.7495,-73.9785,40.7515",
+                                            "--start",    "2026-01-15",
+                                            "--at",       "09:00",
+                                            "--hours",    "6",
+                                            "--step",     "10",
+                                            "--zone",     "America/New_York",
+                                            "--cell",     "4",
+                                            "--out",      folder.path("score").string(),
+                                            "--overwrite"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), question.begin(), question.end());
+        return noonmarkCli(more);
+    };
+    const nlohmann::json score = with({"--json"}).json();
+    // January weighs -1: more shadow scores less.
+    EXPECT_LT(score.at("score_m2_evergreen"), score.at("score_m2_seasonal"));
+    EXPECT_LT(score.at("score_m2_seasonal"), score.at("score_m2"));
+    for (const nlohmann::json& warning : score.at("warnings"))
+        EXPECT_THAT(warning.at("what").get<std::string>(), Not(testing::StartsWith("trees:")));
+    EXPECT_THAT(with({}).out, HasSubstr("trees as evergreens"));
+    EXPECT_FALSE(with({"--json", "--tree-shade", "without"}).json().contains("score_m2_evergreen"));
+}
+
+TEST_F(TreesOfAProject, ScenariosHaveThreeColumns) {
+    ASSERT_EQ(tree({"remove", "--within", "-73.9815,40.7495,-73.9785,40.7515", "--scenario", "Avenue"}).code,
+              exitOk);
+    const nlohmann::json all = noonmarkCli({"scenarios", project,
+                                            "--region",  "-73.9815,40.7495,-73.9785,40.7515",
+                                            "--start",   "2026-01-15",
+                                            "--at",      "09:00",
+                                            "--hours",   "6",
+                                            "--step",    "10",
+                                            "--zone",    "America/New_York",
+                                            "--cell",    "4",
+                                            "--weights", "default",
+                                            "--out",     folder.path("scenarios").string(),
+                                            "--json",    "--overwrite"})
+                                   .json();
+    const nlohmann::json& existing = all.at("scenarios").at(0).at("figures");
+    const nlohmann::json& felled = all.at("scenarios").at(1).at("figures");
+    EXPECT_EQ(existing.at("shadow_area_m2"), felled.at("shadow_area_m2"));
+    EXPECT_GT(existing.at("shadow_area_m2_evergreen"), existing.at("shadow_area_m2_seasonal"));
+    EXPECT_FALSE(felled.contains("shadow_area_m2_evergreen")) << "no tree is left";
+    EXPECT_LT(all.at("scenarios").at(0).at("score").at("score_m2_seasonal"),
+              all.at("scenarios").at(0).at("score").at("score_m2"));
+    EXPECT_TRUE(all.at("definitions").contains("shadow_area_m2_seasonal"));
+    std::ifstream table(folder.path("scenarios") / "scenarios.csv");
+    std::string heading;
+    std::getline(table, heading);
+    EXPECT_THAT(heading, HasSubstr(",shadow_area_m2_evergreen,"));
+    EXPECT_THAT(heading, HasSubstr(",score_m2_seasonal,"));
+}
+
 TEST_F(TreesOfAProject, ARowIsPlantedMovedAndGrown) {
     const CommandOutput row =
         tree({"add", "--along", "-73.9805,40.7500", "-73.9795,40.7500", "--spacing", "10", "--species",

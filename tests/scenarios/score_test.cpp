@@ -6,8 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/city/trees/tree.h"
+#include "core/city/trees/tree_facts.h"
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/projected/projected_shadows.h"
+#include "scenarios/project/results/saved_figures_json.h"
+#include "scenarios/weights/score_text.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {
@@ -344,6 +348,78 @@ TEST(Score, TheEngineAutoIsAskedOnceForTheWholePeriod) {
     settings.receivers.cellM = 0.5;
     EXPECT_THAT(scored(settings, makeMonthlyWeights()).engine,
                 AllOf(HasSubstr("one sweep for all months"), HasSubstr("since the period is long")));
+}
+
+// A lime among the houses, bare before day 100.
+City townWithLime() {
+    City town = threeHouses();
+    Tree lime = completeTree(
+        {.sourceId = "lime", .species = "Tilia", .heightM = 12.0, .crownDiameterM = 8.0, .crownBaseM = 3.0});
+    lime.place = {40, -15};
+    town.trees = std::make_shared<const Trees>(Trees{.trees = {lime}, .leafDays = {100, 300}});
+    return town;
+}
+
+// A year that weighs 1 throughout scores its shadow area, and its weighted shade is area x hours.
+TEST(Score, WithTreesOfEqualWeightsIsTheShadowAreaWithTrees) {
+    const TimeWeights all{"all", {{.name = "year", .weight = 1}}};
+    StudySettings settings = year();
+    settings.errorSample.receivers = 0;
+    settings.period.days = 120;
+    NoProgress progress;
+    for (const char* engine : {"ray", "horizon"}) {
+        settings.engine = engine;
+        const Score score = runScore(townWithLime(), settings, all, progress, {}).value();
+        const Study study = runStudy(townWithLime(), settings, progress, {}).value();
+        ASSERT_EQ(score.withTrees.size(), 2U) << engine;
+        EXPECT_GT(score.withTrees[0].scoreM2, score.withTrees[1].scoreM2) << "evergreens first";
+        EXPECT_GT(score.withTrees[1].scoreM2, score.scoreM2);
+        for (const ShadedScore& with : score.withTrees) {
+            const double areaM2 = computeStatistics(fieldOfColumn(study.field, with.column)).shadowAreaM2;
+            // The sweep weighs the crowns of the study, rays those of the months.
+            EXPECT_NEAR(with.scoreM2, areaM2, (settings.engine == "ray" ? 2e-4 : 0.01) * areaM2) << engine;
+            EXPECT_NEAR(with.weightedShadeM2h, with.scoreM2 * study.sun.sunlitMinutes() / 60,
+                        1e-6 * with.weightedShadeM2h);
+            ASSERT_EQ(with.months.size(), 4U);
+            double sum = 0;
+            for (const MonthFigures& month : with.months) sum += month.scoreM2;
+            EXPECT_NEAR(sum, with.scoreM2, 1e-9 * areaM2);
+        }
+        // Leaves are on from day 100, 10 April.
+        EXPECT_GT(score.withTrees[0].months[0].shadowAreaM2, score.withTrees[1].months[0].shadowAreaM2);
+        EXPECT_THAT(score.warnings, testing::IsEmpty());
+    }
+}
+
+TEST(Score, FilesAndSavedResultsStateTheColumnsOfTrees) {
+    StudySettings settings = year();
+    settings.errorSample.receivers = 0;
+    settings.period.days = 3;
+    NoProgress progress;
+    ScoreAnswer answer{.settings = settings, .weights = makeMonthlyWeights()};
+    answer.score = runScore(townWithLime(), settings, answer.weights, progress, {}).value();
+    ASSERT_EQ(answer.score.withTrees.size(), 2U);
+    const auto json = nlohmann::ordered_json::parse(scoreJson(answer));
+    EXPECT_EQ(json.at("score_m2_evergreen"), answer.score.withTrees[0].scoreM2);
+    EXPECT_EQ(json.at("months").at(0).at("shadow_area_m2_seasonal"),
+              answer.score.withTrees[1].months[0].shadowAreaM2);
+    EXPECT_FALSE(json.at("intervals").at(0).contains("weight_evergreen"));
+    EXPECT_TRUE(json.at("definitions").contains("score_m2_seasonal"));
+    EXPECT_THAT(scoreCsv(answer), HasSubstr(",score_m2,weighted_shade_m2h_evergreen,"));
+    const Score read = parseScore(json);
+    ASSERT_EQ(read.withTrees.size(), 2U);
+    EXPECT_EQ(read.withTrees[1].column, TreeColumns::seasonal);
+    EXPECT_EQ(read.withTrees[1].scoreM2, answer.score.withTrees[1].scoreM2);
+    EXPECT_EQ(read.withTrees[0].intervals[0].scoreM2, answer.score.withTrees[0].intervals[0].scoreM2);
+    EXPECT_EQ(read.withTrees[0].months[0].sunlitMinutes, answer.score.months[0].sunlitMinutes);
+
+    settings.trees = TreeColumns::seasonal;
+    const Score one = runScore(townWithLime(), settings, answer.weights, progress, {}).value();
+    ASSERT_EQ(one.withTrees.size(), 1U);
+    EXPECT_EQ(one.withTrees[0].column, TreeColumns::seasonal);
+    settings.trees = TreeColumns::without;
+    EXPECT_THAT(runScore(townWithLime(), settings, answer.weights, progress, {})->withTrees,
+                testing::IsEmpty());
 }
 
 }  // namespace

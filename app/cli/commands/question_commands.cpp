@@ -195,7 +195,7 @@ void printScore(const Answer& weighed, std::ostream& out) {
     table.add("period", formatText(answer.settings.period));
     table.add("weights", answer.weights.name);
     table.add("engine", score.engine);
-    addFigures(table, listLines(scoreFigures().of(score)));
+    addFigures(table, listScoreLines(score));
     for (const MonthFigures& month : score.months)
         addFigures(table, fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month())),
                    listLines(scoreMonthFigures().of(month), FigureUse::result));
@@ -236,6 +236,7 @@ void addScoreCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<ScoreOptions>();
     CLI::App* command = app.add_subcommand("score", "Weigh wanted shade against unwanted shadow over a year");
     addAnswerOptions(*command, options->measure, options->sheets);
+    addFieldOptions(*command, treeFields().of(options->measure.settings));
     command->add_option(flags::scenario, options->scenario, "The scenario to measure")
         ->default_val(existingCity)
         ->type_name("NAME");

@@ -11,6 +11,7 @@
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/terminal_text.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
@@ -21,6 +22,7 @@
 #include "core/base/units.h"
 #include "core/describe/command_options.h"
 #include "core/measures/shadow_figures.h"
+#include "core/study/study_fields.h"
 #include "scenarios/project/project_provenance.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/score_text.h"
@@ -58,8 +60,9 @@ Result<void> addScore(ScenarioStudy& scenario, const ScenariosQuestion& question
     auto score = runScore(scenario.study->city, settings, *question.weights, progress, stop,
                           enginesWith(settings.engine));
     if (!score) return tl::make_unexpected(score.error());
-    scenario.answers.score =
-        ScenarioScore{question.weights->name, *score, std::move(score->months), std::move(score->errors)};
+    for (ShadedScore& with : score->withTrees) with.score = {};
+    scenario.answers.score = ScenarioScore{question.weights->name, *score, std::move(score->months),
+                                           std::move(score->errors), std::move(score->withTrees)};
     return {};
 }
 
@@ -163,15 +166,24 @@ std::string describeBuilt(const ScenarioStudy& scenario) {
     return words;
 }
 
+void addScoreLines(Table& table, const ScenarioScore& score) {
+    addFigures(table, "", listLines(scoreFigures().of(score.totals), FigureUse::result));
+    for (const ShadedScore& with : score.withTrees)
+        addFigures(table, "",
+                   listLines({scoreFiguresWithTrees(with.column), static_cast<const ScoreTotals*>(&with)},
+                             FigureUse::result));
+}
+
 void print(const ScenarioStudies& studies, std::ostream& out) {
     Table table;
     for (const ScenarioStudy& scenario : studies) {
         const ShadowStatistics& figures = scenario.study->statistics;
         addFigures(table, scenario.name, listLines(shadowFigures().of(figures), FigureUse::result));
+        for (const ShadedFigures& with : scenario.withTrees)
+            addFigures(table, "", listLines({treeFigures(with.column), &with.figures}, FigureUse::result));
         table.add("", fmt::format("change of the shadow area {:+.0f} m2{}",
                                   computeShadowAreaChange(studies, scenario), describeBuilt(scenario)));
-        if (const auto& score = scenario.answers.score)
-            addFigures(table, "", listLines(scoreFigures().of(score->totals), FigureUse::result));
+        if (const auto& score = scenario.answers.score) addScoreLines(table, *score);
     }
     table.print(out);
     printWarnings(out, collectWarnings(studies));
@@ -217,6 +229,7 @@ void addScenariosCommand(CLI::App& app, Run& run) {
     addLegendOptions(*command, options->measure.legend);
     addErrorOptions(*command, options->measure.settings.errorSample);
     addMonthOption(*command, options->measure.settings);
+    addFieldOptions(*command, treeFields().of(options->measure.settings));
     command
         ->add_option(flags::weights, options->weights,
                      "Also score each scenario, in all and by month, with this time-weight table of the "

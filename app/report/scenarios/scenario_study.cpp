@@ -18,7 +18,10 @@ ScenarioStudy makeScenarioStudy(const std::vector<Scenario>& scenarios, std::str
                                 std::shared_ptr<const Study> study) {
     const std::vector<Edit> edits = collectEdits(scenarios, name).value_or(std::vector<Edit>());
     const auto heightM = findProposedHeightM(study->city, edits);
-    return {std::move(name), std::move(study), sumUses(edits), heightM};
+    std::vector<ShadedFigures> withTrees;
+    for (const ShadeColumn& shade : listShadeColumns(study->field))
+        withTrees.push_back({shade.column, computeStatistics(*shade.field)});
+    return {std::move(name), std::move(study), sumUses(edits), heightM, {}, std::move(withTrees)};
 }
 
 std::size_t countChanges(const ScenarioStudy& scenario) {
@@ -34,9 +37,17 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+bool isShaded(const ScenarioStudies& scenarios, TreeColumns column) {
+    return std::ranges::any_of(scenarios, [&](const ScenarioStudy& one) {
+        return std::ranges::find(one.withTrees, column, &ShadedFigures::column) != one.withTrees.end();
+    });
+}
+
 Json measuredJson(const ScenarioStudies& scenarios, const ScenarioStudy& scenario) {
     Json json = figuresJson(shadowFigures().of(scenario.study->statistics));
     json["shadow_area_change_m2"] = computeShadowAreaChange(scenarios, scenario);
+    for (const ShadedFigures& with : scenario.withTrees)
+        json.update(figuresJson({treeFigures(with.column), &with.figures}));
     return json;
 }
 
@@ -52,6 +63,9 @@ Json scoreJson(const std::optional<ScenarioScore>& score) {
     if (!score) return {};
     Json json{{"weights", score->weights}};
     json.update(figuresJson(scoreFigures().of(score->totals)));
+    for (const ShadedScore& with : score->withTrees)
+        json.update(
+            figuresJson({scoreFiguresWithTrees(with.column), static_cast<const ScoreTotals*>(&with)}));
     json["errors"] = errorsJson(score->errors);
     return json;
 }
@@ -132,6 +146,30 @@ void addMeasured(std::vector<Column>& columns, const ScenarioStudies& scenarios)
     }
 }
 
+// A scenario without such figures has no tree that reaches a receiver: its figures are those without trees.
+template <TreeColumns column>
+const void* findShade(const ScenarioStudy& one) {
+    const auto found = std::ranges::find(one.withTrees, column, &ShadedFigures::column);
+    return found == one.withTrees.end() ? &one.study->statistics : &found->figures;
+}
+
+template <TreeColumns column>
+const void* findShadedScore(const ScenarioStudy& one) {
+    if (!one.answers.score) return nullptr;
+    const auto found = std::ranges::find(one.answers.score->withTrees, column, &ShadedScore::column);
+    const bool isThere = found != one.answers.score->withTrees.end();
+    return isThere ? static_cast<const ScoreTotals*>(&*found) : &one.answers.score->totals;
+}
+
+template <TreeColumns column>
+void addTrees(std::vector<Column>& columns, const ScenarioStudies& scenarios) {
+    if (!isShaded(scenarios, column)) return;
+    for (const Figure& figure : treeFigures(column))
+        if (figure.inTable) columns.push_back(figureColumn(figure, &findShade<column>));
+    for (const Figure& figure : scoreFiguresWithTrees(column))
+        columns.push_back(figureColumn(figure, &findShadedScore<column>));
+}
+
 void addTowers(std::vector<Column>& columns) {
     columns.push_back(
         {"height_m", [](CsvText& csv, const ScenarioStudy& one) { csv.number(one.heightM, 1); }});
@@ -180,6 +218,8 @@ std::vector<Column> listColumns(const ScenarioStudies& scenarios) {
     addTowers(columns);
     addImpact(columns);
     addScore(columns);
+    addTrees<TreeColumns::evergreen>(columns, scenarios);
+    addTrees<TreeColumns::seasonal>(columns, scenarios);
     addVerdicts(columns);
     return columns;
 }
@@ -234,6 +274,11 @@ std::string scenariosJson(const ScenarioStudies& scenarios, const FailedScenario
         json["failed"].push_back({{"name", one.name}, {"error", one.error.text()}});
     json["definitions"] = definitionsJson(shadowFigures().rows());
     json["definitions"].update(definitionsJson(scoreFigures().rows()));
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (isShaded(scenarios, column)) {
+            json["definitions"].update(definitionsJson(treeFigures(column)));
+            json["definitions"].update(definitionsJson(scoreFiguresWithTrees(column)));
+        }
     json["definitions"].update(definitionsJson(months));
     json["definitions"].update(
         {{"shadow_area_change_m2", "shadow area minus that of the scenario named by compared_with"},

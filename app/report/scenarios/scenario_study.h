@@ -26,8 +26,15 @@ struct ScenarioImpact {
 struct ScenarioScore {
     std::string weights;  ///< name of the table
     ScoreTotals totals;
-    std::vector<MonthFigures> months{};  ///< empty: of a result saved before they were kept
-    std::vector<ShownError> errors{};    ///< of Score::errors
+    std::vector<MonthFigures> months{};    ///< empty: of a result saved before they were kept
+    std::vector<ShownError> errors{};      ///< of Score::errors
+    std::vector<ShadedScore> withTrees{};  ///< of Score::withTrees, without their maps
+};
+
+/// What a study measured with trees.
+struct ShadedFigures {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+    ShadowStatistics figures;
 };
 
 /// The review by a rule: the number of places or windows with each verdict.
@@ -53,6 +60,7 @@ struct ScenarioStudy {
     ScenarioUses uses{};                 ///< of its towers
     std::optional<double> heightM{};     ///< of the highest building that it adds; none: it adds none
     ScenarioAnswers answers{};
+    std::vector<ShadedFigures> withTrees{};  ///< empty: no tree reaches a receiver, or none is wanted
 };
 using ScenarioStudies = std::vector<ScenarioStudy>;
 
@@ -64,7 +72,7 @@ struct FailedScenario {
 using FailedScenarios = std::vector<FailedScenario>;
 
 /// A scenario of a project with its study and what its towers add; without its other answers. Some ms per
-/// tower.
+/// tower; O(cells) with trees.
 ScenarioStudy makeScenarioStudy(const std::vector<Scenario>& scenarios, std::string name,
                                 std::shared_ptr<const Study> study);
 
@@ -77,7 +85,8 @@ double computeShadowAreaChange(const ScenarioStudies& scenarios, const ScenarioS
 /// Columns: name,changes,receiver_area_m2,shadow_area_m2,shadow_area_change_m2,mean_gross_min,
 /// mean_continuous_min,max_continuous_min,height_m,gross_floor_m2, those of the impact
 /// (impact_baseline,impact_m2,impact_threshold_min,gained_m2,lost_m2), of the score
-/// (weights,weighted_shade_m2h,score_m2), of the review (rule,rule_baseline,pass,borderline,fail,not_judged),
+/// (weights,weighted_shade_m2h,score_m2), those of the study and of the score with trees where one has some
+/// (shadow_area_m2_evergreen, ...), of the review (rule,rule_baseline,pass,borderline,fail,not_judged),
 /// and the source columns (provenance_texts.h); one row per scenario. RFC 4180; fields are empty where
 /// nothing was computed.
 std::string scenariosCsv(const ScenarioStudies& scenarios);

@@ -187,7 +187,7 @@ QString describePart(const MonthFigures& month) {
 }
 
 TextBlocks definitionsOf(const Score& score) {
-    return {body(defineFigures(listLines(scoreFigures().of(score))) +
+    return {body(defineFigures(listScoreLines(score)) +
                  QStringLiteral(" Positive means that wanted shade outweighs unwanted shadow. The figures of "
                                 "the months add up to the total."))};
 }
@@ -243,7 +243,7 @@ SheetMap makeScoreMap(const Score& score, const City& city, const Region& region
 }
 
 std::vector<FigureText> makeScoreFigures(const Score& score) {
-    std::vector<FigureText> figures = figureTexts(listLines(scoreFigures().of(score)));
+    std::vector<FigureText> figures = figureTexts(listScoreLines(score));
     for (const MonthFigures& month : score.months)
         figures.push_back({monthName(month.month), describePart(month)});
     return figures;

@@ -201,7 +201,7 @@ SavedSheet makeSavedSheet(const SavedResult& result, const SavedImpact& saved, c
 SavedSheet makeSavedSheet(const SavedResult& result, const SavedScore& saved, const SavedMaps& with) {
     return {.subject = QStringLiteral("Shadow score of %1").arg(plainText(result.scenario)),
             .map = makeScoreMap(saved.score, with.city, with.region, with.legend),
-            .definitions = {body(defineFigures(listLines(scoreFigures().of(saved.score))))},
+            .definitions = {body(defineFigures(listScoreLines(saved.score)))},
             .figures = makeScoreFigures(saved.score)};
 }
 

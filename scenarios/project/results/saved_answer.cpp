@@ -204,7 +204,7 @@ void readParts(const Json& json, const std::string& suffix, SunOfPlace& sun) {
 template <class R>
 R readRows(std::span<const Figure> rows, const Json& json) {
     R read;
-    for (const Figure& figure : rows) figure.set(&read, figures::readFigure(figure, json));
+    readRows(rows, json, read);
     return read;
 }
 

@@ -112,6 +112,21 @@ std::vector<MonthFigures> parseScoreMonths(const Json& months) {
     return parsed;
 }
 
+namespace {
+
+// What trees do not change of months and intervals is that of the score without them.
+ShadedScore shadedScore(const Json& json, TreeColumns column, const Score& without) {
+    ShadedScore with{without, column, {}, without.months, without.intervals};
+    readRows<ScoreTotals>(scoreFiguresWithTrees(column), json, with);
+    for (std::size_t i = 0; i < with.months.size(); ++i)
+        readRows(scoreMonthFiguresWithTrees(column), json.at("months").at(i), with.months[i]);
+    for (std::size_t i = 0; i < with.intervals.size(); ++i)
+        readRows(scoreIntervalFiguresWithTrees(column), json.at("intervals").at(i), with.intervals[i]);
+    return with;
+}
+
+}  // namespace
+
 Score parseScore(const Json& json) {
     Score score;
     static_cast<ScoreTotals&>(score) = readFigures(scoreFigures(), json);
@@ -121,6 +136,10 @@ Score parseScore(const Json& json) {
             score.intervals.emplace_back(readFigures(scoreIntervalFigures(), interval));
         figures.name = interval.at("name");
     }
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (json.contains(scoreFiguresWithTrees(column).front().key))
+            score.withTrees.push_back(shadedScore(json, column, score));
+    score.treesHow = json.value("engine_trees", std::string());
     score.engine = json.at("engine_settings");
     score.errors = savedErrors(json);
     return score;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <span>
 #include <vector>
 
+#include "core/describe/figure_text.h"
 #include "core/measures/statistics.h"
 #include "scenarios/impact/impact.h"
 #include "scenarios/impact/impact_text.h"
@@ -24,6 +26,12 @@ ImpactFigures parseImpactFigures(const nlohmann::ordered_json& figures);  ///< a
 ComparisonFigures parseComparison(const nlohmann::ordered_json& impact);
 std::vector<MonthFigures> parseScoreMonths(const nlohmann::ordered_json& months);  ///< as of monthsJson()
 Score parseScore(const nlohmann::ordered_json& score);  ///< without grid, cells and warnings
+
+/// Reads the values of these rows, which are of a table of R, into `read`. Throws likewise.
+template <class R>
+void readRows(std::span<const Figure> rows, const nlohmann::ordered_json& json, R& read) {
+    for (const Figure& figure : rows) figure.set(&read, figures::readFigure(figure, json));
+}
 
 /// The errors of the quantities that a result shows; none where its version did not state them.
 std::vector<ShownError> savedErrors(const nlohmann::ordered_json& result);

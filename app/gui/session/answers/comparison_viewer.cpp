@@ -153,7 +153,7 @@ QString describeMonth(std::chrono::year_month month) {
 
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
                                      const std::string& weights, const std::string& period, ShownAs show) {
-    std::vector<ResultRow> rows = figureRows(listLines(scoreFigures().of(score)));
+    std::vector<ResultRow> rows = figureRows(listScoreLines(score));
     rows.push_back({QObject::tr("Scored"),
                     QObject::tr("%1\nwith the weights %2")
                         .arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
