@@ -114,8 +114,8 @@ std::vector<PatchSteps> countPatchSteps(const SunPatches& patches, const CrownSc
 
 // Places in Receivers::cells.
 std::vector<std::size_t> spreadCells(std::size_t cells, std::size_t patches) {
-    const auto most = std::size_t(maxRaysOfTrees / double(std::max<std::size_t>(patches, 1)));
-    std::vector<std::size_t> chosen(std::clamp<std::size_t>(most, 1, cells));
+    const auto maximum = std::size_t(maxRaysOfTrees / double(std::max<std::size_t>(patches, 1)));
+    std::vector<std::size_t> chosen(std::clamp<std::size_t>(maximum, 1, cells));
     for (std::size_t i = 0; i < chosen.size(); ++i)
         chosen[i] = std::size_t((double(i) + 0.5) * double(cells) / double(chosen.size()));
     return chosen;
