@@ -173,8 +173,9 @@ Json changesJson(const Warnings& warnings) {
 }
 
 std::string describeChanges(const Warnings& warnings) {
+    const Json changes = changesJson(warnings);  // items() refers to it
     std::vector<std::string> texts;
-    for (const auto& [key, count] : changesJson(warnings).items()) {
+    for (const auto& [key, count] : changes.items()) {
         std::string name = key;
         std::ranges::replace(name, '_', ' ');
         if (count != 0) texts.push_back(formatThousands(count.get<std::size_t>()) + " " + name);
