@@ -21,10 +21,10 @@ namespace noonmark {
 
 namespace {
 
-using LonLatBox = std::array<double, 4>;  // west, south, east, north
+using BoxSides = std::array<double, 4>;  // west, south, east, north
 
-std::optional<LonLatBox> parseBox(std::string_view text) {
-    LonLatBox box{};
+std::optional<BoxSides> parseBox(std::string_view text) {
+    BoxSides box{};
     const char* at = text.data();
     const char* const end = at + text.size();
     for (std::size_t i = 0; i < box.size(); ++i) {
@@ -37,7 +37,7 @@ std::optional<LonLatBox> parseBox(std::string_view text) {
     return at == end ? std::optional(box) : std::nullopt;
 }
 
-Result<Region> regionOfBox(const LonLatBox& box, const Frame& frame, const std::string& text) {
+Result<Region> regionOfBox(const BoxSides& box, const Frame& frame, const std::string& text) {
     const auto [west, south, east, north] = box;
     const auto region = makeRegionFromLonLatBox(frame, west, south, east, north);
     if (!region) return region;
