@@ -4326,16 +4326,8 @@ Opens the panel Review.</source>
         <translation>Nach Sonnenaufgang</translation>
     </message>
     <message>
-        <source>The window begins this many hours after sunrise</source>
-        <translation>Das Fenster beginnt so viele Stunden nach Sonnenaufgang</translation>
-    </message>
-    <message>
         <source>Before sunset</source>
         <translation>Vor Sonnenuntergang</translation>
-    </message>
-    <message>
-        <source>The window ends this many hours before sunset</source>
-        <translation>Das Fenster endet so viele Stunden vor Sonnenuntergang</translation>
     </message>
     <message>
         <source>Sunrise at</source>
@@ -4754,10 +4746,6 @@ Opens the panel Review.</source>
         <translation>%1 von %2 Orten liegen mehr als %3 am Tag im Schatten</translation>
     </message>
     <message>
-        <source>On %1, %2 of %3 places have less than %4 of sun.</source>
-        <translation>Am %1 haben %2 von %3 Orten weniger als %4 Sonne.</translation>
-    </message>
-    <message>
         <source>%1 has the most shadow, %2 a day, and %3 the least, %4.</source>
         <translation>%1 hat den meisten Schatten, %2 am Tag, und %3 den wenigsten, %4.</translation>
     </message>
@@ -4772,10 +4760,6 @@ Opens the panel Review.</source>
     <message>
         <source>Minutes of shadow a day by month</source>
         <translation>Minuten Schatten am Tag nach Monat</translation>
-    </message>
-    <message>
-        <source>%1: %2 of shadow a day; %3 of its area has %4 of sun or more</source>
-        <translation>%1: %2 Schatten am Tag; %3 der Fläche hat %4 Sonne oder mehr</translation>
     </message>
     <message>
         <source>%1 spares it %2 of shadow a day, at most %3 at one spot.</source>
@@ -4800,6 +4784,62 @@ Opens the panel Review.</source>
     <message>
         <source>Also measure the sole contribution of each new building</source>
         <translation>Auch den alleinigen Beitrag jedes neuen Gebäudes messen</translation>
+    </message>
+    <message>
+        <source>Tolerance of buildings from a surface model</source>
+        <translation>Toleranz der Gebäude aus einem Oberflächenmodell</translation>
+    </message>
+    <message>
+        <source>How far buildings that are made of a surface model may lie above or below its cells, 0.05 to 5 m</source>
+        <translation>Wie weit Gebäude, die aus einem Oberflächenmodell entstehen, über oder unter seinen Zellen liegen dürfen, 0.05 bis 5 m</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Ausdehnung</translation>
+    </message>
+    <message>
+        <source>Read only the buildings that touch this box, degrees; terrain is read whole</source>
+        <translation>Liest nur die Gebäude, die dieses Rechteck in Grad berühren; Gelände wird ganz gelesen</translation>
+    </message>
+    <message>
+        <source>On %1, %2 of %3 places lie in shadow for more than %4.</source>
+        <translation>Am %1 liegen %2 von %3 Orten länger als %4 im Schatten.</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of shadow a day by month</source>
+        <translation>Änderung der Schattenminuten am Tag nach Monaten</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day of the places that change most</source>
+        <translation>Schattenminuten am Tag der Orte, die sich am meisten ändern</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of shadow a day of these places</source>
+        <translation>Änderung der Schattenminuten am Tag dieser Orte</translation>
+    </message>
+    <message>
+        <source>%1: %2 of shadow a day; %3 of its area has %4 or less</source>
+        <translation>%1: %2 Schatten am Tag; %3 der Fläche hat %4 oder weniger</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens: %1; %2 of its area has %3 or less.</source>
+        <translation>Mit immergrünen Bäumen: %1; %2 seiner Fläche hat %3 oder weniger.</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season: %1; %2 of its area has %3 or less.</source>
+        <translation>Mit Bäumen, die je nach Jahreszeit kahl sind: %1; %2 seiner Fläche hat %3 oder weniger.</translation>
+    </message>
+    <message>
+        <source>On %1 it lies in shadow for %2; %3 of its area for more than %4.</source>
+        <translation>Am %1 liegt er %2 im Schatten; %3 seiner Fläche länger als %4.</translation>
+    </message>
+    <message>
+        <source>The measured hours begin this many hours after sunrise</source>
+        <translation>Die gemessenen Stunden beginnen so viele Stunden nach Sonnenaufgang</translation>
+    </message>
+    <message>
+        <source>The measured hours end this many hours before sunset</source>
+        <translation>Die gemessenen Stunden enden so viele Stunden vor Sonnenuntergang</translation>
     </message>
 </context>
 <context>
@@ -5696,6 +5736,14 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Around the view, within the size of the picture</source>
         <translation>Um die Ansicht herum, innerhalb der Größe des Bildes</translation>
+    </message>
+    <message>
+        <source>Save project first...</source>
+        <translation>Projekt zuerst speichern...</translation>
+    </message>
+    <message>
+        <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
+        <translation>Ein Ergebnis lässt sich nur mit dem Projekt prüfen, aus dem es stammt, und dieses Projekt ist nicht gespeichert</translation>
     </message>
 </context>
 <context>
@@ -6982,10 +7030,6 @@ Niedrigstes %3, Median %4, höchstes %5.</numerusform>
         <translation>Erster Tag des Zeitraums, Datum in der Zeitzone</translation>
     </message>
     <message>
-        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
-        <translation>Uhrzeit, zu der jeder Tag beginnt, Stunden:Minuten</translation>
-    </message>
-    <message>
         <source>IANA time zone of the wall clock, daylight saving included.
 Set to that of the nearest city when a file is opened: check it near borders.</source>
         <translation>IANA-Zeitzone der Uhrzeit, mit Sommerzeit.
@@ -7000,6 +7044,10 @@ Beim Öffnen einer Datei die der nächsten Stadt: nahe Grenzen prüfen.</transla
 Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>Ein: die Luft hebt die Sonne nahe dem Horizont ein wenig (Refraktion).
 Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translation>
+    </message>
+    <message>
+        <source>Wall-clock time at which each day&apos;s hours begin, hours:minutes</source>
+        <translation>Uhrzeit, zu der die Stunden jedes Tages beginnen, Stunden:Minuten</translation>
     </message>
 </context>
 <context>
@@ -7324,6 +7372,14 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <source>Change of shadow, min</source>
         <translation>Änderung des Schattens, min</translation>
     </message>
+    <message>
+        <source>≥ %1 h sun, %</source>
+        <translation>≥ %1 h Sonne, %</translation>
+    </message>
+    <message>
+        <source>%1 &lt; %2 h sun, %</source>
+        <translation>%1 &lt; %2 h Sonne, %</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesDock</name>
@@ -7499,6 +7555,34 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>%1: %2 min of shadow a day less</source>
         <translation>%1: %2 min weniger Schatten am Tag</translation>
+    </message>
+    <message>
+        <source>Only these</source>
+        <translation>Nur diese</translation>
+    </message>
+    <message>
+        <source>Lists only the places that this sentence counts</source>
+        <translation>Listet nur die Orte, die dieser Satz zählt</translation>
+    </message>
+    <message>
+        <source> h of sun</source>
+        <translation> h Sonne</translation>
+    </message>
+    <message>
+        <source>%1 get more than a minute of shadow a day more</source>
+        <translation>%1 bekommen mehr als eine Minute Schatten am Tag dazu</translation>
+    </message>
+    <message>
+        <source>%1 have more than %2 min of shadow a day</source>
+        <translation>%1 haben mehr als %2 min Schatten am Tag</translation>
+    </message>
+    <message>
+        <source>%1 have more than %2 min of shadow on %3</source>
+        <translation>%1 haben am %3 mehr als %2 min Schatten</translation>
+    </message>
+    <message>
+        <source>%1, %2 without figures</source>
+        <translation>%1, %2 ohne Werte</translation>
     </message>
 </context>
 <context>
@@ -9664,6 +9748,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Compute score</source>
         <translation>Bewertung berechnen</translation>
     </message>
+    <message>
+        <source>The time that it takes is being estimated</source>
+        <translation>Die Dauer wird geschätzt</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SunShadow</name>
@@ -10604,6 +10692,10 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>months</source>
         <translation>Monate</translation>
+    </message>
+    <message>
+        <source>%1 is in the list of answers</source>
+        <translation>%1 steht in der Liste der Antworten</translation>
     </message>
 </context>
 <context>

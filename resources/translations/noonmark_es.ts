@@ -4326,16 +4326,8 @@ Abre el panel Evaluación.</translation>
         <translation>Después del amanecer</translation>
     </message>
     <message>
-        <source>The window begins this many hours after sunrise</source>
-        <translation>La franja empieza estas horas después del amanecer</translation>
-    </message>
-    <message>
         <source>Before sunset</source>
         <translation>Antes del ocaso</translation>
-    </message>
-    <message>
-        <source>The window ends this many hours before sunset</source>
-        <translation>La franja termina estas horas antes del ocaso</translation>
     </message>
     <message>
         <source>Sunrise at</source>
@@ -4754,10 +4746,6 @@ Abre el panel Evaluación.</translation>
         <translation>%1 de %2 lugares están en sombra más de %3 al día</translation>
     </message>
     <message>
-        <source>On %1, %2 of %3 places have less than %4 of sun.</source>
-        <translation>El %1, %2 de %3 lugares tienen menos de %4 de sol.</translation>
-    </message>
-    <message>
         <source>%1 has the most shadow, %2 a day, and %3 the least, %4.</source>
         <translation>%1 tiene la mayor sombra, %2 al día, y %3 la menor, %4.</translation>
     </message>
@@ -4772,10 +4760,6 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>Minutes of shadow a day by month</source>
         <translation>Minutos de sombra al día por mes</translation>
-    </message>
-    <message>
-        <source>%1: %2 of shadow a day; %3 of its area has %4 of sun or more</source>
-        <translation>%1: %2 de sombra al día; el %3 de su superficie tiene %4 de sol o más</translation>
     </message>
     <message>
         <source>%1 spares it %2 of shadow a day, at most %3 at one spot.</source>
@@ -4800,6 +4784,62 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>Also measure the sole contribution of each new building</source>
         <translation>Medir también la contribución exclusiva de cada edificio nuevo</translation>
+    </message>
+    <message>
+        <source>Tolerance of buildings from a surface model</source>
+        <translation>Tolerancia de los edificios de un modelo de superficie</translation>
+    </message>
+    <message>
+        <source>How far buildings that are made of a surface model may lie above or below its cells, 0.05 to 5 m</source>
+        <translation>Cuánto pueden quedar por encima o por debajo de sus celdas los edificios hechos de un modelo de superficie, de 0.05 a 5 m</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Extensión</translation>
+    </message>
+    <message>
+        <source>Read only the buildings that touch this box, degrees; terrain is read whole</source>
+        <translation>Lee solo los edificios que tocan este rectángulo, en grados; el terreno se lee entero</translation>
+    </message>
+    <message>
+        <source>On %1, %2 of %3 places lie in shadow for more than %4.</source>
+        <translation>El %1, %2 de %3 lugares están a la sombra más de %4.</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of shadow a day by month</source>
+        <translation>Cambio de los minutos de sombra al día por mes</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day of the places that change most</source>
+        <translation>Minutos de sombra al día de los lugares que más cambian</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of shadow a day of these places</source>
+        <translation>Cambio de los minutos de sombra al día de estos lugares</translation>
+    </message>
+    <message>
+        <source>%1: %2 of shadow a day; %3 of its area has %4 or less</source>
+        <translation>%1: %2 de sombra al día; %3 de su superficie tiene %4 o menos</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens: %1; %2 of its area has %3 or less.</source>
+        <translation>Con árboles perennes: %1; %2 de su superficie tiene %3 o menos.</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season: %1; %2 of its area has %3 or less.</source>
+        <translation>Con árboles que pierden sus hojas según la estación: %1; %2 de su superficie tiene %3 o menos.</translation>
+    </message>
+    <message>
+        <source>On %1 it lies in shadow for %2; %3 of its area for more than %4.</source>
+        <translation>El %1 está a la sombra %2; %3 de su superficie, más de %4.</translation>
+    </message>
+    <message>
+        <source>The measured hours begin this many hours after sunrise</source>
+        <translation>Las horas medidas empiezan estas horas después de la salida del sol</translation>
+    </message>
+    <message>
+        <source>The measured hours end this many hours before sunset</source>
+        <translation>Las horas medidas acaban estas horas antes de la puesta del sol</translation>
     </message>
 </context>
 <context>
@@ -5696,6 +5736,14 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Around the view, within the size of the picture</source>
         <translation>Alrededor de la vista, dentro del tamaño de la imagen</translation>
+    </message>
+    <message>
+        <source>Save project first...</source>
+        <translation>Guardar antes el proyecto...</translation>
+    </message>
+    <message>
+        <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
+        <translation>Un resultado solo puede verificarse con el proyecto del que procede, y este proyecto no está guardado</translation>
     </message>
 </context>
 <context>
@@ -6982,10 +7030,6 @@ El más bajo %3, mediana %4, el más alto %5.</numerusform>
         <translation>Primer día del periodo, fecha local en la zona horaria</translation>
     </message>
     <message>
-        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
-        <translation>Hora a la que empieza cada día, horas:minutos</translation>
-    </message>
-    <message>
         <source>IANA time zone of the wall clock, daylight saving included.
 Set to that of the nearest city when a file is opened: check it near borders.</source>
         <translation>Zona horaria IANA de la hora local, con horario de verano.
@@ -7000,6 +7044,10 @@ Al abrir un archivo se toma la de la ciudad más cercana: compruébela cerca de 
 Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>Sí: el aire eleva un poco el sol cerca del horizonte (refracción).
 No: la posición geométrica del sol, como exigen algunas normas</translation>
+    </message>
+    <message>
+        <source>Wall-clock time at which each day&apos;s hours begin, hours:minutes</source>
+        <translation>Hora de reloj a la que empiezan las horas de cada día, horas:minutos</translation>
     </message>
 </context>
 <context>
@@ -7324,6 +7372,14 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <source>Change of shadow, min</source>
         <translation>Cambio de sombra, min</translation>
     </message>
+    <message>
+        <source>≥ %1 h sun, %</source>
+        <translation>≥ %1 h de sol, %</translation>
+    </message>
+    <message>
+        <source>%1 &lt; %2 h sun, %</source>
+        <translation>%1 &lt; %2 h de sol, %</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesDock</name>
@@ -7499,6 +7555,34 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>%1: %2 min of shadow a day less</source>
         <translation>%1: %2 min menos de sombra al día</translation>
+    </message>
+    <message>
+        <source>Only these</source>
+        <translation>Solo estos</translation>
+    </message>
+    <message>
+        <source>Lists only the places that this sentence counts</source>
+        <translation>Enumera solo los lugares que cuenta esta frase</translation>
+    </message>
+    <message>
+        <source> h of sun</source>
+        <translation> h de sol</translation>
+    </message>
+    <message>
+        <source>%1 get more than a minute of shadow a day more</source>
+        <translation>%1 reciben más de un minuto de sombra al día adicional</translation>
+    </message>
+    <message>
+        <source>%1 have more than %2 min of shadow a day</source>
+        <translation>%1 tienen más de %2 min de sombra al día</translation>
+    </message>
+    <message>
+        <source>%1 have more than %2 min of shadow on %3</source>
+        <translation>%1 tienen más de %2 min de sombra el %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 without figures</source>
+        <translation>%1, %2 sin cifras</translation>
     </message>
 </context>
 <context>
@@ -9664,6 +9748,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <source>Compute score</source>
         <translation>Calcular puntuación</translation>
     </message>
+    <message>
+        <source>The time that it takes is being estimated</source>
+        <translation>Se está estimando el tiempo necesario</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SunShadow</name>
@@ -10604,6 +10692,10 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>months</source>
         <translation>meses</translation>
+    </message>
+    <message>
+        <source>%1 is in the list of answers</source>
+        <translation>%1 está en la lista de respuestas</translation>
     </message>
 </context>
 <context>

@@ -4298,16 +4298,8 @@ Opens the panel Review.</source>
         <translation>日の出後</translation>
     </message>
     <message>
-        <source>The window begins this many hours after sunrise</source>
-        <translation>日の出からこの時間後に始まる</translation>
-    </message>
-    <message>
         <source>Before sunset</source>
         <translation>日没前</translation>
-    </message>
-    <message>
-        <source>The window ends this many hours before sunset</source>
-        <translation>日没のこの時間前に終わる</translation>
     </message>
     <message>
         <source>Sunrise at</source>
@@ -4726,10 +4718,6 @@ Opens the panel Review.</source>
         <translation>%2 か所のうち %1 か所が 1 日 %3 を超えて影になります</translation>
     </message>
     <message>
-        <source>On %1, %2 of %3 places have less than %4 of sun.</source>
-        <translation>%1 は %3 か所のうち %2 か所で日照が %4 未満です。</translation>
-    </message>
-    <message>
         <source>%1 has the most shadow, %2 a day, and %3 the least, %4.</source>
         <translation>影が最も多いのは %1 (1 日 %2)、最も少ないのは %3 (%4) です。</translation>
     </message>
@@ -4744,10 +4732,6 @@ Opens the panel Review.</source>
     <message>
         <source>Minutes of shadow a day by month</source>
         <translation>月ごとの 1 日の影 (分)</translation>
-    </message>
-    <message>
-        <source>%1: %2 of shadow a day; %3 of its area has %4 of sun or more</source>
-        <translation>%1: 1 日 %2 の影、面積の %3 で日照 %4 以上</translation>
     </message>
     <message>
         <source>%1 spares it %2 of shadow a day, at most %3 at one spot.</source>
@@ -4772,6 +4756,62 @@ Opens the panel Review.</source>
     <message>
         <source>Also measure the sole contribution of each new building</source>
         <translation>新しい建物それぞれの単独の寄与も測ります</translation>
+    </message>
+    <message>
+        <source>Tolerance of buildings from a surface model</source>
+        <translation>表面モデルから作る建物の許容誤差</translation>
+    </message>
+    <message>
+        <source>How far buildings that are made of a surface model may lie above or below its cells, 0.05 to 5 m</source>
+        <translation>表面モデルから作る建物がそのセルから上下に離れてよい距離、0.05~5 m</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>範囲</translation>
+    </message>
+    <message>
+        <source>Read only the buildings that touch this box, degrees; terrain is read whole</source>
+        <translation>この範囲 (度) に触れる建物だけを読む。地形は全体を読む</translation>
+    </message>
+    <message>
+        <source>On %1, %2 of %3 places lie in shadow for more than %4.</source>
+        <translation>%1 には %3 か所のうち %2 か所が %4 を超えて影になる。</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of shadow a day by month</source>
+        <translation>月別の 1 日の影の分数の変化</translation>
+    </message>
+    <message>
+        <source>Minutes of shadow a day of the places that change most</source>
+        <translation>変化が最も大きい場所の 1 日の影の分数</translation>
+    </message>
+    <message>
+        <source>Change of the minutes of shadow a day of these places</source>
+        <translation>これらの場所の 1 日の影の分数の変化</translation>
+    </message>
+    <message>
+        <source>%1: %2 of shadow a day; %3 of its area has %4 or less</source>
+        <translation>%1: 影は 1 日 %2。面積の %3 は %4 以下</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens: %1; %2 of its area has %3 or less.</source>
+        <translation>木を常緑とした場合: %1。面積の %2 は %3 以下。</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season: %1; %2 of its area has %3 or less.</source>
+        <translation>季節で葉を落とす木の場合: %1。面積の %2 は %3 以下。</translation>
+    </message>
+    <message>
+        <source>On %1 it lies in shadow for %2; %3 of its area for more than %4.</source>
+        <translation>%1 には %2 影になる。面積の %3 は %4 を超える。</translation>
+    </message>
+    <message>
+        <source>The measured hours begin this many hours after sunrise</source>
+        <translation>測定する時間は日の出からこの時間後に始まる</translation>
+    </message>
+    <message>
+        <source>The measured hours end this many hours before sunset</source>
+        <translation>測定する時間は日の入りのこの時間前に終わる</translation>
     </message>
 </context>
 <context>
@@ -5663,6 +5703,14 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Around the view, within the size of the picture</source>
         <translation>画像の大きさの中で、表示の周囲に付けます</translation>
+    </message>
+    <message>
+        <source>Save project first...</source>
+        <translation>先にプロジェクトを保存...</translation>
+    </message>
+    <message>
+        <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
+        <translation>結果は元のプロジェクトがなければ検証できず、このプロジェクトは保存されていない</translation>
     </message>
 </context>
 <context>
@@ -6942,10 +6990,6 @@ Lowest %3, median %4, tallest %5.</source>
         <translation>期間の初日、タイムゾーンの日付</translation>
     </message>
     <message>
-        <source>Wall-clock time at which each day&apos;s window begins, hours:minutes</source>
-        <translation>毎日の開始時刻、時:分</translation>
-    </message>
-    <message>
         <source>IANA time zone of the wall clock, daylight saving included.
 Set to that of the nearest city when a file is opened: check it near borders.</source>
         <translation>時刻の IANA タイムゾーン。夏時間を含みます。
@@ -6960,6 +7004,10 @@ Set to that of the nearest city when a file is opened: check it near borders.</s
 Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>オン: 大気が地平線近くの太陽を少し持ち上げます (大気差)。
 オフ: 太陽の幾何学的位置。これを求める規定もあります</translation>
+    </message>
+    <message>
+        <source>Wall-clock time at which each day&apos;s hours begin, hours:minutes</source>
+        <translation>各日の時間が始まる時刻 (時:分)</translation>
     </message>
 </context>
 <context>
@@ -7281,6 +7329,14 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>Change of shadow, min</source>
         <translation>影の変化 (分)</translation>
     </message>
+    <message>
+        <source>≥ %1 h sun, %</source>
+        <translation>日照 ≥ %1 h, %</translation>
+    </message>
+    <message>
+        <source>%1 &lt; %2 h sun, %</source>
+        <translation>%1 日照 &lt; %2 h, %</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesDock</name>
@@ -7453,6 +7509,34 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>%1: %2 min of shadow a day less</source>
         <translation>%1: 影が 1 日 %2 分減</translation>
+    </message>
+    <message>
+        <source>Only these</source>
+        <translation>これらのみ</translation>
+    </message>
+    <message>
+        <source>Lists only the places that this sentence counts</source>
+        <translation>この文が数える場所だけを一覧にする</translation>
+    </message>
+    <message>
+        <source> h of sun</source>
+        <translation> h (日照)</translation>
+    </message>
+    <message>
+        <source>%1 get more than a minute of shadow a day more</source>
+        <translation>%1 で 1 日の影が 1 分を超えて増える</translation>
+    </message>
+    <message>
+        <source>%1 have more than %2 min of shadow a day</source>
+        <translation>%1 で 1 日の影が %2 分を超える</translation>
+    </message>
+    <message>
+        <source>%1 have more than %2 min of shadow on %3</source>
+        <translation>%1 で %3 の影が %2 分を超える</translation>
+    </message>
+    <message>
+        <source>%1, %2 without figures</source>
+        <translation>%1、値のないもの %2</translation>
     </message>
 </context>
 <context>
@@ -9614,6 +9698,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Compute score</source>
         <translation>スコアを計算</translation>
     </message>
+    <message>
+        <source>The time that it takes is being estimated</source>
+        <translation>所要時間を見積もり中</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::SunShadow</name>
@@ -10554,6 +10642,10 @@ Click a building first.</source>
     <message>
         <source>months</source>
         <translation>月</translation>
+    </message>
+    <message>
+        <source>%1 is in the list of answers</source>
+        <translation>%1 は回答の一覧にある</translation>
     </message>
 </context>
 <context>
