@@ -39,7 +39,15 @@ bool isUnknown(const FilePiece& piece, std::size_t post) {
     return !piece.unknownPosts.empty() && piece.unknownPosts[post] != 0;
 }
 
-SurfaceFit compareRasters(const FilePiece& surface, const Terrain& ground) {
+bool isGapAt(const FilePiece& piece, glm::dvec2 at) {
+    const PostGrid& posts = piece.terrain->grid;
+    const glm::dvec2 nearest = posts.insideOf(posts.columnRowOf(at));
+    return isUnknown(piece, posts.index(int(std::lround(nearest.x)), int(std::lround(nearest.y))));
+}
+
+// Where the ground has gaps, as under buildings, nothing says that it is that of the surface.
+SurfaceFit compareRasters(const FilePiece& surface, const FilePiece& below) {
+    const Terrain& ground = *below.terrain;
     constexpr int side = 500;
     const PostGrid& posts = surface.terrain->grid;
     SurfaceFit fit;
@@ -49,7 +57,9 @@ SurfaceFit compareRasters(const FilePiece& surface, const Terrain& ground) {
             const std::size_t post = posts.index(column, row);
             const glm::dvec2 at = posts.centre(column, row);
             if (isUnknown(surface, post) || beyondM(ground.grid, at) > 0) continue;
-            above.push_back(surface.terrain->elevationM[post] - elevationAt(ground, at));
+            const float aboveM = surface.terrain->elevationM[post] - elevationAt(ground, at);
+            fit.raised += aboveM > leastRaisedM ? 1 : 0;
+            if (!isGapAt(below, at)) above.push_back(aboveM);
         }
     if (above.empty()) return fit;
     fit.posts = above.size();
@@ -76,7 +86,7 @@ std::vector<PossiblePair> findAllPairs(const std::vector<GroundFile>& files) {
     for (const GroundFile& surface : files)
         for (const GroundFile& ground : files) {
             if (&surface == &ground || !mayShowBuildings(surface) || !ground.piece->terrain) continue;
-            const SurfaceFit fit = compareRasters(*surface.piece, *ground.piece->terrain);
+            const SurfaceFit fit = compareRasters(*surface.piece, *ground.piece);
             if (fit.isSurface()) pairs.push_back({{&surface, &ground, fit.zeroM}, fit});
         }
     return pairs;
