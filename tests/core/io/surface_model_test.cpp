@@ -202,7 +202,7 @@ TEST_F(SurfaceModel, CellsWithoutElevationAreNoBuildings) {
         return std::abs(x - 32) < 4 && std::abs(y + 32) < 4 ? std::nan("") : surface(x, y);
     };
     const CityRead made = read({dtm(), writeTerrain(folder.path("holed.tif"), manhattan, holed)});
-    EXPECT_TRUE(warns(made, "where the surface model has no elevation"));
+    EXPECT_TRUE(warns(made, "cells without elevation in the surface model"));
     ASSERT_EQ(made.city.buildings.size(), 2);
     EXPECT_NEAR(planArea(*made.city.buildings[0]), 25 * 16 - 8 * 8, 25 + 16);
 }

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "app/report/book/answer_books.h"
 #include "app/report/book/print_book.h"
 #include "tests/report/synthetic_study.h"
@@ -107,7 +109,10 @@ std::string wordsOf(const Book& book) {
 }
 
 const PageTable& tableOf(const Book& book) {
-    return std::get<PageTable>(book.pages.back().items.back().content);
+    for (const BookPage& page : book.pages)
+        for (const PageItem& item : page.items)
+            if (const auto* table = std::get_if<PageTable>(&item.content)) return *table;
+    throw std::logic_error("a book without a table");
 }
 
 QImage mapOf(const Book& book) {
@@ -166,6 +171,19 @@ TEST(SunByPlaceBook, ItsTableNamesFiguresAsTheWindowDoesAndListsRemarks) {
     dry.baseline.sun[1].remarks.clear();
     const Book without = makeSunByPlaceBook(dry, {});
     EXPECT_NE(tableOf(without).titles.back(), QStringLiteral("Remarks"));
+}
+
+TEST(SunByPlaceBook, ErrorsAreRowsOfATableThatTheSummaryNames) {
+    SunOfCities sun = twoPlaces();
+    sun.baseline.errors = {sumUpError("place_mean", {0.25, 0.5}),
+                           sumUpError("place_date", {0, 0}, "2026-12-21")};
+    const Book book = makeSunByPlaceBook(sun, {});
+    const auto& errors = std::get<PageTable>(book.pages.back().items.back().content);
+    ASSERT_EQ(errors.rows.size(), 2U);
+    EXPECT_EQ(errors.rows[0][4], QStringLiteral("0.5 min a day"));
+    EXPECT_EQ(errors.rows[0].back(), QStringLiteral("2"));
+    EXPECT_EQ(errors.rows[1][1], QStringLiteral("21 December 2026"));
+    EXPECT_THAT(wordsOf(book), HasSubstr("in the table at the end"));
 }
 
 }  // namespace
