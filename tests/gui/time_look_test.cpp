@@ -32,7 +32,7 @@ const ShownTime may{ShownSpan::day, {2026y, std::chrono::May, 4d}, 14h};
 TEST(ShownTime, IsAPartOfTheStudysTime) {
     Period study = smallStudy()->settings.period;
     study.window = SolarHours{};
-    EXPECT_EQ(periodOf({}, study), study);
+    EXPECT_EQ(periodOf(ShownTime{}, study), study);
     const Period day = periodOf(may, study);
     EXPECT_EQ(day.start, may.date);
     EXPECT_EQ(day.days, 1);

@@ -241,7 +241,9 @@ std::vector<TextBlocks> flowText(const TextBlocks& blocks, const QSizeF& sizePt,
 
 namespace {
 
-double sumWidths(const std::vector<double>& widths) { return std::accumulate(widths.begin(), widths.end(), 0.0); }
+double sumWidths(const std::vector<double>& widths) {
+    return std::accumulate(widths.begin(), widths.end(), 0.0);
+}
 
 // The widest are narrowed to one width.
 void narrowWidest(std::vector<double>& widths, double widthPt) {
@@ -257,11 +259,14 @@ void narrowWidest(std::vector<double>& widths, double widthPt) {
 
 // What words leave goes to the columns with the longest texts: a name is in all rows, a title in one.
 std::vector<double> shareWidth(const std::vector<ColumnNeed>& needs, double widthPt) {
-    std::vector<double> widths;
-    for (const ColumnNeed& need : needs) widths.push_back(need.word);
-    if (sumWidths(widths) > widthPt) {
-        narrowWidest(widths, widthPt);
-        return widths;
+    std::vector<double> widths, wholes;
+    for (const ColumnNeed& need : needs) {
+        widths.push_back(need.word);
+        wholes.push_back(need.whole);
+    }
+    if (sumWidths(widths) > widthPt) {  // words are broken
+        narrowWidest(wholes, widthPt);
+        return wholes;
     }
     constexpr int rounds = 4;  // what a column does not need is shared again
     for (int round = 0; round < rounds; ++round) {

@@ -74,8 +74,8 @@ public:
         }
         append(made, listPeriodErrors(places_, *compared, time));
         if (city > 0 && !m_.compared.empty())
-            append(made, {listChangeErrors(places_, m_.compared.front(), *compared, time,
-                                           made.settings.lossMin)});
+            append(made,
+                   {listChangeErrors(places_, m_.compared.front(), *compared, time, made.settings.lossMin)});
         m_.compared.push_back(*std::move(compared));
         return {};
     }

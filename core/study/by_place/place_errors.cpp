@@ -169,9 +169,9 @@ PlaceErrorList listDateErrors(const SampledPlaces& places, const ComparedSets& c
                               const SunlitTime& time, const std::string& date) {
     if (places.places.empty()) return {};
     const SampledShares shares = sampleShares("place_below", places, compared, time, date);
-    return {{errorOfMeans("place_date", places, compared, time, date),
-             errorOfShares(shares, time.enoughHours)},
-            {shares}};
+    return {
+        {errorOfMeans("place_date", places, compared, time, date), errorOfShares(shares, time.enoughHours)},
+        {shares}};
 }
 
 std::vector<ShownError> listChangeErrors(const SampledPlaces& places, const ComparedSets& before,

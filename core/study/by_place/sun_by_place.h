@@ -147,10 +147,10 @@ struct SunByPlace {
     /// Of each quantity that is shown, on a sample; of a compared city its changes, too. None: not measured.
     std::vector<ShownError> errors;
     std::vector<SampledShares> sampledShares;  ///< what those of shares were found from; not saved
-    SunSteps daylight;                      ///< the period's sun
-    std::map<std::string, double> seconds;  ///< by stage, "total", and "forecast" of it before the sweeps
-    Warnings warnings;                      ///< places without cells among them
-    Provenance provenance;                  ///< set by the caller
+    SunSteps daylight;                         ///< the period's sun
+    std::map<std::string, double> seconds;     ///< by stage, "total", and "forecast" of it before the sweeps
+    Warnings warnings;                         ///< places without cells among them
+    Provenance provenance;                     ///< set by the caller
 };
 
 /// What a place gets in one city, set against another. Losses are positive; NaN: no cell.
