@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/engines/auto_engine.h"
+#include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/horizon/trees/crown_sweep.h"
 #include "core/engines/ray/tree_rays.h"
@@ -21,9 +22,8 @@ std::shared_ptr<const TreeShade> selectColumns(std::shared_ptr<const TreeShade> 
     return std::make_shared<const TreeShade>(std::move(some));
 }
 
-// Exact rays are taken where they take no longer: for the shade of one field as by AutoEngine, for sets less,
-// since small places have them many times.
-constexpr double shortSeconds = 2, shortSecondsOfSets = 0.1;
+// Exact rays are taken for the shade of one field where they take no longer, as by AutoEngine.
+constexpr double shortSeconds = 2;
 
 void addWhatTreesTake(const ShadowField& without, const ShadowField& with, ShadowField& column) {
     for (std::size_t cell = 0; cell < column.grossMin.size(); ++cell)
@@ -37,13 +37,21 @@ void addWhatTreesTake(const ShadowField& without, const ShadowField& with, Shado
 // sweep of crowns takes about as long as one of buildings for months on the cells of places.
 constexpr double secondsOfRay = 60e-9, secondsOfCrown = 8e-9, sweepOverModel = 4;
 
+// Of a receiver a ray to a step takes as long as some bins of azimuth. Whatever the receivers: those of a
+// tile are measured as those of the whole.
+bool areRaysQuicker(const SunSteps& sun) {
+    constexpr std::size_t binsOfRay = 4;
+    return binsOfRay * sun.steps.size() <= binCount(sun, HorizonSweepSettings());
+}
+
 TreeSeconds estimateSeconds(const City& city, const CrownScene& crowns, const Receivers& receivers,
                             const SunSteps& sun) {
     const City* const cities[]{&city};
     const double rays = double(receivers.cells.size()) * double(sun.steps.size());
     const double ofRay = secondsOfRay + secondsOfCrown * countCrownsAtRays(crowns, receivers, sun);
     const EngineLoad load = measureLoadOfPlaces(cities, receivers, sun);
-    return {.rays = rays * ofRay, .sweep = estimateSeconds(load).horizon * sweepOverModel};
+    const double sweep = estimateSeconds(load).horizon * sweepOverModel, all = rays * ofRay;
+    return {.rays = all, .sweep = sweep, .ofSets = areRaysQuicker(sun) ? all : sweep};
 }
 
 // What a sweep finds that trees take, on top of the field.
@@ -119,8 +127,7 @@ Result<std::optional<TakenBySet>> takeSets(const City& city, const Receivers& re
                                            const std::stop_token& stop) {
     const CrownScene crowns = findCrowns(city, receivers, sun);
     if (crowns.empty()) return std::nullopt;
-    if (const TreeSeconds seconds = estimateSeconds(city, crowns, receivers, sun);
-        seconds.rays > std::max(shortSecondsOfSets, seconds.sweep)) {
+    if (!areRaysQuicker(sun)) {
         auto swept = sweepCrowns(city, crowns, receivers, sun, sets, progress, stop);
         if (swept) return *std::move(swept);
         if (isCancelled(swept.error())) return tl::make_unexpected(swept.error());

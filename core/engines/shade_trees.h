@@ -29,8 +29,9 @@ const ShadowField& fieldOfColumn(const ShadowField& field, TreeColumns column);
 
 /// Seconds that the shade of a city's trees takes on two cores. 0: no tree reaches a receiver.
 struct TreeSeconds {
-    double rays = 0;   ///< exact
-    double sweep = 0;  ///< a horizon sweep
+    double rays = 0;    ///< exact
+    double sweep = 0;   ///< a horizon sweep
+    double ofSets = 0;  ///< whichever of the two shadeTreeSets() takes
 };
 /// Within a factor of two. Some ms.
 TreeSeconds estimateTreeSeconds(const City& city, const Receivers& receivers, const SunSteps& sun);
@@ -56,8 +57,8 @@ struct ShadedSets {
 };
 
 /// The same by sets of steps, on top of a breakdown of the same city, receivers and steps by whichever
-/// engine: by rays, or by one horizon sweep for all sets where that is quicker and rays take more than 0.1 s.
-/// None where no tree reaches a receiver, and for TreeColumns::without. cancelled() when stopped.
+/// engine: by rays to few steps, else by one horizon sweep for all sets. None where no tree reaches a
+/// receiver, and for TreeColumns::without. cancelled() when stopped.
 Result<std::optional<ShadedSets>> shadeTreeSets(const City& city, const Receivers& receivers,
                                                 const SunSteps& sun, const ShadowBreakdown& without,
                                                 TreeColumns columns, Progress& progress,

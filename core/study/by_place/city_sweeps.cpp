@@ -81,7 +81,7 @@ double CitySweeps::forecastTrees(std::size_t sample) const {
     for (const City* city : cities_) {
         const TreeSeconds all = estimateTreeSeconds(*city, receivers_, sun_);
         const double cells = std::max<double>(1, double(receivers_.cells.size()));
-        seconds += std::min(all.rays, all.sweep) + all.rays * std::min(1.0, double(sample) / cells);
+        seconds += all.ofSets + all.rays * std::min(1.0, double(sample) / cells);
     }
     return seconds * modelCores / double(tbb::this_task_arena::max_concurrency());
 }

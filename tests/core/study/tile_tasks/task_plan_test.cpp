@@ -183,6 +183,7 @@ double builtSlope(double x, double y) {
 TEST_F(TaskPlanTest, ASurfaceModelWithoutOutlinesEqualsOneStudyToTheLastBit) {
     request.files = {writeTerrain(folder.path("dsm.tif"), {-73.98, 40.75}, builtSlope).string(),
                      writeTerrain(folder.path("dtm.tif"), {-73.98, 40.75}, slope).string()};
+    request.settings.engine = referenceEngine;
     const TaskPlan made = plan();
     EXPECT_FALSE(made.byExtent);
     const auto merged = runAndMerge(made);
