@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/engines/auto_engine.h"
-#include "core/engines/horizon/geometry/azimuth_bins.h"
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/horizon/trees/crown_sweep.h"
 #include "core/engines/ray/tree_rays.h"
@@ -37,21 +36,13 @@ void addWhatTreesTake(const ShadowField& without, const ShadowField& with, Shado
 // sweep of crowns takes about as long as one of buildings for months on the cells of places.
 constexpr double secondsOfRay = 60e-9, secondsOfCrown = 8e-9, sweepOverModel = 4;
 
-// Of a receiver a ray to a step takes as long as some bins of azimuth. Whatever the receivers: those of a
-// tile are measured as those of the whole.
-bool areRaysQuicker(const SunSteps& sun) {
-    constexpr std::size_t binsOfRay = 4;
-    return binsOfRay * sun.steps.size() <= binCount(sun, HorizonSweepSettings());
-}
-
 TreeSeconds estimateSeconds(const City& city, const CrownScene& crowns, const Receivers& receivers,
                             const SunSteps& sun) {
     const City* const cities[]{&city};
     const double rays = double(receivers.cells.size()) * double(sun.steps.size());
     const double ofRay = secondsOfRay + secondsOfCrown * countCrownsAtRays(crowns, receivers, sun);
     const EngineLoad load = measureLoadOfPlaces(cities, receivers, sun);
-    const double sweep = estimateSeconds(load).horizon * sweepOverModel, all = rays * ofRay;
-    return {.rays = all, .sweep = sweep, .ofSets = areRaysQuicker(sun) ? all : sweep};
+    return {.rays = rays * ofRay, .sweep = estimateSeconds(load).horizon * sweepOverModel};
 }
 
 // What a sweep finds that trees take, on top of the field.

@@ -29,9 +29,8 @@ const ShadowField& fieldOfColumn(const ShadowField& field, TreeColumns column);
 
 /// Seconds that the shade of a city's trees takes on two cores. 0: no tree reaches a receiver.
 struct TreeSeconds {
-    double rays = 0;    ///< exact
-    double sweep = 0;   ///< a horizon sweep
-    double ofSets = 0;  ///< whichever of the two shadeTreeSets() takes
+    double rays = 0;   ///< exact
+    double sweep = 0;  ///< a horizon sweep
 };
 /// Within a factor of two. Some ms.
 TreeSeconds estimateTreeSeconds(const City& city, const Receivers& receivers, const SunSteps& sun);
@@ -57,8 +56,8 @@ struct ShadedSets {
 };
 
 /// The same by sets of steps, on top of a breakdown of the same city, receivers and steps by whichever
-/// engine: by rays to few steps, else by one horizon sweep for all sets. None where no tree reaches a
-/// receiver, and for TreeColumns::without. cancelled() when stopped.
+/// engine: by one horizon sweep for all sets, or by rays to few steps (areRaysQuicker() of crown_sweep.h).
+/// None where no tree reaches a receiver, and for TreeColumns::without. cancelled() when stopped.
 Result<std::optional<ShadedSets>> shadeTreeSets(const City& city, const Receivers& receivers,
                                                 const SunSteps& sun, const ShadowBreakdown& without,
                                                 TreeColumns columns, Progress& progress,

@@ -175,6 +175,12 @@ std::vector<std::vector<float>> toMinutes(const std::vector<std::vector<double>>
 
 }  // namespace
 
+// Of a receiver a ray to a step takes as long as some bins of azimuth.
+bool areRaysQuicker(const SunSteps& sun) {
+    constexpr std::size_t binsOfRay = 4;
+    return binsOfRay * sun.steps.size() <= binCount(sun, HorizonSweepSettings());
+}
+
 Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const Receivers& receivers,
                                const SunSteps& sun, const StepSets& sets, Progress& progress,
                                const std::stop_token& stop) {

@@ -7,6 +7,7 @@
 #include "core/engines/auto_engine.h"
 #include "core/engines/common/changed_buildings.h"
 #include "core/engines/common/shadow_reach.h"
+#include "core/engines/horizon/trees/crown_sweep.h"
 #include "core/engines/shade_trees.h"
 
 namespace noonmark {
@@ -81,7 +82,8 @@ double CitySweeps::forecastTrees(std::size_t sample) const {
     for (const City* city : cities_) {
         const TreeSeconds all = estimateTreeSeconds(*city, receivers_, sun_);
         const double cells = std::max<double>(1, double(receivers_.cells.size()));
-        seconds += all.ofSets + all.rays * std::min(1.0, double(sample) / cells);
+        seconds +=
+            (areRaysQuicker(sun_) ? all.rays : all.sweep) + all.rays * std::min(1.0, double(sample) / cells);
     }
     return seconds * modelCores / double(tbb::this_task_arena::max_concurrency());
 }

@@ -215,4 +215,8 @@ Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const
                                const SunSteps& sun, const StepSets& sets, Progress& progress,
                                const std::stop_token& stop);
 
+/// Whether rays weigh crowns sooner than a sweep for sets of these steps: whatever the receivers, since those
+/// of a tile are measured as those of the whole.
+bool areRaysQuicker(const SunSteps& sun);
+
 }  // namespace noonmark
