@@ -95,7 +95,7 @@ TEST_F(TreesCommand, TheTableAndTheCellsStateThem) {
 
 // January has all days of the period: its figures are those of the period.
 TEST_F(TreesCommand, MonthsHaveThreeColumns) {
-    const nlohmann::json all = figures({"--trees", inventory, "--by-month"});
+    const nlohmann::json all = figures({"--trees", inventory, "--by", "month"});
     const nlohmann::json& month = all.at("by_month").at(0);
     for (const char* key : {"shadow_area_m2", "shadow_area_m2_evergreen", "shadow_area_m2_seasonal"})
         EXPECT_NEAR(month.at(key).get<double>(), all.at(key).get<double>(), 1e-3 * all.at(key).get<double>())
@@ -105,7 +105,7 @@ TEST_F(TreesCommand, MonthsHaveThreeColumns) {
     std::string heading;
     std::getline(table, heading);
     EXPECT_THAT(heading, HasSubstr("mean_shadow_min,shadow_area_m2_evergreen,mean_shadow_min_evergreen,"));
-    EXPECT_FALSE(figures({"--by-month"}).at("by_month").at(0).contains("shadow_area_m2_evergreen"));
+    EXPECT_FALSE(figures({"--by", "month"}).at("by_month").at(0).contains("shadow_area_m2_evergreen"));
 }
 
 // A question about the town with its two trees; `says`: why they are left out.
@@ -142,8 +142,14 @@ TEST_F(TreesLeftOut, QuestionsThatMeasureNoneSaySo) {
     expectSaid({"point", town.string(), "--at", "-73.9800,40.7504"}, notMeasured);
 }
 
+// A tree before the southern facade of the building, whose corner is at 40.75 N 73.98 W.
 TEST_F(TreesLeftOut, FacadesCountThem) {
-    auto question = over({"study", town.string(), "--trees", inventory, "--region", region});
+    const std::string before = folder
+                                   .file("south.csv",
+                                         "tree_dbh,spc_latin,latitude,longitude\n"
+                                         "20,Platanus x acerifolia,40.74985,-73.9799\n")
+                                   .string();
+    auto question = over({"study", town.string(), "--trees", before, "--region", region});
     for (const char* word : {"--receivers", "facades"}) question.emplace_back(word);
     EXPECT_THAT(noonmarkCli(question).out, HasSubstr("trees with their seasons"));
     question.emplace_back("--json");
