@@ -321,6 +321,7 @@ void MainWindow::connectDocks() {
     connect(docks_.results, &ResultsDock::warningsRequested, this, [this] { showDock(docks_.warnings); });
     connect(&workbench_, &Workbench::commandFound, &copying_, &CopyActions::copyCommand);
     scenarios_.setSideBySide(comparing_.actions().front());
+    connect(&scenarios_, &ScenarioActions::tableRequested, this, [this] { showDock(docks_.scenarios); });
     connect(&scenarios_, &ScenarioActions::comparisonShown, this, [this] {
         mode_.showStudies();
         showDock(docks_.results);

@@ -24,8 +24,9 @@ public:
     /// Whether its fields say of which kind a place is: `kind`, or columns that bear OpenStreetMap's keys.
     static bool statesKinds(OGRLayer& layer);
     /// Error: no coordinate system, or an unknown one; the name field that the user named does not exist.
+    /// `sourceStart`: before the ids of its places, "city.gpkg, plots, ".
     static Result<PlaceLayer> of(OGRLayer& layer, const PlaceSettings& settings, const std::string& file,
-                                 bool fromOsm);
+                                 std::string sourceStart, bool fromOsm);
 
     /// Stores the feature if it is an area that is a place, or a street.
     void read(const OGRFeature& feature);

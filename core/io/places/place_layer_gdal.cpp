@@ -49,12 +49,12 @@ PlaceLayer::PlaceLayer(CrsToLonLat toLonLat, const PlaceSettings& settings, std:
     : toLonLat_(std::move(toLonLat)), settings_(settings), source_(std::move(source)), fromOsm_(fromOsm) {}
 
 Result<PlaceLayer> PlaceLayer::of(OGRLayer& layer, const PlaceSettings& settings, const std::string& file,
-                                  bool fromOsm) {
+                                  std::string sourceStart, bool fromOsm) {
     auto transform = findLayerCrs(layer, settings.crs, file);
     if (!transform) return tl::make_unexpected(transform.error());
     const auto name = findNameField(layer, fromOsm ? "" : settings.nameField, file);
     if (!name) return tl::make_unexpected(name.error());
-    PlaceLayer made(*std::move(transform), settings, fromOsm ? "OSM " : file + ", ", fromOsm);
+    PlaceLayer made(*std::move(transform), settings, std::move(sourceStart), fromOsm);
     made.nameField_ = *name;
     made.findFields(layer);
     return made;

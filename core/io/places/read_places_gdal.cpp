@@ -103,7 +103,7 @@ public:
         auto layers = layersToRead(dataset_, settings_, file_);
         if (!layers) return tl::make_unexpected(layers.error());
         for (OGRLayer* layer : *layers) {
-            auto reader = PlaceLayer::of(*layer, settings_, file_, isFromOsm(dataset_));
+            auto reader = PlaceLayer::of(*layer, settings_, file_, sourceStart(*layer), isFromOsm(dataset_));
             if (!reader) return tl::make_unexpected(reader.error());
             layers_.push_back(layer);
             readers_.push_back(*std::move(reader));
@@ -131,7 +131,7 @@ public:
         read.places = joinAreas(std::move(areas));
         if (stop_.stop_requested()) return cancelled();
         std::ranges::move(makeStreets(streets, {settings_.wholeStreets, settings_.sidewalkM},
-                                      isFromOsm(dataset_) ? "OSM " : file_ + ", ", read.warnings),
+                                      sourceStart(*layers_.front()), read.warnings),
                           std::back_inserter(read.places));
         std::erase_if(read.places, [&](const Place& place) { return area(place) < settings_.minAreaM2; });
         makeNamesUnique(read.places);
@@ -141,6 +141,13 @@ public:
     }
 
 private:
+    // Before the ids of its places: those of several layers of a file are numbered alike.
+    [[nodiscard]] std::string sourceStart(OGRLayer& layer) const {
+        if (isFromOsm(dataset_)) return "OSM ";
+        const bool isAlone = dataset_.GetLayerCount() == 1 || PlaceLayer::isOfProject(layer);
+        return isAlone ? file_ + ", " : fmt::format("{}, {}, ", file_, layer.GetName());
+    }
+
     // Of a project its places are wanted, and of OpenStreetMap layers have no meaning of their own.
     void warnOfOtherLayers(Warnings& warnings) const {
         if (isFromOsm(dataset_) || !settings_.layer.empty() || PlaceLayer::isOfProject(*layers_.front()))

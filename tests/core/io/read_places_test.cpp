@@ -294,6 +294,9 @@ TEST_F(ReadPlaces, OfSeveralLayersTheUserNamesOne) {
     EXPECT_THAT(asked[1].textFields, testing::Contains("Name"));
     EXPECT_EQ(readFrom(unknown, {.layer = "lawns"}).value().places.front().name, "lawns 1");
     EXPECT_TRUE(readFrom(unknown, {.layer = "lawns"}).value().warnings.empty()) << "the other was not wanted";
+    EXPECT_NE(readFrom(unknown, {.layer = "lawns"}).value().places.front().source,
+              readFrom(unknown, {.layer = "houses"}).value().places.front().source)
+        << "neither replaces the other";
     EXPECT_TRUE(listUnknownLayers(unknown, {.layer = "lawns"}).empty()) << "it is chosen";
     EXPECT_TRUE(listUnknownLayers(folder_.file("parks.geojson", parksGeoJson), {}).empty()) << "there is one";
 }

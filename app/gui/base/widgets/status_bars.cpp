@@ -208,6 +208,11 @@ void ProgressStrip::finish(const JobSlot& slot) {
     showLast();
 }
 
+// A dock behind another tab counts as visible for Qt, but lies outside of the window.
+bool ProgressStrip::isSeen(const QWidget& widget) {
+    return widget.isVisible() && !widget.visibleRegion().isEmpty();
+}
+
 void ProgressStrip::showLast() {
     wait_.stop();
     if (running_.empty()) return hide();
@@ -215,7 +220,7 @@ void ProgressStrip::showLast() {
     cancel_->setVisible(last.jobs != Jobs::whole);
     label_->setText(last.text);
     bar_->setValue(int(last.fraction * bar_->maximum()));
-    setVisible(!last.other || !last.other->isVisible());
+    setVisible(!last.other || !isSeen(*last.other));
 }
 
 }  // namespace noonmark

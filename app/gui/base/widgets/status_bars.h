@@ -94,6 +94,7 @@ private:
     void take(const JobSlot& slot, double fraction, const QString& text);
     void finish(const JobSlot& slot);
     void showLast();
+    [[nodiscard]] static bool isSeen(const QWidget& widget);
 
     QLabel* label_;
     QProgressBar* bar_;

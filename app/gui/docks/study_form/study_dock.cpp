@@ -300,7 +300,9 @@ void StudyDock::showKind() {
     places_->setVisible(ofPlaces);
     run_->setText(runText());
     const bool isAsked = running_ && !changedSinceRun_;
-    run_->setEnabled(!isAsked && (!ofPlaces || (places_->settings() && !places_->chosen().empty())));
+    const bool canRun =
+        !ofPlaces || (places_->settings() && !places_->chosen().empty() && forecast_->refusal().isEmpty());
+    run_->setEnabled(!isAsked && canRun);
 }
 
 QString StudyDock::runText() const {

@@ -71,6 +71,8 @@ ScenarioActions::ScenarioActions(Workbench& workbench, LatestAnswers& answers, P
     connect(&session, &ProjectSession::changed, this,
             [this, &session] { compare_->setChecked(session.baseline() == existingCity); });
     connectMeasuring();
+    for (const QAction* action : {measureAll_, scoreAll_, reviewAll_})
+        connect(action, &QAction::triggered, this, &ScenarioActions::tableRequested);
     connect(scoreAll_, &QAction::triggered, &answers, &LatestAnswers::scoreAll);
     connect(&scenarios, &ScenariosDock::scoreAllRequested, &answers, &LatestAnswers::scoreAll);
     connect(reviewAll_, &QAction::triggered, &answers, &LatestAnswers::reviewAll);

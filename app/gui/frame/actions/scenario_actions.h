@@ -34,6 +34,7 @@ public:
     void setSideBySide(QAction* beside) { beside_ = beside; }
 
 Q_SIGNALS:
+    void tableRequested();   ///< what fills the table of scenarios was asked for in a menu
     void comparisonShown();  ///< the one that was wanted is there
 
 private:

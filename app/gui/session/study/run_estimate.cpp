@@ -220,7 +220,7 @@ void RunForecast::ask() {
         },
         [this](const Result<RunEstimate>& made) {
             if (made) estimate_ = *made;
-            if (!made && !isCancelled(made.error())) refusal_ = QString::fromStdString(made.error().what);
+            if (!made && !isCancelled(made.error())) refusal_ = describeError(made.error());
             Q_EMIT changed();
         });
 }
