@@ -210,6 +210,21 @@ protected:
         ASSERT_EQ(noonmarkCli({"project", "new", project, town.string(), "--trees", inventory}).code, exitOk);
         ASSERT_EQ(noonmarkCli({"project", "add-scenario", project, "Avenue"}).code, exitOk);
     }
+    // A question about six hours of a day in January of the project.
+    CommandOutput inJanuary(const std::string& command, const std::vector<std::string>& more) {
+        std::vector<std::string> all{command,      project,
+                                     "--region",   "-73.9815,40.7495,-73.9785,40.7515",
+                                     "--start",    "2026-01-15",
+                                     "--at",       "09:00",
+                                     "--hours",    "6",
+                                     "--step",     "10",
+                                     "--zone",     "America/New_York",
+                                     "--cell",     "4",
+                                     "--out",      folder.path(command).string(),
+                                     "--overwrite"};
+        all.insert(all.end(), more.begin(), more.end());
+        return noonmarkCli(all);
+    }
     CommandOutput tree(std::vector<std::string> words) {
         words.insert(words.begin() + 1, project);
         words.insert(words.begin(), {"project", "tree"});
@@ -271,20 +286,7 @@ TEST_F(TreesOfAProject, WhatLeavesThemOutSaysSo) {
 }
 
 TEST_F(TreesOfAProject, AScoreHasThreeColumns) {
-    const std::vector<std::string> question{"score",      project,
-                                            "--region",   "-73.9815,40.7495,-73.9785,40.7515",
-                                            "--start",    "2026-01-15",
-                                            "--at",       "09:00",
-                                            "--hours",    "6",
-                                            "--step",     "10",
-                                            "--zone",     "America/New_York",
-                                            "--cell",     "4",
-                                            "--out",      folder.path("score").string(),
-                                            "--overwrite"};
-    const auto with = [&](std::vector<std::string> more) {
-        more.insert(more.begin(), question.begin(), question.end());
-        return noonmarkCli(more);
-    };
+    const auto with = [&](const std::vector<std::string>& more) { return inJanuary("score", more); };
     const nlohmann::json score = with({"--json"}).json();
     // January weighs -1: more shadow scores less.
     EXPECT_LT(score.at("score_m2_evergreen"), score.at("score_m2_seasonal"));
@@ -298,18 +300,7 @@ TEST_F(TreesOfAProject, AScoreHasThreeColumns) {
 TEST_F(TreesOfAProject, ScenariosHaveThreeColumns) {
     ASSERT_EQ(tree({"remove", "--within", "-73.9815,40.7495,-73.9785,40.7515", "--scenario", "Avenue"}).code,
               exitOk);
-    const nlohmann::json all = noonmarkCli({"scenarios", project,
-                                            "--region",  "-73.9815,40.7495,-73.9785,40.7515",
-                                            "--start",   "2026-01-15",
-                                            "--at",      "09:00",
-                                            "--hours",   "6",
-                                            "--step",    "10",
-                                            "--zone",    "America/New_York",
-                                            "--cell",    "4",
-                                            "--weights", "default",
-                                            "--out",     folder.path("scenarios").string(),
-                                            "--json",    "--overwrite"})
-                                   .json();
+    const nlohmann::json all = inJanuary("scenarios", {"--weights", "default", "--json"}).json();
     const nlohmann::json& existing = all.at("scenarios").at(0).at("figures");
     const nlohmann::json& felled = all.at("scenarios").at(1).at("figures");
     EXPECT_EQ(existing.at("shadow_area_m2"), felled.at("shadow_area_m2"));

@@ -350,7 +350,7 @@ TEST(Score, TheEngineAutoIsAskedOnceForTheWholePeriod) {
                 AllOf(HasSubstr("one sweep for all months"), HasSubstr("since the period is long")));
 }
 
-// A lime among the houses, bare before day 100.
+// A lime among the buildings, bare before day 100.
 City townWithLime() {
     City town = threeHouses();
     Tree lime = completeTree(

@@ -22,7 +22,7 @@ bool haveNoBuildings(const std::vector<GroundFile>& files) {
 }
 
 constexpr double leastSurfaceM2 = 10;  // of a building; less is a mast, a lorry or noise
-constexpr double noticedZeroM = 0.5;   // is said
+constexpr double noticedZeroM = 0.5;   // from this on a warning states it
 constexpr std::size_t mostParts = 1'000'000;
 
 /// What the posts of a surface show. Those of `taken` lie within an earlier surface, which makes the

@@ -67,7 +67,7 @@ TEST_F(Overpass, WaysWithNodesAreRead) {
     expectHouse(read({answer(way + "," + overpassNodes)}));
 }
 
-// A court of a quarter of the house. The members have shapes and no ids of nodes.
+// A court of a quarter of the building. The members have shapes and no ids of nodes.
 TEST_F(Overpass, RelationsBringTheirWaysAlong) {
     const std::string court =
         R"([{"lat":52.50005,"lon":13.4001},{"lat":52.50005,"lon":13.4003},{"lat":52.50015,"lon":13.4003},)"

@@ -284,11 +284,18 @@ QString StudyDock::whyNotPoints() const {
     return tr("This method measures no facades, windows or planes. Choose Quick or Reference.");
 }
 
+// Without a region or a place there is nothing to estimate.
+bool StudyDock::hasQuestion() const {
+    return what_->kind() == StudyKind::places ? places_->settings() && !places_->chosen().empty()
+                                              : !document_.settings().region.polygons.empty();
+}
+
 void StudyDock::showForecast() {
     const auto& estimate = forecast_->estimate();
     const QString words = estimate ? describe(*estimate) : forecast_->refusal();
     // It keeps its place while it is computed anew, so that nothing moves below the mouse.
-    forecastLine_->setText(words.isEmpty() ? tr("The time that it takes is being estimated") : words);
+    forecastLine_->setText(words.isEmpty() && hasQuestion() ? tr("The time that it takes is being estimated")
+                                                            : words);
     forecastLine_->setVisible(refusal_->isHidden() && hasCity_);
     if (what_->kind() == StudyKind::places) showKind();
 }
@@ -300,8 +307,7 @@ void StudyDock::showKind() {
     places_->setVisible(ofPlaces);
     run_->setText(runText());
     const bool isAsked = running_ && !changedSinceRun_;
-    const bool canRun =
-        !ofPlaces || (places_->settings() && !places_->chosen().empty() && forecast_->refusal().isEmpty());
+    const bool canRun = !ofPlaces || (hasQuestion() && forecast_->refusal().isEmpty());
     run_->setEnabled(!isAsked && canRun);
 }
 

@@ -89,6 +89,7 @@ private:
     void showDocument();
     void showKind();
     void askForecast();
+    [[nodiscard]] bool hasQuestion() const;
     void showForecast();
     void showRefusal();
     [[nodiscard]] std::optional<ElementSettings> measuredElements() const;
