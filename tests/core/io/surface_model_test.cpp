@@ -297,7 +297,8 @@ TEST_F(SurfaceModel, AGroundAloneIsReadWithAnExtentElsewhere) {
 }
 
 TEST_F(SurfaceModel, TheExtentChoosesAmongFilesAndWhatIsMade) {
-    settings.extent = LonLatBox{-73.97985, 40.7490, -73.9790, 40.7499};  // the building 20 m to the east alone
+    settings.extent =
+        LonLatBox{-73.97985, 40.7490, -73.9790, 40.7499};  // the building 20 m to the east alone
     for (const auto& files : {std::vector{outlines(), dtm()}, {dtm(), dsm()}}) {
         const CityRead read = this->read(files);
         EXPECT_EQ(read.city.buildings.size(), 1);
