@@ -180,10 +180,44 @@ TEST_F(CompareWindow, TheStudyOfTheOtherScenarioIsShownInTheSameColours) {
     const QImage before = capturedAt(calm);
     workbench().measureAll();
     ASSERT_TRUE(waitFor([this] { return workbench().measuredScenarios().size() == 2; }, 20000));
-    EXPECT_EQ(note(), QStringLiteral("the same study, in the same colours"));
+    EXPECT_EQ(note(), QStringLiteral("the same question, in the same colours"));
     const QImage after = capturedAt(calm);
     EXPECT_GT(differing(before, after, 0, after.width() / 2 - 8), 500);
     EXPECT_EQ(differing(before, after, after.width() / 2 + 8, after.width()), 0);
+}
+
+// The city was measured before the tower was built: its colours are those of the city.
+TEST_F(CompareWindow, WhatWasMeasuredBeforeATowerWasBuiltIsShownOfTheCityOnly) {
+    window->mode().setMode(ViewMode::analysis);
+    session().goTo(existingCity);
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return workbench().study() != nullptr; }, 20000)) << message().toStdString();
+    const std::string tower = session().project().scenarios.front().name;
+    session().goTo(tower);
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    show("compareSwipe");
+    EXPECT_EQ(others().currentText().toStdString(), existingCity);
+    EXPECT_EQ(window->panel().results().missingSides(), std::vector<std::string>{tower});
+    EXPECT_EQ(note(), QStringLiteral("not measured yet: %1 (Scenario > Measure all scenarios)")
+                          .arg(QString::fromStdString(tower)));
+    EXPECT_TRUE(window->panel().legend().legend()) << "of the city's colours";
+}
+
+TEST_F(CompareWindow, AComparisonShowsTheShadowOfBothScenarios) {
+    lookAtTower();
+    window->mode().setMode(ViewMode::analysis);
+    session().setBaseline(existingCity);
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return workbench().answerAs<ImpactAnswer>() != nullptr; }, 20000))
+        << message().toStdString();
+    const QString change = window->panel().legend().legend()->title;
+    show("compareSwipe");
+    EXPECT_EQ(note(), QStringLiteral("the same question, in the same colours"));
+    EXPECT_TRUE(window->panel().results().missingSides().empty());
+    EXPECT_NE(window->panel().legend().legend()->title, change) << "minutes of each";
+    way("compareSwipe").trigger();
+    EXPECT_EQ(window->panel().legend().legend()->title, change);
 }
 
 TEST_F(CompareWindow, AStudyWithOtherSettingsIsNotTheSame) {

@@ -97,5 +97,14 @@ TEST_F(RecentFilesTest, SamplesStayNames) {
     EXPECT_EQ(recent.entries().front(), QStringLiteral("sample:grid"));
 }
 
+TEST_F(RecentFilesTest, TheMenuLeavesOutSamples) {
+    recent.add({QStringLiteral("/tmp/mine.gpkg")});
+    recent.add({QStringLiteral("sample:grid")});
+    QMenu menu;
+    const RecentMenu entries(menu, settings);
+    ASSERT_EQ(menu.actions().size(), 1);
+    EXPECT_EQ(menu.actions()[0]->text(), QStringLiteral("mine.gpkg"));
+}
+
 }  // namespace
 }  // namespace noonmark

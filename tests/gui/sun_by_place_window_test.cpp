@@ -590,6 +590,58 @@ TEST_F(SunByPlaceWindow, MeasuringAllScenariosLeavesThePlacesInFront) {
     EXPECT_TRUE(sunOf(workbench().answer()));
 }
 
+TEST_F(SunByPlaceWindow, MeasureAllMeasuresThePlacesThatAreAskedFor) {
+    chooseDays(40);
+    QTest::mouseClick(&field<QPushButton>("measureAll"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return sun() != nullptr; })) << window->panel().messages().text().toStdString();
+    ASSERT_EQ(sun()->compared.size(), 1U);
+    EXPECT_EQ(sun()->baseline.name, existingCity);
+    EXPECT_EQ(sun()->compared[0].sun.name, "Tower");
+    EXPECT_EQ(session().scenario(), "Tower");
+}
+
+TEST_F(SunByPlaceWindow, SideBySideEachScenarioHasItsOwnPlaces) {
+    QTest::mouseClick(&field<QPushButton>("measureAll"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return sun() != nullptr; }));
+    window->comparing().findChild<QAction*>(QStringLiteral("compareBeside"))->trigger();
+    const ResultLayer& layer = window->panel().results();
+    ASSERT_TRUE(waitFor([&] { return window->panel().view().sides().layout == SideLayout::beside; }));
+    EXPECT_TRUE(layer.missingSides().empty());
+    const auto before = dock().view()->in(existingCity);
+    ASSERT_TRUE(before);
+    const glm::dvec2 park{-10, 60};
+    EXPECT_NE(before->describe(park), dock().view()->describe(park)) << "the tower shades it";
+    field<QComboBox>("placesShown").setCurrentText(QStringLiteral("Change"));
+    EXPECT_EQ(layer.missingSides(), std::vector<std::string>{existingCity}) << "a baseline has no change";
+}
+
+TEST_F(SunByPlaceWindow, TheDateThatIsShownStaysWithTheNextRun) {
+    measure();
+    auto& shown = field<QComboBox>("placesShown");
+    shown.setCurrentIndex(1);
+    field<QCheckBox>("placesOnlyBelow").setChecked(true);
+    measure();
+    EXPECT_EQ(shown.currentIndex(), 1);
+    EXPECT_TRUE(field<QCheckBox>("placesOnlyBelow").isChecked());
+}
+
+TEST_F(SunByPlaceWindow, WhoShadesAPlaceIsOfTheDateThatIsShown) {
+    measure();
+    auto& contributions = *window->findChild<ContributionsDock*>();
+    const auto& places = sun()->baseline.places;
+    dock().select(std::size_t(std::ranges::find(places, "North Park", &Place::name) - places.begin()));
+    field<QComboBox>("placesShown").setCurrentIndex(1);
+    QTest::mouseClick(&field<QPushButton>("placeContributors"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return !contributions.model().sheet().rows.empty(); }));
+    const SunByPlaceSettings& settings = sun()->baseline.settings;
+    const ContributionTable kept = workbench().answer()->ofPlaces().front();
+    EXPECT_EQ(kept.period, formatText(periodOf(settings, settings.dates[0])));
+    field<QComboBox>("placesShown").setCurrentIndex(0);
+    ASSERT_TRUE(waitFor([&] { return workbench().answer()->ofPlaces().size() == 2; }))
+        << "of the period, too";
+    EXPECT_EQ(workbench().answer()->ofPlaces().back().period, formatText(settings.study.period));
+}
+
 // Without another result there is nothing to return to: the list has the hidden one all the same.
 TEST_F(SunByPlaceWindow, AHiddenAnswerIsInTheListOfAnswers) {
     measure();

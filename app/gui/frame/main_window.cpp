@@ -321,12 +321,21 @@ void MainWindow::connectDocks() {
     connect(docks_.results, &ResultsDock::warningsRequested, this, [this] { showDock(docks_.warnings); });
     connect(&workbench_, &Workbench::commandFound, &copying_, &CopyActions::copyCommand);
     scenarios_.setSideBySide(comparing_.actions().front());
+    scenarios_.setPlacesMeasured([this] {
+        if (docks_.study->kind() != StudyKind::places) return false;
+        workbench_.compareSome();
+        docks_.study->runByPlaceInAll();
+        return true;
+    });
     connect(&scenarios_, &ScenarioActions::tableRequested, this, [this] { showDock(docks_.scenarios); });
     connect(&scenarios_, &ScenarioActions::comparisonShown, this, [this] {
         mode_.showStudies();
         showDock(docks_.results);
     });
-    connect(&placeLinks_, &PlaceLinks::dockRequested, this, [this] { showDock(docks_.places); });
+    connect(&placeLinks_, &PlaceLinks::dockRequested, this, [this] {
+        docks_.study->restore(StudyKind::places);  // Run asks again what is shown
+        showDock(docks_.places);
+    });
     connect(&placeLinks_, &PlaceLinks::placeRequested, &places_, &PlaceActions::zoomTo);
     connect(&placeLinks_, &PlaceLinks::placeRequested, this, [this](const std::string& place) {
         if (docks_.contributions->isInFront()) contributions_.choose(place);
@@ -335,6 +344,7 @@ void MainWindow::connectDocks() {
         showDock(docks_.contributions);
         contributions_.choose(place);
     };
+    connect(docks_.places, &PlacesDock::dateChosen, &contributions_, &ContributionLinks::setDate);
     connect(&placeLinks_, &PlaceLinks::contributorsRequested, this, showContributors);
     connect(&display_, &ResultDisplay::contributorsRequested, this, showContributors);
     connect(&placeLinks_, &PlaceLinks::chosen, &display_, &ResultDisplay::showPlace);

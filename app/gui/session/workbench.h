@@ -58,6 +58,9 @@ public:
     /// is chosen: also in all other scenarios if they are wanted. The study of `settings` is the document's,
     /// without its region.
     void runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings, bool allScenarios = false);
+    /// Has a comparison to show where there are scenarios: with the existing city, of the last scenario if
+    /// none is displayed.
+    void compareSome();
     /// The cities that it measures, the baseline first.
     [[nodiscard]] std::vector<std::shared_ptr<const City>> listPlaceCities(bool allScenarios);
     struct Adopting {
@@ -95,6 +98,9 @@ public:
     [[nodiscard]] std::shared_ptr<const MeasuredAnswer> measuredSavedAs(const std::string& name) const;
     /// The name under which the displayed answer is saved; empty: under none.
     [[nodiscard]] std::string savedName() const;
+    /// The latest answer about the buildings of a scenario as they are now to the question of another answer
+    /// about the ground, of a comparison to that of a study; null: none in this session.
+    [[nodiscard]] std::shared_ptr<const Answer> findAnswer(const std::string& scenario, const Answer& same);
     /// Shows one of them, in its scenario; where its buildings have changed since, as past(). One that was
     /// read from the project file is shown as a saved result.
     void showMeasured(const MeasuredAnswer& measured);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <ranges>
 #include <utility>
 
 #include "app/gui/base/widgets/error_text.h"
@@ -187,6 +188,12 @@ std::vector<std::shared_ptr<const City>> Workbench::listPlaceCities(bool allScen
     for (const std::string& name : names)
         if (const auto city = session_.cityOf(name)) cities.push_back(*city);
     return cities;
+}
+
+void Workbench::compareSome() {
+    if (comparing() || session_.project().scenarios.empty()) return;
+    if (session_.scenario() == existingCity) session_.goTo(session_.project().scenarios.back().name);
+    session_.setBaseline(existingCity);
 }
 
 void Workbench::runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings, bool allScenarios) {
@@ -465,6 +472,21 @@ MeasuredAnswers Workbench::measured() const {
     MeasuredAnswers unnamed = measured_;
     std::erase_if(unnamed, [this](const auto& one) { return !savedNameOf(one).empty(); });
     return unnamed;
+}
+
+std::shared_ptr<const Answer> Workbench::findAnswer(const std::string& scenario, const Answer& same) {
+    const auto city = session_.cityOf(scenario).value_or(nullptr);
+    const Question& question = &same.question() == &comparisonQuestion() ? studyQuestion() : same.question();
+    const auto isSame = [&](const KnownAnswer& known) {
+        const Answer* answer = known.answer.get();
+        return answer && known.city == city && !known.before && &answer->question() == &question &&
+               answer->settings() && *answer->settings() == *same.settings() &&
+               answer->part().weights == same.part().weights;
+    };
+    for (const auto& measured : measured_ | std::views::reverse)
+        if (isSame(measured->known())) return measured->known().answer;
+    const auto study = std::ranges::find_if(studies_, isSame);
+    return study == studies_.end() ? nullptr : study->answer;
 }
 
 // Saving it may have been undone.

@@ -72,10 +72,7 @@ Result<void> findSun(Measuring& m, const Receivers& receivers) {
     m.daylight = *std::move(sun);
     m.months = monthsOf(m.daylight);
     for (const CivilDate& date : m.settings().dates) {
-        Period day = study.period;
-        day.start = date;
-        day.days = 1;
-        auto ofDay = computeSunSteps(day, observer, m.stop);
+        auto ofDay = computeSunSteps(periodOf(m.settings(), date), observer, m.stop);
         if (!ofDay) return tl::make_unexpected(ofDay.error());
         m.dates.push_back(*std::move(ofDay));
     }
@@ -274,6 +271,14 @@ SunForecast makeForecast(Measuring& m, const PlaceCells& cells) {
 }
 
 }  // namespace
+
+Period periodOf(const SunByPlaceSettings& settings, const std::optional<CivilDate>& date) {
+    Period period = settings.study.period;
+    if (!date) return period;
+    period.start = *date;
+    period.days = 1;
+    return period;
+}
 
 Result<SunOfCities> compareSunByPlace(std::span<const NamedCity> cities, std::vector<Place> places,
                                       const SunByPlaceSettings& settings, Progress& progress,

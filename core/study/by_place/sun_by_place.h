@@ -186,6 +186,9 @@ struct NamedCity {
     City city;
 };
 
+/// What was measured: the study's period, or the same hours of one of the dates.
+Period periodOf(const SunByPlaceSettings& settings, const std::optional<CivilDate>& date);
+
 /// How much sun the places of a city get. Places without a cell on open ground are listed as warnings, with
 /// NaN as figures. Error: no place, a setting out of range, an engine that sums no months; errors of
 /// runStudy(). Stops with cancelled() within 0.2 s. Cost: one field with its months over the union of the

@@ -291,7 +291,9 @@ ContributionTable makeContributionTable(const PlaceContributions& of, double sun
 }
 
 std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more) {
-    std::erase_if(all, [&](const ContributionTable& old) { return old.place == more.place; });
+    std::erase_if(all, [&](const ContributionTable& old) {
+        return old.place == more.place && (old.period == more.period || old.period.empty());
+    });
     all.push_back(std::move(more));
     return all;
 }

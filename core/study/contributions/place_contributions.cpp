@@ -96,8 +96,20 @@ void weighByShares(PlaceReceivers& on) {
     for (const UnevenCell& cell : on.unevenOf.front()) shares[on.receiverOf(0, cell.bit)] += cell.extra;
 }
 
+std::optional<CivilDate> dateOf(const SunByPlace& sun, std::optional<std::size_t> date) {
+    return date ? std::optional(sun.settings.dates[*date]) : std::nullopt;
+}
+
+Result<SunSteps> daylightOf(const SunByPlace& sun, std::optional<std::size_t> date,
+                            const std::stop_token& stop) {
+    if (!date) return sun.daylight;
+    const Period day = periodOf(sun.settings, dateOf(sun, date));
+    return computeDaylightSteps(day, makeObserver(sun.city, sun.settings.study), stop);
+}
+
 // On ground that is open in all cities, in the cells that the place was measured on.
-Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place, Progress& progress,
+Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place,
+                                     std::optional<std::size_t> date, Progress& progress,
                                      std::stop_token stop, const EngineList& engines) {
     const SunByPlace& sun = all.compared.empty() ? all.baseline : all.compared.back().sun;
     const Place& where = sun.places[place];
@@ -111,14 +123,21 @@ Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place, 
     auto on = placeReceiversOnPlaces(cities, std::span(&where, 1), {.cellM = of.cellM}, stop);
     if (!on) return tl::make_unexpected(on.error());
     weighByShares(*on);
-    const std::size_t days = sun.daylight.dayCount();
-    auto breakdown = (*engine)->breakDown(sun.city, on->receivers, sun.daylight, monthsOf(sun.daylight), true,
-                                          progress, std::move(stop));
+    const auto when = daylightOf(sun, date, stop);
+    if (!when) return tl::make_unexpected(when.error());
+    const std::size_t days = when->dayCount();
+    auto breakdown = (*engine)->breakDown(sun.city, on->receivers, *when, monthsOf(*when), true, progress,
+                                          std::move(stop));
     if (!breakdown) return tl::make_unexpected(breakdown.error());
-    const double minutesADay = sun.daylight.sunlitMinutes() / double(days) - 60 * of.meanHours;
-    PlaceContributions made{
-        where, *std::move(breakdown),    of.cells, days, minutesADay * of.areaM2 * double(days),
-        {},    sun.settings.study.period};
+    const double hours = date ? of.dateHours[*date] : of.meanHours;
+    const double minutesADay = when->sunlitMinutes() / double(days) - 60 * hours;
+    PlaceContributions made{where,
+                            *std::move(breakdown),
+                            of.cells,
+                            days,
+                            minutesADay * of.areaM2 * double(days),
+                            {},
+                            periodOf(sun.settings, dateOf(sun, date))};
     made.rows = listContributions(sun.city, made.breakdown, days);
     return made;
 }
@@ -126,10 +145,10 @@ Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place, 
 }  // namespace
 
 Result<PlaceContributions> computePlaceContributions(const SunOfCities& sun, std::size_t place,
-                                                     Progress& progress, std::stop_token stop,
-                                                     const EngineList& engines) {
+                                                     std::optional<std::size_t> date, Progress& progress,
+                                                     std::stop_token stop, const EngineList& engines) {
     return guardMemory({.advice = "Choose a smaller place or larger cells"},
-                       [&] { return attribute(sun, place, progress, std::move(stop), engines); });
+                       [&] { return attribute(sun, place, date, progress, std::move(stop), engines); });
 }
 
 Result<PlaceContributions> computePlaceContributions(const Study& study, const Place& place,

@@ -33,9 +33,11 @@ struct SunOfCities;
 
 /// The same of a place whose sun was measured, on its own cells, in the last of the cities: each cell counts
 /// by its share of the place, so that the rows add up to the place's shadow. `place`: its index. Error also
-/// where the place has no cell. Cost: that of a study of the place with contributions.
+/// where the place has no cell. `date`: on this one of its dates; none: over the period. Cost: that of a
+/// study of the place with contributions.
 Result<PlaceContributions> computePlaceContributions(const SunOfCities& sun, std::size_t place,
-                                                     Progress& progress, std::stop_token stop,
+                                                     std::optional<std::size_t> date, Progress& progress,
+                                                     std::stop_token stop,
                                                      const EngineList& engines = coreEngines());
 
 /// What buildings take from a place, as an answer keeps it: without maps.
@@ -50,7 +52,7 @@ struct ContributionTable {
     std::vector<Contribution> rows;     ///< read back: without indices of buildings
 };
 ContributionTable makeContributionTable(const PlaceContributions& of, double sunlitMinutesPerDay);
-/// Replaces an earlier one of the same place.
+/// Replaces an earlier one of the same place and period.
 std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more);
 
 /// The JSON of an answer with a member `contributions_of_places`; without any it stays as it is.

@@ -160,13 +160,35 @@ TEST(PlaceContributions, OfAMeasuredPlaceTheyAddUpToTheShadowOfItsCells) {
                                        {square("Yard", 0, 52, 20, 92), square("Inside", 4, 4, 16, 16)},
                                        settings, quiet, {});
     ASSERT_TRUE(sun) << sun.error().text();
-    const auto made = computePlaceContributions(*sun, 0, quiet, {});
+    const auto made = computePlaceContributions(*sun, 0, {}, quiet, {});
     ASSERT_TRUE(made) << made.error().text();
     EXPECT_EQ(made->cells, sun->baseline.sun[0].cells);
     ASSERT_FALSE(made->rows.empty());
     const double shadowMin = sun->baseline.field.sunlitMinutesPerDay - 60 * sun->baseline.sun[0].meanHours;
     EXPECT_NEAR(sumOfRows(made->rows, &Contribution::attributedMin), shadowMin, 1e-6 * shadowMin);
-    EXPECT_FALSE(computePlaceContributions(*sun, 1, quiet, {})) << "a tower stands on all of it";
+    EXPECT_FALSE(computePlaceContributions(*sun, 1, {}, quiet, {})) << "a tower stands on all of it";
+}
+
+// A lower sun than in the period: other minutes, of the same cells.
+TEST(PlaceContributions, OfADateTheyAddUpToTheShadowOfThatDay) {
+    SunByPlaceSettings settings;
+    settings.study = atNoon("horizon");
+    settings.dates = {parseDate("2026-12-21").value(), parseDate("2026-06-21").value()};
+    NoProgress quiet;
+    const auto sun = compareSunByPlace(std::vector<NamedCity>{{"Now", twoTowers()}},
+                                       {square("Yard", 0, 52, 20, 92)}, settings, quiet, {});
+    ASSERT_TRUE(sun) << sun.error().text();
+    std::vector<ContributionTable> tables;
+    for (std::size_t date = 0; date < 2; ++date) {
+        const auto made = computePlaceContributions(*sun, 0, date, quiet, {});
+        ASSERT_TRUE(made) << made.error().text();
+        EXPECT_EQ(made->days, 1);
+        EXPECT_EQ(made->period.start, settings.dates[date]);
+        const double shadowMin = 60 * (settings.study.period.hours - sun->baseline.sun[0].dateHours[date]);
+        EXPECT_NEAR(sumOfRows(made->rows, &Contribution::attributedMin), shadowMin, 1e-6 * 60);
+        tables = withContributions(tables, makeContributionTable(*made, 60));
+    }
+    EXPECT_EQ(tables.size(), 2) << "one of each date";
 }
 
 // Cells of 2 m whose shares of the place are 1, 1, 1 and 0.5 from west to east, in three rows. The tower
@@ -181,7 +203,7 @@ TEST(PlaceContributions, ACellOnTheEdgeOfAMeasuredPlaceCountsByItsShare) {
     ASSERT_TRUE(sun) << sun.error().text();
     const SunOfPlace& of = sun->baseline.sun[0];
     EXPECT_DOUBLE_EQ(of.areaM2, 7 * 6);
-    const auto made = computePlaceContributions(*sun, 0, quiet, {});
+    const auto made = computePlaceContributions(*sun, 0, {}, quiet, {});
     ASSERT_TRUE(made) << made.error().text();
     const ShadowField& field = sun->baseline.field;
     double minM2ADay = 0, wholeMinM2ADay = 0;

@@ -86,6 +86,10 @@ struct PlaceView {
     bool marked = false;        ///< the note is a warning
     double thresholdHours = 0;  ///< of the colours
     std::function<QString(glm::dvec2 point)> describe;
+    /// The same of a scenario that was measured with it, in the same colours; null: it was not.
+    std::function<std::shared_ptr<const PlaceView>(const std::string& scenario)> in = [](const std::string&) {
+        return nullptr;
+    };
 };
 
 }  // namespace noonmark

@@ -192,6 +192,11 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& compari
                             .error = comparison->study.error});
 }
 
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison,
+                              const ShadowField& field) {
+    return markMissingRuns({.map = std::shared_ptr<const ShadowField>(comparison, &field)});
+}
+
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
     return {std::shared_ptr<const Score>(score, &score->score), nullptr,
             QObject::tr("%1 with the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name))};

@@ -56,6 +56,9 @@ struct GroundAnswer {
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison);
+/// One of its two scenarios. `field`: of its study.
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison,
+                              const ShadowField& field);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score);
 
 /// Sets grossOnly and whyGross according to the map: of a study, a comparison or a saved result without

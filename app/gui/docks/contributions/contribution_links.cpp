@@ -104,8 +104,32 @@ std::optional<std::size_t> ContributionLinks::placeOfSun() const {
 const ContributionTable* ContributionLinks::savedTable() const {
     if (!workbench_.answer() || dock_.subject().empty()) return nullptr;
     const auto& all = workbench_.answer()->ofPlaces();
-    const auto at = std::ranges::find(all, dock_.subject(), &ContributionTable::place);
+    const auto at = std::ranges::find_if(all, [&, period = periodText()](const ContributionTable& of) {
+        return of.place == dock_.subject() && (of.period == period || of.period.empty() || period.empty());
+    });
     return at == all.end() ? nullptr : &*at;
+}
+
+// Of sun by place; empty: of anything else.
+std::string ContributionLinks::periodText() const {
+    const auto sun = sunOf(workbench_.answer());
+    if (!sun) return {};
+    const SunByPlaceSettings& settings = sun->baseline.settings;
+    return formatText(periodOf(settings, dateOf(*sun)));
+}
+
+std::optional<CivilDate> ContributionLinks::dateOf(const SunOfCities& sun) const {
+    const auto& dates = sun.baseline.settings.dates;
+    return date_ && *date_ < dates.size() ? std::optional(dates[*date_]) : std::nullopt;
+}
+
+void ContributionLinks::setDate(std::optional<std::size_t> date) {
+    if (date == date_) return;
+    date_ = date;
+    if (sunOf(workbench_.answer()) && dock_.isInFront())
+        choose(std::string(dock_.subject()));
+    else
+        refresh();
 }
 
 std::optional<Place> ContributionLinks::subject() const {
@@ -127,6 +151,9 @@ void ContributionLinks::refresh() {
     if (const auto saved = workbench_.answerAs<SavedContent>()) return showSaved(*saved);
     if (sun()) return showSun();
     if (study_) return showStudy(*study_);
+    if (workbench_.past())
+        return dock_.explain(tr("Buildings have changed since the last answer. Run it again (Ctrl+R), then "
+                                "click a place in the view to see which buildings shade it."));
     dock_.explain(
         tr("No study yet. Run one (Ctrl+R), then click a place in the view to see which buildings "
            "shade it."));
@@ -193,8 +220,9 @@ void ContributionLinks::choose(const std::string& place) {
 void ContributionLinks::attributeSun(std::size_t place) {
     working_.start<PlaceContributions>(
         tr("Attributing the shadow of %1").arg(QString::fromStdString(dock_.subject())),
-        [places = sun(), place](Progress& progress, std::stop_token stop) {
-            return computePlaceContributions(*places, place, progress, std::move(stop),
+        [places = sun(), place, date = dateOf(*sun()) ? date_ : std::nullopt](Progress& progress,
+                                                                              std::stop_token stop) {
+            return computePlaceContributions(*places, place, date, progress, std::move(stop),
                                              enginesWith(places->baseline.settings.study.engine));
         },
         [this, places = sun()](Result<PlaceContributions> made) {

@@ -28,6 +28,8 @@ public:
     void choose(const std::string& place);  ///< of the project; empty: the whole region
     /// The answer shown, of a study; null: none, or it came with the study.
     [[nodiscard]] std::shared_ptr<const PlaceContributions> shown() const;
+    /// One of the dates of sun by place: contributions are of that day; none: of the period.
+    void setDate(std::optional<std::size_t> date);
     [[nodiscard]] JobSlot& working() { return working_; }
 
 Q_SIGNALS:
@@ -53,6 +55,8 @@ private:
     [[nodiscard]] std::shared_ptr<const SunOfCities> sun() const;
     [[nodiscard]] std::optional<std::size_t> placeOfSun() const;
     [[nodiscard]] const ContributionTable* savedTable() const;
+    [[nodiscard]] std::string periodText() const;
+    [[nodiscard]] std::optional<CivilDate> dateOf(const SunOfCities& sun) const;
     [[nodiscard]] std::optional<Place> subject() const;
     [[nodiscard]] std::optional<std::uint32_t> indexOf(const Building& building) const;
 
@@ -62,6 +66,7 @@ private:
     ViewPanel& panel_;
     std::shared_ptr<const Study> study_;
     std::map<std::string, std::shared_ptr<const PlaceContributions>> known_;  ///< of study_, by place
+    std::optional<std::size_t> date_;
     JobSlot working_;
 };
 

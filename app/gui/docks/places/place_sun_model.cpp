@@ -119,10 +119,31 @@ void PlaceSunModel::setGrouped(bool grouped) {
 // Only what the view draws of them changes: no signal for each row.
 void PlaceSunModel::setColours(std::vector<QColor> colours) { colours_ = std::move(colours); }
 
+namespace {
+
+// Null: the baseline has no change, and another scenario was not measured.
+const ComparedSun* findCompared(const SunOfCities& sun, const std::string& scenario) {
+    const auto at = std::ranges::find(sun.compared, scenario, [](const auto& one) { return one.sun.name; });
+    return at == sun.compared.end() ? nullptr : &*at;
+}
+
+}  // namespace
+
+bool isMeasured(const SunOfCities& sun, const std::string& scenario, const ShownSun& shown) {
+    return findCompared(sun, scenario) ||
+           (shown.what != ShownSun::What::change && sun.baseline.name == scenario);
+}
+
+double hoursOf(const SunOfCities& sun, const std::string& scenario, std::size_t place,
+               const ShownSun& shown) {
+    const ComparedSun* compared = findCompared(sun, scenario);
+    if (shown.what == ShownSun::What::change) return compared->changes[place].meanHours;
+    const SunOfPlace& of = (compared ? compared->sun : sun.baseline).sun[place];
+    return shown.what == ShownSun::What::period ? of.meanHours : of.dateHours[shown.date];
+}
+
 double PlaceSunModel::hoursOf(std::size_t place, const ShownSun& shown) const {
-    if (shown.what == ShownSun::What::change) return sun_->compared.back().changes[place].meanHours;
-    const SunOfPlace& sun = shownCity(*sun_).sun[place];
-    return shown.what == ShownSun::What::period ? sun.meanHours : sun.dateHours[shown.date];
+    return noonmark::hoursOf(*sun_, shownCity(*sun_).name, place, shown);
 }
 
 void PlaceSunModel::addColumn(FigureColumn column, const std::function<double(std::size_t)>& valueOf) {

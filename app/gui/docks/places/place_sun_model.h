@@ -20,6 +20,11 @@ struct ShownSun {
     bool operator==(const ShownSun&) const = default;
 };
 
+/// Whether it is known of a scenario: a baseline has no change.
+bool isMeasured(const SunOfCities& sun, const std::string& scenario, const ShownSun& shown);
+/// Hours of a place, NaN without a cell. The scenario must be measured.
+double hoursOf(const SunOfCities& sun, const std::string& scenario, std::size_t place, const ShownSun& shown);
+
 /// The places that were measured as a table whose columns are the figures of their tables
 /// (sunOfPlaceFigures(), sunChangeFigures()), those of the dates between, and the mean with each shade of
 /// trees. Pieces without a name of their own stand below the place that they lie in, or together below one

@@ -17,7 +17,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
@@ -28,6 +27,7 @@
 #include "app/gui/session/answers/result_rows.h"
 #include "app/gui/session/study/region_text.h"
 #include "app/report/maps/style.h"
+#include "core/describe/field_json.h"
 #include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 
@@ -215,6 +215,7 @@ void PlacesDock::connectFields() {
         showNextToNames();
         colour();
         limitRows();
+        emitDate();
     });
     connect(onlyBelow_, &QCheckBox::toggled, this, &PlacesDock::limitRows);
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { follow(double(tick) / ticksOfHour); });
@@ -272,6 +273,7 @@ void PlacesDock::show(std::shared_ptr<const SunOfCities> sun, const QString& not
         showThreshold();
     } else if (sun != model_->sun()) {
         rest_->stop();
+        if (sun && model_->sun() && restored_.empty()) restored_ = choice();
         picture_ = sun ? PlacePicture(sun->baseline.places) : PlacePicture();
         model_->show(std::move(sun));
         fillLists();
@@ -309,44 +311,71 @@ void PlacesDock::fillLists() {
     applyRestored();
     showNextToNames();
     limitRows();
+    emitDate();
     if (grouped_->isChecked()) table_->expandToDepth(0);
 }
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr const char *wholePeriod = "period", *changeOfSun = "change";
 
-constexpr std::string_view wholePeriod = "period", changeOfSun = "change";
+/// What the table lists, and in which order, as projects hold it.
+struct PlaceListing {
+    std::string of = wholePeriod;  ///< or changeOfSun, or one of the dates
+    std::string kind;              ///< nameOf(PlaceKind); empty: all
+    bool onlyBelow = false;
+    bool byKind = false;
+    int sortedBy = -1;  ///< column; -1: in the order of the project
+    bool isDescending = false;
+};
+
+const Fields<PlaceListing>& listingFields() {
+    static const Fields<PlaceListing> fields{field(&PlaceListing::of, {.key = "of"}),
+                                             field(&PlaceListing::kind, {.key = "kind"}),
+                                             field(&PlaceListing::onlyBelow, {.key = "only_below"}),
+                                             field(&PlaceListing::byKind, {.key = "by_kind"}),
+                                             field(&PlaceListing::sortedBy, {.key = "sorted_by"}),
+                                             field(&PlaceListing::isDescending, {.key = "descending"})};
+    return fields;
+}
 
 }  // namespace
 
 std::string PlacesDock::choice() const {
     const ShownSun what = shown();
-    const std::string of = what.what == ShownSun::What::date
-                               ? formatText(model_->sun()->baseline.settings.dates[what.date])
-                               : std::string(what.what == ShownSun::What::change ? changeOfSun : wholePeriod);
-    Json json{{"of", of}, {"only_below", onlyBelow_->isChecked()}, {"by_kind", grouped_->isChecked()}};
-    if (const auto kind = filter_->kind()) json["kind"] = nameOf(*kind);
-    return json.dump();
+    PlaceListing listing{.onlyBelow = onlyBelow_->isChecked(),
+                         .byKind = grouped_->isChecked(),
+                         .sortedBy = filter_->sortColumn(),
+                         .isDescending = filter_->sortOrder() == Qt::DescendingOrder};
+    if (what.what == ShownSun::What::date)
+        listing.of = formatText(model_->sun()->baseline.settings.dates[what.date]);
+    if (what.what == ShownSun::What::change) listing.of = changeOfSun;
+    if (const auto kind = filter_->kind()) listing.kind = nameOf(*kind);
+    return fieldsJson(listingFields().of(listing)).dump();
+}
+
+// Another project lists all places until its answer is there.
+void PlacesDock::restore(const std::string& choice) {
+    restored_ = choice;
+    for (QCheckBox* box : {onlyBelow_, grouped_}) box->setChecked(false);
 }
 
 void PlacesDock::applyRestored() {
-    const Json json = Json::parse(std::exchange(restored_, {}), nullptr, false);
-    if (!json.is_object()) return;
-    const auto textOf = [&](const char* key) {
-        const Json text = json.value(key, Json());
-        return text.is_string() ? text.get<std::string>() : std::string();
-    };
-    const auto isOn = [&](const char* key) { return json.value(key, Json()) == true; };
+    const auto json = nlohmann::ordered_json::parse(std::exchange(restored_, {}), nullptr, false);
+    PlaceListing listing;
+    if (!json.is_object() || !readFieldsJson(listingFields().of(listing), json)) return;
     const auto& sun = *model_->sun();
     const auto& dates = sun.baseline.settings.dates;
     for (std::size_t date = 0; date < dates.size(); ++date)
-        if (textOf("of") == formatText(dates[date])) shown_->setCurrentIndex(int(date) + 1);
-    if (textOf("of") == changeOfSun && !sun.compared.empty()) shown_->setCurrentIndex(shown_->count() - 1);
-    if (const auto kind = parsePlaceKind(textOf("kind")))
+        if (listing.of == formatText(dates[date])) shown_->setCurrentIndex(int(date) + 1);
+    if (listing.of == changeOfSun && !sun.compared.empty()) shown_->setCurrentIndex(shown_->count() - 1);
+    if (const auto kind = parsePlaceKind(listing.kind))
         kinds_->setCurrentIndex(std::max(0, kinds_->findData(int(*kind))));
-    onlyBelow_->setChecked(isOn("only_below"));
-    grouped_->setChecked(isOn("by_kind"));
+    onlyBelow_->setChecked(listing.onlyBelow);
+    grouped_->setChecked(listing.byKind);
+    if (listing.sortedBy < filter_->columnCount())
+        table_->sortByColumn(std::max(-1, listing.sortedBy),
+                             listing.isDescending ? Qt::DescendingOrder : Qt::AscendingOrder);
 }
 
 void PlacesDock::fitColumns() {
@@ -414,6 +443,11 @@ ShownSun PlacesDock::shown() const {
                                                       : ShownSun{ShownSun::What::change, 0};
 }
 
+void PlacesDock::emitDate() {
+    const ShownSun what = shown();
+    Q_EMIT dateChosen(what.what == ShownSun::What::date ? std::optional(what.date) : std::nullopt);
+}
+
 void PlacesDock::setShown(ShownAs show) {
     const QModelIndex current = filter_->mapToSource(table_->currentIndex());
     const auto place = current.isValid() ? model_->placeOf(current.siblingAtColumn(0)) : std::nullopt;
@@ -460,23 +494,37 @@ void PlacesDock::colour() {
     view_.reset();
     if (const auto& sun = model_->sun()) {
         const ShownSun what = shown();
-        const ColourScale scale = scaleOf(what);
         std::vector<QColor> colours;
-        std::vector<GroundPicture::Pixel> pixels;
-        for (std::size_t i = 0; i < sun->baseline.places.size(); ++i) {
+        const ColourScale scale = scaleOf(what);
+        for (std::size_t i = 0; i < sun->baseline.places.size(); ++i)
             colours.push_back(colourOf(scale, model_->hoursOf(i, what)));
-            pixels.push_back(pixelOf(colours.back()));
-        }
         model_->setColours(std::move(colours));
-        view_ = std::make_shared<const PlaceView>(
-            PlaceView{picture_.coloured(pixels), legendOf(scaleAsShown(scale, what), what),
-                      note_.isEmpty() ? describeError(what) : note_, outdated_, threshold_->value(),
-                      [this, what](glm::dvec2 point) { return describeAt(point, what); }});
+        view_ = std::make_shared<const PlaceView>(makeView(shownCity(*sun).name));
     }
     table_->viewport()->update();
     enableThreshold();
     describeCount();
     Q_EMIT viewChanged();
+}
+
+// The places of one of the cities that were measured.
+PlaceView PlacesDock::makeView(const std::string& scenario) const {
+    const auto& sun = model_->sun();
+    const ShownSun what = shown();
+    const ColourScale scale = scaleOf(what);
+    std::vector<GroundPicture::Pixel> pixels;
+    for (std::size_t i = 0; i < sun->baseline.places.size(); ++i)
+        pixels.push_back(pixelOf(colourOf(scale, hoursOf(*sun, scenario, i, what))));
+    return {picture_.coloured(pixels),
+            legendOf(scaleAsShown(scale, what), what),
+            note_.isEmpty() ? describeError(what) : note_,
+            outdated_,
+            threshold_->value(),
+            [this, what, scenario](glm::dvec2 point) { return describeAt(point, what, scenario); },
+            [this, what](const std::string& other) -> std::shared_ptr<const PlaceView> {
+                if (!model_->sun() || !isMeasured(*model_->sun(), other, what)) return nullptr;
+                return std::make_shared<const PlaceView>(makeView(other));
+            }};
 }
 
 void PlacesDock::enableThreshold() {
@@ -518,11 +566,11 @@ Legend PlacesDock::legendOf(const ColourScale& scale, const ShownSun& shown) con
     return legend;
 }
 
-QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown) const {
+QString PlacesDock::describeAt(glm::dvec2 point, const ShownSun& shown, const std::string& scenario) const {
     const auto place = picture_.placeAt(point);
     if (!place || !model_->sun()) return {};
     const QString name = QString::fromStdString(model_->sun()->baseline.places[*place].name);
-    const double hours = model_->hoursOf(*place, shown);
+    const double hours = hoursOf(*model_->sun(), scenario, *place, shown);
     if (std::isnan(hours)) return tr("%1: no cell on open ground").arg(name);
     if (!model_->showsSun(shown)) {
         const QString minutes = groupDigits(std::abs(model_->shownOf(hours, shown)));

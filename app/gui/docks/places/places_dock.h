@@ -36,7 +36,7 @@ public:
     /// What is listed and how, as JSON, which is saved with the view of the project.
     [[nodiscard]] std::string choice() const;
     /// Of the answer that is shown next. Reads what is valid. Accepts any text.
-    void restore(const std::string& choice) { restored_ = choice; }
+    void restore(const std::string& choice);
     /// What the view shows of it; null: nothing.
     [[nodiscard]] std::shared_ptr<const PlaceView> view() const { return view_; }
     [[nodiscard]] std::optional<std::size_t> placeAt(glm::dvec2 point) const {
@@ -49,6 +49,7 @@ protected:
 
 Q_SIGNALS:
     /// Double click, or the button below the table: what buildings take from the place is to be shown.
+    void dateChosen(std::optional<std::size_t> date);  ///< of the answer's; none: the period, or the change
     void contributorsRequested(std::size_t place);
     void returnRequested();                 ///< the answer set aside is to be shown again
     void viewChanged();                     ///< view()
@@ -86,7 +87,10 @@ private:
     [[nodiscard]] ColourScale scaleAsShown(ColourScale scale, const ShownSun& shown) const;
     [[nodiscard]] Legend legendOf(const ColourScale& scale, const ShownSun& shown) const;
     [[nodiscard]] QString describeError(const ShownSun& shown) const;
-    [[nodiscard]] QString describeAt(glm::dvec2 point, const ShownSun& shown) const;
+    void emitDate();
+    [[nodiscard]] PlaceView makeView(const std::string& scenario) const;
+    [[nodiscard]] QString describeAt(glm::dvec2 point, const ShownSun& shown,
+                                     const std::string& scenario) const;
 
     QLabel* aside_;
     QPushButton* return_;

@@ -12,7 +12,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/buttons.h"
@@ -20,6 +19,8 @@
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/study/region_text.h"
+#include "core/describe/field_json.h"
+#include "core/describe/field_values.h"
 #include "core/receivers/place_names.h"
 
 namespace noonmark {
@@ -187,35 +188,54 @@ std::vector<Place> PlacesForm::chosen() const {
     return chosen;
 }
 
-using Json = nlohmann::ordered_json;
+namespace {
+
+/// What is ticked and typed, as projects hold it.
+struct PlacesAsked {
+    std::vector<std::string> unticked;  ///< nameOf(PlaceKind)
+    bool ownRegions = false;
+    bool allScenarios = false;
+    double enoughHours = SunByPlaceSettings().enoughHours;
+    std::string dates;  ///< as typed
+};
+
+const Fields<PlacesAsked>& placesAskedFields() {
+    static const Fields<PlacesAsked> fields{
+        field(&PlacesAsked::unticked, {.key = "unticked"}),
+        field(&PlacesAsked::ownRegions, {.key = "own_regions"}),
+        field(&PlacesAsked::allScenarios, {.key = "all_scenarios"}),
+        field(&PlacesAsked::enoughHours,
+              {.key = "enough_hours", .range = ValueRange{0, SunByPlaceSettings::maxHours}}),
+        field(&PlacesAsked::dates, {.key = "dates"})};
+    return fields;
+}
+
+}  // namespace
 
 std::string PlacesForm::choice() const {
-    Json unticked = Json::array();
-    for (const PlaceKind kind : unticked_) unticked.push_back(nameOf(kind));
-    Json json{{"unticked", unticked},
-              {"own_regions", regionsTicked_},
-              {"all_scenarios", all_->isChecked()},
-              {"enough_hours", enough_->value()}};
-    if (dates_->text() != defaultDates(year_)) json["dates"] = dates_->text().toStdString();
-    return json.dump();
+    PlacesAsked asked{.ownRegions = regionsTicked_,
+                      .allScenarios = all_->isChecked(),
+                      .enoughHours = enough_->value(),
+                      .dates = dates_->text().toStdString()};
+    for (const PlaceKind kind : unticked_) asked.unticked.emplace_back(nameOf(kind));
+    return fieldsJson(placesAskedFields().of(asked)).dump();
 }
 
 void PlacesForm::restore(const std::string& choice) {
-    Json json = Json::parse(choice, nullptr, false);
-    if (!json.is_object()) json = Json::object();
-    const Json kinds = json.value("unticked", Json());
-    unticked_ = untickedAtFirst;
-    if (kinds.is_array()) unticked_.clear();
-    for (const Json& name : kinds)
-        if (const auto kind = name.is_string() ? parsePlaceKind(name.get<std::string>()) : std::nullopt)
-            unticked_.insert(*kind);
-    const auto isOn = [&](const char* key) { return json.value(key, Json()) == true; };
-    const Json enough = json.value("enough_hours", Json()), dates = json.value("dates", Json());
-    regionsTicked_ = isOn("own_regions");
-    all_->setChecked(isOn("all_scenarios"));
-    enough_->setValue(enough.is_number() ? enough.get<double>() : SunByPlaceSettings().enoughHours);
-    dates_->setText(dates.is_string() ? QString::fromStdString(dates.get<std::string>())
-                                      : defaultDates(year_));
+    const PlacesAsked atFirst{.dates = defaultDates(year_).toStdString()};
+    PlacesAsked asked = atFirst;
+    for (const PlaceKind kind : untickedAtFirst) asked.unticked.emplace_back(nameOf(kind));
+    const auto json = nlohmann::ordered_json::parse(choice, nullptr, false);
+    if (PlacesAsked read = atFirst; json.is_object() && readFieldsJson(placesAskedFields().of(read), json) &&
+                                    checkRanges(placesAskedFields().of(read)))
+        asked = std::move(read);
+    unticked_.clear();
+    for (const std::string& name : asked.unticked)
+        if (const auto kind = parsePlaceKind(name)) unticked_.insert(*kind);
+    regionsTicked_ = asked.ownRegions;
+    all_->setChecked(asked.allScenarios);
+    enough_->setValue(asked.enoughHours);
+    dates_->setText(QString::fromStdString(asked.dates));
     dates_->setCursorPosition(0);
     fill();
     Q_EMIT edited();

@@ -169,6 +169,11 @@ void StudyDock::runByPlace() {
         Q_EMIT sunByPlaceRequested(places_->chosen(), *settings, places_->allScenarios());
 }
 
+void StudyDock::runByPlaceInAll() {
+    if (const auto settings = places_->settings(); settings && run_->isEnabled())
+        Q_EMIT sunByPlaceRequested(places_->chosen(), *settings, true);
+}
+
 // The sun of places and scores, whose weights differ by month, are asked for over a year, until the user
 // chooses other days; other questions get their days back.
 void StudyDock::usePeriodOf(StudyKind kind) {
@@ -219,9 +224,9 @@ void StudyDock::setComparing(bool comparing) {
     if (comparing == comparing_) return;
     comparing_ = comparing;
     places_->setComparing(comparing);
-    const StudyKind kind = what_->kind() == StudyKind::places ? StudyKind::places
-                           : comparing                        ? StudyKind::change
-                                                              : StudyKind::shadow;
+    StudyKind kind = what_->kind();
+    if (kind == StudyKind::shadow || kind == StudyKind::change)
+        kind = comparing ? StudyKind::change : StudyKind::shadow;
     what_->show(kind, document_.settings().receivers.places, document_.elements());
     askForecast();
     showRefusal();

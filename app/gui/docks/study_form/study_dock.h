@@ -62,6 +62,8 @@ public:
     void beginAnew();
     void choose(StudyKind kind);  ///< as the user does in the list
     void run();                   ///< as the button does
+    /// Asks for the sun of the chosen places in all scenarios.
+    void runByPlaceInAll();
     /// Wide enough for the forms without scrolling sideways.
     [[nodiscard]] QSize sizeHint() const override;
 

@@ -32,6 +32,7 @@ void RecentMenu::add(const QStringList& files, const ReadSettings& reading) {
 void RecentMenu::fill() {
     menu_.clear();
     for (const QString& entry : recent_.entries()) {
+        if (RecentFiles::isSampleEntry(entry)) continue;  // they have a menu of their own
         const QString reading = recent_.readingTextOf(entry);
         const QString name = RecentFiles::nameOf(entry);
         QAction* action = menu_.addAction(reading.isEmpty() ? name : tr("%1, with options").arg(name));

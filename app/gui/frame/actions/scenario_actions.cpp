@@ -18,6 +18,7 @@
 #include "core/io/files/write_text.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/massing/tower_design.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
@@ -107,6 +108,7 @@ void ScenarioActions::connectMeasuring() {
 }
 
 void ScenarioActions::measure(void (Workbench::*all)()) {
+    if (all == &Workbench::measureAll && measurePlaces_ && measurePlaces_()) return;
     measuring_ = true;
     (workbench_.*all)();
     if (!workbench_.running().busy()) measuring_ = false;
@@ -126,9 +128,16 @@ void ScenarioActions::compare(bool on) {
                      "building, and drag its arrow or type its height")
                 : tr("The existing city is displayed. Choose a scenario at the top, and compare it"));
     if (workbench_.answerAs<ImpactAnswer>()) return Q_EMIT comparisonShown();
+    if (workbench_.answerAs<ScoreAnswer>()) return compareScores();
     if (beside_ && !beside_->isChecked()) beside_->trigger();
     awaitComparison();
     if (!workbench_.running().busy()) workbench_.run();  // a quick one has begun by itself
+}
+
+// The table has the scores of all scenarios and their differences.
+void ScenarioActions::compareScores() {
+    scoreAll_->trigger();
+    Q_EMIT workbench_.noted(tr("The table of scenarios compares the scores"));
 }
 
 void ScenarioActions::awaitComparison() {

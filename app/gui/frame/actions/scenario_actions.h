@@ -32,6 +32,10 @@ public:
     /// What shows both scenarios side by side until their comparison is computed; it must outlive this
     /// object.
     void setSideBySide(QAction* beside) { beside_ = beside; }
+    /// Measures the places of all scenarios where those are asked for instead of a region; false: they are
+    /// not.
+    using MeasurePlaces = std::function<bool()>;
+    void setPlacesMeasured(MeasurePlaces measure) { measurePlaces_ = std::move(measure); }
 
 Q_SIGNALS:
     void tableRequested();   ///< what fills the table of scenarios was asked for in a menu
@@ -42,6 +46,7 @@ private:
     void measure(void (Workbench::*all)());
     void compare(bool on);
     void save(const QString& file, const std::string& csv);
+    void compareScores();
     void awaitComparison();
     void stopWaiting();
     void endWaiting();
@@ -51,6 +56,7 @@ private:
     QAction* newFromThis_;
     QAction* compare_;  ///< checkable
     QAction* beside_ = nullptr;
+    MeasurePlaces measurePlaces_;
     std::unique_ptr<QObject> awaited_;  ///< while a comparison is computed
     bool measuring_ = false;            ///< all scenarios, until their figures are there
     QAction* measureAll_;

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/gui/base/widgets/buttons.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/project/project_session.h"
 #include "app/gui/session/workbench.h"
 #include "app/gui/view/panel/time_display.h"
@@ -214,7 +215,9 @@ CompareActions::CompareActions(Workbench& workbench, ViewPanel& panel, TimeDispl
     });
     connect(&workbench_.session(), &ProjectSession::changed, this, &CompareActions::follow);
     connect(&workbench_, &Workbench::projectOpened, this, &CompareActions::end);
-    panel_.results().whenShown([this] { showPicture(); });
+    for (auto signal : {&Workbench::answered, &Workbench::answerUpdated})
+        connect(&workbench_, signal, this, &CompareActions::showSides);
+    panel_.results().whenShown([this] { strip_->setNote(describe()); });
 }
 
 CompareActions::~CompareActions() { panel_.results().whenShown({}); }
@@ -241,6 +244,7 @@ void CompareActions::end() {
     divider_.setActive(false);
     panel_.setComparison({});
     panel_.view().setSides({});
+    panel_.results().setSides(std::nullopt);
     time_.setOtherCity(nullptr);
     other_.clear();
 }
@@ -265,7 +269,7 @@ void CompareActions::layOut() {
     divider_.setActive(swipe_->isChecked());
     panel_.view().setSides(sides);
     panel_.setComparison(nameSides());
-    showPicture();
+    showSides();
 }
 
 QString CompareActions::nameSides() const {
@@ -274,42 +278,51 @@ QString CompareActions::nameSides() const {
     return tr("Left: %1. Right: %2").arg(left, QString::fromStdString(workbench_.session().scenario()));
 }
 
-// The other scenario's study in the colours of the displayed one, if it was measured.
-void CompareActions::showPicture() {
-    if (panel_.view().sides().layout == SideLayout::one) return;
-    DrawnCity& other = panel_.view().other();
-    other.clearPicture();
-    const auto study = findStudy();
-    strip_->setNote(describe(study != nullptr));
-    if (study) {
-        const GroundAnswer answer = makeGroundAnswer(study);
-        const Legend legend = panel_.results().studyLegend();
-        other.showPicture(makePicture(answer, panel_.legend().measure(), legend), false);
-        if (const auto roofs = roofPictureOf(answer, panel_.legend().measure(), legend))
-            other.showRoofPicture(*roofs);
-    }
+namespace {
+
+// Of a comparison the shadow in its scenario.
+std::optional<GroundAnswer> groundOf(const std::shared_ptr<const Answer>& answer) {
+    if (!answer) return std::nullopt;
+    if (const auto impact = contentOf<ImpactAnswer>(answer))
+        return makeGroundAnswer(impact, impact->study.after);
+    const auto layer = viewerOf(*answer).layer(answer);
+    const auto* ground = layer ? std::get_if<GroundAnswer>(&*layer) : nullptr;
+    return ground ? std::optional(*ground) : std::nullopt;
 }
 
-std::shared_ptr<const Study> CompareActions::findStudy() const {
-    const auto shown = workbench_.study();
-    if (!shown || !panel_.results().showsStudy()) return nullptr;
-    const auto studies = workbench_.studies();
-    const auto found = studies.find(other_.name());
-    const bool same = found != studies.end() && found->second && found->second->settings == shown->settings;
-    return same ? found->second : nullptr;
+}  // namespace
+
+void CompareActions::showSides() {
+    if (panel_.view().sides().layout != SideLayout::one) panel_.results().setSides(findSides());
 }
 
-QString CompareActions::describe(bool measured) const {
+std::optional<ComparedSides> CompareActions::findSides() {
+    ComparedSides sides{{workbench_.session().scenario(), {}}, {other_.name(), {}}};
+    const auto answer = workbench_.answer() ? workbench_.answer() : workbench_.past();
+    const auto shown = answer && !viewerOf(*answer).layer ? workbench_.behind() : answer;
+    if (shown && shown->points()) return std::nullopt;
+    if (!shown || !shown->settings()) return sides;
+    if (shown != workbench_.past()) sides.displayed.ground = groundOf(shown);
+    const auto impact = contentOf<ImpactAnswer>(shown);
+    if (impact && impact->from == sides.other.scenario)
+        sides.other.ground = makeGroundAnswer(impact, impact->study.before);
+    else
+        sides.other.ground = groundOf(workbench_.findAnswer(sides.other.scenario, *shown));
+    return sides;
+}
+
+QString CompareActions::describe() const {
     if (flicker_->isChecked()) return tr("shown: %1").arg(QString::fromStdString(other_.name()));
     if (time_.showsMoment()) return tr("sun and shadow of the same moment");
     if (panel_.results().showsExplored())
         return tr("explored: %1 only").arg(QString::fromStdString(workbench_.session().scenario()));
-    if (panel_.results().showsPlaces())
-        return tr("sun by place: %1 only").arg(QString::fromStdString(workbench_.session().scenario()));
-    if (!panel_.results().showsStudy()) return {};
-    return measured ? tr("the same study, in the same colours")
-                    : tr("%1 was not measured yet: Scenario > Measure all scenarios")
-                          .arg(QString::fromStdString(other_.name()));
+    if (!panel_.results().showsPlaces() && !panel_.results().showsAnswer()) return {};
+    if (!workbench_.answer() && !workbench_.past()) return {};
+    QStringList missing;
+    for (const std::string& scenario : panel_.results().missingSides())
+        missing << QString::fromStdString(scenario);
+    if (missing.empty()) return tr("the same question, in the same colours");
+    return tr("not measured yet: %1 (Scenario > Measure all scenarios)").arg(missing.join(tr(", ")));
 }
 
 }  // namespace noonmark

@@ -116,7 +116,7 @@ private:
     std::optional<QCursor> before_;  ///< the cursor while the one of the divider is shown
 };
 
-struct Study;
+struct ComparedSides;
 class TimeDisplay;
 
 /// Shows the displayed scenario and another one with one camera and at one time: side by side, divided by a
@@ -136,13 +136,13 @@ private:
     void end();
     void follow();
     void layOut();
-    void showPicture();
-    /// The study of the other scenario with the settings of the study that is shown; null: not measured, or
-    /// none shown.
-    [[nodiscard]] std::shared_ptr<const Study> findStudy() const;
+    void showSides();
+    /// What each side shows in place of the displayed answer: of a comparison both scenarios, else the
+    /// answers to the same question. None: the question is not about cells of the ground.
+    [[nodiscard]] std::optional<ComparedSides> findSides();
     [[nodiscard]] QString nameSides() const;
-    /// What the two sides show. `measured`: the other scenario has the study that is shown.
-    [[nodiscard]] QString describe(bool measured) const;
+    /// What the two sides show.
+    [[nodiscard]] QString describe() const;
 
     Workbench& workbench_;
     ViewPanel& panel_;

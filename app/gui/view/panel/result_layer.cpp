@@ -126,14 +126,9 @@ bool ResultLayer::showsExplored() const {
     return mode_ == ViewMode::exploration && moment_.isEmpty() && !live_ && !showsTiles() && explored_;
 }
 
-bool ResultLayer::showsStudy() const {
-    const bool ground = mode_ != ViewMode::exploration && moment_.isEmpty() && !showsTiles() &&
-                        !showsVerdicts() && !showsPlaces();
-    return ground && !showsElements() && study_ && this->ground() == &*study_;
-}
-
-Legend ResultLayer::studyLegend() const {
-    return makeLegend(*study_, strip_.measure(), strip_.changeScale(), strip_.choice());
+bool ResultLayer::showsAnswer() const {
+    return mode_ != ViewMode::exploration && moment_.isEmpty() && !showsTiles() && !showsVerdicts() &&
+           !showsPlaces() && !showsElements() && !live_ && !partial_ && !time_;
 }
 
 void ResultLayer::show() {
@@ -142,6 +137,7 @@ void ResultLayer::show() {
 }
 
 void ResultLayer::showCurrent() {
+    if (sides_) view_.other().clearPicture();
     if (showsTiles()) return showTiles();
     painted_.reset();
     if (shownElements() == nullptr) view_.tiles().clear();
@@ -153,8 +149,8 @@ void ResultLayer::showCurrent() {
     view_.surfaces().clear();
     if (showsVerdicts()) return showPlaces(*verdicts_);
     if (showsElements()) return showElements();
-    if (showsPlaces()) return showPlaces(*places_);
-    ground() ? showGround() : showNothing();
+    if (showsPlaces()) return sides_ ? showPlacesOfSides() : showPlaces(*places_);
+    ground() || otherGround() ? showGround() : showNothing();
 }
 
 // Null: none. Facades of an edited building come with its live shadow.
@@ -215,6 +211,26 @@ void ResultLayer::showPlaces(const PlaceView& places) {
     strip_.setNote(places.note, places.marked);
 }
 
+void ResultLayer::setSides(std::optional<ComparedSides> sides) {
+    sides_ = std::move(sides);
+    show();
+}
+
+std::vector<std::string> ResultLayer::missingSides() const {
+    std::vector<std::string> missing;
+    if (!sides_) return missing;
+    for (const auto& [scenario, ground] : {sides_->displayed, sides_->other})
+        if (showsPlaces() ? !places_->in(scenario) : !ground) missing.push_back(scenario);
+    return missing;
+}
+
+void ResultLayer::showPlacesOfSides() {
+    showPlaces(*places_);
+    if (const auto other = places_->in(sides_->other.scenario))
+        view_.other().showPicture(other->picture, false);
+    if (!places_->in(sides_->displayed.scenario)) view_.clearPicture();
+}
+
 std::optional<std::size_t> ResultLayer::elementAt(const glm::dvec3& place) const {
     return showsElements() ? paintedTileAt(place) : std::nullopt;
 }
@@ -236,9 +252,16 @@ std::optional<std::size_t> ResultLayer::paintedTileAt(const glm::dvec3& place) c
 
 // The result with the highest precedence; null: none yet.
 const GroundAnswer* ResultLayer::ground() const {
-    for (const auto* answer : {&live_, &partial_, &inFront_, &time_, &study_})
+    const std::optional<GroundAnswer> none;
+    const auto* displayed = sides_ ? &sides_->displayed.ground : &study_;
+    for (const auto* answer : {&live_, &partial_, sides_ ? &none : &inFront_, &time_, displayed})
         if (*answer) return &**answer;
     return nullptr;
+}
+
+// What stands beside the displayed answer; null: nothing.
+const GroundAnswer* ResultLayer::otherGround() const {
+    return sides_ && sides_->other.ground && showsAnswer() ? &*sides_->other.ground : nullptr;
 }
 
 void ResultLayer::showExplored() {
@@ -252,10 +275,17 @@ void ResultLayer::showExplored() {
 }
 
 void ResultLayer::showGround() {
-    const GroundAnswer& answer = *ground();
+    const GroundAnswer *displayed = ground(), *other = otherGround();
+    const GroundAnswer& answer = displayed ? *displayed : *other;
     const Legend legend = makeLegend(answer, strip_.measure(), strip_.changeScale(), strip_.choice());
-    view_.showPicture(makePicture(answer, strip_.measure(), legend), !live_ && partial_.has_value());
-    if (const auto roofs = roofPictureOf(answer, strip_.measure(), legend)) view_.showRoofPicture(*roofs);
+    const auto paint = [&](auto& city, const GroundAnswer* shown) {
+        city.clearPicture();
+        if (!shown) return;
+        city.showPicture(makePicture(*shown, strip_.measure(), legend), !live_ && partial_.has_value());
+        if (const auto roofs = roofPictureOf(*shown, strip_.measure(), legend)) city.showRoofPicture(*roofs);
+    };
+    paint(view_, displayed);
+    if (other) paint(view_.other(), other);
     strip_.setLegend(legend);
     strip_.setNote(makeNote(answer, strip_.measure(), strip_.choice().show), answer.marked);
     if (live_ && facades_) showFacades();
@@ -288,7 +318,8 @@ void ResultLayer::showMoment() {
     strip_.setNote({}, false);
 }
 
-QString ResultLayer::minutesAt(const Pick& pick) const {
+QString ResultLayer::minutesAt(const Pick& pick, bool ofOther) const {
+    if (ofOther) return minutesOfOther(pick);
     if (showsTiles()) {
         const auto tile = tileAt(pick.position);
         return tile ? tiles_->describe(*tile) : QString();
@@ -314,6 +345,16 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
     if (showsPlaces()) return pick.building ? QString() : places_->describe(place);
     if (!ground() || (pick.building && !isOnRoof(*ground(), place))) return {};
     return textAt(*ground(), place, strip_.choice().show);
+}
+
+QString ResultLayer::minutesOfOther(const Pick& pick) const {
+    const glm::dvec2 place{pick.position.x, pick.position.y};
+    if (!sides_ || pick.building) return {};
+    if (showsPlaces()) {
+        const auto places = places_->in(sides_->other.scenario);
+        return places ? places->describe(place) : QString();
+    }
+    return otherGround() ? textAt(*otherGround(), place, strip_.choice().show) : QString();
 }
 
 }  // namespace noonmark

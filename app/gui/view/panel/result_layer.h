@@ -14,6 +14,15 @@
 
 namespace noonmark {
 
+/// Cells of two scenarios that are compared in the view, in one set of colours; none: not measured.
+struct ComparedSides {
+    struct Side {
+        std::string scenario;
+        std::optional<GroundAnswer> ground;
+    };
+    Side displayed, other;
+};
+
 /// The result on the surfaces of the view, with its legend: the explored view, a study, another result
 /// displayed instead of it, or the partial result of a running study, which is marked as such. Results stay
 /// stored while another mode is shown.
@@ -64,17 +73,23 @@ public:
     /// Replaces the live shadow's note, as a warning. Does nothing without a live shadow.
     void noteLive(const QString& note);
 
+    /// While two scenarios are compared in the view: what is shown of each instead of the displayed answer's
+    /// ground; none: nothing is compared. Places are those of their names.
+    void setSides(std::optional<ComparedSides> sides);
+    /// Names of the compared scenarios of which there is nothing to show beside the other.
+    [[nodiscard]] std::vector<std::string> missingSides() const;
+
     /// Whether surfaces show what was explored.
     [[nodiscard]] bool showsExplored() const;
-    /// Whether the ground shows a study of one scenario.
-    [[nodiscard]] bool showsStudy() const;
-    [[nodiscard]] Legend studyLegend() const;  ///< only while showsStudy()
+    /// Whether cells of the ground show the displayed answer, or what setSides() puts in its place.
+    [[nodiscard]] bool showsAnswer() const;
     /// Called after something else is shown.
     void whenShown(std::function<void()> called) { whenShown_ = std::move(called); }
 
     void show();  ///< again, for instance after the measure has changed
 
-    [[nodiscard]] QString minutesAt(const Pick& pick) const;  ///< text; empty if not known
+    /// Text; empty if not known. `ofOther`: on the side of the other scenario.
+    [[nodiscard]] QString minutesAt(const Pick& pick, bool ofOther = false) const;
 
 private:
     void showCurrent();
@@ -83,6 +98,9 @@ private:
     void showElements();
     void showTiles();
     void showPlaces(const PlaceView& places);
+    void showPlacesOfSides();
+    [[nodiscard]] const GroundAnswer* otherGround() const;
+    [[nodiscard]] QString minutesOfOther(const Pick& pick) const;
     [[nodiscard]] std::optional<std::size_t> paintedTileAt(const glm::dvec3& place) const;
     void showFacades();
     [[nodiscard]] const ElementMap* shownElements() const;
@@ -106,6 +124,7 @@ private:
     std::optional<GroundAnswer> time_;
     std::optional<GroundAnswer> live_;
     std::optional<ElementView> facades_;  ///< with live_
+    std::optional<ComparedSides> sides_;
     QString moment_;
     bool momentCovers_ = true;  ///< tiles, too
     std::shared_ptr<const ViewAnswer> explored_;

@@ -318,13 +318,21 @@ void ViewPanel::showLines() {
     view_->showLines(makeGroundLines(region_, city_->city()));
 }
 
+// `pixel`: of the picture under the mouse.
+bool ViewPanel::isOnOtherSide(QPointF pixel) const {
+    const SideColumns other = columnsOf(view_->sides(), 1, view_->width());
+    const double column = pixel.x() + navigator_->pictureLeft();
+    return other.first <= column && column < other.last;
+}
+
 void ViewPanel::describePixel(QPointF pixel) {
     if (!city_) return;
     polygons_->hover(pixel);
     measure(pixel, false);
     const auto pick = navigator_->pickAt(pixel);
     hoverPlace(pick);
-    Q_EMIT hovered(pick ? hoverText(*pick, city_->city(), results_->minutesAt(*pick)) : QString());
+    Q_EMIT hovered(pick ? hoverText(*pick, city_->city(), results_->minutesAt(*pick, isOnOtherSide(pixel)))
+                        : QString());
 }
 
 Region ViewPanel::visibleGround() const {

@@ -117,6 +117,7 @@ private:
     [[nodiscard]] bool measureKey(int key);
     [[nodiscard]] QString describeMeasured() const;
     void describePixel(QPointF pixel);
+    [[nodiscard]] bool isOnOtherSide(QPointF pixel) const;
     void toolKey(int key);
 
     QVBoxLayout* column_;
