@@ -187,6 +187,14 @@ double CityView::sideOffset(QPointF position) const {
     return right ? width() / 2.0 : 0;
 }
 
+void CityView::setTreeDay(int dayOfYear) {
+    for (DrawnCity* city : {&displayed_, &other_}) city->crowns().setDay(dayOfYear);
+}
+
+void CityView::setTreesVisible(bool visible) {
+    for (DrawnCity* city : {&displayed_, &other_}) city->crowns().setVisible(visible);
+}
+
 void CityView::showFaces(bool shown) {
     for (DrawnCity* city : {&displayed_, &other_}) city->showFaces(shown);
     rest_->stop();

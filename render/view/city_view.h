@@ -84,6 +84,11 @@ public:
     void showTracedSun(const std::optional<glm::dvec3>& towardsSun);
     /// Shows or hides the faces; without them only the buildings' edges cover the ground.
     void showFaces(bool shown);
+    /// The trees of the displayed city; they stay until others are shown.
+    void showTrees(std::shared_ptr<const Trees> trees) { displayed_.crowns().show(std::move(trees)); }
+    /// The day whose leaves trees have, 1 to 366, and whether trees are shown, on both sides.
+    void setTreeDay(int dayOfYear);
+    void setTreesVisible(bool visible);
     void showLines(const std::vector<GroundLine>& lines);
     /// Outlines of buildings that are there no more; showCity() removes them.
     void showDemolished(const std::vector<GroundLine>& lines);

@@ -83,6 +83,7 @@ DrawnCity::DrawnCity(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3D
       edge_(makeMaterial("edge", parent)),
       ground_(makeMaterial("ground", parent)),
       traced_(side, parent),
+      crowns_(blended, side, parent),
       bodyMaterials_{building_, proposal_, traced_.material()},
       groundMaterials_{ground_, traced_.material()} {
     cut_->fromBehind();
@@ -153,6 +154,7 @@ void DrawnCity::clear() {
     sun_->clear();
     setTracedSun(std::nullopt);
     traced_.clear();
+    crowns_.show(nullptr);
     added_.reset();
     city_.reset();
     bounds_ = {};
@@ -242,6 +244,7 @@ void DrawnCity::setTracedSun(const std::optional<glm::dvec3>& towardsSun) {
 void DrawnCity::setHaze(float distanceM) {
     setAll({building_, proposal_, edge_, ground_, traced_.material()}, QStringLiteral("hazeDistance"),
            distanceM);
+    crowns_.setHaze(distanceM);
 }
 
 void DrawnCity::redraw() {

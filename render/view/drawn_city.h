@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/scene/city_bodies.h"
+#include "render/scene/crown_bodies.h"
 #include "render/scene/ground_picture.h"
 #include "render/scene/surface_layer.h"
 #include "render/view/camera_pose.h"
@@ -54,6 +55,8 @@ public:
     void clearMap();
     [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
     [[nodiscard]] SunLayer& sun() { return *sun_; }
+    /// The city's trees; they stay until others are shown.
+    [[nodiscard]] CrownBodies& crowns() { return crowns_; }
     /// The sun of a moment where rays draw: a unit vector; empty: none.
     void setTracedSun(const std::optional<glm::dvec3>& towardsSun);
 
@@ -78,6 +81,7 @@ private:
     ShaderMaterial* edge_;
     ShaderMaterial* ground_;
     TracedCity traced_;
+    CrownBodies crowns_;
     Materials bodyMaterials_, groundMaterials_;  ///< of triangles, and of what rays found
     std::unique_ptr<BuildingBodies> city_;
     std::unique_ptr<BuildingBodies> added_;

@@ -172,7 +172,7 @@ TEST_F(RenewalTest, AResultStaysShown) {
     ASSERT_TRUE(waitFor([this] { return window().workbench().answer() != nullptr; }));
     choose(Language::german, UnitSystem::metric);
     EXPECT_TRUE(window().workbench().answer());
-    EXPECT_TRUE(window().panel().results().showsStudy() || window().mode().mode() == ViewMode::exploration);
+    EXPECT_TRUE(window().panel().results().showsAnswer() || window().mode().mode() == ViewMode::exploration);
 }
 
 }  // namespace

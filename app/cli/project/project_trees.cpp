@@ -23,6 +23,7 @@
 #include "core/study/text/terrain_text.h"
 #include "core/sun/civil_time.h"
 #include "scenarios/edits/apply_edits.h"
+#include "scenarios/edits/tree_edits.h"
 
 namespace noonmark::cli {
 
@@ -140,44 +141,16 @@ Result<std::vector<glm::dvec2>> parsePositions(const std::vector<std::string>& t
     return places;
 }
 
-constexpr std::size_t maxRow = 10'000;
-
-// From the first corner on, `spacingM` apart along the line.
-Result<std::vector<glm::dvec2>> placeAlong(const std::vector<glm::dvec2>& line, double spacingM) {
-    if (line.size() < 2) return failure("A row needs two corners or more", "--along", "Give LON,LAT LON,LAT");
-    std::vector<glm::dvec2> places;
-    double nextM = 0;  // from the current corner
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const double lengthM = glm::distance(line[i - 1], line[i]);
-        if (double(places.size()) + lengthM / spacingM + 1 > double(maxRow))
-            return failure(fmt::format("The row would have more than {} trees", maxRow), "--along",
-                           "Give a larger --spacing");
-        for (; nextM <= lengthM + 1e-6 && lengthM > 0; nextM += spacingM)
-            places.push_back(line[i - 1] + (line[i] - line[i - 1]) * (nextM / lengthM));
-        nextM -= lengthM;
-    }
-    return places;
-}
-
 Result<std::vector<glm::dvec2>> placesOf(const TreeAddOptions& options, const Frame& frame) {
     auto places = parsePositions(options.at, frame);
     if (!places || options.along.empty()) return places;
     return parsePositions(options.along, frame)
-        .and_then([&](const std::vector<glm::dvec2>& line) { return placeAlong(line, options.spacingM); })
+        .and_then(
+            [&](const std::vector<glm::dvec2>& line) { return placeTreesAlong(line, options.spacingM); })
         .map([&](const std::vector<glm::dvec2>& row) {
             places->insert(places->end(), row.begin(), row.end());
             return *places;
         });
-}
-
-Result<Tree> designTree(const TreeFacts& facts) {
-    Tree tree = completeTree(facts);
-    if (facts.crownBaseM && *facts.crownBaseM >= double(tree.heightM))
-        return failure("The crown's base lies above the tree's top", fmt::format("{:g} m", *facts.crownBaseM),
-                       fmt::format("Give a base below {:g} m", tree.heightM));
-    if (facts.heightM) tree.heightSource = TreeSource::designed;
-    if (facts.crownDiameterM) tree.crownSource = TreeSource::designed;
-    return tree;
 }
 
 Result<City> cityToChange(Project& project, const std::string& scenario) {
@@ -194,17 +167,7 @@ Result<std::string> plantTrees(const TreeAddOptions& options, Project& project) 
     if (places->empty()) return failure("No place is given", "add", "Give --at or --along");
     const auto designed = designTree(options.facts);
     if (!designed) return tl::make_unexpected(designed.error());
-    std::vector<Edit> edits;
-    int number = 1;
-    for (const glm::dvec2 place : *places) {
-        Tree tree = *designed;
-        tree.place = place;
-        do {
-            tree.sourceId = fmt::format("planted {}", number++);
-        } while (city->trees && findTree(*city, tree.sourceId));
-        edits.emplace_back(PlantTree{std::move(tree)});
-    }
-    return withEdits(project, options.scenario, edits);
+    return withEdits(project, options.scenario, makePlantings(*city, *designed, *places));
 }
 
 Result<std::set<std::size_t>> findInside(const std::string& within, const City& city) {
@@ -234,12 +197,9 @@ Result<std::vector<Tree>> findTrees(const TreesOptions& options, const City& cit
     return found;
 }
 
-bool changesAny(const Tree& /*tree*/) { return true; }
-
-// One edit for each of the trees that it changes.
-template <class Make, class Changes = bool (*)(const Tree&)>
-Result<std::string> editTrees(const TreesOptions& options, Project& project, Make&& make,
-                              Changes changes = changesAny) {
+// One edit for each of the trees that it changes; `make` gives none for the others.
+template <class Make>
+Result<std::string> editTrees(const TreesOptions& options, Project& project, Make&& make) {
     const auto city = cityToChange(project, options.scenario);
     if (!city) return tl::make_unexpected(city.error());
     const auto trees = findTrees(options, *city);
@@ -247,7 +207,7 @@ Result<std::string> editTrees(const TreesOptions& options, Project& project, Mak
     if (trees->empty()) return failure("No tree is chosen", "trees", "Name trees, or give --within");
     std::vector<Edit> edits;
     for (const Tree& tree : *trees)
-        if (changes(tree)) edits.emplace_back(make(tree));
+        if (std::optional<Edit> edit = make(tree)) edits.push_back(*std::move(edit));
     if (edits.empty())
         return failure("None of these trees changes", "trees",
                        "Trees of 35 m or more and cells of a canopy raster do not grow");
@@ -267,15 +227,7 @@ Result<std::string> moveTrees(const TreeMoveOptions& options, Project& project) 
 }
 
 Result<std::string> growTrees(const TreeGrowOptions& options, Project& project) {
-    const auto grows = [&](const Tree& tree) { return growTree(tree, options.years) != tree; };
-    return editTrees(
-        options, project,
-        [&](const Tree& tree) {
-            const Tree grown = growTree(tree, options.years);
-            return GrowTree{tree.sourceId, options.years, double(grown.heightM), double(grown.crownBaseM),
-                            double(grown.crownDiameterM)};
-        },
-        grows);
+    return editTrees(options, project, [&](const Tree& tree) { return makeGrowth(tree, options.years); });
 }
 
 Result<std::string> replaceTrees(const TreeReplaceOptions& options, Project& project) {

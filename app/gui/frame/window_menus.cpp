@@ -105,6 +105,7 @@ void fillViewMenu(QMenu& menu, const WindowActions& actions) {
     menu.addAction(actions.view.solidBuildings());
     menu.addAction(actions.view.heightColours().action());
     menu.addAction(actions.view.mapOnGround());
+    menu.addAction(actions.view.trees());
     menu.addAction(actions.photograph.showAction());
     menu.addAction(actions.towers.storeyLines());
     menu.addAction(actions.towers.aboveDatum());

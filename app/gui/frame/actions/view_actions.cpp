@@ -147,6 +147,8 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
                          "region")),
       faces_(makeSwitch(this, tr("&Solid buildings"), Qt::Key_B,
                         tr("Off: wireframe, so that the ground behind buildings is visible"), true)),
+      trees_(makeSwitch(this, tr("Tr&ees"), {},
+                        tr("The trees of the city, bare on days without leaves"), true)),
       map_(makeSwitch(this, tr("&Map on the ground"), Qt::Key_G,
                       tr("Streets, paths, parks, water and trees, drawn for orientation"), true)),
       byMaps_(makeSwitch(this, tr("&Explore by shadow accrual maps"), {},
@@ -171,6 +173,7 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
     connect(fromAbove_, &QAction::triggered, &navigator, &ViewNavigator::lookFromAbove);
     connect(region_, &QAction::triggered, this, &ViewActions::showRegion);
     connect(faces_, &QAction::toggled, &panel_.view(), &CityView::showFaces);
+    connect(trees_, &QAction::toggled, &panel_.view(), &CityView::setTreesVisible);
     connect(map_, &QAction::toggled, &panel_.map(), &MapLayer::setShown);
     connect(byMaps_, &QAction::toggled, &exploration, &Exploration::setByMaps);
     exploration.setByMaps(byMaps_->isChecked());

@@ -71,6 +71,7 @@ public:
     }
     [[nodiscard]] QAction* solidBuildings() const { return faces_; }  ///< checkable
     [[nodiscard]] QAction* mapOnGround() const { return map_; }       ///< checkable
+    [[nodiscard]] QAction* trees() const { return trees_; }           ///< checkable
     [[nodiscard]] QAction* exploreByMaps() const { return byMaps_; }  ///< checkable
     [[nodiscard]] QAction* measure() const { return measure_; }       ///< checkable
     [[nodiscard]] HeightColours& heightColours() const { return *heights_; }
@@ -88,6 +89,7 @@ private:
     QAction* fromAbove_;
     QAction* region_;
     QAction* faces_;
+    QAction* trees_;
     QAction* map_;
     QAction* byMaps_;
     QAction* measure_;

@@ -77,6 +77,7 @@ void OtherScenario::take(std::shared_ptr<const City> city, Result<Prepared> prep
     }
     city_ = std::move(city);
     panel_.view().showOther(prepared->changes, std::move(prepared->scene), city_->buildings);
+    panel_.view().other().crowns().show(city_->trees);
     Q_EMIT changed();
 }
 

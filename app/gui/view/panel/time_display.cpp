@@ -1,5 +1,6 @@
 #include "app/gui/view/panel/time_display.h"
 
+#include <QDate>
 #include <QTimer>
 #include <algorithm>
 #include <chrono>
@@ -198,6 +199,9 @@ void TimeDisplay::show() {
 void TimeDisplay::showSun() {
     if (!workbench_.city()) return;
     TimeStrip& strip = panel_.time();
+    const CivilDate date = strip.look().date;
+    panel_.view().setTreeDay(
+        QDate(int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))).dayOfYear());
     const StudySettings& settings = workbench_.document().settings();
     const auto sun =
         computeSunAt(makeObserver(workbench_.city()->city(), settings), settings.period, strip.look());

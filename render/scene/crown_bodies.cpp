@@ -1,0 +1,195 @@
+#include "render/scene/crown_bodies.h"
+
+#include <QColor>
+#include <Qt3DRender/QLayer>
+#include <algorithm>
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <numbers>
+
+#include "render/scene/array_entity.h"
+#include "render/scene/qt_vectors.h"
+#include "render/scene/shader_material.h"
+#include "render/view/frame_graph.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr QColor evergreenColour{0x4d, 0x6b, 0x4a};
+constexpr QColor leafyColour{0x7f, 0xa0, 0x62};
+constexpr QColor trunkColour{0x7a, 0x67, 0x55};
+constexpr QColor branchColour{0x6b, 0x5c, 0x50};
+constexpr std::size_t maxDetailed = 20'000;  // trees; more are drawn with fewer faces
+constexpr int trunkSides = 3;
+constexpr float trunkShare = 0.02F;  // radius of the trunk as a share of the tree's height
+
+struct Detail {
+    int sides = 8;
+    bool isRound = true;  ///< ellipsoids have three rings; else one
+    bool hasTrunk = true;
+};
+
+// Points (share of the radius, share of the height) from the bottom of a crown to its top.
+std::vector<glm::vec2> profileOf(CrownShape shape, const Detail& detail) {
+    if (shape == CrownShape::cone) return {{0, 0}, {1, 0}, {0, 1}};
+    if (shape == CrownShape::cylinder) return {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    if (!detail.isRound) return {{0, 0}, {1, 0.5F}, {0, 1}};
+    return {{0, 0}, {0.8F, 0.2F}, {1, 0.5F}, {0.8F, 0.8F}, {0, 1}};
+}
+
+// A ring of points, or one on the axis.
+std::uint32_t addRing(TriangleMesh& mesh, glm::vec3 middle, float radius, int sides) {
+    const auto first = std::uint32_t(mesh.vertices.size());
+    if (radius == 0) {
+        mesh.vertices.push_back(middle);
+        return first;
+    }
+    for (int side = 0; side < sides; ++side) {
+        const float angle = 2 * std::numbers::pi_v<float> * float(side) / float(sides);
+        mesh.vertices.push_back(middle + radius * glm::vec3(std::cos(angle), std::sin(angle), 0));
+    }
+    return first;
+}
+
+// Between two rings of which one may be a point.
+void joinRings(TriangleMesh& mesh, std::uint32_t low, bool lowIsPoint, std::uint32_t high, bool highIsPoint,
+               int sides) {
+    const auto all = std::uint32_t(sides);
+    for (std::uint32_t side = 0; side < all; ++side) {
+        const std::uint32_t next = (side + 1) % all;
+        if (!lowIsPoint) mesh.triangles.push_back({low + side, low + next, highIsPoint ? high : high + next});
+        if (!highIsPoint) mesh.triangles.push_back({lowIsPoint ? low : low + side, high + next, high + side});
+    }
+}
+
+void addCrown(TriangleMesh& mesh, const Crown& crown, const Detail& detail) {
+    const glm::vec3 foot(crown.x, crown.y, crown.bottomM);
+    std::uint32_t low = 0;
+    bool lowIsPoint = true, begun = false;
+    for (const glm::vec2 point : profileOf(crown.shape, detail)) {
+        const auto height = float(point.y * (crown.topM - crown.bottomM));
+        const std::uint32_t high =
+            addRing(mesh, foot + glm::vec3(0, 0, height), point.x * float(crown.radiusM), detail.sides);
+        if (begun) joinRings(mesh, low, lowIsPoint, high, point.x == 0, detail.sides);
+        low = high;
+        lowIsPoint = point.x == 0;
+        begun = true;
+    }
+}
+
+void addTrunk(TriangleMesh& mesh, const Tree& tree, const Crown& crown) {
+    const glm::vec3 foot(crown.x, crown.y, tree.groundM);
+    const glm::vec3 top(crown.x, crown.y, (crown.bottomM + crown.topM) / 2);
+    const std::uint32_t low = addRing(mesh, foot, trunkShare * tree.heightM, trunkSides);
+    joinRings(mesh, low, false, addRing(mesh, top, 0, trunkSides), true, trunkSides);
+}
+
+/// The ends of lines.
+struct Lines {
+    std::vector<glm::vec3> points;
+    std::vector<std::uint32_t> ends;
+};
+
+// From the axis to the widest ring and to the top.
+void addBranches(Lines& lines, const Tree& tree, const Crown& crown, int sides) {
+    const auto axis = std::uint32_t(lines.points.size());
+    const auto at = [&](double z) { return glm::vec3(crown.x, crown.y, z); };
+    const double middle = (crown.bottomM + crown.topM) / 2;
+    lines.points.insert(lines.points.end(), {at(tree.groundM), at(crown.bottomM), at(crown.topM)});
+    for (const std::uint32_t end : {0U, 1U, 1U, 2U}) lines.ends.push_back(axis + end);
+    for (int side = 0; side < sides; ++side) {
+        const double angle = 2 * std::numbers::pi * side / sides;
+        const double z = side % 2 == 0 ? middle : (middle + crown.topM) / 2;
+        const double radius = crown.radiusM * (side % 2 == 0 ? 1 : 0.7);
+        lines.ends.insert(lines.ends.end(), {axis + 1, std::uint32_t(lines.points.size())});
+        lines.points.push_back(at(z) + glm::vec3(radius * std::cos(angle), radius * std::sin(angle), 0));
+    }
+}
+
+/// What is drawn of some trees.
+struct Bodies {
+    TriangleMesh evergreen, leafy, trunks;
+    Lines branches;
+};
+
+Bodies makeBodies(const std::vector<Tree>& trees) {
+    const Detail detail = trees.size() <= maxDetailed ? Detail{} : Detail{4, false, false};
+    Bodies bodies;
+    for (const Tree& tree : trees) {
+        const Crown crown = makeCrown(tree);
+        addCrown(tree.evergreen ? bodies.evergreen : bodies.leafy, crown, detail);
+        if (detail.hasTrunk) addTrunk(bodies.trunks, tree, crown);
+        if (!tree.evergreen) addBranches(bodies.branches, tree, crown, detail.sides);
+    }
+    return bodies;
+}
+
+Qt3DCore::QEntity* drawMesh(const TriangleMesh& mesh, ShaderMaterial& material, Qt3DCore::QEntity* parent,
+                            Qt3DRender::QLayer* side) {
+    return mesh.triangles.empty() ? nullptr : makeArrayEntity(makeMeshGeometry(mesh), material, parent, side);
+}
+
+}  // namespace
+
+CrownBodies::CrownBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent)
+    : blended_(blended), side_(side), parent_(parent) {
+    const auto tinted = [&](const QColor& colour) {
+        auto* material = new ShaderMaterial(QStringLiteral("crown"), parent);
+        material->set(QStringLiteral("baseColour"), toVector(colour));
+        material->set(QStringLiteral("haze"), toVector(backgroundColour));
+        material->drawDepthFirst();
+        return material;
+    };
+    evergreen_ = tinted(evergreenColour);
+    leafy_ = tinted(leafyColour);
+    trunk_ = tinted(trunkColour);
+    branch_ = new ShaderMaterial(QStringLiteral("edge"), parent);
+    branch_->set(QStringLiteral("edgeColour"), toVector(branchColour));
+    branch_->blend();
+}
+
+void CrownBodies::show(std::shared_ptr<const Trees> trees) {
+    if (trees == trees_) return;
+    trees_ = std::move(trees);
+    delete root_;
+    root_ = leaves_ = branches_ = nullptr;
+    if (!trees_ || trees_->trees.empty()) return;
+    root_ = new Qt3DCore::QEntity(parent_);
+    const Bodies bodies = makeBodies(trees_->trees);
+    drawMesh(bodies.evergreen, *evergreen_, root_, side_);
+    drawMesh(bodies.trunks, *trunk_, root_, side_);
+    leaves_ = drawMesh(bodies.leafy, *leafy_, root_, side_);
+    if (!bodies.branches.ends.empty()) {
+        branches_ = makeArrayEntity(makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Lines,
+                                                        bodies.branches.points, bodies.branches.ends),
+                                    *branch_, root_, blended_);
+        branches_->addComponent(side_);
+    }
+    enable();
+}
+
+void CrownBodies::setDay(int dayOfYear) {
+    dayOfYear_ = dayOfYear;
+    enable();
+}
+
+void CrownBodies::setVisible(bool visible) {
+    visible_ = visible;
+    enable();
+}
+
+void CrownBodies::setHaze(float distanceM) {
+    for (ShaderMaterial* material : {evergreen_, leafy_, trunk_, branch_})
+        material->set(QStringLiteral("hazeDistance"), distanceM);
+}
+
+void CrownBodies::enable() {
+    if (!root_) return;
+    root_->setEnabled(visible_);
+    const bool inLeaf = trees_->leafDays.inLeafOn(dayOfYear_);
+    if (leaves_) leaves_->setEnabled(inLeaf);
+    if (branches_) branches_->setEnabled(!inLeaf);
+}
+
+}  // namespace noonmark
