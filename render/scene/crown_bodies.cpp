@@ -1,9 +1,9 @@
 #include "render/scene/crown_bodies.h"
 
-#include <QColor>
 #include <Qt3DRender/QLayer>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <numbers>
 
@@ -16,8 +16,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr QColor evergreenColour{0x4d, 0x6b, 0x4a};
-constexpr QColor leafyColour{0x7f, 0xa0, 0x62};
 constexpr QColor trunkColour{0x7a, 0x67, 0x55};
 constexpr QColor branchColour{0x6b, 0x5c, 0x50};
 constexpr std::size_t maxDetailed = 20'000;  // trees; more are drawn with fewer faces
@@ -132,7 +130,26 @@ Qt3DCore::QEntity* drawMesh(const TriangleMesh& mesh, ShaderMaterial& material, 
 
 }  // namespace
 
-CrownBodies::CrownBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent)
+std::optional<TreeHit> pickTree(const std::vector<Tree>& trees, const ViewRay& ray) {
+    std::optional<TreeHit> first;
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        const Crown crown = makeCrown(trees[i]);
+        const double halfM = (crown.topM - crown.bottomM) / 2;
+        const glm::dvec3 radii(crown.radiusM, crown.radiusM, halfM);
+        // In the space in which the crown is a unit ball around the origin.
+        const glm::dvec3 from = (ray.origin - glm::dvec3(crown.x, crown.y, crown.bottomM + halfM)) / radii;
+        const glm::dvec3 along = ray.direction / radii;
+        const double a = glm::dot(along, along), b = glm::dot(from, along);
+        const double root = b * b - a * (glm::dot(from, from) - 1);
+        if (root < 0) continue;
+        const double distanceM = (-b - std::sqrt(root)) / a;
+        if (distanceM > 0 && (!first || distanceM < first->distanceM)) first = TreeHit{i, distanceM};
+    }
+    return first;
+}
+
+CrownBodies::CrownBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent,
+                         const CrownColours& colours)
     : blended_(blended), side_(side), parent_(parent) {
     const auto tinted = [&](const QColor& colour) {
         auto* material = new ShaderMaterial(QStringLiteral("crown"), parent);
@@ -141,8 +158,8 @@ CrownBodies::CrownBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, 
         material->drawDepthFirst();
         return material;
     };
-    evergreen_ = tinted(evergreenColour);
-    leafy_ = tinted(leafyColour);
+    evergreen_ = tinted(colours.evergreen);
+    leafy_ = tinted(colours.leafy);
     trunk_ = tinted(trunkColour);
     branch_ = new ShaderMaterial(QStringLiteral("edge"), parent);
     branch_->set(QStringLiteral("edgeColour"), toVector(branchColour));

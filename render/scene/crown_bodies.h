@@ -1,9 +1,13 @@
 #pragma once
 
+#include <QColor>
 #include <Qt3DCore/QEntity>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "core/city/trees/tree.h"
+#include "render/view/camera_pose.h"
 
 namespace Qt3DRender {
 class QLayer;
@@ -13,20 +17,35 @@ namespace noonmark {
 
 class ShaderMaterial;
 
+/// A tree that a ray of the view meets first.
+struct TreeHit {
+    std::size_t tree = 0;  ///< its index
+    double distanceM = 0;  ///< from the ray's origin to the crown
+};
+/// Crowns of all shapes are met as ellipsoids. O(trees), some 10 ns each.
+std::optional<TreeHit> pickTree(const std::vector<Tree>& trees, const ViewRay& ray);
+
+/// What evergreens and trees in leaf are drawn in.
+struct CrownColours {
+    QColor evergreen{0x4d, 0x6b, 0x4a};
+    QColor leafy{0x7f, 0xa0, 0x62};
+};
+
 /// The trees of a city as simple bodies: a crown on a trunk. Without leaves a tree is a few branches, through
 /// which one sees. Some 0.1 s for 100,000 trees, which are drawn with fewer faces each.
 class CrownBodies {
 public:
     /// `parent` owns the nodes. `blended`: of branches. `side`: of all nodes.
-    CrownBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent);
+    CrownBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent,
+                const CrownColours& colours = {});
 
     /// Replaces the trees; null: none.
     void show(std::shared_ptr<const Trees> trees);
     /// Which trees have leaves on this day of the year, 1 to 366.
     void setDay(int dayOfYear);
     void setVisible(bool visible);
+    [[nodiscard]] bool isVisible() const { return visible_; }
     void setHaze(float distanceM);  ///< where what is far away fades into the background
-    [[nodiscard]] const std::shared_ptr<const Trees>& trees() const { return trees_; }
 
 private:
     void enable();

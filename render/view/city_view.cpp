@@ -104,6 +104,9 @@ void CityView::makeLayers() {
     for (Qt3DRender::QLayer* side : sideLayers_) side->setRecursive(true);
     tiles_ = std::make_unique<ElementTiles>(blended_, root_);
     overlay_ = std::make_unique<OverlayBodies>(blended_, sideLayers_[0], root_);
+    constexpr QColor markedColour{0x2f, 0x7d, 0xe0};  // as what is selected
+    markedTrees_ = std::make_unique<CrownBodies>(blended_, sideLayers_[0], root_,
+                                                 CrownColours{markedColour, markedColour});
     places_ = std::make_unique<PlaceMarks>(overlay_->layer(), blended_, root_);
     dome_ = std::make_unique<DomeMarks>(overlay_->layer(), blended_, root_);
     pointMarks_ = std::make_unique<PointMarks>(overlay_->layer(), blended_, root_);

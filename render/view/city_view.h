@@ -89,6 +89,9 @@ public:
     /// The day whose leaves trees have, 1 to 366, and whether trees are shown, on both sides.
     void setTreeDay(int dayOfYear);
     void setTreesVisible(bool visible);
+    [[nodiscard]] bool showsTrees() const { return displayed_.crowns().isVisible(); }
+    /// Trees that are chosen or planned, in a colour of their own; drawn as evergreens.
+    [[nodiscard]] CrownBodies& markedTrees() { return *markedTrees_; }
     void showLines(const std::vector<GroundLine>& lines);
     /// Outlines of buildings that are there no more; showCity() removes them.
     void showDemolished(const std::vector<GroundLine>& lines);
@@ -171,6 +174,7 @@ private:
     Qt3DCore::QEntity* demolished_ = nullptr;
     std::unique_ptr<ElementTiles> tiles_;
     std::unique_ptr<OverlayBodies> overlay_;
+    std::unique_ptr<CrownBodies> markedTrees_;
     std::unique_ptr<PlaceMarks> places_;
     std::unique_ptr<DomeMarks> dome_;
     std::unique_ptr<PointMarks> pointMarks_;

@@ -57,6 +57,7 @@ public:
     [[nodiscard]] SunLayer& sun() { return *sun_; }
     /// The city's trees; they stay until others are shown.
     [[nodiscard]] CrownBodies& crowns() { return crowns_; }
+    [[nodiscard]] const CrownBodies& crowns() const { return crowns_; }
     /// The sun of a moment where rays draw: a unit vector; empty: none.
     void setTracedSun(const std::optional<glm::dvec3>& towardsSun);
 

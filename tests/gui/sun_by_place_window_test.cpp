@@ -549,6 +549,7 @@ TEST_F(SunByPlaceWindow, AChosenPlaceShowsWhoShadesItAlsoWhenSavedAndReopened) {
     showSaved("Sunny");
     ASSERT_EQ(workbench().answer()->ofPlaces().size(), 1U);
     EXPECT_EQ(workbench().answer()->ofPlaces().front().rows.front().id, kept.rows.front().id);
+    EXPECT_EQ(workbench().answer()->ofPlaces().front().period, kept.period);
     EXPECT_TRUE(shownFor("North Park"));
     EXPECT_TRUE(workbench().filesOf({}).contains(QStringLiteral("contributions_of_places.csv")));
 }

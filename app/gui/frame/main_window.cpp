@@ -83,7 +83,8 @@ MainWindow::MainWindow(QSettings& settings, std::shared_ptr<Workbench> workbench
              new ContributionsDock,
              new PlacesDock,
              tools_.dock(),
-             tools_.massingDock()},
+             tools_.massingDock(),
+             tools_.treeDock()},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       hover_(new QLabel),
       mode_(),
@@ -353,6 +354,7 @@ void MainWindow::connectDocks() {
     connectElementForms();
     connect(&points_, &PointInspector::asked, this, [this] { showDock(docks_.point); });
     connect(docks_.point, &PointDock::saveRequested, this, &MainWindow::savePoint);
+    connect(&tools_, &EditTools::treesChosen, this, [this] { showDock(tools_.treeDock()); });
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
 }
 

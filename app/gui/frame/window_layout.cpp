@@ -134,6 +134,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     QDockWidget* building =
         dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));
     QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", docks.tower);
+    QDockWidget* trees = dockOf(QObject::tr("Trees"), "treesDock", docks.trees);
     QDockWidget* review = dockOf(QObject::tr("Review"), "reviewDock", docks.review);
     QDockWidget* point = dockOf(QObject::tr("Point"), "pointDock", docks.point);
     QDockWidget* elements = dockOf(QObject::tr("Facades and points"), "elementsDock", docks.elements);
@@ -146,7 +147,8 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     window.addDockWidget(Qt::BottomDockWidgetArea, review);
     for (QDockWidget* beside : {point, elements}) window.tabifyDockWidget(review, beside);
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
-    for (QDockWidget* beside : {project, building, tower, warnings}) window.tabifyDockWidget(study, beside);
+    for (QDockWidget* beside : {project, building, tower, trees, warnings})
+        window.tabifyDockWidget(study, beside);
     study->raise();
     window.addDockWidget(Qt::RightDockWidgetArea, results);
     for (QDockWidget* beside : {places, contributions, scenarios, weights})
@@ -156,12 +158,12 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     results->raise();
     // They open when they have something to say, or on wish: the view has their room until then.
     for (QDockWidget* dock :
-         {review, point, elements, results, places, contributions, scenarios, weights, warnings})
+         {review, point, elements, results, places, contributions, scenarios, weights, warnings, trees})
         dock->hide();
     window.resizeDocks({study}, {studyWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
     for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, places, review,
-                              point, elements, building, tower, warnings})
+                              point, elements, building, tower, trees, warnings})
         toggles << dock->toggleViewAction();
     return toggles;
 }

@@ -43,6 +43,7 @@ struct WindowDocks {
     PlacesDock* places;
     QWidget* building;  ///< the selected building
     QWidget* tower;     ///< lots, and the tower being designed
+    QWidget* trees;
 };
 
 /// Switches that hide all docks at the left, the right and below, for more of the view, and show them again.

@@ -104,18 +104,20 @@ std::optional<std::size_t> ContributionLinks::placeOfSun() const {
 const ContributionTable* ContributionLinks::savedTable() const {
     if (!workbench_.answer() || dock_.subject().empty()) return nullptr;
     const auto& all = workbench_.answer()->ofPlaces();
-    const auto at = std::ranges::find_if(all, [&, period = periodText()](const ContributionTable& of) {
-        return of.place == dock_.subject() && (of.period == period || of.period.empty() || period.empty());
+    const auto at = std::ranges::find_if(all, [this](const ContributionTable& of) {
+        return of.place == dock_.subject() && isOfShownTime(of.period);
     });
     return at == all.end() ? nullptr : &*at;
 }
 
-// Of sun by place; empty: of anything else.
-std::string ContributionLinks::periodText() const {
-    const auto sun = sunOf(workbench_.answer());
-    if (!sun) return {};
-    const SunByPlaceSettings& settings = sun->baseline.settings;
-    return formatText(periodOf(settings, dateOf(*sun)));
+// A saved answer about places states its dates, not its period.
+bool ContributionLinks::isOfShownTime(const std::string& period) const {
+    const auto shown = sunOf(workbench_.answer());
+    if (!shown || period.empty()) return true;
+    const SunByPlaceSettings& settings = shown->baseline.settings;
+    const auto date = dateOf(*shown);
+    if (sun()) return period == formatText(periodOf(settings, date));
+    return !date || period.starts_with(formatText(*date) + ", 1 day,");
 }
 
 std::optional<CivilDate> ContributionLinks::dateOf(const SunOfCities& sun) const {
@@ -152,8 +154,9 @@ void ContributionLinks::refresh() {
     if (sun()) return showSun();
     if (study_) return showStudy(*study_);
     if (workbench_.past())
-        return dock_.explain(tr("Buildings have changed since the last answer. Run it again (Ctrl+R), then "
-                                "click a place in the view to see which buildings shade it."));
+        return dock_.explain(
+            tr("Buildings have changed since the last answer. Run it again (Ctrl+R), then "
+               "click a place in the view to see which buildings shade it."));
     dock_.explain(
         tr("No study yet. Run one (Ctrl+R), then click a place in the view to see which buildings "
            "shade it."));

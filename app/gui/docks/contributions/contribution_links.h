@@ -55,7 +55,7 @@ private:
     [[nodiscard]] std::shared_ptr<const SunOfCities> sun() const;
     [[nodiscard]] std::optional<std::size_t> placeOfSun() const;
     [[nodiscard]] const ContributionTable* savedTable() const;
-    [[nodiscard]] std::string periodText() const;
+    [[nodiscard]] bool isOfShownTime(const std::string& period) const;
     [[nodiscard]] std::optional<CivilDate> dateOf(const SunOfCities& sun) const;
     [[nodiscard]] std::optional<Place> subject() const;
     [[nodiscard]] std::optional<std::uint32_t> indexOf(const Building& building) const;

@@ -271,6 +271,7 @@ void PlacesDock::show(std::shared_ptr<const SunOfCities> sun, const QString& not
     if (sun && model_->sun() && sun != model_->sun() && haveSameShadow(*sun, *model_->sun())) {
         model_->restate(std::move(sun));
         showThreshold();
+        if (!restored_.empty()) applyRestored();
     } else if (sun != model_->sun()) {
         rest_->stop();
         if (sun && model_->sun() && restored_.empty()) restored_ = choice();

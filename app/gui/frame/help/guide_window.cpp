@@ -42,6 +42,7 @@ constexpr PlaceOfPart places[] = {
     {"timeStrip", "window", "Sun and time"},
     {"buildingDock", "window", "Changing buildings"},
     {"towerDock", "window", "Changing buildings"},
+    {"treesDock", "window", "Trees"},
     {"modeBar", "window", "Modes"},
     {"noonmark::TimeStrip", "window", "Sun and time"},
     {"noonmark::LegendStrip", "window", "Scenarios"},

@@ -22,11 +22,13 @@ EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizo
       selection_(new SelectionPanel),
       placing_(new PlacingPanel),
       massing_(new MassingPanel),
+      treePanel_(new TreePanel),
       dock_(new QWidget),
       context_(view, std::move(horizons)),
       building_(context_, *selection_),
       tower_(context_, *massing_),
       mesh_(context_, *placing_),
+      trees_(context_, *treePanel_),
       lotEditing_(context_),
       box_(view.view()) {
     auto* column = new QVBoxLayout(dock_);
@@ -38,18 +40,22 @@ EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizo
     connectView();
     connectTools();
     connectLots();
+    connectTrees();
     enableActions();
 }
 
 // Panels that were not placed in a dock are still owned here.
 EditTools::~EditTools() {
-    for (QWidget* dock : {dock_.data(), static_cast<QWidget*>(massing_.data())})
+    for (QWidget* dock :
+         {dock_.data(), static_cast<QWidget*>(massing_.data()), static_cast<QWidget*>(treePanel_.data())})
         if (dock && !dock->parent()) delete dock;
 }
 
 QWidget* EditTools::dock() const { return dock_; }
 
 QWidget* EditTools::massingDock() const { return massing_; }
+
+QWidget* EditTools::treeDock() const { return treePanel_; }
 
 QAction* EditTools::action(const QString& text, const QKeySequence& keys, const QString& tip) {
     auto* made = new QAction(text, this);
@@ -77,6 +83,9 @@ void EditTools::makeActions() {
         action(tr("&Move building"), Qt::Key_M, tr("Drag the selected building over the ground"));
     const auto lot =
         action(tr("Lot from foot&print"), {}, tr("Creates a lot from the selected building's outline"));
+    const auto plant = action(tr("Plan&t trees"), {}, tr("Each click on the ground plants a tree; Esc ends"));
+    const auto row = action(tr("Plant a ro&w of trees"), {},
+                            tr("Click the corners of a line; a double click or Enter plants trees along it"));
     const auto mesh =
         action(tr("&Import mesh..."), {}, tr("Adds a building from a mesh file, placed by a click"));
     ofBuilding_ = {replace, move, lot};
@@ -90,6 +99,8 @@ void EditTools::makeActions() {
     connect(move, &QAction::triggered, this, [this] { building_.setMoving(true); });
     connect(lot, &QAction::triggered, this, &EditTools::lotFromFootprint);
     connect(mesh, &QAction::triggered, this, &EditTools::importMesh);
+    connect(plant, &QAction::triggered, this, [this] { plantTrees(TreePanel::Planting::single); });
+    connect(row, &QAction::triggered, this, [this] { plantTrees(TreePanel::Planting::row); });
     makeLiveActions();
 }
 
@@ -163,6 +174,29 @@ void EditTools::connectTools() {
     connect(&mesh_, &MeshPlacing::ended, this, [place] { place(false); });
 }
 
+void EditTools::connectTrees() {
+    connect(&trees_, &TreeEditing::editsMade, this, &EditTools::editsMade);
+    connect(&trees_, &TreeEditing::failed, this, &EditTools::failed);
+    connect(&trees_, &TreeEditing::chosen, this, [this] {
+        building_.select(std::nullopt);
+        Q_EMIT treesChosen();
+    });
+    connect(&building_, &BuildingEditing::selectionChanged, this, [this] {
+        if (!building_.all().empty()) trees_.chooseNone();
+    });
+}
+
+void EditTools::plantTrees(TreePanel::Planting planting) {
+    if (!context_.city) return;
+    cancel();
+    trees_.plant(planting);
+    Q_EMIT hinted(
+        planting == TreePanel::Planting::row
+            ? tr("Click the corners of a line. A double click or Enter plants trees along it, Esc "
+                 "ends.")
+            : tr("Click where trees are to stand; their measures are in the panel Trees. Esc ends."));
+}
+
 void EditTools::connectLots() {
     ViewPanel& panel = context_.panel;
     connect(massing_, &MassingPanel::editRequested, this, &EditTools::editLot);
@@ -189,6 +223,7 @@ void EditTools::setCity(std::shared_ptr<const OpenCity> city) {
     context_.city = city;
     context_.preview.setCity(std::move(city));
     building_.cityChanged();
+    trees_.cityChanged();
     if (another) {
         lotEditing_.end();
         tower_.cancel();
@@ -294,6 +329,7 @@ void EditTools::click(QPointF pixel) {
         if (const auto ground = navigator.groundAt(pixel)) mesh_.placeAt({ground->x, ground->y});
         return;
     }
+    if (trees_.click(pixel)) return;
     const auto pick = navigator.pickAt(pixel);
     const auto building = pick ? pick->building : std::nullopt;
     if (!navigator.clickModifiers().testFlag(Qt::ControlModifier)) return building_.select(building);
@@ -326,13 +362,15 @@ void EditTools::clickNeighbour(QPointF pixel) {
 
 void EditTools::hover(QPointF pixel) {
     lotEditing_.hover(pixel);
-    if (isBusy()) return building_.hover(std::nullopt);
+    trees_.hover(pixel);
+    if (isBusy() || trees_.isPlanting()) return building_.hover(std::nullopt);
     const auto pick = context_.panel.navigator().pickAt(pixel);
     building_.hover(pick ? pick->building : std::nullopt);
 }
 
 void EditTools::key(int key) {
     if (lotEditing_.key(key) || context_.handle.key(key)) return;
+    if (trees_.key(key)) return;
     if (key == Qt::Key_Escape) cancel();
     const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
     if (enter && tower_.active()) tower_.build();
@@ -348,6 +386,7 @@ void EditTools::cancel() {
     if (lotEditing_.active()) return lotEditing_.end();
     if (tower_.active()) return tower_.cancel();
     if (mesh_.active()) return mesh_.cancel();
+    if (trees_.cancel()) return;
     if (context_.city) building_.endTool();
 }
 

@@ -2,9 +2,9 @@
 
 // Editing of buildings in the view. EditTools owns the tools and their menu entries; BuildingEditing (select,
 // demolish, move, resize), TowerEditing (massing), LotEditing (outlines of lots) and MeshPlacing (a mesh file
-// as a building) share one EditContext: the view, the preview and the drag handle. No tool knows the project:
-// each emits its edits as one undo step and gets back the changed city. EditPreview shows edits before they
-// are made.
+// as a building) and TreeEditing share one EditContext: the view, the preview and the drag handle. No tool
+// knows the project: each emits its edits as one undo step and gets back the changed city. EditPreview shows
+// edits before they are made.
 
 #include <QPointer>
 #include <optional>
@@ -14,6 +14,7 @@
 #include "app/gui/tools/editing/building_editing.h"
 #include "app/gui/tools/editing/lot_editing.h"
 #include "app/gui/tools/editing/mesh_placing.h"
+#include "app/gui/tools/editing/tree_editing.h"
 #include "app/gui/tools/massing/massing_panel.h"
 #include "app/gui/tools/massing/tower_editing.h"
 
@@ -54,12 +55,14 @@ public:
 
     [[nodiscard]] QWidget* dock() const;  ///< panel of the selected building; its parent takes ownership
     [[nodiscard]] QWidget* massingDock() const;  ///< panel of lots and towers; likewise
+    [[nodiscard]] QWidget* treeDock() const;     ///< panel of trees; likewise
     [[nodiscard]] std::vector<QAction*> actions() const { return actions_; }  ///< for a menu
 
     [[nodiscard]] BuildingEditing& building() { return building_; }
     [[nodiscard]] TowerEditing& tower() { return tower_; }
     [[nodiscard]] MeshPlacing& mesh() { return mesh_; }
     [[nodiscard]] LotEditing& lotEditing() { return lotEditing_; }
+    [[nodiscard]] TreeEditing& trees() { return trees_; }
     [[nodiscard]] EditContext& context() { return context_; }
 
     void drawLot();
@@ -86,6 +89,8 @@ Q_SIGNALS:
     void hinted(QString text);
     /// A tower design has started: its dock should be visible.
     void designBegan();
+    /// Trees were chosen, or are to be planted: their dock should be visible.
+    void treesChosen();
     /// A building was selected: its dock should be visible.
     void selectionMade();
     void failed(noonmark::Error error);
@@ -99,6 +104,8 @@ private:
     void connectView();
     void connectTools();
     void connectLots();
+    void connectTrees();
+    void plantTrees(TreePanel::Planting planting);
     void editChosenLot();
     void editTower(const NamedLot& lot);
     [[nodiscard]] std::optional<TowerDraft> selectedDesign() const;
@@ -123,11 +130,13 @@ private:
     SelectionPanel* selection_;
     PlacingPanel* placing_;
     QPointer<MassingPanel> massing_;
+    QPointer<TreePanel> treePanel_;
     QPointer<QWidget> dock_;
     EditContext context_;
     BuildingEditing building_;
     TowerEditing tower_;
     MeshPlacing mesh_;
+    TreeEditing trees_;
     LotEditing lotEditing_;
     std::vector<QAction*> actions_;
     std::vector<QAction*> ofBuilding_;

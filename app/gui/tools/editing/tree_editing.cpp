@@ -1,0 +1,341 @@
+#include "app/gui/tools/editing/tree_editing.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/field_rows.h"
+#include "app/gui/base/widgets/number_fields.h"
+#include "app/gui/base/widgets/number_text.h"
+#include "scenarios/edits/tree_edits.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double defaultSpacingM = 8;
+constexpr double defaultYears = 10, maxYears = 200;  // as growTree()
+
+QString describeTree(const Tree& tree) {
+    const QString species =
+        tree.species.empty() ? TreePanel::tr("Species not known") : QString::fromStdString(tree.species);
+    const QString leaves = tree.evergreen ? TreePanel::tr("evergreen") : TreePanel::tr("loses its leaves");
+    return TreePanel::tr("%1, %2 high, crown %3, %4")
+        .arg(species, describeLength(double(tree.heightM)), describeLength(double(tree.crownDiameterM)),
+             leaves);
+}
+
+TreeFacts factsOf(const Tree& tree) {
+    return {.species = tree.species,
+            .heightM = double(tree.heightM),
+            .crownDiameterM = double(tree.crownDiameterM),
+            .crownBaseM = double(tree.crownBaseM)};
+}
+
+}  // namespace
+
+TreePanel::TreePanel(QWidget* parent)
+    : QWidget(parent),
+      chosen_(new QLabel),
+      fields_(new FieldRows(treeFactFields().rows(), this)),
+      spacing_(lengthField(1, 500, 1, 1)),
+      years_(numberField(1, maxYears, 0, 5, tr(" years"))),
+      plant_(pushButton(tr("Plant"), "plantTree", tr("Each click on the ground plants a tree; Esc ends"))),
+      row_(pushButton(tr("Plant a row"), "plantRow",
+                      tr("Click the corners of a line; a double click or Enter plants trees along it"))),
+      replace_(pushButton(tr("Replace"), "replaceTrees",
+                          tr("Puts trees with the measures above in place of the chosen ones"))),
+      fell_(pushButton(tr("Fell"), "fellTrees", tr("Removes the chosen trees (Delete)"))),
+      grow_(pushButton(tr("Let grow"), "growTrees",
+                       tr("The chosen trees after these years; all of the city if none is chosen"))) {
+    chosen_->setObjectName(QStringLiteral("chosenTrees"));
+    chosen_->setWordWrap(true);
+    for (QPushButton* button : {plant_, row_}) button->setCheckable(true);
+    spacing_->setObjectName(QStringLiteral("treeSpacing"));
+    spacing_->setToolTip(tr("Distance between the trees of a row"));
+    spacing_->setValue(defaultSpacingM);
+    years_->setObjectName(QStringLiteral("treeYears"));
+    years_->setValue(defaultYears);
+    years_->setToolTip(tr("Years of growth, of which crown and height are estimated"));
+    placeFields();
+    const auto choose = [this](Planting planting) {
+        return [this, planting](bool on) { Q_EMIT plantingChosen(on ? planting : Planting::none); };
+    };
+    connect(plant_, &QPushButton::clicked, this, choose(Planting::single));
+    connect(row_, &QPushButton::clicked, this, choose(Planting::row));
+    connect(replace_, &QPushButton::clicked, this, &TreePanel::replaceRequested);
+    connect(fell_, &QPushButton::clicked, this, &TreePanel::fellRequested);
+    connect(grow_, &QPushButton::clicked, this, &TreePanel::growRequested);
+    showChosen({}, 0);
+}
+
+void TreePanel::placeFields() {
+    auto* form = new QFormLayout;
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    fields_->addRows(*form);
+    form->addRow(tr("Spacing"), spacing_);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(chosen_);
+    column->addLayout(form);
+    column->addWidget(widgetRow({plant_, row_}));
+    column->addWidget(widgetRow({replace_, fell_}));
+    column->addWidget(widgetRow({years_, grow_}));
+    column->addStretch(1);
+}
+
+void TreePanel::showChosen(const std::vector<Tree>& chosen, std::size_t all) {
+    const QString count =
+        all == 0 ? tr("The city has no trees yet. Plant some, or read an inventory: "
+                      "noonmark-cli project tree import")
+                 : tr("%1 tree(s) in the city. Click one to choose it, Ctrl adds more", "", pluralNumber(all))
+                       .arg(formatCount(all));
+    if (chosen.size() == 1) {
+        const TreeFacts facts = factsOf(chosen.front());
+        fields_->show(treeFactFields().of(facts));
+    }
+    chosen_->setText(chosen.empty()       ? count
+                     : chosen.size() == 1 ? describeTree(chosen.front())
+                                          : tr("%1 trees chosen").arg(formatCount(chosen.size())));
+    for (QPushButton* button : {replace_, fell_}) button->setEnabled(!chosen.empty());
+    grow_->setEnabled(all > 0);
+}
+
+void TreePanel::showPlanting(Planting planting) {
+    plant_->setChecked(planting == Planting::single);
+    row_->setChecked(planting == Planting::row);
+}
+
+TreeFacts TreePanel::facts() const {
+    TreeFacts facts;
+    fields_->take(treeFactFields().of(facts));
+    return facts;
+}
+
+double TreePanel::spacingM() const { return spacing_->value(); }
+
+double TreePanel::years() const { return years_->value(); }
+
+TreeEditing::TreeEditing(EditContext& context, TreePanel& panel, QObject* parent)
+    : QObject(parent),
+      context_(context),
+      panel_(panel),
+      claim_(context.panel.view(), [this](int key) { return key == Qt::Key_Delete && !ids_.empty(); }) {
+    context_.panel.navigator().addTarget(*this);
+    connect(&context_.panel.navigator(), &ViewNavigator::doubleClicked, this, [this] { finishRow(); });
+    connect(&panel_, &TreePanel::plantingChosen, this, &TreeEditing::plant);
+    connect(&panel_, &TreePanel::replaceRequested, this, &TreeEditing::replace);
+    connect(&panel_, &TreePanel::fellRequested, this, &TreeEditing::fell);
+    connect(&panel_, &TreePanel::growRequested, this, &TreeEditing::grow);
+}
+
+TreeEditing::~TreeEditing() { context_.panel.navigator().removeTarget(*this); }
+
+const Trees* TreeEditing::trees() const {
+    return context_.city ? context_.city->city().trees.get() : nullptr;
+}
+
+void TreeEditing::cityChanged() {
+    std::set<std::string> there;
+    for (const Tree& tree : chosenTrees()) there.insert(tree.sourceId);
+    ids_ = std::move(there);
+    grabbed_.reset();
+    movedM_ = {0, 0};
+    show();
+}
+
+void TreeEditing::plant(TreePanel::Planting planting) {
+    planting_ = context_.city ? planting : TreePanel::Planting::none;
+    corners_.clear();
+    cursor_.reset();
+    if (isPlanting()) {
+        ids_.clear();
+        context_.panel.view().requestActivate();  // the view receives the keys that end it
+        Q_EMIT chosen();
+    }
+    show();
+}
+
+std::optional<std::size_t> TreeEditing::treeAt(QPointF pixel) const {
+    const CityView& view = context_.panel.view();
+    if (!trees() || !view.showsTrees()) return std::nullopt;
+    const ViewRay ray = makeRayThrough(view.pose(), view.lens(), {pixel.x(), pixel.y()});
+    const auto hit = pickTree(trees()->trees, ray);
+    const auto behind = context_.panel.navigator().pickAt(pixel);
+    if (!hit || (behind && glm::distance(behind->position, ray.origin) < hit->distanceM)) return std::nullopt;
+    return hit->tree;
+}
+
+std::optional<glm::dvec2> TreeEditing::groundAt(QPointF pixel) const {
+    const auto ground = context_.panel.navigator().groundAt(pixel);
+    return ground ? std::optional(glm::dvec2(*ground)) : std::nullopt;
+}
+
+bool TreeEditing::click(QPointF pixel) {
+    if (isPlanting()) {
+        if (const auto ground = groundAt(pixel)) addCorner(*ground);
+        return true;
+    }
+    const bool adds = context_.panel.navigator().clickModifiers().testFlag(Qt::ControlModifier);
+    const auto tree = treeAt(pixel);
+    if (!adds) ids_.clear();
+    if (tree)
+        if (const std::string& id = trees()->trees[*tree].sourceId; !ids_.insert(id).second) ids_.erase(id);
+    show();
+    if (tree) Q_EMIT chosen();
+    return tree.has_value();
+}
+
+void TreeEditing::addCorner(glm::dvec2 ground) {
+    if (planting_ == TreePanel::Planting::single) return plantAt({ground});
+    corners_.push_back(ground);
+    show();
+}
+
+// The second click of a double click is no corner of its own.
+void TreeEditing::finishRow() {
+    if (planting_ != TreePanel::Planting::row || corners_.empty()) return;
+    const auto places = placeTreesAlong(std::exchange(corners_, {}), panel_.spacingM());
+    if (!places) return Q_EMIT failed(places.error());
+    plantAt(*places);
+}
+
+void TreeEditing::plantAt(const std::vector<glm::dvec2>& places) {
+    const auto tree = designTree(panel_.facts());
+    if (!tree) return Q_EMIT failed(tree.error());
+    Q_EMIT editsMade(makePlantings(context_.city->city(), *tree, places),
+                     tr("plant %1 tree(s)", "", int(places.size())).arg(formatCount(places.size())));
+}
+
+void TreeEditing::hover(QPointF pixel) {
+    if (!isPlanting()) return;
+    cursor_ = groundAt(pixel);
+    show();
+}
+
+bool TreeEditing::key(int key) {
+    const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (enter && !corners_.empty()) return finishRow(), true;
+    if (key != Qt::Key_Delete || ids_.empty()) return false;
+    fell();
+    return true;
+}
+
+void TreeEditing::chooseNone() {
+    ids_.clear();
+    show();
+}
+
+bool TreeEditing::cancel() {
+    if (!isPlanting() && ids_.empty()) return false;
+    if (!isPlanting()) ids_.clear();
+    plant(TreePanel::Planting::none);
+    return true;
+}
+
+bool TreeEditing::grab(QPointF pixel) {
+    if (isPlanting() || ids_.empty()) return false;
+    const auto tree = treeAt(pixel);
+    if (!tree || !ids_.contains(trees()->trees[*tree].sourceId)) return false;
+    grabbed_ = groundAt(pixel);
+    return grabbed_.has_value();
+}
+
+void TreeEditing::dragTo(QPointF pixel) {
+    const auto ground = groundAt(pixel);
+    if (!grabbed_ || !ground) return;
+    movedM_ = *ground - *grabbed_;
+    show();
+}
+
+void TreeEditing::drop() {
+    grabbed_.reset();
+    const glm::dvec2 by = std::exchange(movedM_, {0, 0});
+    if (by == glm::dvec2(0)) return;
+    std::vector<Edit> edits;
+    for (const std::string& id : ids_) edits.emplace_back(MoveTree{id, by});
+    Q_EMIT editsMade(std::move(edits),
+                     tr("move %1 tree(s)", "", int(ids_.size())).arg(formatCount(ids_.size())));
+}
+
+void TreeEditing::fell() {
+    std::vector<Edit> edits;
+    for (const std::string& id : ids_) edits.emplace_back(FellTree{id});
+    Q_EMIT editsMade(std::move(edits),
+                     tr("fell %1 tree(s)", "", int(ids_.size())).arg(formatCount(ids_.size())));
+}
+
+void TreeEditing::replace() {
+    const auto tree = designTree(panel_.facts());
+    if (!tree) return Q_EMIT failed(tree.error());
+    std::vector<Edit> edits;
+    for (const std::string& id : ids_) edits.emplace_back(ReplaceTree{id, *tree});
+    Q_EMIT editsMade(std::move(edits),
+                     tr("replace %1 tree(s)", "", int(ids_.size())).arg(formatCount(ids_.size())));
+}
+
+void TreeEditing::grow() {
+    std::vector<Edit> edits;
+    const std::vector<Tree> some = ids_.empty() ? trees()->trees : chosenTrees();
+    for (const Tree& tree : some)
+        if (auto growth = makeGrowth(tree, panel_.years())) edits.push_back(*std::move(growth));
+    if (edits.empty())
+        return Q_EMIT failed({"None of these trees grows",
+                              {},
+                              "Trees of 35 m or more and cells of a canopy raster stay as they are"});
+    Q_EMIT editsMade(std::move(edits), tr("let trees grow by %1 years").arg(panel_.years()));
+}
+
+std::vector<Tree> TreeEditing::chosenTrees() const {
+    std::vector<Tree> chosen;
+    if (trees() && !ids_.empty())
+        std::ranges::copy_if(trees()->trees, std::back_inserter(chosen),
+                             [this](const Tree& tree) { return ids_.contains(tree.sourceId); });
+    return chosen;
+}
+
+// Those of a row so far, or the one under the cursor.
+std::vector<Tree> TreeEditing::plannedTrees() const {
+    std::vector<glm::dvec2> line = corners_;
+    if (cursor_) line.push_back(*cursor_);
+    const auto tree = designTree(panel_.facts());
+    if (!tree || line.empty()) return {};
+    const auto row = placeTreesAlong(line, panel_.spacingM());
+    std::vector<Tree> planned;
+    for (const glm::dvec2 place :
+         row&& planting_ == TreePanel::Planting::row ? *row : std::vector{line.back()}) {
+        planned.push_back(*tree);
+        planned.back().place = place;
+    }
+    return planned;
+}
+
+void TreeEditing::show() {
+    const std::vector<Tree> chosen = chosenTrees();
+    panel_.showChosen(chosen, trees() ? trees()->trees.size() : 0);
+    panel_.showPlanting(planting_);
+    mark(isPlanting() ? plannedTrees() : chosen);
+}
+
+// A little larger than the trees themselves, so that they cover them.
+void TreeEditing::mark(std::vector<Tree> trees) {
+    constexpr float largerTimes = 1.04F;
+    CrownBodies& marked = context_.panel.view().markedTrees();
+    if (trees.empty()) return marked.show(nullptr);
+    for (Tree& tree : trees) {
+        tree.evergreen = true;
+        tree.place += movedM_;
+        tree.groundM = float(noonmark::groundAt(context_.city->city(), tree.place));
+        tree.crownDiameterM *= largerTimes;
+        tree.heightM *= largerTimes;
+    }
+    marked.show(std::make_shared<const Trees>(Trees{.trees = std::move(trees)}));
+}
+
+}  // namespace noonmark
