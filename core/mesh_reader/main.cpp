@@ -33,7 +33,8 @@ Result<void> writeScene(const std::filesystem::path& file, std::FILE* out) {
         appendObject(bytes, object);
         writeOut(out, bytes);
     };
-    return isDxf(file) ? readDxf(file, take) : readScene(file, take);
+    if (isDxf(file)) return readDxf(file, take);
+    return isObj(file) ? readObj(file, take) : readScene(file, take);
 }
 
 // Exits without freeing memory: the kernel is faster.

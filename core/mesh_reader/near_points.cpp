@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -13,9 +12,10 @@
 #include <functional>
 #include <iterator>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <vector>
+
+#include "core/mesh_reader/text_lines.h"
 
 namespace noonmark {
 
@@ -53,33 +53,6 @@ private:
     std::vector<glm::dvec3> first_;
     glm::dvec3 origin_{0};
 };
-
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-std::string_view takeWord(std::string_view& line) {
-    const auto first = std::find_if_not(line.begin(), line.end(), isBlank);
-    const auto end = std::find_if(first, line.end(), isBlank);
-    const std::string_view word(first, end);
-    line = std::string_view(end, line.end());
-    return word;
-}
-
-std::optional<double> takeNumber(std::string_view& line) {
-    std::string_view word = takeWord(line);
-    if (word.starts_with('+')) word.remove_prefix(1);
-    double number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(number))
-        return std::nullopt;
-    return number;
-}
-
-std::string_view takeLine(std::string_view& text) {
-    const auto end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    return line;
-}
 
 // The point of a line, and what follows its numbers. Nothing where it is none.
 struct LinePoint {
@@ -141,7 +114,7 @@ NearPoints moveLines(std::string_view text, const std::function<Find()>& lines) 
     return moved.empty() ? NearPoints{} : NearPoints{std::move(moved), mover.origin()};
 }
 
-// Lines that begin with a word: "v" of OBJ, "vertex" of STL.
+// Lines that begin with a word: "vertex" of STL.
 std::function<Find()> linesAfter(std::string_view word) {
     return [word] {
         return [word](std::string_view& line) {
@@ -284,13 +257,6 @@ NearPoints movePly(std::string text) {
     return moved;
 }
 
-std::string readAll(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream content;
-    content << stream.rdbuf();
-    return std::move(content).str();
-}
-
 std::string beginningOf(const std::filesystem::path& file) {
     std::string head(1024, '\0');
     std::ifstream stream(file, std::ios::binary);
@@ -303,13 +269,10 @@ std::string beginningOf(const std::filesystem::path& file) {
 
 NearPoints movePointsNear(const std::filesystem::path& file) {
     const std::string head = beginningOf(file);
-    if (head.starts_with("ply")) return movePly(readAll(file));
+    if (head.starts_with("ply")) return movePly(readWholeFile(file));
     if (head.find('\0') != head.npos) return {};
-    if (head.starts_with("solid")) return moveLines(readAll(file), linesAfter("vertex"));
-    const auto start = head.find_first_not_of(" \t\r\n");
-    if (start == head.npos || head[start] == '{' || head[start] == '<') return {};
-    if (head.starts_with("ISO-10303")) return {};
-    return moveLines(readAll(file), linesAfter("v"));
+    if (head.starts_with("solid")) return moveLines(readWholeFile(file), linesAfter("vertex"));
+    return {};
 }
 
 }  // namespace noonmark

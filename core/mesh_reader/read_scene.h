@@ -18,8 +18,8 @@ namespace noonmark {
 
 /// Reads a mesh file and passes on its objects one by one, with the transformations in the file's tree
 /// applied. Points and lines are left out; polygons stay polygons. The polygons of mirrored objects are
-/// reversed, so that they still face outward. Backend: read_scene_assimp.cpp, which supports OBJ, PLY, glTF 2
-/// and IFC only. DXF: readDxf().
+/// reversed, so that they still face outward. Backend: read_scene_assimp.cpp, which supports PLY, glTF 2,
+/// STL, COLLADA and IFC only. DXF: readDxf(). OBJ: readObj().
 Result<void> readScene(const std::filesystem::path& file, const std::function<void(const MeshObject&)>& take);
 
 /// Whether a file begins as a DXF, in text or binary form.
@@ -31,6 +31,15 @@ bool isDxf(const std::filesystem::path& file);
 /// no mass, with what it holds instead. O(file + polygons).
 Result<void> readDxf(const std::filesystem::path& file, const std::function<void(const MeshObject&)>& take);
 
+/// Whether a file begins as an OBJ.
+bool isObj(const std::filesystem::path& file);
+
+/// Reads the polygons of an OBJ, with numbers as precise as the file's. One object per object (`o`) or, in
+/// files without them, per group (`g`); of an object with several groups one per group, whose name is that of
+/// both and whose parent is the object. Corners that refer to no point stay (MeshPiece). Error: numbers with
+/// decimal commas. O(file).
+Result<void> readObj(const std::filesystem::path& file, const std::function<void(const MeshObject&)>& take);
+
 /// A mesh file with its points moved next to zero.
 struct NearPoints {
     std::string content;   ///< the whole file; empty: it needs no move, or its points cannot be found
@@ -39,7 +48,7 @@ struct NearPoints {
 
 /// The mesh library stores points as float32, which at map coordinates is half a metre. Text formats and PLY
 /// with double numbers hold more: the middle of their first points is subtracted before the library reads
-/// them. OBJ, STL as text, PLY; nothing for other formats, and where that middle is within 10,000 units of
+/// them. STL as text, PLY; nothing for other formats, and where that middle is within 10,000 units of
 /// zero. Takes twice the memory of the file.
 NearPoints movePointsNear(const std::filesystem::path& file);
 

@@ -112,12 +112,9 @@ std::unique_ptr<Assimp::IOSystem> guardedFiles(const std::filesystem::path& mesh
 }
 
 // Names as in the library. It supports some fifty more formats, which a file could select by its content.
-constexpr std::array<std::string_view, 6> allowedImporters{"Wavefront Object Importer",
-                                                           "Stanford Polygon Library (PLY) Importer",
-                                                           "glTF2 Importer",
-                                                           "Stereolithography (STL) Importer",
-                                                           "Collada Importer",
-                                                           "Industry Foundation Classes (IFC) Importer"};
+constexpr std::array<std::string_view, 5> allowedImporters{
+    "Stanford Polygon Library (PLY) Importer", "glTF2 Importer", "Stereolithography (STL) Importer",
+    "Collada Importer", "Industry Foundation Classes (IFC) Importer"};
 
 void keepAllowedImporters(Assimp::Importer& importer) {
     std::vector<Assimp::BaseImporter*> others;

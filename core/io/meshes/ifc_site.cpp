@@ -63,7 +63,7 @@ public:
             north_ = words[5].starts_with('#') ? words[5] : "";
         if (body.starts_with("IFCPROJECTEDCRS(")) crs_ = words.front();
         if (body.starts_with("IFCMAPCONVERSION(") && words.size() > 3) takeConversion(words);
-        if (plain.find(".LENGTHUNIT.") != plain.npos) takeUnit(body, words);
+        unit_.take(id, body, words);
     }
 
     IfcSite site() {
@@ -73,7 +73,7 @@ public:
                 axes.size() < 2 ? 0 : std::atan2(axes[0], axes[1]) * 180 / std::numbers::pi;
             if (std::abs(degrees) > 0.01) site_.trueNorthDeg = degrees;
         }
-        const double metres = feetM_ > 0 ? feetM_ : metresPerUnit_;
+        const double metres = unit_.metres();
         if (site_.elevationM) *site_.elevationM *= metres;
         if (site_.mapHeightM) *site_.mapHeightM *= metres;
         std::erase(crs_, '\'');
@@ -92,15 +92,6 @@ private:
         const auto x = numberOf(words[5]), y = numberOf(words[6]);
         if (x && y && std::hypot(*x, *y) > 1e-9) site_.mapAxis = {*x, *y};
     }
-    // A file that measures in feet states the metre, too.
-    void takeUnit(const std::string& body, const Words& words) {
-        constexpr double footM = 0.3048, inchM = 0.0254;
-        if (body.starts_with("IFCSIUNIT(") && words.size() > 2)
-            metresPerUnit_ = words[2] == ".MILLI." ? 0.001 : words[2] == ".CENTI." ? 0.01 : 1;
-        if (!body.starts_with("IFCCONVERSIONBASEDUNIT(") || words.size() < 3) return;
-        if (words[2].find("FOOT") != std::string::npos) feetM_ = footM;
-        if (words[2].find("INCH") != std::string::npos) feetM_ = inchM;
-    }
     void takeSite(const Words& words) {
         if (words.size() < 12) return;
         const auto latitude = degreesOf(words[9]), longitude = degreesOf(words[10]);
@@ -109,7 +100,7 @@ private:
     }
 
     IfcSite site_;
-    double metresPerUnit_ = 1, feetM_ = 0;
+    IfcLengthUnit unit_;
     std::map<std::string, std::string> directions_;
     std::string north_, crs_, origin_;
 };

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <fstream>
+#include <utility>
 
 #include "core/base/units.h"
 
@@ -36,6 +39,58 @@ std::vector<std::string> ifcArguments(std::string_view statement) {
             words.back() += c;
     }
     return words;
+}
+
+namespace {
+
+std::optional<double> ifcNumber(std::string_view text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+double metresOfPrefix(std::string_view prefix) {
+    constexpr std::array<std::pair<std::string_view, double>, 4> prefixes{
+        {{".MILLI.", 0.001}, {".CENTI.", 0.01}, {".DECI.", 0.1}, {".KILO.", 1000}}};
+    for (const auto& [name, metres] : prefixes)
+        if (prefix == name) return metres;
+    return 1;
+}
+
+}  // namespace
+
+void IfcLengthUnit::take(const std::string& id, std::string_view body,
+                         const std::vector<std::string>& words) {
+    constexpr std::size_t maxMeasures = 100'000;
+    const bool isLength = words.size() > 2 && words[1] == ".LENGTHUNIT.";
+    if (isLength && body.starts_with("IFCSIUNIT(")) siM_[id] = metresOfPrefix(words[2]);
+    if (isLength && body.starts_with("IFCCONVERSIONBASEDUNIT(") && words.size() > 3)
+        conversions_[id] = words[3];
+    if (body.starts_with("IFCUNITASSIGNMENT(")) assigned_ = ifcArguments(words.front());
+    if (!body.starts_with("IFCMEASUREWITHUNIT(") || words.size() < 2) return;
+    const auto value = ifcNumber(ifcArguments(words[0]).front());
+    if (value && *value > 0 && measures_.size() < maxMeasures) measures_[id] = {*value, words[1]};
+}
+
+std::optional<double> IfcLengthUnit::conversionM(const std::string& id) const {
+    const auto conversion = conversions_.find(id);
+    if (conversion == conversions_.end()) return std::nullopt;
+    const auto measure = measures_.find(conversion->second);
+    if (measure == measures_.end()) return std::nullopt;
+    const auto si = siM_.find(measure->second.unit);
+    return measure->second.value * (si == siM_.end() ? 1 : si->second);
+}
+
+double IfcLengthUnit::metres() const {
+    for (const std::string& id : assigned_) {
+        if (const auto si = siM_.find(id); si != siM_.end()) return si->second;
+        if (const auto metres = conversionM(id)) return *metres;
+    }
+    return 1;
+}
+
+bool IfcLengthUnit::isConversion() const {
+    return std::ranges::any_of(assigned_, [&](const std::string& id) { return conversionM(id).has_value(); });
 }
 
 std::string withoutIfcBlanks(std::string_view statement) {
@@ -97,6 +152,29 @@ StatedAxes axesOfDxf(const std::filesystem::path& file) {
     return {false, unit->metres, fmt::format("{} ($INSUNITS {})", unit->name, unit->code)};
 }
 
+IfcLengthUnit findIfcUnit(const std::filesystem::path& file) {
+    constexpr std::size_t longestStatement = 4096;
+    IfcLengthUnit unit;
+    std::filebuf bytes;
+    if (bytes.open(file, std::ios::in | std::ios::binary) == nullptr) return unit;
+    for (std::string statement; takeIfcStatement(bytes, statement, longestStatement);) {
+        // Most statements are points and lists of them.
+        if (statement.find("UNIT") == statement.npos) continue;
+        const std::string plain = withoutIfcBlanks(statement);
+        const std::size_t equals = plain.find('=');
+        if (equals == plain.npos) continue;
+        const std::string body = plain.substr(equals + 1);
+        unit.take(plain.substr(0, equals), body, ifcArguments(body));
+    }
+    return unit;
+}
+
+StatedAxes axesOfIfc(const std::filesystem::path& file) {
+    const IfcLengthUnit unit = findIfcUnit(file);
+    if (!unit.isConversion()) return {true, 1, "the file's own unit"};
+    return {true, unit.metres(), fmt::format("units of {:.7g} m", unit.metres())};
+}
+
 }  // namespace
 
 bool beginsIfc(std::string_view head) {
@@ -120,7 +198,7 @@ std::optional<StatedAxes> findStatedAxes(const std::filesystem::path& file) {
     head.resize(std::size_t(stream.gcount()));
     if (head.starts_with('<') && head.find("<COLLADA") != head.npos)
         return StatedAxes{true, 1, "the file's own unit"};
-    if (beginsIfc(head)) return StatedAxes{true, 1, "the file's own unit"};
+    if (beginsIfc(head)) return axesOfIfc(file);
     if (beginsDxf(head)) return axesOfDxf(file);
     return std::nullopt;
 }

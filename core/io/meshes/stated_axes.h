@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <streambuf>
 #include <string>
@@ -21,6 +22,29 @@ std::vector<std::string> ifcArguments(std::string_view statement);
 /// Without blanks and ends of lines outside of texts.
 std::string withoutIfcBlanks(std::string_view statement);
 
+/// The unit of length of an IFC's project, found from its statements, which may come in any order.
+class IfcLengthUnit {
+public:
+    /// `id`: "#6"; `body`: "IFCSIUNIT(...)", without blanks; `words`: its arguments.
+    void take(const std::string& id, std::string_view body, const std::vector<std::string>& words);
+    /// 1 if the project states none.
+    [[nodiscard]] double metres() const;
+    /// Whether it is a unit such as the foot, which the mesh library does not convert to metres.
+    [[nodiscard]] bool isConversion() const;
+
+private:
+    struct Measure {
+        double value;
+        std::string unit;
+    };
+    [[nodiscard]] std::optional<double> conversionM(const std::string& id) const;
+
+    std::map<std::string, double> siM_;
+    std::map<std::string, std::string> conversions_;  // their measures
+    std::map<std::string, Measure> measures_;
+    std::vector<std::string> assigned_;
+};
+
 /// What a CAD or BIM file states about its coordinates; OBJ, PLY, STL and glTF state nothing that is
 /// reliable.
 struct StatedAxes {
@@ -29,9 +53,9 @@ struct StatedAxes {
     std::string unit;                     ///< "millimetres ($INSUNITS 4)", for messages; empty with no unit
 };
 
-/// Nothing for other formats. IFC (ISO-10303-21 with an IFC schema) and COLLADA: the mesh library converts
-/// their unit to metres and turns them to y up. DXF: z up, in the unit of the header's $INSUNITS. Reads the
-/// header.
+/// Nothing for other formats. IFC (ISO-10303-21 with an IFC schema) and COLLADA: the mesh library turns them
+/// to y up and converts their unit to metres, but for feet and the like of an IFC. DXF: z up, in the unit of
+/// the header's $INSUNITS. Reads the header, of an IFC as far as its units.
 std::optional<StatedAxes> findStatedAxes(const std::filesystem::path& file);
 
 /// Whether the beginning of a file is that of an IFC, or of a DXF in text or binary form.

@@ -176,7 +176,7 @@ TEST(HostileMesh, OtherFormatsOfTheLibraryAreNotRead) {
 
 TEST(MeshReaderProcess, SaysWhichLimitEndedIt) {
     const tests::TemporaryFolder folder;
-    const auto file = folder.file("a.obj", objOfBoxes(20000));
+    const auto file = folder.file("a.obj", objOfBoxes(100000));
     MeshReaderLimits late;
     late.seconds = 0;
     const auto tooLate = readMeshScene(file, late, {});

@@ -66,6 +66,30 @@ TEST(IfcMasses, AreReadInTheirOwnUnitWithTheirUpAxis) {
     EXPECT_EQ(piece.format, "IFC");
 }
 
+// The mesh library leaves feet as they are: 60,000 mm are 196.85 feet.
+TEST(IfcMasses, AreReadInFeet) {
+    const TemporaryFolder folder;
+    std::string feet = ifc;
+    const auto replaceOnce = [&](const std::string& from, const std::string& to) {
+        feet.replace(feet.find(from), from.size(), to);
+    };
+    replaceOnce(
+        "#6=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);",
+        "#40=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);\n#41=IFCDIMENSIONALEXPONENTS(1,0,0,0,0,0,0);\n"
+        "#42=IFCMEASUREWITHUNIT(IFCLENGTHMEASURE(304.8),#40);\n"
+        "#6=IFCCONVERSIONBASEDUNIT(#41,.LENGTHUNIT.,'FOOT',#42);");
+    replaceOnce("20000.,10000.", "65.616798,32.808399");
+    replaceOnce("60000.", "196.850394");
+    replaceOnce(".ELEMENT.,$,$,$,$,$", ".ELEMENT.,(48,0,0),(11,30,0),100.,$,$");
+    const auto file = folder.file("feet.ifc", feet);
+    const auto piece = readMass(file).value();
+    const PieceExtent extent = extentOf(piece);
+    EXPECT_NEAR(extent.topM, 60, 1e-3);
+    EXPECT_NEAR(extent.box.high.x - extent.box.low.x, 20, 1e-3);
+    EXPECT_TRUE(warns(piece, "the coordinates are in units of 0.3048 m, as the file states"));
+    EXPECT_NEAR(readIfcSite(file, {}).elevationM.value(), 30.48, 1e-9);
+}
+
 // A tree on the site, a bench in the storey, and a wing of the building that stands apart.
 std::string replacedAll(std::string text, const std::string& from, const std::string& to) {
     for (auto at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))

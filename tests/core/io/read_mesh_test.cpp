@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -147,6 +148,91 @@ TEST(ReadMesh, PolygonFacesAndNegativeIndices) {
                             placed());
     ASSERT_TRUE(piece) << piece.error().text();
     tests::expectClosedSolid(piece->buildings.at(0)->parts.at(0), 144);
+}
+
+// Six quads around the last eight points of an OBJ.
+constexpr const char* objQuads =
+    "f -5 -6 -7 -8\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -7 -6 -2 -3\nf -6 -5 -1 -2\nf -5 -8 -4 -1\n";
+
+// Points of a box of 10 x 10 x height m with its western side at `west`.
+std::string objBoxPoints(int west, int height) {
+    std::string text;
+    for (const int z : {0, height})
+        for (const auto& [x, y] : {std::pair(0, 0), std::pair(10, 0), std::pair(10, 10), std::pair(0, 10)})
+            text +=
+                "v " + std::to_string(west + x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+    return text;
+}
+
+std::string objBoxAt(int west, int height) { return objBoxPoints(west, height) + objQuads; }
+
+std::vector<std::string> idsOf(const FilePiece& piece) {
+    std::vector<std::string> ids;
+    for (const auto& building : piece.buildings) ids.push_back(building->sourceId);
+    return ids;
+}
+
+TEST(ReadObj, NamesOfObjectsMayHaveBlanks) {
+    const auto piece = read(
+        "a.obj",
+        "o House 1\n" + objBoxAt(0, 5) + "o House 2\n" + objBoxAt(30, 7) + "o House 1\n" + objBoxAt(60, 5),
+        placed());
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_THAT(idsOf(*piece), testing::UnorderedElementsAre("House 1 1", "House 1 2", "House 2"));
+}
+
+// As Rhino (a layer before each object), Maya ("default" before the points) and 3ds Max write them.
+TEST(ReadObj, AGroupBeforeAnObjectIsNotItsName) {
+    const auto piece =
+        read("a.obj", "g layer\no object_1\n" + objBoxAt(0, 5) + "g layer\no object_2\n" + objBoxAt(30, 7),
+             placed());
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_THAT(idsOf(*piece), testing::ElementsAre("object_1", "object_2"));
+    const auto maya = read("b.obj",
+                           "g default\n" + objBoxPoints(0, 5) + "g pCube1\n" + objQuads + "g default\n" +
+                               objBoxPoints(30, 7) + "g pCube2\n" + objQuads,
+                           placed());
+    ASSERT_TRUE(maya) << maya.error().text();
+    EXPECT_THAT(idsOf(*maya), testing::ElementsAre("pCube1", "pCube2"));
+}
+
+TEST(ReadObj, GroupsOfAnObjectAreItsSurfaces) {
+    const std::string walls = "g walls\nf -8 -7 -3 -4\nf -7 -6 -2 -3\nf -6 -5 -1 -2\nf -5 -8 -4 -1\n",
+                      roof = "g roof\nf -4 -3 -2 -1\n";
+    std::string text;
+    for (const int i : {0, 1})
+        text += "o house" + std::to_string(i) + "\n" + objBoxPoints(30 * i, 5 + i) + walls + roof;
+    const auto piece = read("a.obj", text, placed());
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_THAT(idsOf(*piece), testing::ElementsAre("house0", "house1"));
+    EXPECT_FLOAT_EQ(piece->buildings[1]->parts.at(0).topM, 6);
+}
+
+TEST(ReadObj, StatementsMayContinueAndPointsMayHaveColoursOrWeights) {
+    std::string text =
+        "\xEF\xBB\xBF# a comment\r\nmtllib a.mtl\r\no a\r\nv 0 0 0 0.5 0.5 0.5\r\nv 20 0 0 2\r\n";
+    text +=
+        "v 10 10 0\r\nv 0 10 0\r\nv 0 0 9\r\nv 10 0 9\r\nv 10 10 9\r\nv 0 10 9\r\nf -5/1/2 -6 \\\r\n -7 "
+        "-8//3\r\n";
+    text += "f -4 -3 -2 -1\r\nf -8 -7 -3 -4\r\nf -7 -6 -2 -3\r\nf -6 -5 -1 -2\r\nf -5 -8 -4 -1\r\n";
+    const auto piece = read("a.obj", text, placed());
+    ASSERT_TRUE(piece) << piece.error().text();
+    tests::expectClosedSolid(piece->buildings.at(0)->parts.at(0), 900);
+}
+
+TEST(ReadObj, DecimalCommasAreAnError) {
+    const auto piece = read("a.obj", "o a\nv 391800,5 5820000,25 35,0\n", placed());
+    ASSERT_FALSE(piece);
+    EXPECT_EQ(piece.error().what, "The OBJ writes numbers with decimal commas");
+    EXPECT_THAT(piece.error().where, testing::EndsWith("a.obj: line 2"));
+}
+
+TEST(ReadObj, CornersWithoutAPointAreCounted) {
+    const auto piece = read("a.obj", "o a\n" + objBoxAt(0, 5) + "f 1 2 99\nf a b c\n", placed());
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_THAT(piece->warnings,
+                testing::Contains(testing::AllOf(testing::Field(&Warning::what, "faces with missing corners"),
+                                                 testing::Field(&Warning::where, "a.obj: a (2)"))));
 }
 
 TEST(ReadMesh, Ply) {
