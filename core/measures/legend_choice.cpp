@@ -154,9 +154,9 @@ LegendChoice showAs(const LegendChoice& choice, ShownAs as, double sunlitMin) {
         shown.range = low < high ? std::optional(LegendRange{low, high}) : std::nullopt;
     }
     for (double& value : shown.classes.breaks) value = convert(value);
-    std::ranges::sort(shown.classes.breaks);
-    const auto equal = std::ranges::unique(shown.classes.breaks);
-    shown.classes.breaks.erase(equal.begin(), equal.end());
+    std::vector<double>& breaks = shown.classes.breaks;
+    std::ranges::sort(breaks);
+    breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
     // Minutes of sun that are gained are those of shadow that are lost.
     if (from.isSun() != to.isSun()) {
         for (double& value : shown.changeClasses.breaks) value = -value;

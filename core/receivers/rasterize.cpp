@@ -66,8 +66,7 @@ std::vector<std::uint32_t> collectCells(const std::vector<Footprint>& footprints
                 cells.push_back(std::uint32_t(grid.index(column, row)));
         });
     std::ranges::sort(cells);
-    const auto again = std::ranges::unique(cells);
-    cells.erase(again.begin(), again.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return cells;
 }
 

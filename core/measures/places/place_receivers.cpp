@@ -51,8 +51,7 @@ Region regionOfCells(const std::vector<std::vector<CellPart>>& parts, const Grid
     for (const auto& ofPlace : parts)
         for (const CellPart& part : ofPlace) cells.push_back(part.cell);
     std::ranges::sort(cells);
-    const auto again = std::ranges::unique(cells);
-    cells.erase(again.begin(), again.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     Region region{"places", {}};
     const auto columns = std::uint32_t(grid.columns);
     for (std::size_t i = 0, end = 0; i < cells.size(); i = end) {

@@ -121,7 +121,7 @@ SampledPlaces samplePlaces(const CellGroup& group, const ErrorSampleSettings& se
         for (const CountedCell& one : chosen.back()) sample.cells.push_back(one.cell);
     }
     std::ranges::sort(sample.cells);
-    sample.cells.erase(std::ranges::unique(sample.cells).begin(), sample.cells.end());
+    sample.cells.erase(std::unique(sample.cells.begin(), sample.cells.end()), sample.cells.end());
     for (const auto& cells : chosen) {
         SampledPlaces::Part part;
         double all = 0;
