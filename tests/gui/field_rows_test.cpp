@@ -24,6 +24,7 @@ struct Boat {
     std::optional<Sail> sail;
     std::string name;
     std::vector<double> oarsM{3};
+    std::optional<double> draughtM;
     bool operator==(const Boat&) const = default;
 };
 
@@ -40,7 +41,13 @@ const Fields<Boat>& boatFields() {
         choiceField(&Boat::sail, sails,
                     {.key = "sail", .flag = "--sail", .label = "Sail", .whenEmpty = "none"}),
         field(&Boat::name, {.key = "name", .flag = "--name", .label = "Name", .whenEmpty = "unnamed"}),
-        field(&Boat::oarsM, {.key = "oars_m", .flag = "--oars", .label = "Oars"})};
+        field(&Boat::oarsM, {.key = "oars_m", .flag = "--oars", .label = "Oars"}),
+        field(&Boat::draughtM, {.key = "draught_m",
+                                .flag = "--draught",
+                                .label = "Draught",
+                                .unit = "m",
+                                .range = ValueRange{0, 9},
+                                .whenEmpty = "as its length"})};
     return fields;
 }
 
@@ -50,13 +57,31 @@ struct FieldRowsTest : ::testing::Test {
     FieldRows rows{boatFields().rows()};
 
     void SetUp() override {
-        rows.addRows(*form, {"--hull-length", "--masts", "--rudder", "--sail", "--name", "--oars"});
+        rows.addRows(*form, {"--hull-length", "--masts", "--rudder", "--sail", "--name", "--oars", "--draught"});
     }
     template <class Widget>
     Widget* find(const char* name) {
         return window.findChild<Widget*>(QString::fromLatin1(name));
     }
 };
+
+TEST_F(FieldRowsTest, AnOptionalNumberMayBeUnsetAndZero) {
+    auto* draught = find<QDoubleSpinBox>("draught");
+    EXPECT_EQ(draught->text(), QStringLiteral("as its length"));
+    Boat boat{.draughtM = 4};
+    rows.take(boatFields().of(boat));
+    EXPECT_FALSE(boat.draughtM);
+    boat.draughtM = 0;
+    rows.show(boatFields().of(boat));
+    EXPECT_EQ(draught->text(), QStringLiteral("0.00 m"));
+    boat.draughtM.reset();
+    rows.take(boatFields().of(boat));
+    EXPECT_EQ(boat.draughtM, 0);
+    auto* line = draught->findChild<QLineEdit*>();
+    line->clear();
+    draught->interpretText();
+    EXPECT_EQ(draught->text(), QStringLiteral("as its length"));
+}
 
 TEST_F(FieldRowsTest, ShowAndGiveBackEveryKind) {
     const Boat boat{20.5, 3, false, Sail::lateen, "Argo", {2.5, 3.5}};

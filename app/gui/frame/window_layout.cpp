@@ -150,6 +150,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     for (QDockWidget* beside : {project, building, tower, trees, warnings})
         window.tabifyDockWidget(study, beside);
     study->raise();
+    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);  // five names, on a narrow panel
     window.addDockWidget(Qt::RightDockWidgetArea, results);
     for (QDockWidget* beside : {places, contributions, scenarios, weights})
         window.tabifyDockWidget(results, beside);

@@ -49,6 +49,9 @@ bool canBeNone(const Field& field) {
     return field.range && !field.whenEmpty.empty() && field.range->min == numberOf(field.standard);
 }
 
+// An optional number has one more value below its range, which stands for none.
+bool hasNoneBelow(const Field& field) { return field.isOptional && field.range.has_value(); }
+
 // A tenth of the default's power of ten: 0.1 for 3.2, 1000 for 60000.
 double stepOf(const Field& field) {
     if (canBeNone(field)) return field.range->max * field.shownTimes / 20;
@@ -81,10 +84,12 @@ QWidget* makeNumber(const Field& field) {
     ValueRange range = field.range.value_or(ValueRange{-1e9, 1e9});
     range = {range.min * field.shownTimes, range.max * field.shownTimes};
     const int decimals = decimalsOf(field, range);
-    const double step = std::max(stepOf(field), std::pow(10.0, -decimals));
-    if (field.unit == "m") return lengthField(range.min, range.max, decimals, step);
-    QDoubleSpinBox* number = numberField(range.min, range.max, decimals, step, unitOf(field));
-    if (canBeNone(field)) number->setSpecialValueText(translated(field.whenEmpty));
+    const double least = std::pow(10.0, -decimals), step = std::max(stepOf(field), least);
+    if (hasNoneBelow(field)) range.min -= least;
+    QDoubleSpinBox* number = field.unit == "m"
+                                 ? lengthField(range.min, range.max, decimals, step)
+                                 : numberField(range.min, range.max, decimals, step, unitOf(field));
+    if (canBeNone(field) || hasNoneBelow(field)) number->setSpecialValueText(translated(field.whenEmpty));
     return number;
 }
 
@@ -164,7 +169,7 @@ void showValue(QWidget& widget, const Field& field, const Value& value) {
     if (auto* box = qobject_cast<QCheckBox*>(&widget)) box->setChecked(value == Value(true));
     if (auto* whole = qobject_cast<QSpinBox*>(&widget)) whole->setValue(int(numberOf(value)));
     if (auto* number = qobject_cast<QDoubleSpinBox*>(&widget))
-        number->setValue(numberOf(value) * field.shownTimes);
+        number->setValue(value == Value() ? number->minimum() : numberOf(value) * field.shownTimes);
     if (auto* list = qobject_cast<QComboBox*>(&widget))
         list->isEditable() ? list->setCurrentText(text)
                            : list->setCurrentIndex(value == Value() ? 0 : list->findData(text));
@@ -179,7 +184,9 @@ Result<Value> valueOf(const Field& field, const QWidget& widget) {
     if (const auto* whole = qobject_cast<const QSpinBox*>(&widget))
         return Value(std::int64_t(whole->value()));
     if (const auto* number = qobject_cast<const QDoubleSpinBox*>(&widget))
-        return Value(number->value() / field.shownTimes);
+        return hasNoneBelow(field) && number->value() == number->minimum()
+                   ? Value()
+                   : Value(number->value() / field.shownTimes);
     if (const auto* moment = qobject_cast<const QDateTimeEdit*>(&widget))
         return Value(moment->text().toStdString());
     if (const auto* list = qobject_cast<const QComboBox*>(&widget); list && list->isEditable())

@@ -55,15 +55,20 @@ QString LengthField::textFromValue(double value) const {
     return tr("%1 m").arg(plain.toString(metres, 'f', decimals()));
 }
 
+bool LengthField::isNone(const QString& text) const {
+    return !specialValueText().isEmpty() && text == specialValueText();
+}
+
 // A text that was not changed means the value itself, which the text may round.
 double LengthField::valueFromText(const QString& text) const {
+    if (isNone(text)) return minimum();
     if (text == textFromValue(value())) return value();
     const auto length = parsed(text, locale());
     return length ? *length - zeroM_ : value();
 }
 
 QValidator::State LengthField::validate(QString& text, int& /*position*/) const {
-    if (text == textFromValue(value())) return QValidator::Acceptable;
+    if (isNone(text) || text == textFromValue(value())) return QValidator::Acceptable;
     const auto length = parsed(text, locale());
     const bool allowed =
         length && *length - zeroM_ >= minimum() - 1e-9 && *length - zeroM_ <= maximum() + 1e-9;
@@ -72,6 +77,7 @@ QValidator::State LengthField::validate(QString& text, int& /*position*/) const 
 
 // What is out of range becomes the nearest possible length, what is no length the one before.
 void LengthField::fixup(QString& text) const {
+    if (text.trimmed().isEmpty() && !specialValueText().isEmpty()) return void(text = specialValueText());
     const auto length = parsed(text, locale());
     text = textFromValue(length ? std::clamp(*length - zeroM_, minimum(), maximum()) : value());
 }

@@ -30,6 +30,8 @@ public:
     void setZero(double zeroM);
 
 private:
+    [[nodiscard]] bool isNone(const QString& text) const;
+
     double zeroM_ = 0;
 };
 

@@ -12,10 +12,12 @@
 #include "app/gui/docks/scenarios/latest_answers.h"
 #include "app/gui/docks/scenarios/scenario_table.h"
 #include "app/gui/docks/scenarios/scenarios_dock.h"
+#include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/session/workbench.h"
 #include "app/report/bodies/body_files.h"
 #include "core/io/files/check_output.h"
 #include "core/io/files/write_text.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/massing/tower_design.h"
 #include "scenarios/weights/score_text.h"
@@ -143,7 +145,8 @@ void ScenarioActions::compareScores() {
 void ScenarioActions::awaitComparison() {
     awaited_ = std::make_unique<QObject>();
     connect(&workbench_, &Workbench::answered, awaited_.get(), [this] {
-        if (!workbench_.answerAs<ImpactAnswer>()) return;
+        const auto places = sunOf(workbench_.answer());
+        if (!workbench_.answerAs<ImpactAnswer>() && (!places || places->compared.empty())) return;
         endWaiting();
         Q_EMIT comparisonShown();
     });

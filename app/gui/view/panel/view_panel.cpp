@@ -106,6 +106,7 @@ ViewPanel::ViewPanel(QWidget* parent)
     messages_->setAttribute(Qt::WA_DontCreateNativeAncestors);
     messages_->setAttribute(Qt::WA_NativeWindow);
     messages_->installEventFilter(this);
+    container_->installEventFilter(this);
     column_->addWidget(container_, 1);
     column_->addWidget(strips_);
     label_->setLeft([this] { return navigator_->pictureLeft(); });
@@ -389,7 +390,10 @@ void ViewPanel::takePicture(const Picture& picture, std::function<void(QImage)> 
 bool ViewPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == messages_ && (event->type() == QEvent::Show || event->type() == QEvent::LayoutRequest))
         placeMessages();
-    if (watched == messages_) return QWidget::eventFilter(watched, event);
+    // A strip above the view moves it.
+    if (watched == container_ && (event->type() == QEvent::Move || event->type() == QEvent::Resize))
+        placeMessages();
+    if (watched == messages_ || watched == container_) return QWidget::eventFilter(watched, event);
     if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
         dragEnterEvent(static_cast<QDragEnterEvent*>(event));
         return true;
