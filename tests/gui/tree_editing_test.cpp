@@ -3,11 +3,12 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QTest>
 #include <algorithm>
 
-#include "app/gui/tools/editing/edit_tools.h"
+#include "app/gui/tools/editing/tree_editing.h"
 #include "render/scene/crown_bodies.h"
 #include "scenarios/edits/tree_edits.h"
 #include "tests/gui/project_window.h"
@@ -45,7 +46,6 @@ TEST(PickTree, TheNearestCrownThatARayMeets) {
 
 /// The small project, seen from above.
 struct TreeWindow : test::ProjectWindow {
-    EditTools& tools() { return *window->findChild<EditTools*>(); }
     const std::vector<Tree>& trees() {
         static const std::vector<Tree> none;
         const auto& all = workbench().city()->city().trees;
@@ -125,16 +125,19 @@ TEST_F(TreeWindow, ChosenTreesAreFelledReplacedAndGrow) {
 TEST_F(TreeWindow, ADragMovesTheChosenTree) {
     plant({{-40, -40}});
     click({-40, -40}, 5);
-    TreeEditing& editing = tools().trees();
-    const CityView& view = window->panel().view();
-    const auto pixelAt = [&](glm::dvec2 ground) {
+    CityView& view = window->panel().view();
+    const auto send = [&](QEvent::Type type, glm::dvec2 ground, Qt::MouseButtons buttons) {
         const auto pixel = pixelOf(view.pose(), view.lens(), {ground, 0});
-        return QPointF(pixel->x, pixel->y);
+        const QPointF at(pixel->x, pixel->y);
+        QMouseEvent event(type, at, at, Qt::LeftButton, buttons, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view, &event);
     };
     const glm::dvec2 from = trees()[0].place;
-    ASSERT_TRUE(editing.grab(pixelAt({-40, -40})));
-    editing.dragTo(pixelAt({-30, -35}));
-    editing.drop();
+    send(QEvent::MouseButtonPress, {-40, -40}, Qt::LeftButton);
+    send(QEvent::MouseMove, {-35, -38}, Qt::LeftButton);
+    send(QEvent::MouseMove, {-30, -35}, Qt::LeftButton);
+    EXPECT_EQ(trees()[0].place, from) << "it moves when it is dropped";
+    send(QEvent::MouseButtonRelease, {-30, -35}, Qt::NoButton);
     ASSERT_TRUE(waitFor([&] { return trees()[0].place != from; }));
     EXPECT_NEAR(trees()[0].place.x - from.x, 10, 0.5);
     EXPECT_NEAR(trees()[0].place.y - from.y, 5, 0.5);
