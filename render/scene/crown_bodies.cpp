@@ -148,6 +148,34 @@ std::optional<TreeHit> pickTree(const std::vector<Tree>& trees, const ViewRay& r
     return first;
 }
 
+namespace {
+
+// All crowns as one building: which of them a ray meets does not matter.
+Result<std::vector<RayScene>> makeScene(TriangleMesh crowns, const std::stop_token& stop) {
+    if (crowns.triangles.empty()) return std::vector<RayScene>{};
+    Part part;
+    for (const glm::vec3& vertex : crowns.vertices) part.topM = std::max(part.topM, vertex.z);
+    part.mesh = std::make_shared<const TriangleMesh>(std::move(crowns));
+    Building all;
+    all.parts.push_back(std::move(part));
+    City city;
+    city.buildings.push_back(std::make_shared<const Building>(std::move(all)));
+    return RayScene::over(city, stop).map([](RayScene scene) { return std::vector{std::move(scene)}; });
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const CrownRays>> makeCrownRays(std::shared_ptr<const Trees> trees,
+                                                       const std::stop_token& stop) {
+    Bodies bodies = makeBodies(trees->trees);
+    auto evergreen = makeScene(std::move(bodies.evergreen), stop);
+    if (!evergreen) return tl::make_unexpected(evergreen.error());
+    auto losing = makeScene(std::move(bodies.leafy), stop);
+    if (!losing) return tl::make_unexpected(losing.error());
+    return std::make_shared<const CrownRays>(
+        CrownRays{std::move(trees), *std::move(evergreen), *std::move(losing)});
+}
+
 CrownBodies::CrownBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent,
                          const CrownColours& colours)
     : blended_(blended), side_(side), parent_(parent) {

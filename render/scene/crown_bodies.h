@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/city/trees/tree.h"
+#include "core/engines/ray/ray_scene.h"
 #include "render/view/camera_pose.h"
 
 namespace Qt3DRender {
@@ -24,6 +25,15 @@ struct TreeHit {
 };
 /// Crowns of all shapes are met as ellipsoids. O(trees), some 10 ns each.
 std::optional<TreeHit> pickTree(const std::vector<Tree>& trees, const ViewRay& ray);
+
+/// Crowns as rays towards the sun meet them, for the shade of a moment.
+struct CrownRays {
+    std::shared_ptr<const Trees> trees;             ///< of which they are; not null
+    std::vector<RayScene> evergreen, losingLeaves;  ///< at most one each
+};
+/// About 1 s for 100,000 trees. Error if memory runs out; cancelled() soon after a stop request.
+Result<std::shared_ptr<const CrownRays>> makeCrownRays(std::shared_ptr<const Trees> trees,
+                                                       const std::stop_token& stop);
 
 /// What evergreens and trees in leaf are drawn in.
 struct CrownColours {
@@ -45,6 +55,7 @@ public:
     void setDay(int dayOfYear);
     void setVisible(bool visible);
     [[nodiscard]] bool isVisible() const { return visible_; }
+    [[nodiscard]] int day() const { return dayOfYear_; }
     void setHaze(float distanceM);  ///< where what is far away fades into the background
 
 private:

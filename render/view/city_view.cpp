@@ -190,12 +190,20 @@ double CityView::sideOffset(QPointF position) const {
     return right ? width() / 2.0 : 0;
 }
 
+void CityView::showTrees(std::shared_ptr<const Trees> trees, std::shared_ptr<const CrownRays> rays) {
+    displayed_.showTrees(std::move(trees), std::move(rays));
+    refresh();
+}
+
 void CityView::setTreeDay(int dayOfYear) {
+    if (dayOfYear == displayed_.crowns().day()) return;
     for (DrawnCity* city : {&displayed_, &other_}) city->crowns().setDay(dayOfYear);
+    refresh();
 }
 
 void CityView::setTreesVisible(bool visible) {
     for (DrawnCity* city : {&displayed_, &other_}) city->crowns().setVisible(visible);
+    refresh();
 }
 
 void CityView::showFaces(bool shown) {
@@ -315,7 +323,8 @@ void CityView::trace(const ClipRange& clip) {
         const SideColumns own = beside ? SideColumns{0, int(view.widthPx)} : columns;
         // Two sides share a ray only where both begin at it.
         const int spacing = moving_ && sides_.layout == SideLayout::one ? movingSpacingPx : 1;
-        city.traced().trace({pose_, view, clip, section_, own, beside ? columns.first : 0, spacing});
+        city.traced().trace({pose_, view, clip, section_, own, beside ? columns.first : 0, spacing,
+                             city.crowns().isVisible() ? city.crowns().day() : 0});
     }
 }
 

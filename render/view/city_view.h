@@ -85,7 +85,7 @@ public:
     /// Shows or hides the faces; without them only the buildings' edges cover the ground.
     void showFaces(bool shown);
     /// The trees of the displayed city; they stay until others are shown.
-    void showTrees(std::shared_ptr<const Trees> trees) { displayed_.crowns().show(std::move(trees)); }
+    void showTrees(std::shared_ptr<const Trees> trees, std::shared_ptr<const CrownRays> rays);
     /// The day whose leaves trees have, 1 to 366, and whether trees are shown, on both sides.
     void setTreeDay(int dayOfYear);
     void setTreesVisible(bool visible);

@@ -148,6 +148,11 @@ void DrawnCity::showChanges(const ArrayDifference& changes) {
     }
 }
 
+void DrawnCity::showTrees(std::shared_ptr<const Trees> trees, std::shared_ptr<const CrownRays> rays) {
+    crowns_.show(std::move(trees));
+    traced_.setCrowns(std::move(rays));
+}
+
 void DrawnCity::clear() {
     clearPicture();
     surfaces_->clear();

@@ -55,7 +55,10 @@ public:
     void clearMap();
     [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
     [[nodiscard]] SunLayer& sun() { return *sun_; }
-    /// The city's trees; they stay until others are shown.
+    /// Shows the city's trees, which stay until others are shown; null: none. `rays`: of these, null: without
+    /// shade, as where triangles are drawn.
+    void showTrees(std::shared_ptr<const Trees> trees, std::shared_ptr<const CrownRays> rays);
+    /// How they are drawn.
     [[nodiscard]] CrownBodies& crowns() { return crowns_; }
     [[nodiscard]] const CrownBodies& crowns() const { return crowns_; }
     /// The sun of a moment where rays draw: a unit vector; empty: none.

@@ -8,6 +8,7 @@
 #include <QVector3D>
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/city/building_heights.h"
 #include "render/scene/array_entity.h"
@@ -91,6 +92,7 @@ void TracedCity::setScene(RayScene scene, Buildings buildings, float groundM) {
 void TracedCity::clear() {
     show(false);
     scene_.reset();
+    crowns_.reset();
     buildings_.clear();
 }
 
@@ -117,6 +119,11 @@ void TracedCity::trace(const Picture& picture) {
     if (!scene_ || picture.columns.last <= picture.columns.first) return;
     const CameraPose& pose = picture.pose;
     const PixelCamera camera = makeTracedCamera(picture);
+    const bool crowns = crowns_ && picture.treeDay > 0;
+    const bool inLeaf = crowns && crowns_->trees->leafDays.inLeafOn(picture.treeDay);
+    std::vector<RayScene> dense, light;
+    if (crowns) dense = crowns_->evergreen;
+    if (crowns) std::ranges::copy(crowns_->losingLeaves, std::back_inserter(inLeaf ? dense : light));
     traceView(*scene_, camera,
               {.groundM = groundM_,
                .nearM = float(picture.clip.nearM),
@@ -125,7 +132,9 @@ void TracedCity::trace(const Picture& picture) {
                .lastColumn = picture.columns.last,
                .hidden = hidden_,
                .marked = proposed_,
-               .towardsSun = towardsSun_},
+               .towardsSun = towardsSun_,
+               .denseCrowns = dense,
+               .lightCrowns = light},
               view_);
     const double pixel = 1 / samplesPerMetre(camera, 1);
     set("tracedEye", toVector(camera.eye));

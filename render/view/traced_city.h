@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/engines/ray/traced_view.h"
+#include "render/scene/crown_bodies.h"
 #include "render/view/section_box.h"
 #include "render/view/view_sides.h"
 
@@ -41,6 +42,8 @@ public:
     bool showOnly(std::vector<const Building*> shown);
 
     void show(bool shown);
+    /// The trees of the city, whose shade trace() draws with the sun's; null: none.
+    void setCrowns(std::shared_ptr<const CrownRays> crowns) { crowns_ = std::move(crowns); }
     /// The sun of a moment, a unit vector; empty: none. trace() draws its shadows.
     void setSun(const std::optional<glm::vec3>& towardsSun);
     struct Picture {
@@ -51,6 +54,7 @@ public:
         SideColumns columns;  ///< of the picture that are wanted
         int leftPx = 0;       ///< column of the window where the picture begins
         int spacingPx = 1;    ///< pixels a side that share one ray; not 1: all columns are wanted
+        int treeDay = 0;      ///< day of the year whose leaves trees have; 0: trees cast no shade
     };
     /// Traces a picture, on all cores.
     void trace(const Picture& picture);
@@ -68,6 +72,7 @@ private:
     Qt3DRender::QAbstractTexture* texture_ = nullptr;
     TracedView view_;
     std::optional<RayScene> scene_;
+    std::shared_ptr<const CrownRays> crowns_;
     Buildings buildings_;
     std::vector<std::uint8_t> hidden_, proposed_;  ///< by building, 1: left out; empty: nothing is
     std::optional<glm::vec3> towardsSun_;

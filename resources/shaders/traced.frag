@@ -41,6 +41,7 @@ void main() {
     vec3 normal = vec3(bits & 255, bits >> 8 & 255, bits >> 16 & 255) / 127.0 - 1.0;
     float distanceToEye = length(fromEye);
     float sun = float(bits >> 27 & 1);
+    if ((bits >> 29 & 1) == 1) sun = mix(0.25, 0.7, sun);  // in the shade of crowns: dense, or of bare ones
     vec3 base = (bits >> 28 & 1) == 1 ? proposalColour : baseColour;
     vec3 shown = kind == 1 ? earthColour(at, normal, distanceToEye, sun) : bodyColour(base, at, normal, distanceToEye, sun);
     shown = withExplored(shown, at, normal);

@@ -2392,6 +2392,10 @@ Opens the panel Review.</source>
         <source>The place with most sun in the mean</source>
         <translation>Der Ort mit der im Mittel meisten Sonne</translation>
     </message>
+    <message>
+        <source>Trees</source>
+        <translation>Bäume</translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -5039,20 +5043,20 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Sonne und Schatten desselben Zeitpunkts</translation>
     </message>
     <message>
-        <source>the same study, in the same colours</source>
-        <translation>dieselbe Untersuchung, in denselben Farben</translation>
-    </message>
-    <message>
-        <source>%1 was not measured yet: Scenario &gt; Measure all scenarios</source>
-        <translation>%1 wurde noch nicht berechnet: Szenario &gt; Alle Szenarien messen</translation>
-    </message>
-    <message>
         <source>explored: %1 only</source>
         <translation>erkundet: nur %1</translation>
     </message>
     <message>
-        <source>sun by place: %1 only</source>
-        <translation>Sonne nach Ort: nur %1</translation>
+        <source>the same question, in the same colours</source>
+        <translation>dieselbe Frage in denselben Farben</translation>
+    </message>
+    <message>
+        <source>not measured yet: %1 (Scenario &gt; Measure all scenarios)</source>
+        <translation>noch nicht gemessen: %1 (Szenario &gt; Alle Szenarien messen)</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
     </message>
 </context>
 <context>
@@ -5166,6 +5170,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>A saved result holds what buildings take from its whole region, if that was asked for. Of places it holds those that were attributed before it was saved.</source>
         <translation>Ein gespeichertes Ergebnis enthält, was Gebäude seiner ganzen Region nehmen, falls danach gefragt war. Von Orten enthält es die, die vor dem Speichern zugeordnet wurden.</translation>
+    </message>
+    <message>
+        <source>Buildings have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
+        <translation>Seit der letzten Antwort haben sich Gebäude geändert. Starten Sie sie erneut (Strg+R) und klicken Sie dann auf einen Ort in der Ansicht, um zu sehen, welche Gebäude ihn beschatten.</translation>
     </message>
 </context>
 <context>
@@ -5448,6 +5456,30 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>Towers that were designed on it stay as they are.</source>
         <translation>Türme, die darauf entworfen wurden, bleiben unverändert.</translation>
+    </message>
+    <message>
+        <source>Plant trees</source>
+        <translation>Bäume pflanzen</translation>
+    </message>
+    <message>
+        <source>Each click on the ground plants a tree; Esc ends</source>
+        <translation>Jeder Klick auf den Boden pflanzt einen Baum; Esc beendet</translation>
+    </message>
+    <message>
+        <source>Plant a row of trees</source>
+        <translation>Baumreihe pflanzen</translation>
+    </message>
+    <message>
+        <source>Click the corners of a line; a double click or Enter plants trees along it</source>
+        <translation>Klicken Sie die Ecken einer Linie; ein Doppelklick oder die Eingabetaste pflanzt Bäume entlang der Linie</translation>
+    </message>
+    <message>
+        <source>Click the corners of a line. A double click or Enter plants trees along it, Esc ends.</source>
+        <translation>Klicken Sie die Ecken einer Linie. Ein Doppelklick oder die Eingabetaste pflanzt Bäume entlang der Linie, Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Click where trees are to stand; their measures are in the panel Trees. Esc ends.</source>
+        <translation>Klicken Sie, wo Bäume stehen sollen; ihre Maße stehen in der Leiste Bäume. Esc beendet.</translation>
     </message>
 </context>
 <context>
@@ -8875,6 +8907,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>There is no scenario yet to compare. A change to a building begins one: click a building, and drag its arrow or type its height</source>
         <translation>Es gibt noch kein Szenario zum Vergleichen. Eine Änderung an einem Gebäude beginnt eines: ein Gebäude anklicken und seinen Pfeil ziehen oder seine Höhe eingeben</translation>
     </message>
+    <message>
+        <source>The table of scenarios compares the scores</source>
+        <translation>Die Tabelle der Szenarien vergleicht die Bewertungen</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioBar</name>
@@ -10063,6 +10099,131 @@ vom Jahr ebenso viele Wochen</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::TreeEditing</name>
+    <message numerus="yes">
+        <source>plant %1 tree(s)</source>
+        <translation>
+            <numerusform>%1 Baum pflanzen</numerusform>
+            <numerusform>%1 Bäume pflanzen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>move %1 tree(s)</source>
+        <translation>
+            <numerusform>%1 Baum versetzen</numerusform>
+            <numerusform>%1 Bäume versetzen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>fell %1 tree(s)</source>
+        <translation>
+            <numerusform>%1 Baum fällen</numerusform>
+            <numerusform>%1 Bäume fällen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>replace %1 tree(s)</source>
+        <translation>
+            <numerusform>%1 Baum ersetzen</numerusform>
+            <numerusform>%1 Bäume ersetzen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>let trees grow by %1 years</source>
+        <translation>Bäume %1 Jahre wachsen lassen</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TreePanel</name>
+    <message>
+        <source>Species not known</source>
+        <translation>Art nicht bekannt</translation>
+    </message>
+    <message>
+        <source>evergreen</source>
+        <translation>immergrün</translation>
+    </message>
+    <message>
+        <source>loses its leaves</source>
+        <translation>wirft die Blätter ab</translation>
+    </message>
+    <message>
+        <source>%1, %2 high, crown %3, %4</source>
+        <translation>%1, %2 hoch, Krone %3, %4</translation>
+    </message>
+    <message>
+        <source> years</source>
+        <translation> Jahre</translation>
+    </message>
+    <message>
+        <source>Plant</source>
+        <translation>Pflanzen</translation>
+    </message>
+    <message>
+        <source>Each click on the ground plants a tree; Esc ends</source>
+        <translation>Jeder Klick auf den Boden pflanzt einen Baum; Esc beendet</translation>
+    </message>
+    <message>
+        <source>Plant a row</source>
+        <translation>Reihe pflanzen</translation>
+    </message>
+    <message>
+        <source>Click the corners of a line; a double click or Enter plants trees along it</source>
+        <translation>Klicken Sie die Ecken einer Linie; ein Doppelklick oder die Eingabetaste pflanzt Bäume entlang der Linie</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Puts trees with the measures above in place of the chosen ones</source>
+        <translation>Setzt Bäume mit den Maßen oben an die Stelle der gewählten</translation>
+    </message>
+    <message>
+        <source>Fell</source>
+        <translation>Fällen</translation>
+    </message>
+    <message>
+        <source>Removes the chosen trees (Delete)</source>
+        <translation>Entfernt die gewählten Bäume (Entf)</translation>
+    </message>
+    <message>
+        <source>Let grow</source>
+        <translation>Wachsen lassen</translation>
+    </message>
+    <message>
+        <source>The chosen trees after these years; all of the city if none is chosen</source>
+        <translation>Die gewählten Bäume nach diesen Jahren; alle der Stadt, wenn keiner gewählt ist</translation>
+    </message>
+    <message>
+        <source>Distance between the trees of a row</source>
+        <translation>Abstand zwischen den Bäumen einer Reihe</translation>
+    </message>
+    <message>
+        <source>Years of growth, of which crown and height are estimated</source>
+        <translation>Jahre des Wachstums, aus denen Krone und Höhe geschätzt werden</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>The city has no trees yet. Plant some, or read an inventory: noonmark-cli project tree import</source>
+        <translation>Die Stadt hat noch keine Bäume. Pflanzen Sie welche, oder lesen Sie ein Kataster: noonmark-cli project tree import</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tree(s) in the city. Click one to choose it, Ctrl adds more</source>
+        <translation>
+            <numerusform>%1 Baum in der Stadt. Ein Klick wählt ihn</numerusform>
+            <numerusform>%1 Bäume in der Stadt. Ein Klick wählt einen, Strg weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 trees chosen</source>
+        <translation>%1 Bäume gewählt</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::UseTable</name>
     <message>
         <source>Remove</source>
@@ -10232,6 +10393,14 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>Cuts away what lies outside a box, by handles or numbers; shadows remain those of the whole city</source>
         <translation>Schneidet weg, was außerhalb eines Quaders liegt, mit Griffen oder Zahlen; die Schatten bleiben die der ganzen Stadt</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Bäume</translation>
+    </message>
+    <message>
+        <source>The trees of the city, bare on days without leaves</source>
+        <translation>Die Bäume der Stadt, kahl an Tagen ohne Laub</translation>
     </message>
 </context>
 <context>

@@ -388,4 +388,45 @@ Lowest %3, median %4, tallest %5.</numerusform>
         </translation>
     </message>
 </context>
+<context>
+    <name>noonmark::TreeEditing</name>
+    <message numerus="yes">
+        <source>plant %1 tree(s)</source>
+        <translation>
+            <numerusform>plant %1 tree</numerusform>
+            <numerusform>plant %1 trees</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>move %1 tree(s)</source>
+        <translation>
+            <numerusform>move %1 tree</numerusform>
+            <numerusform>move %1 trees</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>fell %1 tree(s)</source>
+        <translation>
+            <numerusform>fell %1 tree</numerusform>
+            <numerusform>fell %1 trees</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>replace %1 tree(s)</source>
+        <translation>
+            <numerusform>replace %1 tree</numerusform>
+            <numerusform>replace %1 trees</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TreePanel</name>
+    <message numerus="yes">
+        <source>%1 tree(s) in the city. Click one to choose it, Ctrl adds more</source>
+        <translation>
+            <numerusform>%1 tree in the city. Click it to choose it</numerusform>
+            <numerusform>%1 trees in the city. Click one to choose it, Ctrl adds more</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

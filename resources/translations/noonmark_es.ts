@@ -2392,6 +2392,10 @@ Abre el panel Evaluación.</translation>
         <source>The place with most sun in the mean</source>
         <translation>El lugar con más sol de media</translation>
     </message>
+    <message>
+        <source>Trees</source>
+        <translation>Árboles</translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -5039,20 +5043,20 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>sol y sombra del mismo momento</translation>
     </message>
     <message>
-        <source>the same study, in the same colours</source>
-        <translation>el mismo estudio, con los mismos colores</translation>
-    </message>
-    <message>
-        <source>%1 was not measured yet: Scenario &gt; Measure all scenarios</source>
-        <translation>%1 aún no se ha medido: Escenario &gt; Medir todos los escenarios</translation>
-    </message>
-    <message>
         <source>explored: %1 only</source>
         <translation>explorado: solo %1</translation>
     </message>
     <message>
-        <source>sun by place: %1 only</source>
-        <translation>sol por lugar: solo %1</translation>
+        <source>the same question, in the same colours</source>
+        <translation>la misma pregunta, en los mismos colores</translation>
+    </message>
+    <message>
+        <source>not measured yet: %1 (Scenario &gt; Measure all scenarios)</source>
+        <translation>aún sin medir: %1 (Escenario &gt; Medir todos los escenarios)</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
     </message>
 </context>
 <context>
@@ -5166,6 +5170,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>A saved result holds what buildings take from its whole region, if that was asked for. Of places it holds those that were attributed before it was saved.</source>
         <translation>Un resultado guardado contiene lo que los edificios quitan a toda su región, si se pidió. De lugares contiene los que se atribuyeron antes de guardarlo.</translation>
+    </message>
+    <message>
+        <source>Buildings have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
+        <translation>Los edificios han cambiado desde la última respuesta. Ejecútela de nuevo (Ctrl+R) y luego haga clic en un lugar de la vista para ver qué edificios le dan sombra.</translation>
     </message>
 </context>
 <context>
@@ -5448,6 +5456,30 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Towers that were designed on it stay as they are.</source>
         <translation>Las torres diseñadas en ella quedan como están.</translation>
+    </message>
+    <message>
+        <source>Plant trees</source>
+        <translation>Plantar árboles</translation>
+    </message>
+    <message>
+        <source>Each click on the ground plants a tree; Esc ends</source>
+        <translation>Cada clic en el suelo planta un árbol; Esc termina</translation>
+    </message>
+    <message>
+        <source>Plant a row of trees</source>
+        <translation>Plantar una hilera de árboles</translation>
+    </message>
+    <message>
+        <source>Click the corners of a line; a double click or Enter plants trees along it</source>
+        <translation>Haga clic en las esquinas de una línea; un doble clic o Intro planta árboles a lo largo de ella</translation>
+    </message>
+    <message>
+        <source>Click the corners of a line. A double click or Enter plants trees along it, Esc ends.</source>
+        <translation>Haga clic en las esquinas de una línea. Un doble clic o Intro planta árboles a lo largo de ella, Esc termina.</translation>
+    </message>
+    <message>
+        <source>Click where trees are to stand; their measures are in the panel Trees. Esc ends.</source>
+        <translation>Haga clic donde deban estar los árboles; sus medidas están en el panel Árboles. Esc termina.</translation>
     </message>
 </context>
 <context>
@@ -8875,6 +8907,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <source>There is no scenario yet to compare. A change to a building begins one: click a building, and drag its arrow or type its height</source>
         <translation>Todavía no hay ningún escenario que comparar. Un cambio en un edificio inicia uno: haga clic en un edificio y arrastre su flecha o escriba su altura</translation>
     </message>
+    <message>
+        <source>The table of scenarios compares the scores</source>
+        <translation>La tabla de escenarios compara las puntuaciones</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioBar</name>
@@ -10063,6 +10099,131 @@ del año, otras tantas semanas</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::TreeEditing</name>
+    <message numerus="yes">
+        <source>plant %1 tree(s)</source>
+        <translation>
+            <numerusform>plantar %1 árbol</numerusform>
+            <numerusform>plantar %1 árboles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>move %1 tree(s)</source>
+        <translation>
+            <numerusform>mover %1 árbol</numerusform>
+            <numerusform>mover %1 árboles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>fell %1 tree(s)</source>
+        <translation>
+            <numerusform>talar %1 árbol</numerusform>
+            <numerusform>talar %1 árboles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>replace %1 tree(s)</source>
+        <translation>
+            <numerusform>sustituir %1 árbol</numerusform>
+            <numerusform>sustituir %1 árboles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>let trees grow by %1 years</source>
+        <translation>dejar crecer los árboles %1 años</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TreePanel</name>
+    <message>
+        <source>Species not known</source>
+        <translation>Especie desconocida</translation>
+    </message>
+    <message>
+        <source>evergreen</source>
+        <translation>perenne</translation>
+    </message>
+    <message>
+        <source>loses its leaves</source>
+        <translation>pierde las hojas</translation>
+    </message>
+    <message>
+        <source>%1, %2 high, crown %3, %4</source>
+        <translation>%1, altura %2, copa %3, %4</translation>
+    </message>
+    <message>
+        <source> years</source>
+        <translation> años</translation>
+    </message>
+    <message>
+        <source>Plant</source>
+        <translation>Plantar</translation>
+    </message>
+    <message>
+        <source>Each click on the ground plants a tree; Esc ends</source>
+        <translation>Cada clic en el suelo planta un árbol; Esc termina</translation>
+    </message>
+    <message>
+        <source>Plant a row</source>
+        <translation>Plantar una hilera</translation>
+    </message>
+    <message>
+        <source>Click the corners of a line; a double click or Enter plants trees along it</source>
+        <translation>Haga clic en las esquinas de una línea; un doble clic o Intro planta árboles a lo largo de ella</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Sustituir</translation>
+    </message>
+    <message>
+        <source>Puts trees with the measures above in place of the chosen ones</source>
+        <translation>Pone árboles con las medidas de arriba en lugar de los elegidos</translation>
+    </message>
+    <message>
+        <source>Fell</source>
+        <translation>Talar</translation>
+    </message>
+    <message>
+        <source>Removes the chosen trees (Delete)</source>
+        <translation>Quita los árboles elegidos (Supr)</translation>
+    </message>
+    <message>
+        <source>Let grow</source>
+        <translation>Dejar crecer</translation>
+    </message>
+    <message>
+        <source>The chosen trees after these years; all of the city if none is chosen</source>
+        <translation>Los árboles elegidos después de estos años; todos los de la ciudad si no se ha elegido ninguno</translation>
+    </message>
+    <message>
+        <source>Distance between the trees of a row</source>
+        <translation>Distancia entre los árboles de una hilera</translation>
+    </message>
+    <message>
+        <source>Years of growth, of which crown and height are estimated</source>
+        <translation>Años de crecimiento, a partir de los cuales se estiman la copa y la altura</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Separación</translation>
+    </message>
+    <message>
+        <source>The city has no trees yet. Plant some, or read an inventory: noonmark-cli project tree import</source>
+        <translation>La ciudad aún no tiene árboles. Plante algunos o lea un inventario: noonmark-cli project tree import</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tree(s) in the city. Click one to choose it, Ctrl adds more</source>
+        <translation>
+            <numerusform>%1 árbol en la ciudad. Un clic lo elige</numerusform>
+            <numerusform>%1 árboles en la ciudad. Un clic elige uno, Ctrl añade más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 trees chosen</source>
+        <translation>%1 árboles elegidos</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::UseTable</name>
     <message>
         <source>Remove</source>
@@ -10232,6 +10393,14 @@ del año, otras tantas semanas</translation>
     <message>
         <source>Cuts away what lies outside a box, by handles or numbers; shadows remain those of the whole city</source>
         <translation>Recorta lo que queda fuera de una caja, con tiradores o números; las sombras siguen siendo las de toda la ciudad</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Árboles</translation>
+    </message>
+    <message>
+        <source>The trees of the city, bare on days without leaves</source>
+        <translation>Los árboles de la ciudad, desnudos en los días sin hojas</translation>
     </message>
 </context>
 <context>

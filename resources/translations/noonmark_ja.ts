@@ -2364,6 +2364,10 @@ Opens the panel Review.</source>
         <source>The place with most sun in the mean</source>
         <translation>平均で日照が最も多い場所</translation>
     </message>
+    <message>
+        <source>Trees</source>
+        <translation>樹木</translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -5010,20 +5014,20 @@ as published. Approximate: the legend states the measured error</source>
         <translation>同じ時刻の日照と影</translation>
     </message>
     <message>
-        <source>the same study, in the same colours</source>
-        <translation>同じ解析を同じ配色で表示</translation>
-    </message>
-    <message>
-        <source>%1 was not measured yet: Scenario &gt; Measure all scenarios</source>
-        <translation>%1 はまだ測定されていません: シナリオ &gt; すべてのシナリオを測定</translation>
-    </message>
-    <message>
         <source>explored: %1 only</source>
         <translation>探索表示: %1 のみ</translation>
     </message>
     <message>
-        <source>sun by place: %1 only</source>
-        <translation>場所ごとの日照: %1 のみ</translation>
+        <source>the same question, in the same colours</source>
+        <translation>同じ質問を同じ色で</translation>
+    </message>
+    <message>
+        <source>not measured yet: %1 (Scenario &gt; Measure all scenarios)</source>
+        <translation>未計測: %1 (シナリオ &gt; すべてのシナリオを計測)</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
     </message>
 </context>
 <context>
@@ -5137,6 +5141,10 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>A saved result holds what buildings take from its whole region, if that was asked for. Of places it holds those that were attributed before it was saved.</source>
         <translation>保存した結果には、求められていれば領域全体から建物が奪う量が含まれます。場所については、保存前に算出したものが含まれます。</translation>
+    </message>
+    <message>
+        <source>Buildings have changed since the last answer. Run it again (Ctrl+R), then click a place in the view to see which buildings shade it.</source>
+        <translation>前回の回答の後に建物が変わりました。再実行 (Ctrl+R) してから、ビュー内の場所をクリックすると、影を落とす建物が分かります。</translation>
     </message>
 </context>
 <context>
@@ -5417,6 +5425,30 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Towers that were designed on it stay as they are.</source>
         <translation>この敷地で設計した塔はそのまま残ります。</translation>
+    </message>
+    <message>
+        <source>Plant trees</source>
+        <translation>樹木を植える</translation>
+    </message>
+    <message>
+        <source>Each click on the ground plants a tree; Esc ends</source>
+        <translation>地面をクリックするたびに木を植えます。Esc で終了</translation>
+    </message>
+    <message>
+        <source>Plant a row of trees</source>
+        <translation>並木を植える</translation>
+    </message>
+    <message>
+        <source>Click the corners of a line; a double click or Enter plants trees along it</source>
+        <translation>線の角をクリックし、ダブルクリックまたは Enter でその線に沿って木を植えます</translation>
+    </message>
+    <message>
+        <source>Click the corners of a line. A double click or Enter plants trees along it, Esc ends.</source>
+        <translation>線の角をクリックします。ダブルクリックまたは Enter でその線に沿って木を植え、Esc で終了します。</translation>
+    </message>
+    <message>
+        <source>Click where trees are to stand; their measures are in the panel Trees. Esc ends.</source>
+        <translation>木を植える位置をクリックします。寸法は「樹木」パネルにあります。Esc で終了します。</translation>
     </message>
 </context>
 <context>
@@ -8825,6 +8857,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>There is no scenario yet to compare. A change to a building begins one: click a building, and drag its arrow or type its height</source>
         <translation>比較するシナリオがまだありません。建物を変えるとシナリオが始まります。建物をクリックし、矢印をドラッグするか高さを入力してください</translation>
     </message>
+    <message>
+        <source>The table of scenarios compares the scores</source>
+        <translation>シナリオの表で評点を比較します</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioBar</name>
@@ -10013,6 +10049,126 @@ of the year, as many weeks</source>
     </message>
 </context>
 <context>
+    <name>noonmark::TreeEditing</name>
+    <message numerus="yes">
+        <source>plant %1 tree(s)</source>
+        <translation>
+            <numerusform>%1 本の木を植える</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>move %1 tree(s)</source>
+        <translation>
+            <numerusform>%1 本の木を移動</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>fell %1 tree(s)</source>
+        <translation>
+            <numerusform>%1 本の木を伐採</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>replace %1 tree(s)</source>
+        <translation>
+            <numerusform>%1 本の木を置き換え</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>let trees grow by %1 years</source>
+        <translation>木を %1 年分成長させる</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TreePanel</name>
+    <message>
+        <source>Species not known</source>
+        <translation>樹種不明</translation>
+    </message>
+    <message>
+        <source>evergreen</source>
+        <translation>常緑</translation>
+    </message>
+    <message>
+        <source>loses its leaves</source>
+        <translation>落葉</translation>
+    </message>
+    <message>
+        <source>%1, %2 high, crown %3, %4</source>
+        <translation>%1、高さ %2、樹冠 %3、%4</translation>
+    </message>
+    <message>
+        <source> years</source>
+        <translation> 年</translation>
+    </message>
+    <message>
+        <source>Plant</source>
+        <translation>植える</translation>
+    </message>
+    <message>
+        <source>Each click on the ground plants a tree; Esc ends</source>
+        <translation>地面をクリックするたびに木を植えます。Esc で終了</translation>
+    </message>
+    <message>
+        <source>Plant a row</source>
+        <translation>並べて植える</translation>
+    </message>
+    <message>
+        <source>Click the corners of a line; a double click or Enter plants trees along it</source>
+        <translation>線の角をクリックし、ダブルクリックまたは Enter でその線に沿って木を植えます</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換え</translation>
+    </message>
+    <message>
+        <source>Puts trees with the measures above in place of the chosen ones</source>
+        <translation>選択した木を上の寸法の木に置き換えます</translation>
+    </message>
+    <message>
+        <source>Fell</source>
+        <translation>伐採</translation>
+    </message>
+    <message>
+        <source>Removes the chosen trees (Delete)</source>
+        <translation>選択した木を取り除きます (Delete)</translation>
+    </message>
+    <message>
+        <source>Let grow</source>
+        <translation>成長させる</translation>
+    </message>
+    <message>
+        <source>The chosen trees after these years; all of the city if none is chosen</source>
+        <translation>選択した木のその年数後の姿。選択がなければ都市のすべての木</translation>
+    </message>
+    <message>
+        <source>Distance between the trees of a row</source>
+        <translation>並木の木と木の間隔</translation>
+    </message>
+    <message>
+        <source>Years of growth, of which crown and height are estimated</source>
+        <translation>成長の年数。樹冠と高さはこれから推定されます</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>間隔</translation>
+    </message>
+    <message>
+        <source>The city has no trees yet. Plant some, or read an inventory: noonmark-cli project tree import</source>
+        <translation>都市にまだ木がありません。植えるか、台帳を読み込んでください: noonmark-cli project tree import</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tree(s) in the city. Click one to choose it, Ctrl adds more</source>
+        <translation>
+            <numerusform>都市に %1 本の木があります。クリックで選択、Ctrl で追加</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 trees chosen</source>
+        <translation>%1 本の木を選択</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::UseTable</name>
     <message>
         <source>Remove</source>
@@ -10182,6 +10338,14 @@ of the year, as many weeks</source>
     <message>
         <source>Cuts away what lies outside a box, by handles or numbers; shadows remain those of the whole city</source>
         <translation>ハンドルまたは数値で指定した箱の外側を切り取ります。日影は都市全体のままです</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>樹木</translation>
+    </message>
+    <message>
+        <source>The trees of the city, bare on days without leaves</source>
+        <translation>都市の木。葉のない日は裸木</translation>
     </message>
 </context>
 <context>

@@ -149,7 +149,7 @@ void Workbench::follow() {
     following_.start<OpenCity>(
         tr("Showing %1").arg(QString::fromStdString(session_.scenario())),
         [shown = city_, city = session_.city()](Progress& progress, const std::stop_token& stop) {
-            return shownCity(withCity(shown->loaded, *city), shown->arrays, progress, stop);
+            return shownCity(withCity(shown->loaded, *city), shown->arrays, shown->crowns, progress, stop);
         },
         [this](Result<OpenCity> city) { adoptCity(std::move(city)); });
 }

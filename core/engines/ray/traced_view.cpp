@@ -67,8 +67,20 @@ private:
     void markSun(HitPacket& packet, Bits& bits) const {
         const std::uint32_t facing = turnToSun(*space_.towardsSun, bits.data(), packet);
         const std::uint32_t lit = facing == 0 ? 0 : facing & ~scene_.findBlocked(packet);
-        for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane)
-            bits[lane] |= (lit >> lane & 1U) << TracedPixel::sunBit;
+        const std::uint32_t dense = lit & findBlocked(space_.denseCrowns, packet, lit);
+        const std::uint32_t light = lit & ~dense & findBlocked(space_.lightCrowns, packet, lit);
+        for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
+            bits[lane] |= ((lit & ~dense) >> lane & 1U) << TracedPixel::sunBit;
+            bits[lane] |= ((dense | light) >> lane & 1U) << TracedPixel::crownBit;
+        }
+    }
+
+    static std::uint32_t findBlocked(std::span<const RayScene> crowns, const HitPacket& packet,
+                                     std::uint32_t lit) {
+        std::uint32_t blocked = 0;
+        for (const RayScene& some : crowns)
+            if (lit != 0) blocked |= some.findBlocked(packet);
+        return blocked;
     }
 
     // The pixels of a block that lie within the picture.
@@ -192,6 +204,8 @@ glm::vec3 normalOf(TracedPixel pixel) {
 }
 
 bool isInSun(TracedPixel pixel) { return (pixel.bits >> TracedPixel::sunBit & 1U) != 0; }
+
+bool isUnderCrown(TracedPixel pixel) { return (pixel.bits >> TracedPixel::crownBit & 1U) != 0; }
 
 bool isMarked(TracedPixel pixel) { return (pixel.bits >> TracedPixel::markedBit & 1U) != 0; }
 

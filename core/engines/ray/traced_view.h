@@ -47,11 +47,11 @@ struct TracedPixel {
     float depthM = 0;  ///< along the camera's forward direction; without meaning for the sky
     /// Bits 0 to 23: x, y and z of the unit normal, which faces the eye, from -1 to 1 as 0 to 254. Bits 24
     /// and 25: the kind. Bit 26: an edge, see isEdge(). Bit 27: in the sun of TracedSpace. Bit 28: a marked
-    /// building of TracedSpace. Bit 30 is set, so that the bits are those of an ordinary float, which
-    /// textures hold.
+    /// building of TracedSpace. Bit 29: in the shade of crowns, dense, or with bit 27 light. Bit 30 is set,
+    /// so that the bits are those of an ordinary float, which textures hold.
     std::uint32_t bits = 0;
 
-    static constexpr unsigned kindShift = 24, edgeBit = 26, sunBit = 27, markedBit = 28;
+    static constexpr unsigned kindShift = 24, edgeBit = 26, sunBit = 27, markedBit = 28, crownBit = 29;
     static constexpr std::uint32_t ordinary = 1U << 30;
     static constexpr std::uint32_t bitsOf(SeenKind kind) { return std::uint32_t(kind) << kindShift; }
     static constexpr std::uint32_t sky = 0x7f7f7fU;                            ///< normal (0, 0, 0)
@@ -63,6 +63,7 @@ glm::vec3 normalOf(TracedPixel pixel);  ///< to 0.5 degrees
 /// Ground has no edges of its own.
 bool isEdge(TracedPixel pixel);
 bool isInSun(TracedPixel pixel);
+bool isUnderCrown(TracedPixel pixel);  ///< of pixels in the sun: light shade
 bool isMarked(TracedPixel pixel);
 
 /// What the pixels of a camera show.
@@ -88,6 +89,8 @@ struct TracedSpace {
     std::span<const std::uint8_t> marked{};
     /// A unit vector: finds which pixels are in the sun. Hidden buildings cast shadows, too.
     std::optional<glm::vec3> towardsSun{};
+    /// Crowns between the pixels and the sun: of trees in leaf, and of those without leaves.
+    std::span<const RayScene> denseCrowns{}, lightCrowns{};
 };
 
 /// Traces one ray through the centre of each pixel, and one from there to the sun. `camera` in range (see

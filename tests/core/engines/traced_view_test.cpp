@@ -197,6 +197,31 @@ TEST(TracedView, ShadowsAreWhereTheSunIsHidden) {
     EXPECT_FALSE(isInSun(without.pixels[box.pixelOf({0, -20, 0})])) << "no sun was asked for";
 }
 
+// A crown in the shape of a box, 30 to 40 m east and 10 to 20 m high: with the sun at 45 degrees in the west
+// its shade lies from 40 to 60 m east, that of the house from 10 to 30.
+TEST(TracedView, CrownsShadeWhatBuildingsLeaveInTheSun) {
+    OneBox scene;
+    scene.camera = makeCamera({0, 0, 200}, {0, 0, 0}, 40, width, height);
+    const std::vector crowns{RayScene::over(cityOf({{{30, -10, 10}, {40, 10, 20}}})).value()};
+    TracedSpace space{.towardsSun = glm::normalize(glm::vec3(-1, 0, 1))};
+    const auto at = [&](const TracedView& view, glm::dvec3 point) {
+        return view.pixels[scene.pixelOf(point)];
+    };
+    const glm::dvec3 shaded{50, 0, 0}, open{-40, 0, 0}, behindTheHouse{20, 0, 0};
+    space.denseCrowns = crowns;
+    const TracedView dense = trace(scene.city, scene.camera, space);
+    EXPECT_TRUE(isUnderCrown(at(dense, shaded)));
+    EXPECT_FALSE(isInSun(at(dense, shaded)));
+    EXPECT_TRUE(isInSun(at(dense, open)));
+    EXPECT_FALSE(isUnderCrown(at(dense, open)));
+    EXPECT_FALSE(isUnderCrown(at(dense, behindTheHouse))) << "in full shadow";
+    space.denseCrowns = {};
+    space.lightCrowns = crowns;
+    const TracedView light = trace(scene.city, scene.camera, space);
+    EXPECT_TRUE(isUnderCrown(at(light, shaded)));
+    EXPECT_TRUE(isInSun(at(light, shaded)));
+}
+
 TEST(TracedView, IsTheSameOnEveryInstructionSet) {
     const City city = cityOf(randomBoxes(5, 6));
     const PixelCamera camera = makeCamera({40, -300, 140}, {60, 60, 10}, 40, width, height);

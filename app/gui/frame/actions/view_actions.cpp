@@ -147,8 +147,8 @@ ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& ex
                          "region")),
       faces_(makeSwitch(this, tr("&Solid buildings"), Qt::Key_B,
                         tr("Off: wireframe, so that the ground behind buildings is visible"), true)),
-      trees_(makeSwitch(this, tr("Tr&ees"), {},
-                        tr("The trees of the city, bare on days without leaves"), true)),
+      trees_(
+          makeSwitch(this, tr("Trees"), {}, tr("The trees of the city, bare on days without leaves"), true)),
       map_(makeSwitch(this, tr("&Map on the ground"), Qt::Key_G,
                       tr("Streets, paths, parks, water and trees, drawn for orientation"), true)),
       byMaps_(makeSwitch(this, tr("&Explore by shadow accrual maps"), {},

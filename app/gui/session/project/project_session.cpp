@@ -90,10 +90,11 @@ Result<OpenProject> openProject(const std::vector<std::string>& files, const Rea
     if (opened.view.scenario != existingCity && opened.project.city)
         existing = std::make_shared<const CityArrays>(makeArrays(*opened.project.city));
     opened.zone = findNearestZone(loaded->read.city.frame.origin());
-    return shownCity(*std::move(loaded), std::move(existing), progress, stop).map([&](OpenCity city) {
-        opened.city = std::move(city);
-        return std::move(opened);
-    });
+    return shownCity(*std::move(loaded), std::move(existing), nullptr, progress, stop)
+        .map([&](OpenCity city) {
+            opened.city = std::move(city);
+            return std::move(opened);
+        });
 }
 
 LoadedCity withCity(LoadedCity loaded, const City& city) {

@@ -9,6 +9,8 @@
 #include "app/input/all_engines.h"
 #include "core/geo/lon_lat.h"
 #include "core/sun/zone_country.h"
+#include "render/scene/crown_bodies.h"
+#include "render/view/traced_city.h"
 
 namespace noonmark {
 
@@ -128,15 +130,27 @@ bool serves(const std::shared_ptr<const CityArrays>& drawn, const City& city) {
 
 }  // namespace
 
-Result<OpenCity> shownCity(LoadedCity loaded, std::shared_ptr<const CityArrays> drawn, Progress& progress,
+Result<std::shared_ptr<const CrownRays>> findCrownRays(const City& city,
+                                                       std::shared_ptr<const CrownRays> known,
+                                                       const std::stop_token& stop) {
+    if (!city.trees || city.trees->trees.empty() || !drawsInSoftware())
+        return std::shared_ptr<const CrownRays>();
+    return known && known->trees == city.trees ? std::move(known) : makeCrownRays(city.trees, stop);
+}
+
+Result<OpenCity> shownCity(LoadedCity loaded, std::shared_ptr<const CityArrays> drawn,
+                           std::shared_ptr<const CrownRays> crowns, Progress& progress,
                            const std::stop_token& stop) {
     progress.report(0.9, "building the view");
-    OpenCity open{std::move(loaded), std::move(drawn), {}};
+    OpenCity open{std::move(loaded), std::move(drawn), {}, {}};
     if (!serves(open.arrays, open.city()))
         open.arrays = std::make_shared<const CityArrays>(makeArrays(open.city()));
     if (stop.stop_requested()) return cancelled();
     auto scene = RayScene::over(open.city(), stop);
     if (!scene) return tl::make_unexpected(scene.error());
+    auto rays = findCrownRays(open.city(), std::move(crowns), stop);
+    if (!rays) return tl::make_unexpected(rays.error());
+    open.crowns = *std::move(rays);
     open.picker = ScenePicker(open.city(), *std::move(scene));
     return open;
 }

@@ -45,19 +45,28 @@ ZoneGuess findNearestZone(LonLat place);
 /// "+40-07410" or "+404251-0740023" (ISO 6709) in degrees.
 std::optional<LonLat> parseIso6709(const QString& text);
 
+struct CrownRays;
+
 /// A city ready for display: read, meshed and prepared for picking.
 struct OpenCity {
     LoadedCity loaded;
     /// Arrays for the view: of this city, or of another that shares most of its buildings (differenceOf).
     std::shared_ptr<const CityArrays> arrays;
     ScenePicker picker;
+    std::shared_ptr<const CrownRays> crowns;  ///< null: no trees, or the view draws no rays
     [[nodiscard]] const City& city() const { return loaded.read.city; }
 };
 
 /// Meshes a city and builds its picker; use it in a job. `drawn`: arrays of a city that shares most of its
-/// buildings, such as the one before an edit, which are then reused. Null: none.
-Result<OpenCity> shownCity(LoadedCity loaded, std::shared_ptr<const CityArrays> drawn, Progress& progress,
+/// buildings, such as the one before an edit, which are then reused, and `crowns`, where they are of the same
+/// trees. Null: none.
+Result<OpenCity> shownCity(LoadedCity loaded, std::shared_ptr<const CityArrays> drawn,
+                           std::shared_ptr<const CrownRays> crowns, Progress& progress,
                            const std::stop_token& stop);
+/// The crowns of a city for the shade of a moment; null: it has none, or the view draws no rays.
+Result<std::shared_ptr<const CrownRays>> findCrownRays(const City& city,
+                                                       std::shared_ptr<const CrownRays> known,
+                                                       const std::stop_token& stop);
 
 /// Initial settings: the first region, the guessed time zone, cells of 2 m, the automatic engine.
 StudySettings firstSettings(const LoadedCity& loaded, const ZoneGuess& zone);

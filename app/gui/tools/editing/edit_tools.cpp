@@ -83,8 +83,8 @@ void EditTools::makeActions() {
         action(tr("&Move building"), Qt::Key_M, tr("Drag the selected building over the ground"));
     const auto lot =
         action(tr("Lot from foot&print"), {}, tr("Creates a lot from the selected building's outline"));
-    const auto plant = action(tr("Plan&t trees"), {}, tr("Each click on the ground plants a tree; Esc ends"));
-    const auto row = action(tr("Plant a ro&w of trees"), {},
+    const auto plant = action(tr("Plant trees"), {}, tr("Each click on the ground plants a tree; Esc ends"));
+    const auto row = action(tr("Plant a row of trees"), {},
                             tr("Click the corners of a line; a double click or Enter plants trees along it"));
     const auto mesh =
         action(tr("&Import mesh..."), {}, tr("Adds a building from a mesh file, placed by a click"));

@@ -51,8 +51,8 @@ void OtherScenario::start() {
     if (*city == city_ && panel_.view().other().arrays() == arrays) return Q_EMIT changed();
     preparing_.start<Prepared>(
         tr("Showing %1").arg(QString::fromStdString(name_)),
-        [city = *city, arrays](Progress&, const std::stop_token& stop) {
-            return prepare(*city, *arrays, stop);
+        [city = *city, arrays, crowns = workbench_.city()->crowns](Progress&, const std::stop_token& stop) {
+            return prepare(*city, *arrays, crowns, stop);
         },
         [this, city = *city, arrays](Result<Prepared> prepared) {
             if (arrays != panel_.view().arrays()) return start();
@@ -61,12 +61,16 @@ void OtherScenario::start() {
 }
 
 Result<OtherScenario::Prepared> OtherScenario::prepare(const City& city, const CityArrays& arrays,
+                                                       std::shared_ptr<const CrownRays> crowns,
                                                        const std::stop_token& stop) {
-    Prepared prepared{computeDifference(arrays, city), {}};
+    Prepared prepared{computeDifference(arrays, city), {}, {}};
     if (!drawsInSoftware()) return prepared;
     auto scene = RayScene::over(city, stop);
     if (!scene) return tl::make_unexpected(scene.error());
     prepared.scene = *std::move(scene);
+    auto rays = findCrownRays(city, std::move(crowns), stop);
+    if (!rays) return tl::make_unexpected(rays.error());
+    prepared.crowns = *std::move(rays);
     return prepared;
 }
 
@@ -77,7 +81,7 @@ void OtherScenario::take(std::shared_ptr<const City> city, Result<Prepared> prep
     }
     city_ = std::move(city);
     panel_.view().showOther(prepared->changes, std::move(prepared->scene), city_->buildings);
-    panel_.view().other().crowns().show(city_->trees);
+    panel_.view().other().showTrees(city_->trees, std::move(prepared->crowns));
     Q_EMIT changed();
 }
 

@@ -51,9 +51,12 @@ Q_SIGNALS:
 private:
     struct Prepared {
         ArrayDifference changes;
-        std::optional<RayScene> scene;  ///< where the processor draws
+        std::optional<RayScene> scene;            ///< where the processor draws
+        std::shared_ptr<const CrownRays> crowns;  ///< likewise
     };
-    static Result<Prepared> prepare(const City& city, const CityArrays& arrays, const std::stop_token& stop);
+    /// `crowns`: of the displayed city.
+    static Result<Prepared> prepare(const City& city, const CityArrays& arrays,
+                                    std::shared_ptr<const CrownRays> crowns, const std::stop_token& stop);
     void start();
     void take(std::shared_ptr<const City> city, Result<Prepared> prepared);
 

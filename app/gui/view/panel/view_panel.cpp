@@ -243,9 +243,9 @@ void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
     }
     const ArrayDifference changes = computeDifference(*city_->arrays, city_->city());
     view_->showChanges(changes);
-    view_->showTrees(city_->city().trees);
     view_->showDemolished(makeDemolishedLines(*city_->arrays, changes, city_->city()));
     if (const auto& rays = city_->picker.scene()) view_->setRays(*rays, city_->city().buildings);
+    view_->showTrees(city_->city().trees, city_->crowns);
     results_->forget();
     map_->showCity(city_->city());
     markPlaces();
