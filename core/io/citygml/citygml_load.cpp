@@ -45,6 +45,7 @@ public:
     Result<void> begin(const XmlElement& element) override {
         if (skipped_ > 0) return void(++skipped_), Result<void>();
         learnReference(element);
+        if (raster_) return void(++rasterDepth_), Result<void>();
         if (isInGeometry_) return reader_.begin(element);
         names_.emplace_back(element.name);
         if (names_.size() == 1) return checkRoot(element);
@@ -57,9 +58,16 @@ public:
 
     Result<void> end(std::string_view name, std::string_view text) override {
         if (skipped_ > 0) return void(--skipped_), Result<void>();
+        if (raster_ && rasterDepth_ > 0) {
+            --rasterDepth_;
+            raster_->end(name, trimmed(text));
+            return {};
+        }
         if (isInGeometry_ && !reader_.isAtProperty()) return reader_.end(name, text);
         if (isInGeometry_)
             endGeometry();
+        else if (raster_)
+            endRaster();
         else if (objects_.empty())
             endOutside(name, text);
         else
@@ -116,10 +124,13 @@ private:
         if (kind == GmlObjectKind::container) return;
         if (kind != GmlObjectKind::other) return beginObject(element);
         ++data.city.features;
-        const bool isRaster = element.name == "RasterRelief";
-        warn(WarningKind::leftOut,
-             isRaster ? "a terrain that is a raster (RasterRelief): name it as a GeoTIFF beside this file"
-                      : fmt::format("not a building but {}", element.name),
+        if (element.name == "RasterRelief" && !isCollecting && wanted_ == GmlContent::buildings) {
+            raster_.emplace();
+            rasterDepth_ = 0;
+            rasterId_ = element.attribute("id");
+            return;
+        }
+        warn(WarningKind::leftOut, fmt::format("not a building but {}", element.name),
              std::string(element.attribute("id")));
         skip();
     }
@@ -158,6 +169,17 @@ private:
         std::string free = id;
         for (int number = 2; !ids_.insert(free).second; ++number) free = fmt::format("{} ({})", id, number);
         return free;
+    }
+
+    void endRaster() {
+        const std::string fault = raster_->findFault();
+        if (fault.empty())
+            data.city.blocks.push_back(raster_->makeBlock(rasterId_));
+        else
+            warn(WarningKind::leftOut,
+                 "a terrain that is a raster (RasterRelief): name it as a GeoTIFF beside this file",
+                 rasterId_ + ", " + fault);
+        raster_.reset();
     }
 
     void skip() {
@@ -293,6 +315,9 @@ private:
     GmlObject::Opening opening_;
     bool isInGeometry_ = false, areDegrees_ = false;
     LodProperty property_;
+    std::optional<GmlRasterReader> raster_;  // of the open RasterRelief
+    std::size_t rasterDepth_ = 0;            // of elements below it
+    std::string rasterId_;
     std::string unit_, genericName_, otherReference_;
     std::optional<glm::dvec3> lowerCorner_;
     std::map<std::string, std::size_t> asides_;

@@ -147,6 +147,25 @@ private:
     } implicit_;
 };
 
+/// Collects the grid of a RasterRelief whose elevations stand in the file itself (RectifiedGridCoverage).
+class GmlRasterReader {
+public:
+    /// An element below RasterRelief ends.
+    void end(std::string_view name, std::string_view text);
+    /// Why it cannot be used; empty if it can.
+    [[nodiscard]] std::string findFault() const;
+    /// The grid as a TINRelief, in the coordinates of the file; of one without fault.
+    [[nodiscard]] CityJsonBlock makeBlock(const std::string& id) const;
+
+private:
+    std::string file_;
+    std::vector<double> elevations_;  // NaN where there is none
+    glm::dvec2 low_{0};               // indices of the grid's first post: column, row
+    std::optional<glm::dvec2> high_, origin_;
+    std::vector<glm::dvec2> offsets_;  // from a post to the next one of its row, of its column
+    bool isLinear_ = true;
+};
+
 /// What an element of CityGML is, by its name without prefix; the same in versions 1.0, 2.0 and 3.0.
 enum class GmlObjectKind {
     other,      ///< left out, with its name

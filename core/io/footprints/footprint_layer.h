@@ -24,9 +24,9 @@ namespace noonmark {
 struct LayerSource {
     std::string file;  ///< file name, for messages
     bool shapefile = false;
-    bool oneOfSeveral = false;                     ///< feature ids then include their layer
-    std::shared_ptr<const KmlAltitudes> kml = {};  ///< of a KML file only
-    std::vector<std::string> aliases = {};         ///< listFieldAliases(); none: the fields have none
+    bool oneOfSeveral = false;                    ///< feature ids then include their layer
+    std::shared_ptr<const KmlPolygons> kml = {};  ///< of a KML file only
+    std::vector<std::string> aliases = {};        ///< listFieldAliases(); none: the fields have none
 };
 
 /// Reads the features of one layer; fields, units and coordinate system are settled once. Backend:

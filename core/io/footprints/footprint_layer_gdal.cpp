@@ -130,22 +130,6 @@ bool isSolid(const OGRGeometry& geometry) {
     return false;
 }
 
-const OGRPolygon* firstPolygon(const OGRGeometry& geometry) {
-    const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
-    if (type == wkbPolygon) return geometry.toPolygon();
-    if (!OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) return nullptr;
-    for (const OGRGeometry* part : *geometry.toGeometryCollection())
-        if (const OGRPolygon* polygon = firstPolygon(*part)) return polygon;
-    return nullptr;
-}
-
-std::optional<KmlAltitudes::Corner> firstCornerOf(const OGRGeometry& geometry) {
-    const OGRPolygon* const polygon = firstPolygon(geometry);
-    const OGRLinearRing* const ring = polygon != nullptr ? polygon->getExteriorRing() : nullptr;
-    if (ring == nullptr || ring->getNumPoints() == 0) return std::nullopt;
-    return KmlAltitudes::Corner{ring->getX(0), ring->getY(0), ring->getZ(0)};
-}
-
 bool couldBeDegrees(const std::vector<CrsPolygon>& polygons) {
     return std::ranges::all_of(polygons, [](const CrsPolygon& polygon) {
         return std::ranges::all_of(polygon.front(), [](glm::dvec2 point) {
@@ -306,8 +290,8 @@ bool FootprintLayer::isOtherKind(const OGRFeature& feature, const std::string& i
 
 std::optional<FieldRole> FootprintLayer::roleOfZ(const OGRGeometry& geometry, const std::string& id,
                                                  Warnings& warnings) const {
-    const auto corner = source_.kml ? firstCornerOf(geometry) : std::nullopt;
-    const auto standing = corner ? source_.kml->find(*corner) : std::nullopt;
+    const auto corner = source_.kml ? KmlPolygons::firstCornerOf(geometry) : std::nullopt;
+    const auto standing = corner ? source_.kml->findStanding(*corner) : std::nullopt;
     if (zRole_ || !standing) return zRole_;
     if (standing == KmlStanding::onGround) return std::nullopt;
     if (standing == KmlStanding::floating)

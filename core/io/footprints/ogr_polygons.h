@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -66,19 +68,29 @@ enum class KmlStanding {
     absolute,  ///< at its altitude above sea level
 };
 
-/// The polygons of a KML file by the first corner of their outer ring.
-class KmlAltitudes {
+/// What GDAL's reader leaves out of the polygons of a KML file, by the first corner of their outer ring.
+class KmlPolygons {
 public:
     using Corner = std::tuple<double, double, double>;  ///< longitude, latitude, altitude
+    using Data = std::map<std::string, std::string>;    ///< fields of a placemark (ExtendedData)
 
     /// Nothing for a file that is not XML or larger than 256 MiB. Reads the whole file; memory some ten times
     /// its size. Backend: ogr_polygons_gdal.cpp.
-    static KmlAltitudes of(const std::filesystem::path& file);
+    static KmlPolygons of(const std::filesystem::path& file);
 
-    [[nodiscard]] std::optional<KmlStanding> find(const Corner& firstCorner) const;
+    /// Of the geometry's first polygon; nothing where it has none.
+    static std::optional<Corner> firstCornerOf(const OGRGeometry& geometry);
+    [[nodiscard]] std::optional<KmlStanding> findStanding(const Corner& firstCorner) const;
+    /// Null where its placemark has none.
+    [[nodiscard]] const Data* findData(const Corner& firstCorner) const;
+    /// The fields of all placemarks, at most 200.
+    [[nodiscard]] const std::set<std::string>& fields() const { return fields_; }
 
 private:
+    friend class KmlCollector;
     std::map<Corner, KmlStanding> standing_;
+    std::map<Corner, std::shared_ptr<const Data>> data_;
+    std::set<std::string> fields_;
 };
 
 }  // namespace noonmark

@@ -188,10 +188,11 @@ struct TreeRelease {
     void operator()(CPLXMLNode* tree) const { CPLDestroyXMLNode(tree); }
 };
 
-// "-122.08,37.42,17 -122.09,...": its first corner.
-std::optional<KmlAltitudes::Corner> firstCorner(std::string_view text) {
+// "-122.08,37.42,17 -122.09,...": its first corner; the third number may be absent.
+std::optional<KmlPolygons::Corner> firstCorner(std::string_view text) {
     double numbers[3] = {0, 0, 0};
     for (double& number : numbers) {
+        if (&number == &numbers[2] && !text.starts_with(',')) break;
         const auto start = text.find_first_not_of(" \t\r\n,");
         if (start == text.npos) return std::nullopt;
         text.remove_prefix(start);
@@ -199,7 +200,7 @@ std::optional<KmlAltitudes::Corner> firstCorner(std::string_view text) {
         if (error != std::errc()) return std::nullopt;
         text.remove_prefix(std::size_t(end - text.data()));
     }
-    return KmlAltitudes::Corner{numbers[0], numbers[1], numbers[2]};
+    return KmlPolygons::Corner{numbers[0], numbers[1], numbers[2]};
 }
 
 KmlStanding standingOf(const CPLXMLNode& polygon) {
@@ -210,35 +211,98 @@ KmlStanding standingOf(const CPLXMLNode& polygon) {
     return extrude == "1" || extrude == "true" ? KmlStanding::extruded : KmlStanding::floating;
 }
 
-void collectPolygons(const CPLXMLNode* node, std::map<KmlAltitudes::Corner, KmlStanding>& standing) {
-    for (; node != nullptr; node = node->psNext) {
-        if (node->eType != CXT_Element) continue;
-        if (std::strcmp(node->pszValue, "Polygon") != 0) {
-            collectPolygons(node->psChild, standing);
-            continue;
-        }
-        const char* const outer = CPLGetXMLValue(node, "outerBoundaryIs.LinearRing.coordinates", "");
-        if (const auto corner = firstCorner(outer)) standing.try_emplace(*corner, standingOf(*node));
-    }
+bool isElement(const CPLXMLNode& node, const char* name) {
+    return node.eType == CXT_Element && std::strcmp(node.pszValue, name) == 0;
+}
+
+const OGRPolygon* firstPolygon(const OGRGeometry& geometry) {
+    const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+    if (type == wkbPolygon) return geometry.toPolygon();
+    if (!OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) return nullptr;
+    for (const OGRGeometry* part : *geometry.toGeometryCollection())
+        if (const OGRPolygon* polygon = firstPolygon(*part)) return polygon;
+    return nullptr;
 }
 
 }  // namespace
 
-KmlAltitudes KmlAltitudes::of(const std::filesystem::path& file) {
+/// Walks through the elements of a KML file.
+class KmlCollector {
+public:
+    explicit KmlCollector(KmlPolygons& found) : found_(found) {}
+
+    void collect(const CPLXMLNode* node, const std::shared_ptr<const KmlPolygons::Data>& data = {}) {
+        for (; node != nullptr; node = node->psNext)
+            if (isElement(*node, "Polygon"))
+                add(*node, data);
+            else if (isElement(*node, "Placemark"))
+                collect(node->psChild, dataOf(*node));
+            else if (node->eType == CXT_Element)
+                collect(node->psChild, data);
+    }
+
+private:
+    static constexpr std::size_t maxFields = 200;
+
+    void add(const CPLXMLNode& polygon, const std::shared_ptr<const KmlPolygons::Data>& data) {
+        const auto corner =
+            firstCorner(CPLGetXMLValue(&polygon, "outerBoundaryIs.LinearRing.coordinates", ""));
+        if (!corner) return;
+        found_.standing_.try_emplace(*corner, standingOf(polygon));
+        if (data && !data->empty()) found_.data_.try_emplace(*corner, data);
+    }
+
+    // <Data name="height"><value>9</value></Data>, or <SimpleData name="height">9</SimpleData> in SchemaData.
+    std::shared_ptr<const KmlPolygons::Data> dataOf(const CPLXMLNode& placemark) {
+        auto data = std::make_shared<KmlPolygons::Data>();
+        const CPLXMLNode* const extended = CPLGetXMLNode(&placemark, "ExtendedData");
+        for (const CPLXMLNode* one = extended == nullptr ? nullptr : extended->psChild; one != nullptr;
+             one = one->psNext)
+            if (isElement(*one, "Data"))
+                take(*one, CPLGetXMLValue(one, "value", ""), *data);
+            else if (isElement(*one, "SchemaData"))
+                for (const CPLXMLNode* item = one->psChild; item != nullptr; item = item->psNext)
+                    if (isElement(*item, "SimpleData")) take(*item, CPLGetXMLValue(item, nullptr, ""), *data);
+        return data;
+    }
+
+    void take(const CPLXMLNode& item, const char* value, KmlPolygons::Data& data) {
+        const std::string name = CPLGetXMLValue(&item, "name", "");
+        if (name.empty() || (found_.fields_.size() >= maxFields && !found_.fields_.contains(name))) return;
+        found_.fields_.insert(name);
+        data.try_emplace(name, value);
+    }
+
+    KmlPolygons& found_;
+};
+
+KmlPolygons KmlPolygons::of(const std::filesystem::path& file) {
     const GdalCalls quiet;
-    KmlAltitudes altitudes;
+    KmlPolygons polygons;
     std::error_code error;
-    if (std::filesystem::file_size(file, error) > maxBytes || error) return altitudes;
+    if (std::filesystem::file_size(file, error) > maxBytes || error) return polygons;
     const std::unique_ptr<CPLXMLNode, TreeRelease> tree(CPLParseXMLFile(file.c_str()));
-    if (!tree) return altitudes;
+    if (!tree) return polygons;
     CPLStripXMLNamespace(tree.get(), nullptr, TRUE);
-    collectPolygons(tree.get(), altitudes.standing_);
-    return altitudes;
+    KmlCollector(polygons).collect(tree.get());
+    return polygons;
 }
 
-std::optional<KmlStanding> KmlAltitudes::find(const Corner& firstCorner) const {
+std::optional<KmlPolygons::Corner> KmlPolygons::firstCornerOf(const OGRGeometry& geometry) {
+    const OGRPolygon* const polygon = firstPolygon(geometry);
+    const OGRLinearRing* const ring = polygon != nullptr ? polygon->getExteriorRing() : nullptr;
+    if (ring == nullptr || ring->getNumPoints() == 0) return std::nullopt;
+    return Corner{ring->getX(0), ring->getY(0), ring->getZ(0)};
+}
+
+std::optional<KmlStanding> KmlPolygons::findStanding(const Corner& firstCorner) const {
     const auto found = standing_.find(firstCorner);
     return found == standing_.end() ? std::nullopt : std::optional(found->second);
+}
+
+const KmlPolygons::Data* KmlPolygons::findData(const Corner& firstCorner) const {
+    const auto found = data_.find(firstCorner);
+    return found == data_.end() ? nullptr : found->second.get();
 }
 
 }  // namespace noonmark

@@ -4,9 +4,11 @@
 #include <ogrsf_frmts.h>
 #include <tbb/task_group.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <span>
+#include <stdexcept>
 
 #include "core/base/gdal_calls.h"
 #include "core/geo/lon_lat.h"
@@ -56,14 +58,50 @@ using Path = std::filesystem::path;
 
 struct OpenFile {
     GDALDatasetUniquePtr dataset;
-    std::string driver;  // "GPKG"
+    std::string driver;                      // "GPKG"
+    std::shared_ptr<const KmlPolygons> kml;  // of a KML file only
 };
+
+void copyWithData(OGRLayer& from, OGRLayer& into, const KmlPolygons& polygons) {
+    OGRFeatureDefn& fields = *from.GetLayerDefn();
+    for (int i = 0; i < fields.GetFieldCount(); ++i) into.CreateField(fields.GetFieldDefn(i));
+    for (const std::string& name : polygons.fields()) {
+        OGRFieldDefn field(name.c_str(), OFTString);
+        if (fields.GetFieldIndex(name.c_str()) < 0) into.CreateField(&field);
+    }
+    for (auto& feature : from) {
+        OGRFeature copy(into.GetLayerDefn());
+        copy.SetFrom(feature.get());
+        const OGRGeometry* const geometry = feature->GetGeometryRef();
+        const auto corner = geometry == nullptr ? std::nullopt : KmlPolygons::firstCornerOf(*geometry);
+        if (const auto* data = corner ? polygons.findData(*corner) : nullptr; data != nullptr)
+            for (const auto& [name, value] : *data) copy.SetField(name.c_str(), value.c_str());
+        if (into.CreateFeature(&copy) != OGRERR_NONE)
+            throw std::runtime_error("a placemark cannot be kept in memory");
+    }
+}
+
+// GDAL's reader of KML has names and descriptions only; other fields stand in ExtendedData.
+GDALDatasetUniquePtr withKmlData(GDALDatasetUniquePtr kml, const KmlPolygons& polygons) {
+    if (polygons.fields().empty()) return kml;
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("Memory");
+    if (driver == nullptr) throw std::runtime_error("GDAL was built without its driver for memory");
+    GDALDatasetUniquePtr copy(driver->Create("", 0, 0, 0, GDT_Unknown, nullptr));
+    for (OGRLayer* layer : kml->GetLayers())
+        copyWithData(*layer,
+                     *copy->CreateLayer(layer->GetName(), layer->GetSpatialRef(), wkbUnknown, nullptr),
+                     polygons);
+    return copy;
+}
 
 Result<OpenFile> openFile(const Path& file) {
     auto dataset = openDataset(file, DatasetContent::vectors);
     if (!dataset) return tl::make_unexpected(dataset.error());
-    OpenFile open{*std::move(dataset), {}};
+    OpenFile open{*std::move(dataset), {}, {}};
     open.driver = open.dataset->GetDriverName();
+    if (open.driver != "KML") return open;
+    open.kml = std::make_shared<const KmlPolygons>(KmlPolygons::of(file));
+    open.dataset = withKmlData(std::move(open.dataset), *open.kml);
     return open;
 }
 
@@ -98,7 +136,8 @@ Result<std::vector<OGRLayer*>> chosenLayers(const OpenFile& open, const ReadSett
     return layers;
 }
 
-// Tables and TopoJSON name no system, but numbers that are all longitudes and latitudes are taken for them.
+// Tables and TopoJSON name no system, others may; numbers that are all longitudes and latitudes are taken for
+// them.
 bool holdsDegrees(OGRLayer& layer) {
     OGREnvelope extent;
     return layer.GetSpatialRef() == nullptr && layer.GetExtent(&extent) == OGRERR_NONE &&
@@ -119,7 +158,6 @@ public:
     Result<std::vector<UnplacedFeature>> read(const GdalCalls& calls) {
         auto layers = chosenLayers(open_, settings_, file_, warnings);
         if (!layers) return tl::make_unexpected(layers.error());
-        if (open_.driver == "KML") kml_ = std::make_shared<const KmlAltitudes>(KmlAltitudes::of(file_));
         for (OGRLayer* layer : *layers)
             if (auto done = readLayer(*layer, layers->size() > 1, calls); !done)
                 return tl::make_unexpected(done.error());
@@ -163,7 +201,7 @@ private:
 
     Result<void> readLayer(OGRLayer& layer, bool oneOfSeveral, const GdalCalls& calls) {
         const LayerSource source{file_.filename().string(), open_.driver == "ESRI Shapefile", oneOfSeveral,
-                                 kml_, listFieldAliases(*open_.dataset, layer)};
+                                 open_.kml, listFieldAliases(*open_.dataset, layer)};
         auto reader = FootprintLayer::of(layer, settingsFor(layer), source, warnings);
         if (!reader) return tl::make_unexpected(reader.error());
         if (crs.empty()) crs = describeCrs(reader->systemName(), crsSource_);
@@ -176,7 +214,9 @@ private:
     ReadSettings settingsFor(OGRLayer& layer) {
         ReadSettings settings = settings_;
         crsSource_ = settings_.crs ? CrsSource::user : CrsSource::file;
-        const bool statesNone = open_.driver == "CSV" || open_.driver == "TopoJSON";
+        // FlatGeobuf states one, but programs of browsers leave it out.
+        constexpr std::array statingNone{"CSV", "TopoJSON", "FlatGeobuf"};
+        const bool statesNone = std::ranges::find(statingNone, open_.driver) != statingNone.end();
         if (!statesNone || settings.crs || !holdsDegrees(layer)) return settings;
         settings.crs = "EPSG:4326";
         crsSource_ = CrsSource::guessed;
@@ -252,7 +292,6 @@ private:
         return finishLayer(reader);
     }
 
-    std::shared_ptr<const KmlAltitudes> kml_;  // of a KML file only
     const LonLatBox* window_ = nullptr;
     FootprintScan* scan_ = nullptr;
     FeatureCentres* centres_ = nullptr;

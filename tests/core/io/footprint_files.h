@@ -74,7 +74,8 @@ inline void writeRectangle(const std::filesystem::path& file, const char* driver
     const GdalCalls calls;
     OGRSpatialReference wgs84, system;
     wgs84.SetWellKnownGeogCS("WGS84");
-    system.SetFromUserInput(crs);
+    const bool statesNone = *crs == '\0';
+    system.SetFromUserInput(statesNone ? "WGS84" : crs);
     for (OGRSpatialReference* one : {&wgs84, &system})
         one->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     const std::unique_ptr<OGRCoordinateTransformation> there(
@@ -92,7 +93,7 @@ inline void writeRectangle(const std::filesystem::path& file, const char* driver
     polygon.addRing(&line);
     const GDALDatasetUniquePtr dataset(
         GetGDALDriverManager()->GetDriverByName(driver)->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    OGRLayer* layer = dataset->CreateLayer("houses", &system, wkbPolygon, nullptr);
+    OGRLayer* layer = dataset->CreateLayer("houses", statesNone ? nullptr : &system, wkbPolygon, nullptr);
     for (const auto& [name, value] : fields) {
         OGRFieldDefn field(name.c_str(), OFTReal);
         layer->CreateField(&field);

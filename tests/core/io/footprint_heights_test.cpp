@@ -330,6 +330,34 @@ TEST_F(ReadFootprints, KmlStatesWhatItsAltitudesCountFrom) {
     EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("floats")));
 }
 
+TEST_F(ReadFootprints, DegreesOfAFlatGeobufWithoutAReferenceSystemAreKnown) {
+    writeRectangle(folder.path("a.fgb"), "FlatGeobuf", "", {{"height", 12.5}});
+    const FilePiece piece = read(folder.path("a.fgb"));
+    EXPECT_NEAR(heightOf(*piece.buildings.at(0)), 12.5, 1e-3);
+    EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("taken for degrees (--crs EPSG:4326)")));
+}
+
+// As QGIS (SchemaData) and tokml (Data) write fields, which GDAL's reader of KML leaves out.
+TEST_F(ReadFootprints, FieldsOfKmlPlacemarksAreRead) {
+    const auto placemark = [](const char* data, double x) {
+        return fmt::format(
+            "<Placemark><ExtendedData>{0}</ExtendedData><MultiGeometry><Polygon><outerBoundaryIs><LinearRing>"
+            "<coordinates>{1},40.75 {2},40.75 {2},40.7501 {1},40.75</coordinates></LinearRing>"
+            "</outerBoundaryIs></Polygon></MultiGeometry></Placemark>",
+            data, -73.98 + x, -73.9799 + x);
+    };
+    const FilePiece piece = read(folder.file(
+        "a.kml",
+        "<kml xmlns='http://www.opengis.net/kml/2.2'><Document><Folder><name>x</name>" +
+            placemark("<SchemaData schemaUrl='#s'><SimpleData name='height'>21.5</SimpleData></SchemaData>",
+                      0) +
+            placemark("<Data name='height'><value>30 m</value></Data>", 0.001) +
+            "</Folder></Document></kml>"));
+    ASSERT_EQ(piece.buildings.size(), 2U);
+    EXPECT_NEAR(heightOf(*piece.buildings[0]), 21.5, 1e-3);
+    EXPECT_NEAR(heightOf(*piece.buildings[1]), 30, 1e-3);
+}
+
 // As many tables of the nineties are: Latin-1, and nothing says so.
 TEST_F(ReadFootprints, NamesInLatin1AreKnownWithoutACpg) {
     writeRectangle(folder.path("a.shp"), "ESRI Shapefile", "EPSG:4326", {{"Hxhe_m", 12.5}});

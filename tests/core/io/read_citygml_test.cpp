@@ -265,6 +265,49 @@ TEST(ReadCityGml, TinReliefIsTheTerrain) {
     EXPECT_NEAR(elevationAt(*piece->terrain, {0, 0}), 5, 0.2) << "in the middle, above the lowest point";
 }
 
+// Rows of three posts from south to north, 50 m apart, that rise by 5 m to the east.
+std::string gmlRaster(const std::string& elevations) {
+    return fmt::format(
+        "<core:cityObjectMember><dem:ReliefFeature><dem:reliefComponent><dem:RasterRelief gml:id=\"raster\">"
+        "<dem:grid><gml:RectifiedGridCoverage><gml:rectifiedGridDomain><gml:RectifiedGrid dimension=\"2\">"
+        "<gml:limits><gml:GridEnvelope><gml:low>0 0</gml:low><gml:high>2 2</gml:high></gml:GridEnvelope>"
+        "</gml:limits><gml:axisName>x</gml:axisName><gml:origin><gml:Point><gml:pos>{:.9g} {:.9g}</gml:pos>"
+        "</gml:Point></gml:origin><gml:offsetVector>50 0</gml:offsetVector><gml:offsetVector>0 50"
+        "</gml:offsetVector></gml:RectifiedGrid></gml:rectifiedGridDomain><gml:rangeSet>{}</gml:rangeSet>"
+        "</gml:RectifiedGridCoverage></dem:grid></dem:RasterRelief></dem:reliefComponent>"
+        "</dem:ReliefFeature></core:cityObjectMember>",
+        bonn.x, bonn.y, elevations);
+}
+
+std::string gmlDataBlock(const std::string& tuples) {
+    return "<gml:DataBlock><gml:rangeParameters/><gml:tupleList>" + tuples +
+           "</gml:tupleList></gml:DataBlock>";
+}
+
+TEST(ReadCityGml, RasterReliefIsTheTerrain) {
+    const auto piece = readGmlText(cityGml(gmlRaster(gmlDataBlock("60,65,70\n60,65,70\n60,65,-9999"))));
+    ASSERT_TRUE(piece) << piece.error().text();
+    ASSERT_NE(piece->terrain, nullptr);
+    EXPECT_NEAR(elevationAt(*piece->terrain, {0, 0}), 5, 0.2) << "at the post in the middle, above the lowest";
+    EXPECT_NEAR(elevationAt(*piece->terrain, {40, -25}), 9, 0.2) << "40 m east of it";
+    EXPECT_TRUE(piece->warnings.size() <= 1) << "the missing post is filled";
+}
+
+TEST(ReadCityGml, RastersThatCannotBeUsedAreListed) {
+    const std::string house = gmlBuilding("house", gmlBoxSolid({0, 0, 0}, {10, 10, 9}));
+    for (const auto& [elevations, fault] :
+         {std::pair(gmlDataBlock("60 65 70"), "raster, it has 3 elevations for a grid of 3 x 3"),
+          {std::string("<gml:File><gml:fileName>dem.tif</gml:fileName></gml:File>"),
+           "raster, its elevations are in dem.tif"},
+          {std::string(), "raster, it holds no grid"}}) {
+        const auto piece = readGmlText(cityGml(gmlRaster(elevations) + house));
+        ASSERT_TRUE(piece) << piece.error().text();
+        EXPECT_EQ(piece->terrain, nullptr);
+        ASSERT_TRUE(warns(*piece, "name it as a GeoTIFF beside this file"));
+        EXPECT_THAT(piece->warnings.front().where, testing::HasSubstr(fault));
+    }
+}
+
 TEST(ReadCityGml, WhatIsNoBuildingIsListed) {
     const auto member = [](const char* name) {
         return fmt::format(
