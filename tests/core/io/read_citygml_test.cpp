@@ -288,7 +288,8 @@ TEST(ReadCityGml, RasterReliefIsTheTerrain) {
     const auto piece = readGmlText(cityGml(gmlRaster(gmlDataBlock("60,65,70\n60,65,70\n60,65,-9999"))));
     ASSERT_TRUE(piece) << piece.error().text();
     ASSERT_NE(piece->terrain, nullptr);
-    EXPECT_NEAR(elevationAt(*piece->terrain, {0, 0}), 5, 0.2) << "at the post in the middle, above the lowest";
+    EXPECT_NEAR(elevationAt(*piece->terrain, {0, 0}), 5, 0.2)
+        << "at the post in the middle, above the lowest";
     EXPECT_NEAR(elevationAt(*piece->terrain, {40, -25}), 9, 0.2) << "40 m east of it";
     EXPECT_TRUE(piece->warnings.size() <= 1) << "the missing post is filled";
 }
