@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -9,8 +10,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t maxPosts = 4'000'000;  // as triangles of a TIN some 250 bytes each
-constexpr double lowestM = -1000;            // below it a number stands for "no elevation", such as -9999
+constexpr std::size_t maxRasterPosts = 4'000'000;  // as triangles of a TIN some 250 bytes each
+constexpr double lowestElevationM = -1000;  // below it a number stands for "no elevation", such as -9999
 
 // What is no number, such as "inapplicable", is NaN.
 std::vector<double> readElevations(std::string_view text) {
@@ -21,14 +22,14 @@ std::vector<double> readElevations(std::string_view text) {
         const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
         double number = 0;
         const auto [after, error] = std::from_chars(text.data() + at, text.data() + end, number);
-        const bool isGood = error == std::errc() && after == text.data() + end && number > lowestM;
+        const bool isGood = error == std::errc() && after == text.data() + end && number > lowestElevationM;
         elevations.push_back(isGood ? number : std::numeric_limits<double>::quiet_NaN());
         at = end;
     }
     return elevations;
 }
 
-glm::dvec2 pointOf(const std::vector<double>& numbers) { return {numbers[0], numbers[1]}; }
+glm::dvec2 gmlPointOf(const std::vector<double>& numbers) { return {numbers[0], numbers[1]}; }
 
 }  // namespace
 
@@ -38,10 +39,10 @@ void GmlRasterReader::end(std::string_view name, std::string_view text) {
     if (name == "sequenceRule") isLinear_ = text.empty() || text == "Linear";
     if (name == "tupleList" || name == "doubleOrNilReasonTupleList") elevations_ = readElevations(text);
     if (!readGmlNumbers(text, numbers) || numbers.size() < 2) return;
-    if (name == "low") low_ = pointOf(numbers);
-    if (name == "high") high_ = pointOf(numbers);
-    if (name == "pos" || name == "coordinates") origin_ = pointOf(numbers);
-    if (name == "offsetVector") offsets_.push_back(pointOf(numbers));
+    if (name == "low") low_ = gmlPointOf(numbers);
+    if (name == "high") high_ = gmlPointOf(numbers);
+    if (name == "pos" || name == "coordinates") origin_ = gmlPointOf(numbers);
+    if (name == "offsetVector") offsets_.push_back(gmlPointOf(numbers));
 }
 
 std::string GmlRasterReader::findFault() const {
@@ -49,7 +50,7 @@ std::string GmlRasterReader::findFault() const {
     if (elevations_.empty() || !origin_ || offsets_.size() != 2 || !high_) return "it holds no grid";
     if (!isLinear_) return "its elevations are not in rows";
     const glm::dvec2 posts = *high_ - low_ + 1.0;
-    if (!(posts.x >= 2) || !(posts.y >= 2) || posts.x * posts.y > double(maxPosts))
+    if (!(posts.x >= 2) || !(posts.y >= 2) || posts.x * posts.y > double(maxRasterPosts))
         return fmt::format("its grid has {:g} x {:g} elevations", posts.x, posts.y);
     if (posts.x * posts.y == double(elevations_.size())) return {};
     return fmt::format("it has {} elevations for a grid of {:g} x {:g}", elevations_.size(), posts.x,
