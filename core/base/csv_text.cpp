@@ -142,6 +142,12 @@ namespace {
 
 constexpr std::size_t maxDigits = 400;  // the largest double has 309 before its point
 
+// What rounds to zero has no sign.
+std::string_view withoutSignOfZero(std::string_view number) {
+    const bool isZero = number.find_first_not_of("-0.") == std::string_view::npos;
+    return isZero && number.starts_with('-') ? number.substr(1) : number;
+}
+
 }  // namespace
 
 CsvText::CsvText(const std::vector<std::string>& columns) : columns_(columns.size()) {
@@ -155,13 +161,13 @@ CsvText& CsvText::number(double value, int decimals) {
     if (!std::isfinite(value)) return nothing();
     std::array<char, maxDigits> digits{};
     const auto end = std::to_chars(digits.begin(), digits.end(), value, std::chars_format::fixed, decimals);
-    return field({digits.begin(), end.ptr});
+    return field(withoutSignOfZero({digits.begin(), end.ptr}));
 }
 
 CsvText& CsvText::number(double value) {
     if (!std::isfinite(value)) return nothing();
     std::array<char, maxDigits> digits{};
-    return field({digits.begin(), std::to_chars(digits.begin(), digits.end(), value).ptr});
+    return field(withoutSignOfZero({digits.begin(), std::to_chars(digits.begin(), digits.end(), value).ptr}));
 }
 
 CsvText& CsvText::nothing(std::size_t fields) {

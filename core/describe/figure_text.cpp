@@ -109,13 +109,28 @@ std::string labelOf(const FigureLine& line) {
     return fmt::format("{}{}: {}", line.measure, over, lowered(line.figure->label));
 }
 
+namespace {
+
+// "0 m²" of what rounds to zero has none.
+bool hasValue(std::string_view amount) {
+    return amount.substr(0, amount.find(' ')).find_first_not_of("0.") != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string formatSigned(double value, int decimals) {
+    const std::string number = formatNumber(value, decimals);
+    return (value > 0 && hasValue(number) ? "+" : "") + number;
+}
+
 std::string valueOf(const FigureLine& line, UnitSystem units) {
     if (std::isnan(line.value)) return NM_TEXT("not counted");
     const std::string share = std::isnan(line.sharePct)
                                   ? std::string()
                                   : fmt::format(" ({} %)", trimmed(formatNumber(line.sharePct, 1)));
-    const bool plus = line.figure->isChange && line.value > 0;
-    return fmt::format("{}{}{}", plus ? "+" : "", amountOf(line, units), share);
+    const std::string amount = amountOf(line, units);
+    const bool plus = line.figure->isChange && line.value > 0 && hasValue(amount);
+    return fmt::format("{}{}{}", plus ? "+" : "", amount, share);
 }
 
 std::string joinLines(const std::vector<FigureLine>& lines) {

@@ -55,6 +55,8 @@ std::vector<FigureLine> listLines(const DescribedFigures& figures, const FigureC
 std::string labelOf(const FigureLine& line);
 /// "3,833 m² (41.7 %)", "+1.25 min a day", "not counted".
 std::string valueOf(const FigureLine& line, UnitSystem units = UnitSystem::metric);
+/// "+1,204", "-3", "0": what rounds to zero has no sign.
+std::string formatSigned(double value, int decimals);
 /// "weighted shade +10 m² h, shadow area 9 m²"
 std::string joinLines(const std::vector<FigureLine>& lines);
 /// "Shadow area: sum over the receivers ... . Mean gross: ..."; each figure once.

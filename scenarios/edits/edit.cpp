@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "core/base/units.h"
+
 namespace noonmark {
 
 namespace {
@@ -18,10 +20,11 @@ struct Words {
         return fmt::format("Make {} {:.1f} m high", edit.building, edit.heightM);
     }
     std::string operator()(const Move& edit) const {
-        return fmt::format("Move {} by {:.1f} m east, {:.1f} m north", edit.building, edit.byM.x, edit.byM.y);
+        return fmt::format("Move {} by {} m east, {} m north", edit.building, formatNumber(edit.byM.x, 1),
+                           formatNumber(edit.byM.y, 1));
     }
     std::string operator()(const Rotate& edit) const {
-        return fmt::format("Turn {} by {:.1f} degrees", edit.building, edit.clockwiseDeg);
+        return fmt::format("Turn {} by {} degrees", edit.building, formatNumber(edit.clockwiseDeg, 1));
     }
     std::string operator()(const ImportMesh& edit) const {
         return fmt::format("Import {} from {}", edit.shape->sourceId, edit.file);
@@ -34,7 +37,8 @@ struct Words {
         return fmt::format("Replace {} with a tree {:.1f} m high", edit.tree, edit.with.heightM);
     }
     std::string operator()(const MoveTree& edit) const {
-        return fmt::format("Move {} by {:.1f} m east, {:.1f} m north", edit.tree, edit.byM.x, edit.byM.y);
+        return fmt::format("Move {} by {} m east, {} m north", edit.tree, formatNumber(edit.byM.x, 1),
+                           formatNumber(edit.byM.y, 1));
     }
     std::string operator()(const GrowTree& edit) const {
         return fmt::format("Grow {} by {:g} years to {:.1f} m", edit.tree, edit.years, edit.heightM);

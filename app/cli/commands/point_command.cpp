@@ -129,7 +129,8 @@ std::string caseText(const PointCaseFigures& figures, const PointCaseFigures& fi
                                    figures.dayMin, figures.yearMin / 60, figures.skyView);
     if (wall) text += fmt::format(", VSC {:.1f} %", figures.skyComponentPct);
     if (&figures != &first)
-        text += fmt::format("; {:+.1f} h against {}", (figures.yearMin - first.yearMin) / 60, first.name);
+        text += fmt::format("; {} h against {}", formatSigned((figures.yearMin - first.yearMin) / 60, 1),
+                            first.name);
     return text;
 }
 

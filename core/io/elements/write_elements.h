@@ -45,4 +45,14 @@ Result<void> writePlacesGeoPackage(const std::filesystem::path& file, const Fram
                                    const std::vector<Place>& places, const ElementTable& table,
                                    const LayerStyle& style = {});
 
+/// How a layer of polygons is called, and what it says of itself.
+struct NamedLayer {
+    const char* name;
+    const char* description;
+};
+/// The same of polygons that are no places.
+Result<void> writePolygonsGeoPackage(const std::filesystem::path& file, const Frame& frame,
+                                     const NamedLayer& layer, const std::vector<Place>& polygons,
+                                     const ElementTable& table, const LayerStyle& style = {});
+
 }  // namespace noonmark

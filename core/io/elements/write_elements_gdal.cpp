@@ -28,7 +28,7 @@ void setElementValue(OGRFeature& feature, int field, const ElementValue& value, 
     else if (const auto* whole = std::get_if<std::int64_t>(&value))
         feature.SetField(field, GIntBig(*whole));
     else if (const auto* number = std::get_if<double>(&value); number != nullptr && std::isfinite(*number))
-        feature.SetField(field, roundAsText(*number, decimals));
+        feature.SetField(field, roundAsText(*number, decimals) + 0.0);  // the sum of zeros has no sign
 }
 
 /// A layer as it is written: how its rows become shapes.
@@ -127,8 +127,14 @@ Result<void> writeElementsGeoPackage(const std::filesystem::path& file, const El
 Result<void> writePlacesGeoPackage(const std::filesystem::path& file, const Frame& frame,
                                    const std::vector<Place>& places, const ElementTable& table,
                                    const LayerStyle& style) {
-    const auto shape = [&](std::size_t row) { return makeMultiPolygon(places[row], frame); };
-    return writeGeoPackage(file, {"places", "Places and their sun", wkbMultiPolygon, shape, style}, table);
+    return writePolygonsGeoPackage(file, frame, {"places", "Places and their sun"}, places, table, style);
+}
+
+Result<void> writePolygonsGeoPackage(const std::filesystem::path& file, const Frame& frame,
+                                     const NamedLayer& layer, const std::vector<Place>& polygons,
+                                     const ElementTable& table, const LayerStyle& style) {
+    const auto shape = [&](std::size_t row) { return makeMultiPolygon(polygons[row], frame); };
+    return writeGeoPackage(file, {layer.name, layer.description, wkbMultiPolygon, shape, style}, table);
 }
 
 }  // namespace noonmark

@@ -1,10 +1,12 @@
 #include "core/study/text/error_text.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/base/safe_text.h"
+#include "core/describe/figure_text.h"
 #include "core/measures/shadow_figures.h"
 
 namespace noonmark {
@@ -51,7 +53,7 @@ std::vector<ErrorLine> makeErrorLines(const Study& study) {
     const auto add = [&lines](std::string name, std::string value) {
         lines.push_back({std::move(name), std::move(value)});
     };
-    add("area error", fmt::format("{:+.4f} % of the ground, standard error {:.4f}", error.areaPct,
+    add("area error", fmt::format("{} % of the ground, standard error {:.4f}", formatSigned(error.areaPct, 4),
                                   error.areaStandardErrorPct));
     add("cell error, gross", describeCell(study, error.gross));
     if (study.sun.steps.size() > 1 && hasRuns(error))
@@ -111,6 +113,31 @@ Json warningsJson(const Warnings& warnings) {
     return groups;
 }
 
-std::string toJsonText(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+namespace {
+
+bool hasNegativeZero(const Json& json) {
+    if (json.is_structured()) return std::ranges::any_of(json, hasNegativeZero);
+    return json.is_number_float() && json.get<double>() == 0 && std::signbit(json.get<double>());
+}
+
+// CSV states a plain zero, too.
+void removeNegativeZeros(Json& json) {
+    if (json.is_structured())
+        for (Json& value : json) removeNegativeZeros(value);
+    else if (hasNegativeZero(json))
+        json = 0.0;
+}
+
+}  // namespace
+
+std::string toJsonText(const Json& json) {
+    const auto dump = [](const Json& plain) {
+        return plain.dump(2, ' ', false, Json::error_handler_t::replace);
+    };
+    if (!hasNegativeZero(json)) return dump(json);
+    Json plain = json;
+    removeNegativeZeros(plain);
+    return dump(plain);
+}
 
 }  // namespace noonmark

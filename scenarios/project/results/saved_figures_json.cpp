@@ -162,8 +162,9 @@ std::string parseErrorText(const Json& study) {
     const Json& error = study.at("error");
     if (!error.at("why_not").is_null()) return error.at("why_not");
     const Json runs = error.value("continuous", Json());
-    return fmt::format("area {:+.4f} % of the ground; {}{}; {} of {} against the ray reference",
-                       error.at("area_pct").get<double>(), describeSavedCell("gross", error.at("gross")),
+    return fmt::format("area {} % of the ground; {}{}; {} of {} against the ray reference",
+                       formatSigned(error.at("area_pct").get<double>(), 4),
+                       describeSavedCell("gross", error.at("gross")),
                        runs.is_object() ? "; " + describeSavedCell("continuous", runs) : std::string(),
                        wholeNumberFrom<std::uint64_t>(error.at("sample_receivers")),
                        countOf(wholeNumberFrom<std::uint64_t>(error.at("of_receivers")), "receiver"));

@@ -40,6 +40,12 @@ TEST(CsvText, NumbersArePlainAndWhatIsNoNumberIsNothing) {
     EXPECT_EQ(csv.take(), "");
 }
 
+TEST(CsvText, WhatRoundsToZeroHasNoSign) {
+    CsvText csv({"a", "b", "c", "d", "e"});
+    csv.number(-0.00004, 4).number(-0.0).number(-0.00006, 4).number(-0.4, 0).number(-10.0, 1).endRow();
+    EXPECT_EQ(csv.take(), "a,b,c,d,e\r\n0.0000,0,-0.0001,0,-10.0\r\n");
+}
+
 TEST(CsvText, ATextIsReadBackAsItWas) {
     for (const char* text :
          {"=1+1", "'=1+1", "''", "'a", "-5 m2", "- park", "a;b", "a\tb", "\"", "\uFF1D1", " =1"}) {

@@ -133,15 +133,21 @@ void MassingPreview::show(Result<MassingSketch> sketch) {
     update();
 }
 
+// A building may lie below the ground: a station, a garage, or one of another elevation than the terrain.
+QString MassingPreview::describeLowest() const {
+    constexpr float shownM = 0.05F;
+    if (sketch_->lowM > -shownM) return describeLength(std::max(0.0, double(sketch_->lowM)));
+    return tr("%1 below the ground").arg(describeLength(-double(sketch_->lowM)));
+}
+
 QString MassingPreview::words() const {
     if (waiting_) return tr("Reading the files...");
     if (!sketch_) return describeError(sketch_.error());
     if (sketch_->buildings == 0) return tr("The files hold no buildings.");
     return tr("%1 building(s); heights: %2.\nLowest %3, median %4, tallest %5.", "",
               pluralNumber(sketch_->buildings))
-        .arg(formatCount(sketch_->buildings), describeSources(sketch_->sources),
-             describeLength(double(sketch_->lowM)), describeLength(double(sketch_->medianM)),
-             describeLength(double(sketch_->highM)));
+        .arg(formatCount(sketch_->buildings), describeSources(sketch_->sources), describeLowest(),
+             describeLength(double(sketch_->medianM)), describeLength(double(sketch_->highM)));
 }
 
 void MassingPreview::paintEvent(QPaintEvent*) {

@@ -20,7 +20,8 @@ struct MassingSketch {
     float tallestM = 0;  ///< of the prisms
     std::size_t buildings = 0;
     SourceCounts sources{};
-    float lowM = 0, medianM = 0, highM = 0;  ///< heights of the city's buildings above their ground
+    /// Heights of the tops of the city's buildings above their ground; negative: below it.
+    float lowM = 0, medianM = 0, highM = 0;
 };
 
 /// At most some 700 m of the city, so that single buildings can be told apart. O(buildings).
@@ -42,6 +43,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    [[nodiscard]] QString describeLowest() const;
+
     Result<MassingSketch> sketch_;
     bool waiting_ = false;
 };
