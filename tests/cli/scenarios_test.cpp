@@ -118,6 +118,66 @@ TEST_F(ScenariosCommand, RefusesAnUnknownScenarioBeforeTheWork) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path("out")));
 }
 
+TEST_F(ScenariosCommand, TheImpactIsThatOfTheComparison) {
+    const CommandOutput all = atNoon("scenarios", {"--baseline", "Existing", "--threshold", "10", "--json"});
+    ASSERT_EQ(all.code, 0) << all.err;
+    const CommandOutput impact = atNoon("impact", {"--to", "Lower", "--threshold", "10", "--json"});
+    ASSERT_EQ(impact.code, 0) << impact.err;
+    const auto scenarios = all.json().at("scenarios");
+    EXPECT_TRUE(scenarios[0]["impact"].is_null()) << "the baseline changes nothing against itself";
+    const auto& lower = scenarios.back();
+    ASSERT_EQ(lower["name"], "Lower");
+    const auto figures = impact.json().at("impact")[0];
+    EXPECT_EQ(lower["impact"]["threshold_min"], 10);
+    EXPECT_EQ(lower["impact"]["lost_m2"], figures["gross"]["lost_m2"]);
+    EXPECT_LT(lower["impact"]["shadow_area_change_m2"], 0);
+    // One name, one number: the table of scenarios states what the comparison does.
+    EXPECT_DOUBLE_EQ(lower["impact"]["shadow_area_change_m2"], figures["shadow_area_change_m2"]);
+    EXPECT_DOUBLE_EQ(lower["figures"]["shadow_area_change_m2"], figures["shadow_area_change_m2"]);
+    EXPECT_EQ(atNoon("scenarios", {"--baseline", "Nowhere"}).code, 2);
+}
+
+// The folder alone, and the project as it is now.
+TEST_F(ScenariosCommand, TheirRecordIsVerified) {
+    const CommandOutput all =
+        atNoon("scenarios", {"--by", "month", "--weights", "default", "--engine", "horizon", "--baseline",
+                             "Existing", "--author", "A. Planner", "--landscape", "--with-project"});
+    ASSERT_EQ(all.code, 0) << all.err;
+    const auto verify = [&](const std::string& what) {
+        return noonmarkCli({"verify", folder_.path(what).string(), "--json"});
+    };
+    for (const char* what : {"out", "out/scenarios.json", "out/scenarios.pdf"}) {
+        const CommandOutput same = verify(what);
+        EXPECT_EQ(same.code, 0) << what << same.err << same.out;
+        EXPECT_GT(same.json()["figures"]["compared"], 100) << what;
+        EXPECT_EQ(same.json()["tables"].size(), 3U) << what;
+    }
+    EXPECT_GT(verify("out").json()["pages"]["compared"], 3);
+
+    std::filesystem::remove(folder_.path("out/park.noonmark.gpkg"));
+    done("add-scenario", {"Later"});
+    const CommandOutput later = verify("out");
+    EXPECT_EQ(later.code, 0) << later.err << later.out;
+    EXPECT_EQ(later.json()["inputs"][0]["saved_again"], true);
+
+    done("height", {"One57", "--scenario", "Lower", "--height", "90"});
+    EXPECT_EQ(verify("out").code, 2) << "another scenario than the recorded one";
+}
+
+TEST_F(ScenariosCommand, AForgedTableDoesNotAgree) {
+    ASSERT_EQ(atNoon("scenarios", {"--scenario", "Existing", "--scenario", "Lower"}).code, 0);
+    const auto table = folder_.path("out/scenarios.csv");
+    std::string text = noonmark::tests::readBytes(table);
+    const auto at = text.rfind("\nLower,2,");
+    ASSERT_NE(at, text.npos) << text;
+    text[at + 9] = text[at + 9] == '9' ? '8' : '9';
+    std::ofstream(table, std::ios::binary) << text;
+    const CommandOutput forged = noonmarkCli({"verify", folder_.path("out").string(), "--json"});
+    EXPECT_EQ(forged.code, 1) << forged.err << forged.out;
+    ASSERT_EQ(forged.json()["tables"][2]["name"], "scenarios.csv");
+    EXPECT_EQ(forged.json()["tables"][2]["differences"].size(), 1U);
+}
+
 TEST_F(ScenariosCommand, TheWidthOfAPictureIsChosen) {
     const CommandOutput impact = atNoon("impact", {"--to", "Lower", "--picture-width", "700"});
     ASSERT_EQ(impact.code, 0) << impact.err;

@@ -18,6 +18,7 @@
 #include <QTableView>
 #include <QTimeEdit>
 #include <atomic>
+#include <nlohmann/json.hpp>
 
 #include "app/gui/docks/export/export_dialog.h"
 #include "app/gui/docks/export/movie_actions.h"
@@ -142,6 +143,13 @@ TEST_F(ExportWindow, MeasuredScenariosAreExportedSideBySide) {
     EXPECT_TRUE(lines[2].startsWith("Tower,1,")) << "one change: the new tower";
     EXPECT_TRUE(contentOfFile(inFolder("scenarios.pdf")).startsWith("%PDF"));
     EXPECT_FALSE(contentOfFile(inFolder("scenarios.tif")).isEmpty());
+    const auto record = nlohmann::json::parse(contentOfFile(inFolder("scenarios.json")).toStdString());
+    ASSERT_TRUE(record["repeat"].is_string()) << record["repeat_note"];
+    EXPECT_THAT(record["repeat"].get<std::string>(),
+                testing::AllOf(HasSubstr("noonmark-cli scenarios small.noonmark.gpkg"),
+                               HasSubstr("--scenario Existing"), HasSubstr("--scenario Tower"),
+                               HasSubstr("--baseline Existing")))
+        << "so that it can be verified";
 }
 
 TEST_F(ExportWindow, SheetsAreShownBeforeTheyAreFiledWithTheProjectBeside) {

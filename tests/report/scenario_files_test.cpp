@@ -6,6 +6,9 @@
 #include <QFile>
 #include <QImage>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/report/files/read_report.h"
@@ -47,6 +50,47 @@ TEST(ScenarioTables, StateTheChangeFromTheFirst) {
     EXPECT_NEAR(json["scenarios"][1]["figures"]["shadow_area_change_m2"].get<double>(), change,
                 0.01 * change);
     EXPECT_THAT(scenariosCsv(two), HasSubstr("\r\n\"Tower \"\"A\"\"\",2,"));
+}
+
+// Ground that is built over is no receiver of both: without shadow on it, the sum of the shadow falls by what
+// lay there, but nothing that a comparison counts has changed.
+TEST(ScenarioTables, TheChangeLeavesOutWhatIsBuiltOver) {
+    ScenarioStudies two = makeTwoScenarios();
+    Study built = tests::syntheticStudy();
+    const auto covered = std::ranges::max_element(
+        built.field.grossMin, {}, [](float minutes) { return std::isnan(minutes) ? -1.0F : minutes; });
+    ASSERT_GT(*covered, 0);
+    *covered = std::numeric_limits<float>::quiet_NaN();
+    built.statistics = computeStatistics(built.field);
+    two[1].study = std::make_shared<const Study>(std::move(built));
+    EXPECT_LT(two[1].study->statistics.shadowAreaM2, two[0].study->statistics.shadowAreaM2);
+    EXPECT_EQ(computeShadowAreaChange(two, two[1]), 0);
+}
+
+TEST(ScenarioTables, CannotBeRepeatedWhereOnlySomeAreScored) {
+    ScenarioStudies two = makeTwoScenarios();
+    for (ScenarioStudy& one : two) {
+        Study saved = *one.study;
+        ProjectRecord record{.file = "town.noonmark.gpkg", .fileSha256 = "ab", .contentSha256 = "cd"};
+        record.scenario.name = one.name;
+        saved.provenance.project = record;
+        saved.provenance.region = "Park";
+        one.study = std::make_shared<const Study>(std::move(saved));
+    }
+    const auto command = makeRepeatCommand(two);
+    ASSERT_TRUE(command) << command.error().text();
+    EXPECT_THAT(*command, testing::AllOf(HasSubstr("noonmark-cli scenarios town.noonmark.gpkg"),
+                                         HasSubstr("--scenario Existing"), HasSubstr("--region Park"),
+                                         HasSubstr("--out repeated")));
+    two[1].answers.score = ScenarioScore{"default", {}};
+    const auto some = makeRepeatCommand(two);
+    ASSERT_FALSE(some);
+    EXPECT_THAT(some.error().text(), testing::AllOf(HasSubstr("scored"), HasSubstr("Score all")));
+    two[0].answers.score = ScenarioScore{"default", {}};
+    two[1].answers.impact = ScenarioImpact{"Existing", {}};
+    EXPECT_THAT(makeRepeatCommand(two).value(),
+                testing::AllOf(HasSubstr("--weights default"), HasSubstr("--baseline Existing"),
+                               HasSubstr("--threshold 30")));
 }
 
 TEST(ScenarioTables, StateTheFloorAreaByUse) {
@@ -149,7 +193,10 @@ TEST(ScenarioBook, ShowsCloselyWhereScenariosDiffer) {
         EXPECT_FALSE(tests::textOfPage(book, i).contains(QChar(0x2026))) << "a text is cut on page " << i;
     const QString dashed = QStringLiteral("dashed: open below");
     EXPECT_FALSE(tests::textOfPage(book, 0).contains(dashed)) << "the overhang lies farther north";
-    EXPECT_TRUE(tests::textOfPage(book, book.pages.size() - 1).contains(dashed)) << "the map of the region";
+    const auto map = std::ranges::find(book.pages, QStringLiteral("Tower"), &BookPage::title);
+    ASSERT_NE(map, book.pages.end());
+    EXPECT_TRUE(tests::textOfPage(book, std::size_t(map - book.pages.begin())).contains(dashed))
+        << "the map of the region";
 }
 
 TEST(ScenarioTables, LeaveContinuousShadowOutWhereItWasNotCounted) {
@@ -224,7 +271,8 @@ TEST(ScenarioFiles, AreOneSetWithABandForEachScenario) {
     const ScenarioStudies two = makeTwoScenarios();
     const auto paths = writeScenarioFiles(two, {}, out);
     ASSERT_TRUE(paths) << paths.error().text();
-    ASSERT_EQ(paths->size(), scenarioFileNames().size() - 1) << "all but the months, which were not computed";
+    ASSERT_EQ(paths->size(), scenarioFileNames().size() - 2)
+        << "all but the months, which were not computed, and the region, which no command names";
     const auto bands = readGeoTiff(out / "scenarios.tif", two[0].study->field.grid);
     ASSERT_TRUE(bands) << bands.error().text();
     ASSERT_EQ(bands->size(), 2U);

@@ -16,6 +16,7 @@
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
 #include "app/input/all_engines.h"
+#include "app/questions/review_question.h"
 #include "app/report/scenarios/scenario_book.h"
 #include "app/report/scenarios/scenario_study.h"
 #include "core/base/progress.h"
@@ -23,6 +24,8 @@
 #include "core/describe/command_options.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/study_fields.h"
+#include "scenarios/impact/impact.h"
+#include "scenarios/impact/impact_figures.h"
 #include "scenarios/project/project_provenance.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/score_text.h"
@@ -36,12 +39,16 @@ struct ScenariosOptions {
     SheetOptions sheets;
     std::vector<std::string> names;  // empty: all
     std::string weights;             // name of a table; empty: no scores
+    std::string baseline;            // of comparisons; empty: none
+    double thresholdMin = defaultThresholdsMin.front();
 };
 
 // What is asked of each scenario.
 struct ScenariosQuestion {
     StudySettings study;
     std::optional<TimeWeights> weights;
+    std::string baseline{};
+    double thresholdMin = defaultThresholdsMin.front();
 };
 
 std::vector<std::string> chooseScenarios(const ScenariosOptions& options, const Project& project) {
@@ -98,6 +105,38 @@ Result<void> addScenario(MeasuredScenarios& made, const std::string& name, const
     return scored ? Result<void>() : note(scored.error());
 }
 
+const std::string& cityOf(const Study& study) { return study.provenance.project->scenario.citySha256; }
+
+// As a comparison finds it, where the two studies are not enough: their engines were chosen one by one.
+Result<ImpactFigures> compare(const Study& before, const Study& after, const ScenariosQuestion& question,
+                              Progress& progress, const std::stop_token& stop) {
+    if (areComparable(before, after)) return compareStudies(before, after, question.thresholdMin);
+    return runImpact(before.city, after.city, {.study = question.study}, progress, stop,
+                     enginesWith(question.study.engine))
+        .map([&](const ImpactStudy& impact) { return computeFigures(impact.total, question.thresholdMin); });
+}
+
+// The baseline itself, and scenarios with its buildings, have no impact.
+Result<void> addImpacts(MeasuredScenarios& made, const ScenariosQuestion& question, const ProjectFile& disk,
+                        Progress& progress, const std::stop_token& stop) {
+    const auto known = std::ranges::find(made.studies, question.baseline, &ScenarioStudy::name);
+    auto before = known != made.studies.end()
+                      ? Result<ScenarioStudy>(*known)
+                      : measureScenario(question.baseline, question, disk, progress, stop);
+    if (!before) return tl::make_unexpected(before.error());
+    for (ScenarioStudy& one : made.studies) {
+        if (cityOf(*one.study) == cityOf(*before->study)) continue;
+        const auto figures = compare(*before->study, *one.study, question, progress, stop);
+        if (figures)
+            one.answers.impact = ScenarioImpact{question.baseline, *figures};
+        else if (isCancelled(figures.error()))
+            return tl::make_unexpected(figures.error());
+        else
+            made.failed.push_back({one.name, figures.error()});
+    }
+    return {};
+}
+
 Result<MeasuredScenarios> measureAll(const std::vector<std::string>& names, const ScenariosQuestion& question,
                                      const ProjectFile& disk, const Console& console) {
     const Interrupt interrupt;
@@ -108,7 +147,8 @@ Result<MeasuredScenarios> measureAll(const std::vector<std::string>& names, cons
         if (auto done = addScenario(made, names[i], question, disk, share, interrupt.token()); !done)
             return tl::make_unexpected(done.error());
     }
-    return made;
+    if (question.baseline.empty() || made.studies.empty()) return made;
+    return addImpacts(made, question, disk, progress, interrupt.token()).map([&] { return std::move(made); });
 }
 
 // Everything that can be wrong with the request is found before the first scenario is measured.
@@ -126,9 +166,12 @@ Result<ScenariosQuestion> checkRequest(const ScenariosOptions& options, const st
             checkOutputs(options.measure.out, scenarioFileNames(), outputRulesOf(options.measure, project));
         !may)
         return tl::make_unexpected(may.error());
+    if (!options.baseline.empty())
+        if (const auto city = cityOf(project, options.baseline); !city)
+            return tl::make_unexpected(city.error());
     auto settings = settingsFrom(options.measure, project);
     if (!settings) return tl::make_unexpected(settings.error());
-    ScenariosQuestion question{*std::move(settings), {}};
+    ScenariosQuestion question{*std::move(settings), {}, options.baseline, options.thresholdMin};
     if (options.weights.empty()) return question;
     auto weights = findWeights(project, options.weights);
     if (!weights) return tl::make_unexpected(weights.error());
@@ -181,8 +224,13 @@ void print(const ScenarioStudies& studies, std::ostream& out) {
         addFigures(table, scenario.name, listLines(shadowFigures().of(figures), FigureUse::result));
         for (const ShadedFigures& with : scenario.withTrees)
             addFigures(table, "", listLines({treeFigures(with.column), &with.figures}, FigureUse::result));
-        table.add("", fmt::format("change of the shadow area {:+.0f} m2{}",
-                                  computeShadowAreaChange(studies, scenario), describeBuilt(scenario)));
+        table.add("", fmt::format("change of the shadow area {} m2{}",
+                                  formatSigned(computeShadowAreaChange(studies, scenario), 0),
+                                  describeBuilt(scenario)));
+        if (const auto& impact = scenario.answers.impact)
+            table.add("", fmt::format(
+                              "against {}: {}", impact->baseline,
+                              joinLines(listLines(impactFigures().of(impact->figures), FigureUse::result))));
         if (const auto& score = scenario.answers.score) addScoreLines(table, *score);
     }
     table.print(out);
@@ -206,11 +254,17 @@ int runScenariosCommand(const ScenariosOptions& options, const Console& console)
     const std::vector<std::string> names = chooseScenarios(options, disk->project());
     const auto question = checkRequest(options, names, disk->project());
     if (!question) return fail(console, question.error(), exitUsage);
+    if (options.measure.withProject)
+        if (const auto may = checkCopy(*disk, options.measure.out); !may)
+            return fail(console, may.error(), exitUsage);
     const auto made = measureAll(names, *question, *disk, console);
     if (!made) return fail(console, made.error(), exitFailed);
     if (made->studies.empty()) return reportFailed(made->failed, console);
     if (const auto written = writeFiles(*made, options, disk->project()); !written)
         return fail(console, written.error(), exitFailed);
+    if (options.measure.withProject)
+        if (const auto copied = copyProject(*disk, options.measure.out); !copied)
+            return fail(console, copied.error(), exitFailed);
     if (options.measure.json)
         console.out << scenariosJson(made->studies, made->failed) << '\n';
     else
@@ -240,6 +294,17 @@ void addScenariosCommand(CLI::App& app, Run& run) {
                      "A scenario to measure; may be repeated; the first is what the others are compared with "
                      "(default: the existing city and all scenarios)")
         ->type_name("NAME");
+    command
+        ->add_option(flags::baseline, options->baseline,
+                     "Also state the impact of each scenario: what it changes against this one")
+        ->type_name("NAME");
+    command
+        ->add_option(flags::threshold, options->thresholdMin,
+                     "Minutes of more or less shadow a day above which area counts in the impact")
+        ->type_name("MIN")
+        ->check(CLI::Range(0.0, ImpactSettings::maxThresholdMin))
+        ->capture_default_str();
+    addProjectCopyOption(*command, options->measure.withProject);
     command->callback([options, &run] {
         run = [options](const Console& console) { return runScenariosCommand(*options, console); };
     });

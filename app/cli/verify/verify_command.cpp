@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 #include <ostream>
+#include <ranges>
 #include <set>
 #include <sstream>
 #include <string>
@@ -18,6 +19,8 @@
 #include "app/cli/verify/verification.h"
 #include "app/questions/question.h"
 #include "app/report/files/read_report.h"
+#include "app/report/scenarios/scenario_study.h"
+#include "core/base/csv_text.h"
 #include "core/base/result.h"
 #include "core/base/version.h"
 #include "core/base/working_files.h"
@@ -57,18 +60,50 @@ bool holdsContent(const std::filesystem::path& file, const nlohmann::ordered_jso
     return content && *content == contentSha256;
 }
 
-/// Accepts a project that was saved again since the result, where all that the result rests on is as
-/// recorded: city, edits of scenario and baseline, weights (hashContent()). Its file has another hash.
-/// Projects that cannot be read stay as they were found.
-void acceptLaterSaves(std::vector<FoundFile>& files, const nlohmann::ordered_json& record) {
+/// A record, or the part of it that is about one scenario, that names a saved project.
+struct ProjectPart {
+    nlohmann::ordered_json record;  ///< with the scenario, the baseline and the weights, where it has some
+    std::string fileSha256;
+    std::string contentSha256;
+};
+
+void addProjectPart(std::vector<ProjectPart>& parts, const nlohmann::ordered_json& record,
+                    const std::string& weights = {}) {
     const auto project = record.find("project");
     if (project == record.end() || !project->is_object()) return;
-    const std::string fileSha256 = textAt(*project, "file_sha256"),
-                      content = textAt(*project, "content_sha256");
-    if (fileSha256.empty() || content.empty()) return;
+    ProjectPart part{record, textAt(*project, "file_sha256"), textAt(*project, "content_sha256")};
+    if (!weights.empty()) part.record["weights"] = weights;
+    if (!part.fileSha256.empty() && !part.contentSha256.empty()) parts.push_back(std::move(part));
+}
+
+/// Scenarios that were measured side by side each have a project of their own in the record.
+std::vector<ProjectPart> listProjectParts(const nlohmann::ordered_json& record) {
+    std::vector<ProjectPart> parts;
+    addProjectPart(parts, record);
+    const auto scenarios = record.find("scenarios");
+    if (scenarios == record.end() || !scenarios->is_array()) return parts;
+    for (const auto& one : *scenarios) {
+        if (!one.is_object()) continue;
+        const auto score = one.find("score");
+        const bool isScored = score != one.end() && score->is_object();
+        addProjectPart(parts, one, isScored ? textAt(*score, "weights") : std::string());
+    }
+    return parts;
+}
+
+/// Accepts a project that was saved again since the result, where all that the result rests on is as
+/// recorded: city, edits of scenarios and baseline, weights (hashContent()). Its file has another hash.
+/// Projects that cannot be read stay as they were found.
+void acceptLaterSaves(std::vector<FoundFile>& files, const nlohmann::ordered_json& record) {
+    const std::vector<ProjectPart> parts = listProjectParts(record);
     for (FoundFile& file : files) {
-        if (file.agrees || !file.path || file.recorded.sha256 != fileSha256) continue;
-        file.isSavedAgain = file.agrees = holdsContent(*file.path, record, content);
+        const auto isOfFile = [&](const ProjectPart& part) {
+            return part.fileSha256 == file.recorded.sha256;
+        };
+        if (file.agrees || !file.path || std::ranges::none_of(parts, isOfFile)) continue;
+        file.isSavedAgain = file.agrees = std::ranges::all_of(parts, [&](const ProjectPart& part) {
+            return !isOfFile(part) || holdsContent(*file.path, part.record, part.contentSha256);
+        });
     }
 }
 
@@ -162,9 +197,10 @@ struct VerifyOptions {
     bool json = false;
 };
 
-// How answers are filed; several questions may share a command.
+// How answers are filed; several questions may share a command. Scenarios side by side are studies, and no
+// question of their own.
 std::vector<FiledForm> listFiledForms() {
-    std::vector<FiledForm> forms;
+    std::vector<FiledForm> forms{{"scenarios", "scenarios.json", "scenarios.pdf", true}};
     for (const Question* question : allQuestions())
         if (question->filed) forms.push_back(*question->filed);
     return forms;
@@ -217,6 +253,21 @@ Result<void> addRegionFile(const RepeatFolder& folder, const VerifyOptions& opti
     return {};
 }
 
+// Verdicts that the window counted beside the scenarios: the review has a record of its own.
+std::vector<std::string> columnsLeftOut(const fs::path& name, const std::string& filed,
+                                        Verification& verification) {
+    if (name != "scenarios.csv") return {};
+    std::vector<std::string> columns = verdictColumns();
+    const auto rows = parseCsvRows(filed);
+    const auto& heading = rows.empty() ? std::vector<std::string>() : rows.front().fields;
+    const auto rule = std::ranges::find(heading, columns.front()) - heading.begin();
+    if (std::ranges::any_of(rows | std::views::drop(1), [&](const CsvRow& row) {
+            return std::size_t(rule) < row.fields.size() && !row.fields[std::size_t(rule)].empty();
+        }))
+        verification.notCompared.emplace_back("verdicts in scenarios.csv and scenarios.json");
+    return columns;
+}
+
 // Tables that both the report's folder and the new one hold are compared; of the other files only their names
 // are known to be the same.
 Result<void> compareFilesBeside(const fs::path& report, const fs::path& computed,
@@ -235,7 +286,8 @@ Result<void> compareFilesBeside(const fs::path& report, const fs::path& computed
         const auto filed = readTable(beside / name), fresh = readTable(computed / name);
         if (!filed) return tl::make_unexpected(filed.error());
         if (!fresh) return tl::make_unexpected(fresh.error());
-        verification.tables.push_back(compareTables(name.string(), *filed, *fresh));
+        verification.tables.push_back(
+            compareTables(name.string(), *filed, *fresh, columnsLeftOut(name, *filed, verification)));
     }
     return {};
 }
@@ -249,7 +301,7 @@ const FoundFile* findLaterSave(const Verification& verification) {
 /// Takes out the differences that only state the hash of the project's file, which is another one.
 void leaveOutFileHash(Verification& verification, const std::string& recorded) {
     std::erase_if(verification.figures->differences,
-                  [](const RecordDifference& one) { return one.key == "project.file_sha256"; });
+                  [](const RecordDifference& one) { return one.key.ends_with("project.file_sha256"); });
     if (!verification.printed) return;
     std::erase_if(verification.printed->differences, [&](const WordDifference& one) {
         std::string words = one.recorded;  // a hash may be broken into lines

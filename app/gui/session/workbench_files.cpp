@@ -22,6 +22,15 @@ using WrittenPaths = std::vector<std::filesystem::path>;
 constexpr std::size_t commandLetters = 120;
 constexpr const char* viewFileName = "view.png";
 
+// With what each was made from.
+ScenarioStudies stateOrigin(ScenarioStudies scenarios, const AnswerOrigin& origin) {
+    for (ScenarioStudy& one : scenarios) {
+        const auto& score = one.answers.score;
+        one.study = origin.stated(*one.study, one.name, score ? score->weights : std::string());
+    }
+    return scenarios;
+}
+
 }  // namespace
 
 AnswerFiles Workbench::withProject(AnswerFiles files) const {
@@ -68,9 +77,7 @@ ScenarioStudies Workbench::scenariosToShow() {
 Workbench::Write Workbench::scenariosToWrite(const ExportChoice& choice) {
     return [measured = scenariosToShow(), origin = AnswerOrigin(session_), how = withProject(choice)](
                const auto& folder, auto&&...) {
-        ScenarioStudies stated = measured;
-        for (ScenarioStudy& one : stated) one.study = origin.stated(*one.study, one.name);
-        return writeScenarioFiles(stated, bookOf(how), folder, how.rules);
+        return writeScenarioFiles(stateOrigin(measured, origin), bookOf(how), folder, how.rules);
     };
 }
 
@@ -108,10 +115,12 @@ SheetsToMake Workbench::sheetsOf(const ExportChoice& choice) {
     SheetsToMake sheets{
         {{}, {}, AnswerOrigin(session_), how.scale, how.thresholdHours, bookOf(how), how.regions}, {}};
     if (choice.subject == ExportChoice::Subject::scenarios) {
-        const auto measured = std::make_shared<const ScenarioStudies>(scenariosToShow());
-        sheets.from.scenarios = scenariosCsv(*measured);
-        sheets.make = [measured, book = bookOf(how)](Progress&, const std::stop_token&) -> Sheets {
-            return bundleBook(makeScenarioBook(*measured, book), measured);
+        ScenarioStudies measured = scenariosToShow();
+        sheets.from.scenarios = scenariosCsv(measured);
+        sheets.make = [measured = std::move(measured), origin = AnswerOrigin(session_), book = bookOf(how)](
+                          Progress&, const std::stop_token&) -> Sheets {
+            const auto stated = std::make_shared<const ScenarioStudies>(stateOrigin(measured, origin));
+            return bundleBook(makeScenarioBook(*stated, book), stated);
         };
         return sheets;
     }

@@ -12,12 +12,18 @@
 #include "app/report/maps/style.h"
 #include "app/report/scenarios/scenario_months.h"
 #include "app/report/scenarios/scenario_study.h"
+#include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_text.h"
+#include "core/describe/command_options.h"
 #include "core/io/styles/qgis_style.h"
 #include "core/io/write_raster.h"
 #include "core/measures/shadow_figures.h"
 #include "core/receivers/rasterize.h"
+#include "core/study/provenance/command_text.h"
 #include "core/study/provenance/provenance_texts.h"
+#include "core/study/text/region_text.h"
+#include "scenarios/project/title_fields.h"
+#include "scenarios/settings_json.h"
 
 namespace noonmark {
 
@@ -57,7 +63,7 @@ std::vector<BookPage> tablePages(const ScenarioStudies& scenarios, const BookSet
         table.rows.push_back(rowOf(scenarios, scenario, settings.units));
     const Study& first = *scenarios.front().study;
     const QString title = QStringLiteral("Scenarios"),
-                  note = QStringLiteral("%1 Change: from %2. Engine: %3.")
+                  note = QStringLiteral("%1 Change: from %2, on the receivers of both. Engine: %3.")
                              .arg(defineFigures(listLines(shadowFigures().of(first.statistics))),
                                   plainText(scenarios.front().name), describeEngineUsed(first.field.engine));
     return makeTablePages(
@@ -191,10 +197,60 @@ BookPage monthPage(const MonthChart& chart, const BookSettings& settings) {
 
 }  // namespace
 
-Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& settings) {
+namespace {
+
+// What the sheets state and how they look, on the command line.
+std::vector<CommandOption> listSheetOptions(const BookSettings& settings) {
+    std::vector<CommandOption> options = listOptions(pageFields().of(settings.setup));
+    for (CommandOption& option : listOptions(titleFields().of(settings.titleBlock)))
+        options.push_back(std::move(option));
+    for (CommandOption& option : listLegendOptions(settings.legend, false))
+        options.push_back(std::move(option));
+    return options;
+}
+
+std::string makeRecord(const ScenarioStudies& scenarios, const BookSettings& settings,
+                       const FailedScenarios& failed) {
+    return extendRepeat(scenariosJson(scenarios, failed), listSheetOptions(settings));
+}
+
+// The edits of each scenario, and what all of them were measured from.
+TextBlocks describeOrigin(const ScenarioStudies& scenarios, const BookSettings& settings) {
+    const Study& first = *scenarios.front().study;
+    TextBlocks blocks{heading(QStringLiteral("How this was made"))};
+    for (const ScenarioStudy& one : scenarios) {
+        const auto& project = one.study->provenance.project;
+        if (!project) continue;
+        QStringList edits;
+        for (const std::string& edit : project->scenario.edits) edits << plainText(edit);
+        blocks.push_back(
+            body(QStringLiteral("%1: %2. Buildings and ground: SHA-256 %3.")
+                     .arg(plainText(one.name),
+                          edits.empty() ? QStringLiteral("no changes") : edits.join(QStringLiteral("; ")),
+                          QString::fromStdString(project->scenario.citySha256))));
+    }
+    const TextBlocks repeat =
+        repeatBlocks(makeRepeatCommand(scenarios, bookCharacters), needsRegionFile(first.provenance),
+                     listSheetOptions(settings), bookCharacters);
+    blocks.insert(blocks.end(), repeat.begin(), repeat.end());
+    Study sources;
+    sources.city = first.city;
+    sources.warnings = first.warnings;
+    sources.provenance = first.provenance;
+    const TextBlocks more = sourceBlocks(sources);
+    blocks.insert(blocks.end(), more.begin(), more.end());
+    return blocks;
+}
+
+}  // namespace
+
+Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& settings,
+                      const FailedScenarios& failed) {
     Book book = beginBook(settings, QStringLiteral("Scenarios side by side"),
                           scenarios.front().study->provenance.attribution);
-    book.record = {QStringLiteral("scenarios.json"), scenariosJson(scenarios)};
+    BookSettings stated = settings;
+    if (stated.titleBlock.date.empty()) stated.titleBlock.date = book.date.toStdString();
+    book.record = {QStringLiteral("scenarios.json"), makeRecord(scenarios, stated, failed)};
     book.pages = tablePages(scenarios, settings);
     for (const MonthChart& chart : makeMonthCharts(listMonths(scenarios)))
         book.pages.push_back(monthPage(chart, settings));
@@ -204,6 +260,10 @@ Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& sett
                       std::make_move_iterator(maps.end()));
     for (const ScenarioStudy& scenario : scenarios)
         book.pages.push_back(mapPage(scenario, legend, settings.setup));
+    const QString origin = QStringLiteral("How this was made");
+    for (BookPage& page :
+         makeTextPages(settings.setup, {origin, {}, origin, 0, {}}, describeOrigin(scenarios, stated)))
+        book.pages.push_back(std::move(page));
     return book;
 }
 
@@ -222,7 +282,7 @@ Result<void> writeGrossBands(const ScenarioStudies& scenarios, const std::filesy
 
 std::vector<std::string> scenarioFileNames() {
     return {"scenarios.csv", "scenario_uses.csv", "scenario_months.csv", "scenarios.json",
-            "scenarios.pdf", "scenarios.tif",     "scenarios.qml"};
+            "scenarios.pdf", "scenarios.tif",     "scenarios.qml",       regionFileName};
 }
 
 Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStudies& scenarios,
@@ -239,18 +299,22 @@ Result<std::vector<std::filesystem::path>> writeScenarioFiles(const ScenarioStud
                        "Press Measure all in the dock Scenarios");
     if (auto may = checkOutputs(folder, scenarioFileNames(), rules); !may)
         return tl::make_unexpected(may.error());
-    const auto pdf = printBook(makeScenarioBook(scenarios, sheets));
+    const Book book = makeScenarioBook(scenarios, sheets, failed);
+    const auto pdf = printBook(book);
     if (!pdf) return tl::make_unexpected(pdf.error());
     OutputFolder files(folder, rules);
     files.add("scenarios.csv", textContent(scenariosCsv(scenarios)));
     files.add("scenario_uses.csv", textContent(scenarioUsesCsv(scenarios)));
     if (const auto months = makeMonthCharts(listMonths(scenarios)); !months.empty())
         files.add("scenario_months.csv", textContent(monthsCsv(months)));
-    files.add("scenarios.json", textContent(scenariosJson(scenarios, failed)));
+    files.add("scenarios.json", textContent(book.record.json));
     files.add("scenarios.pdf", textContent(pdf->toStdString()));
     files.add("scenarios.tif",
               [&](const std::filesystem::path& file) { return writeGrossBands(scenarios, file); });
     files.add("scenarios.qml", textContent(rasterStyle(coloursOf(commonLegend(scenarios, sheets.legend)))));
+    const Study& first = *scenarios.front().study;
+    if (needsRegionFile(first.provenance))
+        files.add(regionFileName, textContent(regionGeoJson(first.settings.region, first.city.frame)));
     return std::move(files).result();
 }
 

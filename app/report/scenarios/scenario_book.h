@@ -15,17 +15,21 @@ Legend commonLegend(const ScenarioStudies& scenarios, const LegendChoice& choice
 
 /// The book of several scenarios: their maps side by side with what each builds, their figures in one table,
 /// a page of charts for each figure of months (scenario_months.h), then a page for each scenario with its map
-/// of gross shadow, all on the scale of the largest value. `scenarios`, at least one, must outlive the book.
-Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& settings);
+/// of gross shadow, all on the scale of the largest value, and what they were made from. `scenarios`, at
+/// least one, must outlive the book. `failed`: named in the record.
+Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& settings,
+                      const FailedScenarios& failed = {});
 
 /// scenarios.csv, scenario_uses.csv, scenario_months.csv, scenarios.json, scenarios.pdf, scenarios.tif,
-/// scenarios.qml.
-/// Those of months are written only where they were computed.
+/// scenarios.qml, region.geojson.
+/// Those of months are written only where they were computed, the region only where the command that repeats
+/// the measurement names it.
 std::vector<std::string> scenarioFileNames();
 
 /// Writes the same study of several scenarios into a folder, which is created if missing: the table, the
-/// floor areas by use, the months, the record, the sheets, and a GeoTIFF with a band of gross shadow for each
-/// scenario, with its style for QGIS. `failed`: named in the record. Returns the paths written; all files or
+/// floor areas by use, the months, the record, from which `noonmark-cli verify` measures them again, the
+/// sheets, and a GeoTIFF with a band of gross shadow for each scenario, with its style for QGIS.
+/// `failed`: named in the record. Returns the paths written; all files or
 /// none. Error: there is no
 /// scenario, their grids differ, or a file cannot be written. Needs a QGuiApplication (the `offscreen`
 /// platform suffices).

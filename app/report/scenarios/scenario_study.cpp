@@ -1,10 +1,13 @@
 #include "app/report/scenarios/scenario_study.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <limits>
 
 #include "app/report/scenarios/scenario_months.h"
+#include "core/describe/command_options.h"
 #include "core/describe/figure_text.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_texts.h"
@@ -29,8 +32,112 @@ std::size_t countChanges(const ScenarioStudy& scenario) {
     return project ? project->scenario.edits.size() : 0;
 }
 
+// The engine's words also state counts, which differ from city to city.
+bool areComparable(const Study& before, const Study& after) {
+    return before.settings == after.settings && before.field.grid == after.field.grid &&
+           before.field.engineKey == after.field.engineKey;
+}
+
+ImpactFigures compareStudies(const Study& before, const Study& after, double thresholdMin) {
+    const std::vector<CellChange> none(after.field.grossMin.size(), CellChange::none);
+    return computeFigures(computeDifference(before.field, after.field, none), thresholdMin);
+}
+
 double computeShadowAreaChange(const ScenarioStudies& scenarios, const ScenarioStudy& scenario) {
-    return scenario.study->statistics.shadowAreaM2 - scenarios.front().study->statistics.shadowAreaM2;
+    const Study &first = *scenarios.front().study, &study = *scenario.study;
+    if (first.field.grid != study.field.grid) return std::numeric_limits<double>::quiet_NaN();
+    return compareStudies(first, study).shadowAreaChangeM2;
+}
+
+namespace {
+
+// What some scenarios have and others lack cannot be asked for in one command.
+template <class Has>
+Result<bool> haveAll(const ScenarioStudies& scenarios, const char* what, const char* advice, const Has& has) {
+    const auto lacking = std::ranges::find_if_not(scenarios, has);
+    if (lacking == scenarios.end()) return true;
+    if (std::ranges::none_of(scenarios, has)) return false;
+    return failure(std::string("No command can repeat this result yet: only some scenarios are ") + what,
+                   lacking->name, advice);
+}
+
+Result<void> addScoring(std::vector<CommandOption>& options, const ScenarioStudies& scenarios) {
+    const auto& weights = scenarios.front().answers.score;
+    const auto all =
+        haveAll(scenarios, "scored with these weights",
+                "Press Score all in the dock Scenarios, then export again", [&](const ScenarioStudy& one) {
+                    return one.answers.score && (!weights || one.answers.score->weights == weights->weights);
+                });
+    if (!all) return tl::make_unexpected(all.error());
+    if (!*all) return {};
+    if (!scenarios.front().withTrees.empty() && weights->withTrees.empty())
+        return failure(
+            "No command can repeat this result: its shadow is measured with trees, its scores without",
+            scenarios.front().name, "Choose Trees: without, press Measure all, then export again");
+    options.push_back({flags::weights, {weights->weights}});
+    return {};
+}
+
+const std::string& cityOf(const ScenarioStudy& scenario) {
+    return scenario.study->provenance.project->scenario.citySha256;
+}
+
+// Of one that is the baseline itself, or has its buildings, there is no comparison.
+bool isLike(const ScenarioStudy& one, const std::string& baseline, const ScenarioStudies& scenarios) {
+    if (one.name == baseline) return true;
+    const auto base = std::ranges::find(scenarios, baseline, &ScenarioStudy::name);
+    return base != scenarios.end() && cityOf(*base) == cityOf(one);
+}
+
+Result<void> addComparing(std::vector<CommandOption>& options, const ScenarioStudies& scenarios) {
+    const auto first = std::ranges::find_if(scenarios, [](const auto& one) { return !!one.answers.impact; });
+    if (first == scenarios.end()) return {};
+    const ScenarioImpact& impact = *first->answers.impact;
+    const auto isAlike = [&](const ScenarioStudy& one) {
+        const auto& other = one.answers.impact;
+        return other ? other->baseline == impact.baseline &&
+                           other->figures.thresholdMin == impact.figures.thresholdMin
+                     : isLike(one, impact.baseline, scenarios);
+    };
+    const auto all = haveAll(scenarios, "compared with this baseline",
+                             "Compare the others, or press Measure all with the baseline among them, then "
+                             "export again",
+                             isAlike);
+    if (!all) return tl::make_unexpected(all.error());
+    options.push_back({flags::baseline, {impact.baseline}});
+    options.push_back({flags::threshold, {fmt::format("{}", impact.figures.thresholdMin)}});
+    return {};
+}
+
+// Each scenario chooses an engine of its own, if one is to be chosen.
+std::string engineOf(const ScenarioStudies& scenarios) {
+    const std::string& key = scenarios.front().study->field.engineKey;
+    const bool isOne = std::ranges::all_of(
+        scenarios, [&](const ScenarioStudy& one) { return one.study->field.engineKey == key; });
+    return isOne ? key : std::string();
+}
+
+}  // namespace
+
+Result<std::string> makeRepeatCommand(const ScenarioStudies& scenarios, std::size_t width) {
+    std::vector<CommandOption> options;
+    for (const ScenarioStudy& one : scenarios) {
+        const auto& project = one.study->provenance.project;
+        if (!project || !project->saved())
+            return failure(
+                "No command can repeat this result yet: the project has not been saved in the state that was "
+                "measured",
+                one.name, "Save the project, then export again");
+        if (&one != &scenarios.front()) options.push_back({flags::scenario, {one.name}});
+    }
+    for (const auto add : {&addScoring, &addComparing})
+        if (const auto added = add(options, scenarios); !added) return tl::make_unexpected(added.error());
+    const Study& first = *scenarios.front().study;
+    RepeatQuestion question = projectQuestion("scenarios", first.settings, first.provenance,
+                                              engineOf(scenarios), std::move(options));
+    question.settings.byMonth = first.settings.byMonth;
+    question.needsProject = true;
+    return makeRepeatCommand(question, width);
 }
 
 using Json = nlohmann::ordered_json;
@@ -239,6 +346,14 @@ std::string scenariosCsv(const ScenarioStudies& scenarios) {
     return csv.take();
 }
 
+std::vector<std::string> verdictColumns() {
+    std::vector<Column> columns;
+    addVerdicts(columns);
+    std::vector<std::string> names;
+    std::ranges::transform(columns, std::back_inserter(names), &Column::name);
+    return names;
+}
+
 std::string scenarioUsesCsv(const ScenarioStudies& scenarios) {
     CsvText csv({"scenario", "use", "storeys", "gross_floor_m2"});
     for (const ScenarioStudy& scenario : scenarios)
@@ -272,6 +387,7 @@ std::string scenariosJson(const ScenarioStudies& scenarios, const FailedScenario
     json["failed"] = Json::array();
     for (const FailedScenario& one : failed)
         json["failed"].push_back({{"name", one.name}, {"error", one.error.text()}});
+    addRepeat(json, makeRepeatCommand(scenarios, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitionsJson(shadowFigures().rows());
     json["definitions"].update(definitionsJson(scoreFigures().rows()));
     for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
@@ -281,7 +397,9 @@ std::string scenariosJson(const ScenarioStudies& scenarios, const FailedScenario
         }
     json["definitions"].update(definitionsJson(months));
     json["definitions"].update(
-        {{"shadow_area_change_m2", "shadow area minus that of the scenario named by compared_with"},
+        {{"shadow_area_change_m2",
+          "change of the shadow area from the scenario named by compared_with, on the receivers of both: "
+          "ground that is built over in either does not count"},
          {"floor_area_by_use",
           "storeys and gross floor area of the scenario's towers by use; use null: none is stated. Imported "
           "buildings and towers whose height was changed afterwards are counted in "
@@ -294,8 +412,8 @@ std::string scenariosJson(const ScenarioStudies& scenarios, const FailedScenario
           "places or windows with each verdict of the rule; not_judged: it does not apply to them, "
           "or was not checked"},
          {"months",
-          "figures of each month, as far as they were computed, and their changes from the scenario named by "
-          "compared_with"},
+          "figures of each month, as far as they were computed, and their changes: the figure minus that of "
+          "the scenario named by compared_with, so that ground that is built over counts in them"},
          {"gross", "minutes in shadow per day, mean over the days"},
          {"continuous", "longest unbroken run in shadow on any day, minutes"}});
     return toJsonText(json);

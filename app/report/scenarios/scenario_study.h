@@ -79,8 +79,24 @@ ScenarioStudy makeScenarioStudy(const std::vector<Scenario>& scenarios, std::str
 /// Steps from the existing city to the scenario, including those of its bases.
 std::size_t countChanges(const ScenarioStudy& scenario);
 
-/// Shadow area of the scenario minus that of the first, m2.
+/// Whether two studies alone give what a comparison of their cities does: the same settings, cells and
+/// engine.
+bool areComparable(const Study& before, const Study& after);
+/// The change from one to the other, on the receivers of both. They have the same cells.
+ImpactFigures compareStudies(const Study& before, const Study& after,
+                             double thresholdMin = defaultThresholdsMin.front());
+
+/// Change of the shadow area from the first scenario on the receivers of both, m2: ground that is built over
+/// in either does not count, as in a comparison. NaN: they were measured on different cells. O(cells)
 double computeShadowAreaChange(const ScenarioStudies& scenarios, const ScenarioStudy& scenario);
+
+/// The noonmark-cli command line that measures the scenarios again, with their impact and score. Error, with
+/// advice: the project was not saved in the state that was measured, or only some of them were compared or
+/// scored. Verdicts are not computed again: a review has a record of its own.
+Result<std::string> makeRepeatCommand(const ScenarioStudies& scenarios, std::size_t width = 120);
+
+/// Columns of scenariosCsv() that this command leaves empty.
+std::vector<std::string> verdictColumns();
 
 /// Columns: name,changes,receiver_area_m2,shadow_area_m2,shadow_area_change_m2,mean_gross_min,
 /// mean_continuous_min,max_continuous_min,height_m,gross_floor_m2, those of the impact
@@ -95,8 +111,8 @@ std::string scenariosCsv(const ScenarioStudies& scenarios);
 /// where none is stated. RFC 4180.
 std::string scenarioUsesCsv(const ScenarioStudies& scenarios);
 
-/// The settings of the study, and figures and provenance of every scenario. Stable keys with their units.
-/// `scenarios` has at least one. `failed`: listed with the reason.
+/// The settings of the study, figures and provenance of every scenario, and the command that repeats them.
+/// Stable keys with their units. `scenarios` has at least one. `failed`: listed with the reason.
 std::string scenariosJson(const ScenarioStudies& scenarios, const FailedScenarios& failed = {});
 
 }  // namespace noonmark

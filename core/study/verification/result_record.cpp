@@ -29,13 +29,35 @@ void addInputs(std::vector<RecordedFile>& files, const Json& record, const char*
         if (input.is_object()) files.push_back({textAt(input, "path"), textAt(input, "sha256"), needed});
 }
 
-std::vector<RecordedFile> filesOf(const Json& record) {
-    std::vector<RecordedFile> files;
+// Of a record, or of its part about one scenario.
+void addSources(std::vector<RecordedFile>& files, const Json& record) {
     const auto project = record.find("project");
     const bool saved = project != record.end() && project->is_object() && !textAt(*project, "file").empty() &&
                        !textAt(*project, "file_sha256").empty();
     if (saved) files.push_back({textAt(*project, "file"), textAt(*project, "file_sha256")});
     addInputs(files, record, "inputs", !saved);
+}
+
+bool isSame(const RecordedFile& one, const RecordedFile& other) {
+    return one.path == other.path && one.sha256 == other.sha256;
+}
+
+// Scenarios that were measured side by side have the same files, which are found once.
+void addScenarioSources(std::vector<RecordedFile>& files, const Json& record) {
+    const auto scenarios = record.find("scenarios");
+    if (scenarios == record.end() || !scenarios->is_array()) return;
+    std::vector<RecordedFile> all;
+    for (const Json& one : *scenarios)
+        if (one.is_object()) addSources(all, one);
+    for (RecordedFile& file : all)
+        if (std::ranges::none_of(files, [&](const RecordedFile& known) { return isSame(known, file); }))
+            files.push_back(std::move(file));
+}
+
+std::vector<RecordedFile> filesOf(const Json& record) {
+    std::vector<RecordedFile> files;
+    addSources(files, record);
+    addScenarioSources(files, record);
     addInputs(files, record, "windows_file", true);
     if (const auto elements = record.find("elements"); elements != record.end() && elements->is_object())
         addInputs(files, *elements, "windows", true);

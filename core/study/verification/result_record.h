@@ -80,8 +80,9 @@ struct RecordComparison {
 /// Compares the figures and texts of two records. Not compared is what another run or computer may state
 /// otherwise: durations, what was skipped, the program's version, instruction set, how the engine was chosen,
 /// and the command; nor what buildings take from single places, which the window attributes on a click and
-/// no command computes. Numbers agree within one part in 10^9, which covers another order of summation and is
-/// far below what any report prints.
+/// no command computes, and verdicts counted beside scenarios, of which the review has a record. Numbers
+/// agree within one part in 10^9, which covers another order of summation and is far below what any report
+/// prints.
 RecordComparison compareRecords(const nlohmann::ordered_json& recorded,
                                 const nlohmann::ordered_json& computed);
 
@@ -97,8 +98,9 @@ struct TableComparison {
 
 /// Reads both tables as a stranger's program does (RFC 4180, commas) and compares them field by field;
 /// numbers agree as in compareRecords(). A row with more or fewer fields than the heading is a difference:
-/// other programs would read its figures in the wrong columns.
-TableComparison compareTables(const std::string& name, std::string_view recorded, std::string_view computed);
+/// other programs would read its figures in the wrong columns. `leftOut`: columns that are not compared.
+TableComparison compareTables(const std::string& name, std::string_view recorded, std::string_view computed,
+                              const std::vector<std::string>& leftOut = {});
 
 /// A passage that two texts print differently.
 struct WordDifference {

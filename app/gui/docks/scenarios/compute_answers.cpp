@@ -12,22 +12,6 @@
 // The jobs of LatestAnswers: impacts from studies at hand, scores, and saved results.
 namespace noonmark {
 
-namespace {
-
-ImpactFigures compare(const Study& before, const Study& after) {
-    const std::vector<CellChange> none(after.field.grossMin.size(), CellChange::none);
-    return computeFigures(computeDifference(before.field, after.field, none));
-}
-
-// Studies of the same cells by the same engine give the same difference as a comparison, on the receivers of
-// both. The engine's words also state counts, which differ from city to city.
-bool areComparable(const Study& before, const Study& after) {
-    return before.settings == after.settings && before.field.grid == after.field.grid &&
-           before.field.engineKey == after.field.engineKey;
-}
-
-}  // namespace
-
 void LatestAnswers::compareStudies() {
     const StudySettings& settings = from_.workbench.document().settings();
     if (comparing_.busy() || !checkOnGround(settings.receivers.places)) return;
@@ -47,7 +31,7 @@ void LatestAnswers::compareStudies() {
         tr("Comparison"),
         [base = first->second, lacking](Progress&, const std::stop_token&) -> Result<Made> {
             Made made;
-            for (const auto& [city, study] : lacking) made.push_back(compare(*base, *study));
+            for (const auto& [city, study] : lacking) made.push_back(noonmark::compareStudies(*base, *study));
             return made;
         },
         [this, before, lacking](const Result<Made>& made) {

@@ -21,8 +21,13 @@ public:
     [[nodiscard]] std::shared_ptr<const Answer> stated(const std::shared_ptr<const Answer>& answer) const {
         return answer->isSaved() ? answer : answer->stated(of(answer->part()));
     }
-    [[nodiscard]] std::shared_ptr<const Study> stated(Study study, const std::string& scenario) const {
-        study.provenance = of({scenario, {}, study.settings.region, {}});
+    /// `weights`: name of the table that the scenario was scored with; empty: none.
+    [[nodiscard]] std::shared_ptr<const Study> stated(Study study, const std::string& scenario,
+                                                      const std::string& weights = {}) const {
+        MeasuredPart part{scenario, {}, study.settings.region, {}};
+        if (const auto table = findWeights(project_, weights); table && !weights.empty())
+            part.weights = *table;
+        study.provenance = of(part);
         return std::make_shared<const Study>(std::move(study));
     }
 
