@@ -174,8 +174,10 @@ TEST_F(ScenariosCommand, AForgedTableDoesNotAgree) {
     std::ofstream(table, std::ios::binary) << text;
     const CommandOutput forged = noonmarkCli({"verify", folder_.path("out").string(), "--json"});
     EXPECT_EQ(forged.code, 1) << forged.err << forged.out;
-    ASSERT_EQ(forged.json()["tables"][2]["name"], "scenarios.csv");
-    EXPECT_EQ(forged.json()["tables"][2]["differences"].size(), 1U);
+    const auto tables = forged.json().at("tables");
+    ASSERT_FALSE(tables.empty());
+    EXPECT_EQ(tables.back()["name"], "scenarios.csv");
+    EXPECT_EQ(tables.back()["differences"].size(), 1U);
 }
 
 TEST_F(ScenariosCommand, TheWidthOfAPictureIsChosen) {
