@@ -2065,10 +2065,6 @@ Die Untersuchung: %2</translation>
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
         <source>This method does not sum months. These do: %1.</source>
         <translation>Dieses Verfahren summiert keine Monate. Diese tun es: %1.</translation>
     </message>
@@ -5053,10 +5049,6 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>not measured yet: %1 (Scenario &gt; Measure all scenarios)</source>
         <translation>noch nicht gemessen: %1 (Szenario &gt; Alle Szenarien messen)</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
 </context>
 <context>
@@ -10837,10 +10829,6 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>Exported to %1: %2</source>
         <translation>Exportiert nach %1: %2</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>Finding the command</source>

@@ -2065,10 +2065,6 @@ El estudio: %2</translation>
         <translation>%1 a %2</translation>
     </message>
     <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
         <source>This method does not sum months. These do: %1.</source>
         <translation>Este método no suma por meses. Estos sí: %1.</translation>
     </message>
@@ -5053,10 +5049,6 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>not measured yet: %1 (Scenario &gt; Measure all scenarios)</source>
         <translation>aún sin medir: %1 (Escenario &gt; Medir todos los escenarios)</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
 </context>
 <context>
@@ -10837,10 +10829,6 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>Exported to %1: %2</source>
         <translation>Exportado a %1: %2</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>Finding the command</source>

@@ -2041,10 +2041,6 @@ The study: %2</source>
         <translation>%1 から %2</translation>
     </message>
     <message>
-        <source>, </source>
-        <translation>, </translation>
-    </message>
-    <message>
         <source>This method does not sum months. These do: %1.</source>
         <translation>この方法では月別の合計を求められません。求められる方法: %1。</translation>
     </message>
@@ -5024,10 +5020,6 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>not measured yet: %1 (Scenario &gt; Measure all scenarios)</source>
         <translation>未計測: %1 (シナリオ &gt; すべてのシナリオを計測)</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>、</translation>
     </message>
 </context>
 <context>
@@ -10782,10 +10774,6 @@ Click a building first.</source>
     <message>
         <source>Exported to %1: %2</source>
         <translation>%1 に書き出しました: %2</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation>, </translation>
     </message>
     <message>
         <source>Finding the command</source>

@@ -324,7 +324,7 @@ void MainWindow::connectDocks() {
     scenarios_.setSideBySide(comparing_.actions().front());
     scenarios_.setPlacesMeasured([this] {
         if (docks_.study->kind() != StudyKind::places) return false;
-        workbench_.compareSome();
+        workbench_.compareAnyScenario();
         docks_.study->runByPlaceInAll();
         return true;
     });

@@ -58,9 +58,9 @@ public:
     /// is chosen: also in all other scenarios if they are wanted. The study of `settings` is the document's,
     /// without its region.
     void runByPlace(std::vector<Place> places, const SunByPlaceSettings& settings, bool allScenarios = false);
-    /// Has a comparison to show where there are scenarios: with the existing city, of the last scenario if
-    /// none is displayed.
-    void compareSome();
+    /// If nothing is compared yet: chooses the existing city as the baseline, and displays the last scenario
+    /// if none is. Does nothing without scenarios.
+    void compareAnyScenario();
     /// The cities that it measures, the baseline first.
     [[nodiscard]] std::vector<std::shared_ptr<const City>> listPlaceCities(bool allScenarios);
     struct Adopting {

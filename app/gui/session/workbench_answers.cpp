@@ -190,7 +190,7 @@ std::vector<std::shared_ptr<const City>> Workbench::listPlaceCities(bool allScen
     return cities;
 }
 
-void Workbench::compareSome() {
+void Workbench::compareAnyScenario() {
     if (comparing() || session_.project().scenarios.empty()) return;
     if (session_.scenario() == existingCity) session_.goTo(session_.project().scenarios.back().name);
     session_.setBaseline(existingCity);

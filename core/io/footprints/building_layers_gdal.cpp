@@ -18,7 +18,7 @@ namespace noonmark {
 namespace {
 
 constexpr std::size_t maxSampled = 1000;
-constexpr std::size_t maxValueBytes = 40;
+constexpr std::size_t maxSampledBytes = 40;
 
 bool isNumberType(OGRFieldType type) { return type == OFTInteger || type == OFTInteger64 || type == OFTReal; }
 
@@ -37,7 +37,7 @@ void addFields(const OGRFeature& feature, SampledFeature& sampled, TextEncoding&
         if (isNumberType(type)) number = feature.GetFieldAsDouble(i);
         if (type != OFTString) continue;
         learnEncoding(feature.GetFieldAsString(i), encoding);
-        text = readableText(feature.GetFieldAsString(i)).substr(0, maxValueBytes);
+        text = readableText(feature.GetFieldAsString(i)).substr(0, maxSampledBytes);
         number = parseMetres(withDecimalPoint(text)).value_or(SampledFeature::none);
     }
 }
