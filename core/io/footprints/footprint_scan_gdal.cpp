@@ -54,13 +54,13 @@ namespace {
 
 constexpr std::size_t maxListed = 1000;  // features of a layer
 constexpr std::size_t maxSamples = 4;    // values of a field
-constexpr std::size_t maxValueBytes = 40;
+constexpr std::size_t maxListedBytes = 40;
 
 // A name or value of a stranger, short enough for a list.
 std::string listedText(const char* bytes) {
     std::string text = cleanText(readableText(bytes));
-    if (text.size() <= maxValueBytes) return text;
-    std::size_t end = maxValueBytes;
+    if (text.size() <= maxListedBytes) return text;
+    std::size_t end = maxListedBytes;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
     return text.substr(0, end) + "...";
 }
