@@ -2,6 +2,7 @@
 #include "app/questions/saved_question.h"
 #include "app/report/book/answer_books.h"
 #include "app/report/book/print_book.h"
+#include "app/report/files/answer_files.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/files/saved_files.h"
 #include "core/base/progress.h"
@@ -90,7 +91,7 @@ public:
     }
     [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles& how) const override {
         std::vector<std::string> names = byPlaceFileNames(how.sheets, content().baseline.settings.dates);
-        if (!ofPlaces_.empty()) names.emplace_back(contributionTableFile);
+        std::ranges::move(placeContributionNames(ofPlaces_), std::back_inserter(names));
         return names;
     }
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City&,
@@ -108,8 +109,7 @@ public:
         addPlaceMaps(files, shared(), sun.city,
                      {colours, how.pictureWidth, sun.settings.study.receivers.cellM,
                       makeProvenanceTags(sun.provenance)});
-        if (!ofPlaces_.empty())
-            files.add(contributionTableFile, textContent(contributionsCsv(ofPlaces_, sun.provenance)));
+        addPlaceContributions(files, ofPlaces_, shownCity(content()).city, sun.provenance);
         if (how.sheets) {
             const auto pdf = printBook(makeSunByPlaceBook(content(), bookOf(how), colours));
             if (!pdf) return tl::make_unexpected(pdf.error());

@@ -115,6 +115,22 @@ std::vector<std::string> scoreFileNames(const Provenance& provenance, bool withS
     return namesOf("score", needsRegionFile(provenance), withSheets);
 }
 
+std::vector<std::string> placeContributionNames(const std::vector<ContributionTable>& ofPlaces) {
+    if (ofPlaces.empty()) return {};
+    return {contributionTableFile, contributionLayerFile};
+}
+
+void addPlaceContributions(OutputFolder& files, const std::vector<ContributionTable>& ofPlaces,
+                           const City& city, const Provenance& provenance) {
+    if (ofPlaces.empty()) return;
+    files.add(contributionTableFile, textContent(contributionsCsv(ofPlaces, provenance)));
+    files.add(contributionLayerFile, [layer = makeContributionLayer(ofPlaces, city),
+                                      frame = city.frame](const Path& file) {
+        return writePolygonsGeoPackage(file, frame, {"contributions", "What buildings take from places"},
+                                       layer.outlines, layer.table, layer.style);
+    });
+}
+
 std::vector<std::string> contributionFileNames() {
     return {"contributions.csv", "contributions.gpkg", "by_month.csv"};
 }

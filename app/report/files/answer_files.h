@@ -86,4 +86,10 @@ Result<std::vector<std::filesystem::path>> writeReviewFiles(const ReviewBookSour
                                                             const std::filesystem::path& folder,
                                                             Progress& progress, const std::stop_token& stop);
 
+/// contributions_of_places.csv and .gpkg: what buildings take from places that were asked about one by one.
+std::vector<std::string> placeContributionNames(const std::vector<ContributionTable>& ofPlaces);
+/// Adds them; nothing where there are none. `city`: with the buildings.
+void addPlaceContributions(OutputFolder& files, const std::vector<ContributionTable>& ofPlaces,
+                           const City& city, const Provenance& provenance);
+
 }  // namespace noonmark

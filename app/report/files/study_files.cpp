@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <QGuiApplication>
+#include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 
 #include "app/report/book/answer_books.h"
 #include "app/report/book/print_book.h"
+#include "app/report/files/answer_files.h"
 #include "app/report/files/output_folder.h"
 #include "app/report/maps/write_png.h"
 #include "app/report/sheets/study_report.h"
@@ -119,7 +122,7 @@ std::vector<std::string> studyFileNames(const StudySettings& settings, const Stu
     if (settings.contributions && settings.trees != TreeColumns::without)
         names.emplace_back(treeContributionsFile);
     if (options.cellsCsv) names.emplace_back("cells.csv");
-    if (!options.ofPlaces.empty()) names.emplace_back(contributionTableFile);
+    std::ranges::move(placeContributionNames(options.ofPlaces), std::back_inserter(names));
     return names;
 }
 
@@ -167,8 +170,7 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
         files.add("contributions.pdf", textContent(pdf->toStdString()));
     }
     if (study.byTree) files.add(treeContributionsFile, textContent(treeContributionsCsv(study)));
-    if (!options.ofPlaces.empty())
-        files.add(contributionTableFile, textContent(contributionsCsv(options.ofPlaces, study.provenance)));
+    addPlaceContributions(files, options.ofPlaces, study.city, study.provenance);
     if (options.cellsCsv)
         files.add("cells.csv",
                   [&](QIODevice& device) { return writeCellsCsv(study.field, study.city.frame, device); });

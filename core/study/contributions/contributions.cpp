@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/base/csv_text.h"
@@ -326,6 +327,46 @@ std::vector<ContributionTable> parseContributions(const Json& answer) {
                        .months = of.value("months", std::vector<std::string>()),
                        .rows = parseRows(of.at("buildings"))});
     return all;
+}
+
+namespace {
+
+std::vector<ElementColumn> layerColumns() {
+    std::vector<ElementColumn> columns;
+    for (const char* name : {"place", "kind", "period", "source_id", "name"})
+        columns.push_back({name, std::string()});
+    for (const Figure& figure : contributionFigures().rows())
+        if (figure.inFiles) columns.push_back({std::string(figure.key), 0.0, figure.decimals});
+    return columns;
+}
+
+std::vector<ElementValue> layerRow(const ContributionTable& of, const Contribution& row) {
+    std::vector<ElementValue> values{of.place, of.kind, of.period, row.id, row.name};
+    for (const Figure& figure : contributionFigures().rows())
+        if (figure.inFiles) values.emplace_back(figure.get(&row));
+    return values;
+}
+
+Place outlineOf(const Building& building) {
+    Place outline;
+    for (const Part& part : building.parts) outline.polygons.push_back(part.footprint);
+    return outline;
+}
+
+}  // namespace
+
+ContributionLayer makeContributionLayer(const std::vector<ContributionTable>& all, const City& city) {
+    std::map<std::string, const Building*> buildings;
+    for (const auto& building : city.buildings) buildings.emplace(building->sourceId, building.get());
+    ContributionLayer layer{{}, {.columns = layerColumns(), .rows = {}, .places = {}}, contributionStyle()};
+    for (const ContributionTable& of : all)
+        for (const Contribution& row : of.rows) {
+            const auto found = buildings.find(row.id);
+            if (found == buildings.end()) continue;
+            layer.outlines.push_back(outlineOf(*found->second));
+            layer.table.rows.push_back(layerRow(of, row));
+        }
+    return layer;
 }
 
 // The months of the place that has most of them: they are those of the answer's period.

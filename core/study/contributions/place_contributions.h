@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "core/io/elements/write_elements.h"
 #include "core/receivers/place.h"
 #include "core/study/contributions/contributions.h"
 
@@ -63,5 +64,16 @@ std::vector<ContributionTable> parseContributions(const nlohmann::ordered_json& 
 /// columns; a row for each building of each place.
 std::string contributionsCsv(const std::vector<ContributionTable>& all, const Provenance& provenance);
 inline constexpr const char* contributionTableFile = "contributions_of_places.csv";
+
+/// Those rows as a layer for a GIS: the outline of each building with what it takes from a place, so that a
+/// building has a polygon for each place. Columns: place,kind,period,source_id,name and the figures. Without
+/// the terrain, and without buildings that the city lacks. `style`: by share, as contributionStyle().
+struct ContributionLayer {
+    std::vector<Place> outlines;
+    ElementTable table;
+    LayerStyle style;
+};
+ContributionLayer makeContributionLayer(const std::vector<ContributionTable>& all, const City& city);
+inline constexpr const char* contributionLayerFile = "contributions_of_places.gpkg";
 
 }  // namespace noonmark

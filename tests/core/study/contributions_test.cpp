@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/city/trees/tree.h"
+#include "core/receivers/place_names.h"
 #include "core/samples/sample_city.h"
 #include "core/study/by_place/sun_by_place.h"
 #include "tests/core/engines/scenes.h"
@@ -245,6 +247,29 @@ TEST(PlaceContributions, KeptOnesComeBackFromTheJsonOfTheirAnswer) {
     EXPECT_NEAR(back[1].rows[0].soleMinM2, all[1].rows[0].soleMinM2, 0.1);
     EXPECT_THAT(contributionsCsv(all, {}), HasSubstr("place,kind,period,source_id,name,attributed_min_m2"));
     EXPECT_THAT(contributionsCsv(all, {}), HasSubstr("Yard,park,"));
+}
+
+// A polygon for each building and place, with the figures of the table; the terrain has no outline.
+TEST(PlaceContributions, AreALayerOfTheBuildingsWithWhatTheyTake) {
+    const City city = twoTowers();
+    const Study study = studied(city, atNoon("horizon"));
+    ContributionTable of = makeContributionTable(attributed(study, square("Yard", 0, 52, 20, 92)), 120);
+    ASSERT_FALSE(of.rows.empty());
+    const std::size_t buildings = of.rows.size();
+    of.rows.push_back({.building = {}, .id = terrainId, .name = {}, .shadow = {}});
+    const ContributionLayer layer = makeContributionLayer({of}, city);
+    ASSERT_EQ(layer.outlines.size(), buildings);
+    ASSERT_EQ(layer.table.rows.size(), buildings);
+    EXPECT_NEAR(area(layer.outlines[0]), 400, 1e-3) << "a tower of 20 x 20 m";
+    const auto column = [&](std::string_view name) {
+        const auto found = std::ranges::find(layer.table.columns, name, &ElementColumn::name);
+        EXPECT_NE(found, layer.table.columns.end()) << name;
+        return std::size_t(found - layer.table.columns.begin());
+    };
+    EXPECT_EQ(std::get<std::string>(layer.table.rows[0][column("place")]), "Yard");
+    EXPECT_EQ(std::get<std::string>(layer.table.rows[0][column("source_id")]), of.rows[0].id);
+    EXPECT_EQ(std::get<double>(layer.table.rows[0][column("share")]), of.rows[0].share);
+    EXPECT_THAT(layer.style.qml, HasSubstr("attr=\"share\""));
 }
 
 TEST(PlaceContributions, PlacesWithoutCellsAndEnginesWithoutAttributionAreRefused) {
