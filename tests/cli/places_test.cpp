@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
+#include "app/report/files/read_report.h"
+#include "core/base/csv_text.h"
 #include "tests/cli/project_command.h"
 #include "tests/shared/shared_data.h"
 
@@ -187,6 +190,110 @@ TEST_F(PlacesCommand, SunByPlaceStatesItsAnswerAndWritesSheets) {
                              "--region", "Nowhere", "--out", folder_.path("none").string()})
                     .err,
                 HasSubstr("Nowhere"));
+}
+
+std::string joinWords(const std::string& text) {
+    std::istringstream words(text);
+    std::string joined;
+    for (std::string word; words >> word;) joined += word + ' ';
+    return joined;
+}
+
+// What is printed of a place, worked out from its row of places.csv.
+struct PrintedPlace {
+    std::map<std::string, std::string> row;
+    [[nodiscard]] double at(const std::string& column) const { return std::stod(row.at(column)); }
+    [[nodiscard]] std::string onTerminal() const {
+        return fmt::format(
+            "{} {} {:.2f} h of sun a day ({:.2f} to {:.2f}), {:.1f} % with enough Without One57: ",
+            row.at("name"), row.at("kind"), at("hours_mean"), at("hours_min"), at("hours_max"),
+            100 * at("share_enough"));
+    }
+    [[nodiscard]] std::string onSheets() const {
+        const double gainMin = 60 * at("change_hours_without_one57");
+        return fmt::format("{} {} {:.0f} {:.2f} {:.2f} {:.2f} {:.0f} % {}{:.1f} ", row.at("name"),
+                           row.at("kind"), at("area_m2"), at("hours_mean_without_one57"),
+                           at("hours_min_without_one57"), at("hours_max_without_one57"),
+                           100 * at("share_enough_without_one57"), gainMin > 0.05 ? "+" : "", gainMin);
+    }
+    [[nodiscard]] std::string onSheetsAsShadow() const {
+        const double lossMin = at("change_shadow_min_without_one57");
+        return fmt::format("{} {} {:.0f} {:.0f} {:.0f} {:.0f} {:.0f} % {}{:.1f} ", row.at("name"),
+                           row.at("kind"), at("area_m2"), at("shadow_mean_min_without_one57"),
+                           at("shadow_most_min_without_one57"), at("shadow_least_min_without_one57"),
+                           100 * at("share_enough_without_one57"), lossMin > 0.05 ? "+" : "", lossMin);
+    }
+};
+
+std::vector<PrintedPlace> readPlacesCsv(const std::filesystem::path& file) {
+    const auto rows = parseCsvRows(readBytes(file));
+    std::vector<PrintedPlace> places;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        PrintedPlace& place = places.emplace_back();
+        for (std::size_t column = 0; column < rows[0].fields.size(); ++column)
+            place.row[rows[0].fields[column]] = rows[i].fields[column];
+    }
+    return places;
+}
+
+// One measurement: table, JSON, terminal and sheets, as sun and as shadow.
+TEST_F(PlacesCommand, SunByPlaceSaysTheSameEverywhere) {
+    const auto run = [&](const std::string& out, const std::vector<std::string>& more) {
+        std::vector<std::string> asked{"by-place",
+                                       file_,
+                                       "--start",
+                                       "2026-03-21",
+                                       "--from",
+                                       "12:00",
+                                       "--hours",
+                                       "7",
+                                       "--step",
+                                       "10",
+                                       "--zone",
+                                       "America/New_York",
+                                       "--cell",
+                                       "4",
+                                       "--scenario",
+                                       "Without One57",
+                                       "--sheets",
+                                       "--out",
+                                       folder_.path(out).string()};
+        asked.insert(asked.end(), more.begin(), more.end());
+        CommandOutput output = noonmarkCli(asked);
+        EXPECT_EQ(output.code, 0) << output.err;
+        return joinWords(output.out);
+    };
+    const std::string terminal = run("sun", {});
+    run("shadow", {"--show", "shadow"});
+    const auto places = readPlacesCsv(folder_.path("sun/places.csv"));
+    ASSERT_EQ(places.size(), 2U);
+    EXPECT_EQ(readBytes(folder_.path("sun/places.csv")), readBytes(folder_.path("shadow/places.csv")))
+        << "tables for programs hold both";
+    const auto json = nlohmann::json::parse(readBytes(folder_.path("sun/places.json")));
+    const auto sun = readPrintedWords(folder_.path("sun/sheets.pdf")),
+               shadow = readPrintedWords(folder_.path("shadow/sheets.pdf"));
+    ASSERT_TRUE(sun && shadow);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const PrintedPlace& place = places[i];
+        EXPECT_THAT(terminal, HasSubstr(place.onTerminal()));
+        EXPECT_THAT(joinWords(*sun), HasSubstr(place.onSheets()));
+        EXPECT_THAT(joinWords(*shadow), HasSubstr(place.onSheetsAsShadow()));
+        for (const char* key : {"area_m2", "hours_mean", "share_enough", "shadow_mean_min"}) {
+            EXPECT_EQ(json["places"][i][key].get<double>(), place.at(key)) << key;
+            if (std::string(key) == "area_m2") continue;  // the same in all scenarios
+            EXPECT_EQ(json["places"][i]["scenarios"]["Without One57"][key].get<double>(),
+                      place.at(std::string(key) + "_without_one57"))
+                << key;
+        }
+    }
+    EXPECT_THAT(joinWords(*sun), AllOf(HasSubstr("Hours of sun by place"), HasSubstr("Mean sun, h")));
+    EXPECT_THAT(joinWords(*shadow),
+                AllOf(HasSubstr("Minutes of shadow by place"), HasSubstr("Mean shadow, min")));
+    EXPECT_THAT(readBytes(folder_.path("shadow/places.gpkg")), HasSubstr("attr=\"shadow_mean_min\""));
+    EXPECT_THAT(json["repeat"].get<std::string>(), testing::Not(HasSubstr("--show")));
+    EXPECT_THAT(
+        nlohmann::json::parse(readBytes(folder_.path("shadow/places.json")))["repeat"].get<std::string>(),
+        HasSubstr("--show shadow"));
 }
 
 TEST(PlacesOfFiles, MidtownsParksAndARegionByName) {

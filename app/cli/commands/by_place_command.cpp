@@ -196,8 +196,8 @@ std::string describeCells(const SunByPlace& sun) {
 std::string describeChange(const ComparedSun& compared, std::size_t i) {
     const SunChange& change = compared.changes[i];
     if (std::isnan(change.meanHours)) return {};
-    return fmt::format("  {}: {:+.2f} h, at most {:.0f} min less, {:.1f} % loses", compared.sun.name,
-                       change.meanHours, change.maxLossMin, 100 * change.lostShare);
+    return fmt::format("  {}: {} h, at most {:.0f} min less, {:.1f} % loses", compared.sun.name,
+                       formatSigned(change.meanHours, 2), change.maxLossMin, 100 * change.lostShare);
 }
 
 std::string describeWithTrees(const SunByPlace& sun, std::size_t i) {

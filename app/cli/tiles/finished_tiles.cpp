@@ -60,7 +60,8 @@ struct MergeOptions {
     PlaceOptions place;
     bool partial = false;
     SheetOptions sheets;
-    PlaceColours colours;
+    PlaceColours colours{.legend = {}};
+    bool namesShown = false;  // --show is given; places are shown by their sun if not
 };
 
 // Where sheets draw its buildings the city is read whole, else only its ground counts.
@@ -90,6 +91,7 @@ AnswerFiles filesOf(const MergeOptions& options, const TaskPlan& plan, const Boo
     how.sheets = options.sheets.wanted;
     how.book = book;
     how.legend = options.colours.legend;
+    if (!options.namesShown) how.legend.show = ShownAs::sun;
     how.thresholdHours = options.colours.thresholdHours;
     how.rules = outputRules(plan.files, plan.inputs, true);  // those of an earlier merge
     return how;
@@ -218,8 +220,10 @@ void addMergeTiles(CLI::App& tiles, Run& run) {
                       "Sun by place: also write sheets.pdf, for which the whole city is read");
     addSheetOptions(*command, options->sheets);
     command->add_flag(flags::partial, options->partial, "Merge what is done, even if tiles are missing");
-    command->callback(
-        [options, &run] { run = [options](const Console& console) { return runMerge(*options, console); }; });
+    command->callback([options, command, &run] {
+        options->namesShown = command->count(std::string(flagOf(legendFields().rows(), "show"))) > 0;
+        run = [options](const Console& console) { return runMerge(*options, console); };
+    });
 }
 
 }  // namespace noonmark::cli

@@ -51,7 +51,8 @@ Book makeSunByPlaceBook(const SunOfCities& sun, const BookSettings& settings,
 /// Its map alone, with legend, scale bar and north: of the smallest box that holds the places. `city`: the
 /// buildings around them.
 QImage paintPlacesMap(const SunByPlace& sun, const City& city, const PlaceColours& colours, int widthPx);
-/// The options of a command that draw it in these colours.
+/// The options of a command that draw it in these colours; of sun by place, which shows sun if nothing is
+/// said.
 std::vector<CommandOption> listColourOptions(const PlaceColours& colours);
 inline constexpr std::size_t maxRowsOfPlaces = 150;
 

@@ -12,7 +12,10 @@
 #include "app/report/maps/map_view.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_text.h"
+#include "core/base/units.h"
 #include "core/describe/command_options.h"
+#include "core/describe/figure_text.h"
+#include "core/describe/shown_as.h"
 #include "core/measures/shadow_figures.h"
 #include "core/receivers/place_names.h"
 #include "core/study/provenance/command_text.h"
@@ -23,7 +26,7 @@ namespace {
 
 const SunByPlace& sunOf(const SunOfCities& all) { return all.baseline; }
 
-QString hoursText(double hours) { return std::isnan(hours) ? QString() : QString::number(hours, 'f', 2); }
+QString hoursText(double hours) { return std::isnan(hours) ? QString() : plainText(formatNumber(hours, 2)); }
 QString percentText(double share) {
     return std::isnan(share) ? QString() : QStringLiteral("%1 %").arg(100 * share, 0, 'f', 0);
 }
@@ -43,8 +46,8 @@ std::vector<std::size_t> sortByInterest(const SunOfCities& all) {
 }
 
 // The sentences of the answer, as the window and the command line state them.
-TextBlocks describeFinding(const SunOfCities& all, UnitSystem units) {
-    const AnswerPage page = makePage(all);
+TextBlocks describeFinding(const SunOfCities& all, UnitSystem units, ShownAs show) {
+    const AnswerPage page = makePage(all, show);
     TextBlocks blocks{heading(QStringLiteral("Finding")),
                       body(plainText(formatText(asOnSheets(page.headline), units)) + QStringLiteral("."))};
     for (const Sentence& finding : page.findings)
@@ -90,8 +93,11 @@ QString nameOfDate(const SunByPlace& sun, std::size_t date) {
 }
 
 Legend legendOf(const SunByPlace& sun, const PlaceColours& colours) {
-    Legend legend{QStringLiteral("Sun by place"), QStringLiteral("hours of sun a day")};
-    if (colours.date) legend.unit = QStringLiteral("hours of sun on %1").arg(nameOfDate(sun, *colours.date));
+    const bool isShadow = chooseShown(sun, colours).isShadow;
+    const QString unit = isShadow ? QStringLiteral("minutes of shadow") : QStringLiteral("hours of sun");
+    Legend legend{isShadow ? QStringLiteral("Shadow by place") : QStringLiteral("Sun by place"),
+                  unit + QStringLiteral(" a day")};
+    if (colours.date) legend.unit = QStringLiteral("%1 on %2").arg(unit, nameOfDate(sun, *colours.date));
     legend.colours = makeScale(sun, colours);
     legend.scale = {legend.colours->high, legend.colours->tick};
     return legend;
@@ -106,37 +112,39 @@ std::vector<std::size_t> sortByArea(const SunByPlace& sun) {
 }
 
 void paintPlaces(const Canvas& canvas, const MapView& view, const SunByPlace& sun, const Legend& legend,
-                 std::optional<std::size_t> date) {
+                 const PlaceColours& colours) {
+    const ShownSunOrShadow shown = chooseShown(sun, colours);
     canvas.painter.setPen(linePen(canvas, shade::buildingLine, 0.2));
     for (const std::size_t i : sortByArea(sun)) {
         QPainterPath path;
         path.setFillRule(Qt::WindingFill);
         for (const Footprint& polygon : sun.places[i].polygons) view.addTo(path, polygon);
-        const double hours = hoursOf(sun.sun[i], date);
-        canvas.painter.setBrush(std::isnan(hours) ? QBrush(Qt::NoBrush)
-                                                  : QBrush(toColour(legend.colours->colourOf(hours))));
+        const double value = shown.of(hoursOf(sun.sun[i], colours.date));
+        canvas.painter.setBrush(std::isnan(value) ? QBrush(Qt::NoBrush)
+                                                  : QBrush(toColour(legend.colours->colourOf(value))));
         canvas.painter.drawPath(path);
     }
 }
 
 QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, const PlaceColours& colours,
-                const QSizeF& sizePt, double pixelsPerPt) {
+                const QSizeF& sizePt, double pixelsPerPt, double marginPt = 0) {
     constexpr double gapPt = 6;
     QImage image((sizePt * pixelsPerPt).toSize(), QImage::Format_RGB32);
     image.fill(ink::paper);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
     const Canvas canvas{painter, pixelsPerPt};
-    const QRectF all(QPointF(0, 0), image.size());
+    const double marginPx = marginPt * pixelsPerPt;
+    const QRectF all = QRectF(QPointF(0, 0), image.size()).adjusted(marginPx, marginPx, -marginPx, -marginPx);
     const double footPx = legendHeightPt * pixelsPerPt;
     const QRectF map = all.adjusted(0, 0, 0, -footPx - gapPt * pixelsPerPt);
     const MapView view(shown, map);
     painter.setClipRect(map);
     paintBuildings(canvas, view, city, {shade::building, shade::buildingLine, 0.1});
     const Legend legend = legendOf(sun, colours);
-    paintPlaces(canvas, view, sun, legend, colours.date);
+    paintPlaces(canvas, view, sun, legend, colours);
     painter.setClipping(false);
-    const QRectF foot(0, all.bottom() - footPx, all.width(), footPx);
+    const QRectF foot(all.left(), all.bottom() - footPx, all.width(), footPx);
     paintLegend(canvas, foot.adjusted(0, 0, -foot.width() * 0.45, 0), legend);
     paintScaleBar(canvas, foot.adjusted(foot.width() * 0.6, 0, -40 * pixelsPerPt, 0),
                   scaleBarWithin(foot.width() * 0.25 / view.unitsPerM()), view.unitsPerM());
@@ -144,9 +152,16 @@ QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, cons
     return image;
 }
 
+QString describeShown(bool isShadow, bool onDate) {
+    const QString unit = isShadow ? QStringLiteral("minutes of shadow") : QStringLiteral("hours of sun");
+    return onDate ? unit + QStringLiteral(" on this day") : QStringLiteral("mean %1 a day").arg(unit);
+}
+
 BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageSetup& setup) {
     const QRectF content = contentArea(setup);
-    QString title = QStringLiteral("Hours of sun by place");
+    const bool isShadow = chooseShown(sun, colours).isShadow;
+    QString title =
+        isShadow ? QStringLiteral("Minutes of shadow by place") : QStringLiteral("Hours of sun by place");
     if (!sun.name.empty()) title += QStringLiteral(": ") + plainText(sun.name);
     BookPage page{title,
                   colours.date ? nameOfDate(sun, *colours.date) : describePeriod(sun.settings.study.period),
@@ -156,10 +171,10 @@ BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageS
     const QSizeF size(content.width(), content.height() - captionPt(textScale(setup)));
     page.items.push_back(
         {content,
-         PagePicture{paintMap(sun, sun.city, bounds(sun.settings.study.region), colours, size, 300.0 / 72),
-                     {colours.date ? QStringLiteral("Places by their hours of sun on this day")
-                                   : QStringLiteral("Places by their mean hours of sun a day"),
-                      QStringLiteral("Outlines without colour: places without figures.")}}});
+         PagePicture{
+             paintMap(sun, sun.city, bounds(sun.settings.study.region), colours, size, 300.0 / 72),
+             {QStringLiteral("Places by their %1").arg(describeShown(isShadow, colours.date.has_value())),
+              QStringLiteral("Outlines without colour: places without figures.")}}});
     return page;
 }
 
@@ -167,8 +182,17 @@ bool hasRemarks(const SunByPlace& sun) {
     return std::ranges::any_of(sun.sun, [](const SunOfPlace& of) { return !listRemarks(of).empty(); });
 }
 
+// The minutes of shadow that stand for hours of sun; null: the figure is none of these.
+const ShadowFigure* findShadow(const Figure& figure) {
+    const auto shadows = shadowOfPlaceFigures();
+    const auto found = std::ranges::find(shadows, figure.key, &ShadowFigure::sunKey);
+    return found == shadows.end() ? nullptr : &*found;
+}
+
 // Of hours and areas with their unit, where the name of the figure does not end with it.
-QString titleOf(const Figure& figure) {
+QString titleOf(const Figure& figure, const ShownSunOrShadow& shown) {
+    if (const ShadowFigure* shadow = shown.isShadow ? findShadow(figure) : nullptr)
+        return plainText(std::string(shadow->label)) + QStringLiteral(", min");
     const QString label = plainText(std::string(figure.label));
     if (figure.unit == FigureUnit::squareMetres) return label + QStringLiteral(", m²");
     if (figure.unit == FigureUnit::share) return label;
@@ -187,17 +211,38 @@ QString textOf(const Figure& figure, double value) {
 const Figure& changeFigure() { return sunChangeFigures().rows().front(); }
 
 // Of the figures with trees, too, the mean is the only one that has columns.
-const Figure& meanFigure(TreeColumns column) { return sunFiguresWithTrees(column).front(); }
+QString meanTitle(TreeColumns column, const ShownSunOrShadow& shown) {
+    if (!shown.isShadow) return titleOf(sunFiguresWithTrees(column).front(), shown);
+    return QStringLiteral("%1, %2, min")
+        .arg(plainText(std::string(shadowOfPlaceFigures().front().label)),
+             plainText(std::string(describeTrees(column))));
+}
 
-std::vector<QString> titlesOf(const SunOfCities& all) {
+// In minutes, as the window states changes.
+QString changeTitle(const ShownSunOrShadow& shown) {
+    return shown.isShadow ? QStringLiteral("Change of mean shadow, min")
+                          : plainText(std::string(changeFigure().label)) + QStringLiteral(", min");
+}
+
+QString changeText(double hours, const ShownSunOrShadow& shown) {
+    if (std::isnan(hours)) return {};
+    return plainText(formatSigned((shown.isShadow ? -minutesPerHour : minutesPerHour) * hours, 1));
+}
+
+// As hours or minutes, with the digits of the window.
+QString timeText(double sunHours, const ShownSunOrShadow& shown) {
+    if (std::isnan(sunHours)) return {};
+    return shown.isShadow ? plainText(formatNumber(shown.of(sunHours), 0)) : hoursText(sunHours);
+}
+
+std::vector<QString> titlesOf(const SunOfCities& all, const ShownSunOrShadow& shown) {
     std::vector<QString> titles{QStringLiteral("Place"), QStringLiteral("Kind")};
-    for (const Figure& figure : sunOfPlaceFigures().rows()) titles.push_back(titleOf(figure));
-    for (const SunWithTrees& with : shownCity(all).withTrees)
-        titles.push_back(titleOf(meanFigure(with.column)));
+    for (const Figure& figure : sunOfPlaceFigures().rows()) titles.push_back(titleOf(figure, shown));
+    for (const SunWithTrees& with : shownCity(all).withTrees) titles.push_back(meanTitle(with.column, shown));
     for (const CivilDate& date : shownCity(all).settings.dates)
         titles.push_back(QStringLiteral("Below, %1").arg(describeDates(date)));
     for (const ComparedSun& one : all.compared)
-        titles.push_back(QStringLiteral("%1, %2").arg(titleOf(changeFigure()), plainText(one.sun.name)));
+        titles.push_back(QStringLiteral("%1, %2").arg(changeTitle(shown), plainText(one.sun.name)));
     if (hasRemarks(shownCity(all))) titles.push_back(QStringLiteral("Remarks"));
     return titles;
 }
@@ -208,35 +253,36 @@ QString remarksOf(const SunOfPlace& of) {
     return words.join(QStringLiteral("; "));
 }
 
-std::vector<QString> rowOf(const SunOfCities& all, std::size_t i) {
+std::vector<QString> rowOf(const SunOfCities& all, std::size_t i, const ShownSunOrShadow& shown) {
     const SunByPlace& sun = shownCity(all);
     const SunOfPlace& of = sun.sun[i];
     std::vector<QString> row{plainText(sun.places[i].name), plainText(nameOf(sun.places[i].kind))};
-    for (const Figure& figure : sunOfPlaceFigures().rows()) row.push_back(textOf(figure, figure.get(&of)));
-    for (const SunWithTrees& with : sun.withTrees)
-        row.push_back(textOf(meanFigure(with.column), with.sun[i].meanHours));
+    for (const Figure& figure : sunOfPlaceFigures().rows())
+        row.push_back(findShadow(figure) ? timeText(figure.get(&of), shown)
+                                         : textOf(figure, figure.get(&of)));
+    for (const SunWithTrees& with : sun.withTrees) row.push_back(timeText(with.sun[i].meanHours, shown));
     for (std::size_t date = 0; date < sun.settings.dates.size(); ++date)
         row.push_back(date < of.belowShare.size() ? percentText(of.belowShare[date]) : QString());
-    for (const ComparedSun& one : all.compared)
-        row.push_back(textOf(changeFigure(), changeFigure().get(&one.changes[i])));
+    for (const ComparedSun& one : all.compared) row.push_back(changeText(one.changes[i].meanHours, shown));
     if (hasRemarks(sun)) row.push_back(remarksOf(of));
     return row;
 }
 
-NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order) {
-    const std::size_t shown = std::min(order.size(), maxRowsOfPlaces);
-    NamedTable table{QStringLiteral("Places"), {}, {titlesOf(all), {}, {}}};
+NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order,
+                   const ShownSunOrShadow& shown) {
+    const std::size_t listed = std::min(order.size(), maxRowsOfPlaces);
+    NamedTable table{QStringLiteral("Places"), {}, {titlesOf(all, shown), {}, {}}};
     const QString which = all.compared.empty() ? QStringLiteral("with least sun")
                                                : QStringLiteral("that lose most to the first scenario");
     table.note =
-        order.size() == shown
+        order.size() == listed
             ? QStringLiteral("All %1, those %2 first.").arg(describeCount(order.size(), "place"), which)
             : QStringLiteral("The %1 of %2 %3; all of them are in places.csv.")
-                  .arg(describeCount(shown), describeCount(order.size(), "place"), which);
+                  .arg(describeCount(listed), describeCount(order.size(), "place"), which);
     if (!all.compared.empty())
         table.note += QStringLiteral(" The figures are those of %1; changes are from %2.")
                           .arg(plainText(shownCity(all).name), plainText(all.baseline.name));
-    for (std::size_t i = 0; i < shown; ++i) table.table.rows.push_back(rowOf(all, order[i]));
+    for (std::size_t i = 0; i < listed; ++i) table.table.rows.push_back(rowOf(all, order[i], shown));
     return table;
 }
 
@@ -257,8 +303,8 @@ NamedTable errorTableOf(const SunByPlace& sun, bool isNamed) {
     return table;
 }
 
-std::vector<NamedTable> tablesOf(const SunOfCities& all) {
-    std::vector<NamedTable> tables{tableOf(all, sortByInterest(all)),
+std::vector<NamedTable> tablesOf(const SunOfCities& all, const ShownSunOrShadow& shown) {
+    std::vector<NamedTable> tables{tableOf(all, sortByInterest(all), shown),
                                    errorTableOf(sunOf(all), !all.compared.empty())};
     for (const ComparedSun& one : all.compared) tables.push_back(errorTableOf(one.sun, true));
     return tables;
@@ -268,16 +314,22 @@ std::vector<NamedTable> tablesOf(const SunOfCities& all) {
 
 QImage paintPlacesMap(const SunByPlace& sun, const City& city, const PlaceColours& colours, int widthPx) {
     constexpr double widthPt = 540;  // of the texts' size: that of a picture in a page
+    constexpr double marginPt = 14;
     Box2 shown;
     for (const Place& place : sun.places) shown.add(bounds(place));
     const glm::vec2 size = shown.high - shown.low;
     const double aspect = std::clamp(double(size.y) / double(size.x), 0.4, 1.6);
-    return paintMap(sun, city, shown, colours, {widthPt, widthPt * aspect + legendHeightPt},
-                    widthPx / widthPt);
+    return paintMap(sun, city, shown, colours,
+                    {widthPt, (widthPt - 2 * marginPt) * aspect + legendHeightPt + 2 * marginPt},
+                    widthPx / widthPt, marginPt);
 }
 
 std::vector<CommandOption> listColourOptions(const PlaceColours& colours) {
     std::vector<CommandOption> options = listLegendOptions(colours.legend, false);
+    const std::string show(flagOf(legendFields().rows(), "show"));
+    std::erase_if(options, [&](const CommandOption& one) { return one.name == show; });
+    if (colours.legend.show != ShownAs::sun)
+        options.push_back({show, {std::string(keyOf(shownChoices(), colours.legend.show))}});
     if (colours.thresholdHours)
         options.push_back({flags::threshold, {fmt::format("{:g}", *colours.thresholdHours)}});
     return options;
@@ -292,7 +344,7 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
     const auto append = [&](std::vector<BookPage> pages) {
         std::ranges::move(pages, std::back_inserter(book.pages));
     };
-    TextBlocks blocks = describeFinding(all, settings.units);
+    TextBlocks blocks = describeFinding(all, settings.units, colours.legend.show);
     const TextBlocks repeat = repeatBlocks(makeRepeatCommand(sun, all.compared, bookCharacters), false,
                                            listColourOptions(colours), bookCharacters);
     for (const TextBlocks& more : {describeMethod(all), repeat, describeSources(sun)})
@@ -306,7 +358,7 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
         book.pages.push_back(mapPage(shown, ofDate, settings.setup));
     }
     append(makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
-                          tablesOf(all)));
+                          tablesOf(all, chooseShown(shownCity(all), colours))));
     return book;
 }
 

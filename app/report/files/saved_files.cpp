@@ -7,6 +7,7 @@
 
 #include "app/report/book/answer_books.h"
 #include "app/report/book/print_book.h"
+#include "app/report/files/answer_files.h"
 #include "app/report/maps/answer_legends.h"
 #include "app/report/maps/write_png.h"
 #include "core/describe/text.h"
@@ -37,20 +38,44 @@ struct PlaceBand {
     std::vector<double> ofPlaces;
 };
 
-std::vector<PlaceBand> listBands(const SunOfCities& all) {
+// Of the period and of each date.
+std::vector<PlaceColours> listMaps(const SunOfCities& all, ShownAs show) {
+    std::vector<PlaceColours> maps{{.legend = {.show = show}}};
+    for (std::size_t date = 0; date < all.baseline.settings.dates.size(); ++date)
+        maps.push_back({.legend = {.show = show}, .date = date});
+    return maps;
+}
+
+PlaceBand makeBand(const SunOfCities& all, const PlaceColours& map) {
     const SunByPlace& sun = shownCity(all);
-    std::vector<PlaceBand> bands{{"hours of sun a day", "h", {}}};
-    for (const SunOfPlace& of : sun.sun) bands[0].ofPlaces.push_back(of.meanHours);
-    for (std::size_t date = 0; date < sun.settings.dates.size(); ++date) {
-        PlaceBand& band =
-            bands.emplace_back(PlaceBand{"hours of sun on " + formatText(sun.settings.dates[date]), "h", {}});
-        for (const SunOfPlace& of : sun.sun) band.ofPlaces.push_back(hoursOf(of, date));
+    const ShownSunOrShadow shown = chooseShown(sun, map);
+    const std::string when = map.date ? "on " + formatText(sun.settings.dates[*map.date]) : "a day";
+    PlaceBand band{
+        (shown.isShadow ? "minutes of shadow " : "hours of sun ") + when, shown.isShadow ? "min" : "h", {}};
+    for (const SunOfPlace& of : sun.sun) band.ofPlaces.push_back(shown.of(hoursOf(of, map.date)));
+    return band;
+}
+
+std::vector<PlaceBand> listBands(const SunOfCities& all) {
+    std::vector<PlaceBand> bands;
+    for (const PlaceColours& map : listMaps(all, ShownAs::sun)) bands.push_back(makeBand(all, map));
+    if (!all.compared.empty()) {
+        PlaceBand& change =
+            bands.emplace_back(PlaceBand{"change of sun from " + all.baseline.name, "min/day", {}});
+        for (const SunChange& of : all.compared.back().changes) change.ofPlaces.push_back(60 * of.meanHours);
     }
-    if (all.compared.empty()) return bands;
-    PlaceBand& change =
-        bands.emplace_back(PlaceBand{"change of sun from " + all.baseline.name, "min/day", {}});
-    for (const SunChange& of : all.compared.back().changes) change.ofPlaces.push_back(60 * of.meanHours);
+    for (const PlaceColours& map : listMaps(all, ShownAs::shadow))
+        if (chooseShown(shownCity(all), map).isShadow) bands.push_back(makeBand(all, map));
     return bands;
+}
+
+// Counted from 1.
+std::size_t bandOf(const SunOfCities& all, const PlaceColours& colours) {
+    PlaceColours map{.legend = {.show = ShownAs::sun}, .date = colours.date};
+    if (chooseShown(shownCity(all), colours).isShadow) map.legend.show = ShownAs::shadow;
+    const std::string name = makeBand(all, map).name;
+    const std::vector<PlaceBand> bands = listBands(all);
+    return std::size_t(std::ranges::find(bands, name, &PlaceBand::name) - bands.begin()) + 1;
 }
 
 // Small places lie on top.
@@ -80,13 +105,13 @@ Result<void> writePlaceRaster(const SunOfCities& sun, const City& city, const Pl
     return writeGeoTiff(file, city.frame, grid, written, look.tags);
 }
 
-// Of the file's hours, which are those of the legend.
-std::string styleOfHours(const SunByPlace& sun, const PlaceColours& colours) {
-    ColourScale scale = makeScale(sun, colours);
+// The values of the band are those of the legend.
+std::string styleOfBand(const SunOfCities& all, const PlaceColours& colours) {
+    ColourScale scale = makeScale(shownCity(all), colours);
+    if (scale.quantity.isSun()) scale.of = ColourScale::Of::wanted;
     scale.quantity = {};
-    scale.of = ColourScale::Of::wanted;
     scale.paintsZero = true;
-    return rasterStyle(scale, colours.date ? *colours.date + 2 : 1);
+    return rasterStyle(scale, bandOf(all, colours));
 }
 
 std::string placeMapName(const std::optional<CivilDate>& date) {
@@ -99,7 +124,7 @@ void addPlaceMap(OutputFolder& files, const std::shared_ptr<const SunOfCities>& 
     const std::vector<CivilDate>& dates = shownCity(*sun).settings.dates;
     const std::string name =
         placeMapName(look.colours.date ? std::optional(dates[*look.colours.date]) : std::nullopt);
-    files.add(name + ".qml", textContent(styleOfHours(shownCity(*sun), look.colours)));
+    files.add(name + ".qml", textContent(styleOfBand(*sun, look.colours)));
     files.add(name + ".png", [sun, city, look](QIODevice& device) {
         return writePng(paintPlacesMap(shownCity(*sun), city, look.colours, look.widthPx), look.tags, device);
     });
@@ -156,7 +181,7 @@ const FileNames& savedPointNames() {
 }
 
 FileNames savedPlaceNames(std::span<const CivilDate> dates) {
-    FileNames names{"places.csv", "places.gpkg", contributionTableFile, "result.json"};
+    FileNames names{"places.csv", "places.gpkg", contributionTableFile, contributionLayerFile, "result.json"};
     std::ranges::move(placeMapNames(dates), std::back_inserter(names));
     return names;
 }
@@ -219,7 +244,7 @@ WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
                  {.colours = {legend, {}},
                   .cellM = result.grid.cellM > 0 ? result.grid.cellM : PlaceMapStyle().cellM,
                   .tags = {{"RESULT", result.name}, {"SCENARIO", result.scenario}}});
-    if (!ofPlaces.empty()) files.add(contributionTableFile, textContent(contributionsCsv(ofPlaces, {})));
+    addPlaceContributions(files, ofPlaces, city, {});
     files.add("result.json", textContent(result.settings));
     return std::move(files).result();
 }

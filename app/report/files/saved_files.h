@@ -31,7 +31,8 @@ std::vector<std::string> placeMapNames(std::span<const CivilDate> dates);
 
 /// Adds the maps of the places as the window shows them: pictures, and a raster whose cells have the figures
 /// of the smallest place that holds their centre. Bands: hours of sun a day over the period, those on each
-/// date, and, where a baseline is compared, the change in minutes. Of the last of the cities. `look`: its
+/// date, where a baseline is compared the change in minutes, then minutes of shadow likewise. Pictures and
+/// styles show sun or shadow as the legend does. Of the last of the cities. `look`: its
 /// date is not read. Needs a QGuiApplication.
 void addPlaceMaps(OutputFolder& files, std::shared_ptr<const SunOfCities> sun, const City& city,
                   const PlaceMapStyle& look);

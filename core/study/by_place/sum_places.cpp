@@ -116,6 +116,8 @@ std::vector<double> averageMonths(const ShadowBreakdown& sums, const std::vector
 }
 
 // Index in the year of a month's three months, December to February first.
+constexpr std::array seasonKeys{"dec_feb", "mar_may", "jun_aug", "sep_nov"};
+
 std::size_t quarterOf(const std::string& month) {
     const int number = std::stoi(month.substr(month.size() - 2));
     return std::size_t(number % 12) / 3;
@@ -139,19 +141,22 @@ std::vector<double> averageSeasons(const std::vector<std::string>& months, const
 
 std::vector<SunSeason> listSeasons(const std::vector<std::string>& months, double latDeg) {
     constexpr double tropicDeg = 23.44;
-    constexpr std::array keys{"dec_feb", "mar_may", "jun_aug", "sep_nov"};
     constexpr std::array labels{"Dec to Feb", "Mar to May", "Jun to Aug", "Sep to Nov"};
     constexpr std::array names{"winter", "spring", "summer", "autumn"};
     std::vector<SunSeason> seasons;
-    for (std::size_t quarter = 0; quarter < keys.size(); ++quarter) {
+    for (std::size_t quarter = 0; quarter < seasonKeys.size(); ++quarter) {
         const auto isIn = [&](const std::string& month) { return quarterOf(month) == quarter; };
         if (std::ranges::none_of(months, isIn)) continue;
         const std::string season = names[(quarter + (latDeg < 0 ? 2 : 0)) % names.size()];
         const bool isTropical = std::abs(latDeg) < tropicDeg;
-        seasons.push_back(
-            {keys[quarter], isTropical ? labels[quarter] : fmt::format("{} ({})", labels[quarter], season)});
+        seasons.push_back({seasonKeys[quarter],
+                           isTropical ? labels[quarter] : fmt::format("{} ({})", labels[quarter], season)});
     }
     return seasons;
+}
+
+bool isIn(const SunSeason& season, const std::string& month) {
+    return season.key == seasonKeys[quarterOf(month)];
 }
 
 std::vector<double> countDays(const SunSteps& sun) {

@@ -22,6 +22,9 @@ std::vector<std::optional<std::size_t>> findWholes(const std::vector<Place>& pla
 /// they are at the latitude; within the tropics without a name.
 std::vector<SunSeason> listSeasons(const std::vector<std::string>& months, double latDeg);
 
+/// Whether a month ("2026-01") belongs to the season.
+bool isIn(const SunSeason& season, const std::string& month);
+
 /// Days of each month of the period, in order (monthsOf() in step_sets.h), with those on which the sun does
 /// not rise.
 std::vector<double> countDays(const SunSteps& sun);

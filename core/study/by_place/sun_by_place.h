@@ -277,27 +277,61 @@ AnswerPage makePage(const SunOfCities& sun, ShownAs show = ShownAs::sun);
 /// What they say of one place: its hours, those of the dates, what each compared city takes, and its months.
 AnswerPage makePage(const SunOfCities& sun, std::size_t place, ShownAs show = ShownAs::sun);
 
-/// A row for each place: name, kind, the figures, a column for each month and each date, for each compared
-/// city its figures and changes in columns that end in its name ("hours_mean_tower"), lon_deg and lat_deg of
-/// its middle, source. As CSV by toCsv(), as polygons by writePlacesGeoPackage().
+/// A part of the period that figures are stated of.
+struct SunPart {
+    enum class Of { season, month, date };
+    std::string key;  ///< of columns: "dec_feb", "2026-01", "2026-12-21"
+    Of of = Of::month;
+    std::size_t index = 0;                    ///< among its kind
+    std::vector<double> SunOfPlace::*hours;   ///< of sun a day
+    double possibleHours = SunOfPlace::none;  ///< a day with the sun up; NaN: its days are not known
+};
+/// Seasons, months, dates.
+std::vector<SunPart> listParts(const SunByPlace& sun);
+
+/// Hours of sun stated as minutes of shadow, which are the rest of the sunlit time.
+struct ShadowFigure {
+    double SunOfPlace::*hours;
+    std::string_view sunKey;             ///< of sunOfPlaceFigures()
+    std::string key;                     ///< "shadow_mean_min"
+    std::string_view label, definition;  ///< NM_TEXT
+};
+std::span<const ShadowFigure> shadowOfPlaceFigures();
+double shadowMinOf(double sunHours, double possibleHours);
+
+/// A row for each place: name, kind, the figures, a column for each season, month and date, the same as
+/// minutes of shadow, for each compared city its figures and changes in columns that end in its name
+/// ("hours_mean_tower"), lon_deg and lat_deg of its middle, source. As CSV by toCsv(), as polygons by
+/// writePlacesGeoPackage().
 ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compared = {});
 
 /// How maps and styles colour places.
 struct PlaceColours {
-    LegendChoice legend{};
+    LegendChoice legend{.show = ShownAs::sun};
     std::optional<double> thresholdHours{};  ///< none: the hours that are enough
     std::optional<std::size_t> date{};       ///< by the hours of this of its dates; none: of the period
 };
 /// Hours of sun a day of a place, of the period or of a date; NaN: none is known.
 double hoursOf(const SunOfPlace& of, std::optional<std::size_t> date);
-/// The scale of the hours of the places, as in the window.
+/// What places are coloured by: hours of sun, or minutes of shadow where the legend shows shadow and the
+/// days are known.
+struct ShownSunOrShadow {
+    bool isShadow = false;
+    double possibleHours = SunOfPlace::none;
+    [[nodiscard]] double of(double sunHours) const;  ///< in the unit shown
+};
+ShownSunOrShadow chooseShown(const SunByPlace& sun, const PlaceColours& colours);
+/// The scale of what is shown of the places, in the colours of the window.
 ColourScale makeScale(const SunByPlace& sun, const PlaceColours& colours = {});
 
-/// The column of that table with the hours of a month ("2026-01"), a season or a date.
+/// The columns of that table with the hours, the minutes of shadow and the change of hours of a month
+/// ("2026-01"), a season or a date.
 std::string hoursColumn(std::string_view of);
+std::string shadowColumn(std::string_view of);
+std::string changeColumn(std::string_view of);
 
-/// The style of the places for QGIS: coloured by hours_mean in the classes of their scale; places without
-/// figures are not drawn. Others, to choose from: by the hours of each date, season and month.
+/// The style of the places for QGIS: coloured by hours_mean or shadow_mean_min in the classes of their scale;
+/// places without figures are not drawn. Others, to choose from: by each date, season and month.
 LayerStyle makeStyle(const SunByPlace& sun, const PlaceColours& colours = {});
 
 /// The command line that repeats it; see core/study/provenance/repeat_command.h. Error also where it is not

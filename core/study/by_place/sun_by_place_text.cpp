@@ -37,214 +37,108 @@ Figure hours(double SunOfPlace::*member, std::string_view key, std::string_view 
                            .better = Better::higher});
 }
 
-std::string dateHoursKey(const CivilDate& date) { return hoursColumn(formatText(date)); }
-std::string dateKey(const CivilDate& date) { return "share_below_" + formatText(date); }
-
-LonLat middleOf(const Place& place, const Frame& frame) {
-    const Box2 box = bounds(place);
-    return frame.lonLatFromLocal((glm::dvec2(box.low) + glm::dvec2(box.high)) * 0.5);
-}
-
-// The name of a city at the end of a column: "tower_b" for "Tower B".
-std::string suffixOf(const std::string& name) {
-    std::string suffix = "_";
-    for (const char c : name) {
-        const bool isPlain = (c & 0x80) != 0 || std::isalnum(static_cast<unsigned char>(c)) != 0;
-        if (isPlain)
-            suffix += char((c & 0x80) != 0 ? c : std::tolower(static_cast<unsigned char>(c)));
-        else if (suffix.back() != '_')
-            suffix += '_';
-    }
-    if (suffix.size() > 1 && suffix.back() == '_') suffix.pop_back();
-    return suffix;
-}
-
-// Each different: names that differ by case or signs alone get a number.
-std::vector<std::string> suffixesOf(std::span<const ComparedSun> compared) {
-    std::vector<std::string> suffixes;
-    for (const ComparedSun& one : compared) {
-        const std::string plain = suffixOf(one.sun.name);
-        std::string own = plain;
-        for (int number = 2; std::ranges::find(suffixes, own) != suffixes.end(); ++number)
-            own = fmt::format("{}_{}", plain, number);
-        suffixes.push_back(own);
-    }
-    return suffixes;
-}
-
-// The area is the same in all cities.
-bool isCompared(const Figure& figure) { return figure.use != FigureUse::basis; }
-
-void addDateColumns(std::vector<ElementColumn>& columns, const SunByPlace& sun, const std::string& suffix) {
-    for (const CivilDate& date : sun.settings.dates)
-        columns.push_back({dateHoursKey(date) + suffix, 0.0, digits});
-    for (const CivilDate& date : sun.settings.dates) columns.push_back({dateKey(date) + suffix, 0.0, digits});
-}
-
-void addChangeColumns(std::vector<ElementColumn>& columns, std::span<const Figure> figures,
-                      const std::string& suffix) {
-    for (const Figure& figure : figures)
-        columns.push_back({std::string(figure.key) + suffix, 0.0, figure.decimals});
-}
-
-void addComparedColumns(std::vector<ElementColumn>& columns, std::span<const ComparedSun> compared) {
-    const std::vector<std::string> suffixes = suffixesOf(compared);
-    for (std::size_t i = 0; i < compared.size(); ++i) {
-        const SunByPlace& sun = compared[i].sun;
-        for (const Figure& figure : sunOfPlaceFigures().rows())
-            if (isCompared(figure))
-                columns.push_back({std::string(figure.key) + suffixes[i], 0.0, figure.decimals});
-        addDateColumns(columns, sun, suffixes[i]);
-        addChangeColumns(columns, sunChangeFigures().rows(), suffixes[i]);
-        for (const SunWithTrees& with : sun.withTrees) {
-            addChangeColumns(columns, sunFiguresWithTrees(with.column), suffixes[i]);
-            addDateColumns(columns, sun, suffixOf(with.column) + suffixes[i]);
-            addChangeColumns(columns, changeFiguresWithTrees(with.column), suffixes[i]);
-        }
-    }
-}
-
-// Of seasons, months and dates of the city measured first.
-void addPartColumns(std::vector<ElementColumn>& columns, const SunByPlace& sun, const std::string& suffix) {
-    for (const SunSeason& season : sun.seasons)
-        columns.push_back({hoursColumn(season.key) + suffix, 0.0, digits});
-    for (const std::string& month : sun.months) columns.push_back({hoursColumn(month) + suffix, 0.0, digits});
-    addDateColumns(columns, sun, suffix);
-}
-
-// Nothing where a place has no cell.
-void addValues(std::vector<ElementValue>& row, const std::vector<double>& values, std::size_t columns) {
-    for (std::size_t i = 0; i < columns; ++i)
-        row.emplace_back(i < values.size() ? values[i] : SunOfPlace::none);
-}
-
 // Empty: the place stands for itself.
 std::string wholeOf(const SunByPlace& sun, std::size_t i) {
     return sun.partOf[i] ? sun.places[*sun.partOf[i]].name : std::string();
 }
 
-ElementValue textOrNone(const std::string& text) {
-    return text.empty() ? ElementValue() : ElementValue(text);
+// Of the city measured first, whose days are those of all.
+struct Stated {
+    const SunByPlace& sun;
+    std::vector<SunPart> parts = listParts(sun);
+};
+
+// Of a part of the period: in all of them, by the part's key.
+std::string keyOf(SunPart::Of of, std::string_view what) {
+    constexpr std::array names{"season", "month", "date"};
+    return fmt::format("{}_{}", names[std::size_t(of)], what);
 }
 
-std::string remarksOf(const SunOfPlace& of) {
-    std::string words;
-    for (const Choice<PlaceRemark>& choice : placeRemarkChoices())
-        if (std::ranges::find(of.remarks, choice.value) != of.remarks.end())
-            words += (words.empty() ? "" : "; ") + std::string(choice.label);
-    return words;
+double hoursIn(const std::vector<double>& parts, std::size_t i) {
+    return i < parts.size() ? parts[i] : SunOfPlace::none;
 }
 
-void addFigures(std::vector<ElementValue>& row, const DescribedFigures& of) {
-    for (const Figure& figure : of.figures) row.emplace_back(of.get(figure));
-}
-
-void addDateValues(std::vector<ElementValue>& row, const SunByPlace& sun, const SunOfPlace& of) {
-    addValues(row, of.dateHours, sun.settings.dates.size());
-    addValues(row, of.belowShare, sun.settings.dates.size());
-}
-
-void addComparedValues(std::vector<ElementValue>& row, const ComparedSun& compared, std::size_t i) {
-    const DescribedFigures sun = sunOfPlaceFigures().of(compared.sun.sun[i]);
-    for (const Figure& figure : sun.figures)
-        if (isCompared(figure)) row.emplace_back(sun.get(figure));
-    addDateValues(row, compared.sun, compared.sun.sun[i]);
-    addFigures(row, sunChangeFigures().of(compared.changes[i]));
-    for (std::size_t column = 0; column < compared.sun.withTrees.size(); ++column) {
-        const SunWithTrees& with = compared.sun.withTrees[column];
-        addFigures(row, {sunFiguresWithTrees(with.column), &with.sun[i]});
-        addDateValues(row, compared.sun, with.sun[i]);
-        addFigures(row, {changeFiguresWithTrees(with.column), &compared.changesWithTrees[column][i]});
+// Hours as they are, minutes of shadow where the days of the part are known.
+void addParts(Json& json, const Stated& stated, const SunOfPlace& of, const std::string& suffix) {
+    for (const SunPart& part : stated.parts) {
+        const std::vector<double>& hours = of.*part.hours;
+        if (part.index >= hours.size()) continue;
+        json[keyOf(part.of, "hours") + suffix][part.key] = roundAsText(hours[part.index], digits);
+        if (!std::isnan(part.possibleHours))
+            json[keyOf(part.of, "shadow_min") + suffix][part.key] =
+                roundAsText(shadowMinOf(hours[part.index], part.possibleHours), fewDigits);
     }
-}
-
-void addPartValues(std::vector<ElementValue>& row, const SunByPlace& sun, const SunOfPlace& of) {
-    addValues(row, of.seasonHours, sun.seasons.size());
-    addValues(row, of.monthHours, sun.months.size());
-    addDateValues(row, sun, of);
-}
-
-std::vector<ElementColumn> columnsOf(const SunByPlace& sun, std::span<const ComparedSun> compared) {
-    std::vector<ElementColumn> columns{
-        {"name", std::string()}, {"kind", std::string()}, {"part_of", std::string()}};
-    for (const Figure& figure : sunOfPlaceFigures().rows())
-        columns.push_back({std::string(figure.key), 0.0, figure.decimals});
-    addPartColumns(columns, sun, {});
-    for (const SunWithTrees& with : sun.withTrees) {
-        addChangeColumns(columns, sunFiguresWithTrees(with.column), {});
-        addPartColumns(columns, sun, suffixOf(with.column));
-    }
-    addComparedColumns(columns, compared);
-    columns.push_back({"cell_m", 0.0, 2});
-    columns.push_back({"without_figures", std::string()});
-    columns.push_back({"remarks", std::string()});
-    columns.push_back({"lon_deg", 0.0, placeDecimals});
-    columns.push_back({"lat_deg", 0.0, placeDecimals});
-    columns.push_back({"source", std::string()});
-    return columns;
-}
-
-std::vector<ElementValue> rowOf(const SunByPlace& sun, std::span<const ComparedSun> compared, std::size_t i) {
-    const Place& place = sun.places[i];
-    const SunOfPlace& of = sun.sun[i];
-    std::vector<ElementValue> row{place.name, std::string(nameOf(place.kind)), textOrNone(wholeOf(sun, i))};
-    addFigures(row, sunOfPlaceFigures().of(of));
-    addPartValues(row, sun, of);
-    for (const SunWithTrees& with : sun.withTrees) {
-        addFigures(row, {sunFiguresWithTrees(with.column), &with.sun[i]});
-        addPartValues(row, sun, with.sun[i]);
-    }
-    for (const ComparedSun& one : compared) addComparedValues(row, one, i);
-    const LonLat middle = middleOf(place, sun.city.frame);
-    row.insert(row.end(),
-               {of.cellM > 0 ? of.cellM : SunOfPlace::none, textOrNone(std::string(describe(of.why))),
-                textOrNone(remarksOf(of)), middle.lonDeg, middle.latDeg, place.source});
-    return row;
-}
-
-void addParts(Json& json, const SunByPlace& sun, const SunOfPlace& of, const std::string& suffix) {
-    for (std::size_t season = 0; season < of.seasonHours.size(); ++season)
-        json["season_hours" + suffix][sun.seasons[season].key] = roundAsText(of.seasonHours[season], digits);
-    for (std::size_t month = 0; month < of.monthHours.size(); ++month)
-        json["month_hours" + suffix][sun.months[month]] = roundAsText(of.monthHours[month], digits);
-    for (std::size_t date = 0; date < of.dateHours.size(); ++date)
-        json["date_hours" + suffix][formatText(sun.settings.dates[date])] =
-            roundAsText(of.dateHours[date], digits);
     for (std::size_t date = 0; date < of.belowShare.size(); ++date)
-        json["share_below" + suffix][formatText(sun.settings.dates[date])] =
+        json["share_below" + suffix][formatText(stated.sun.settings.dates[date])] =
             roundAsText(of.belowShare[date], digits);
 }
 
-Json figuresOf(const SunByPlace& sun, std::size_t i) {
+void addShadow(Json& json, const Stated& stated, const SunOfPlace& of, const std::string& suffix) {
+    const double possibleHours = stated.sun.possibleHours;
+    if (std::isnan(possibleHours)) return;
+    for (const ShadowFigure& figure : shadowOfPlaceFigures())
+        json[figure.key + suffix] = roundAsText(shadowMinOf(of.*figure.hours, possibleHours), fewDigits);
+}
+
+void addChanges(Json& json, std::span<const Figure> figures, const SunChange& change,
+                const std::string& suffix) {
+    json.update(figuresJson({figures, &change}));
+    json["change_shadow_min" + suffix] = roundAsText(-minutesPerHour * change.meanHours, fewDigits);
+}
+
+// What changes by season, month and date.
+void addPartChanges(Json& json, const Stated& stated, const SunOfPlace& before, const SunOfPlace& after,
+                    const std::string& suffix) {
+    for (const SunPart& part : stated.parts)
+        if (part.index < (after.*part.hours).size())
+            json[keyOf(part.of, "change_hours") + suffix][part.key] = roundAsText(
+                hoursIn(after.*part.hours, part.index) - hoursIn(before.*part.hours, part.index), digits);
+}
+
+Json figuresOf(const Stated& stated, const SunByPlace& sun, std::size_t i) {
     Json json = figuresJson(sunOfPlaceFigures().of(sun.sun[i]));
-    addParts(json, sun, sun.sun[i], {});
+    addShadow(json, stated, sun.sun[i], {});
+    addParts(json, stated, sun.sun[i], {});
     for (const SunWithTrees& with : sun.withTrees) {
         json.update(figuresJson({sunFiguresWithTrees(with.column), &with.sun[i]}));
-        addParts(json, sun, with.sun[i], suffixOf(with.column));
+        addShadow(json, stated, with.sun[i], suffixOf(with.column));
+        addParts(json, stated, with.sun[i], suffixOf(with.column));
     }
     return json;
 }
 
-Json placeJson(const SunByPlace& sun, std::span<const ComparedSun> compared, std::size_t i) {
+Json placeJson(const Stated& stated, std::span<const ComparedSun> compared, std::size_t i) {
+    const SunByPlace& sun = stated.sun;
     const Place& place = sun.places[i];
     Json json{{"name", place.name}, {"kind", nameOf(place.kind)}};
     if (sun.partOf[i]) json["part_of"] = wholeOf(sun, i);
-    json.update(figuresOf(sun, i));
+    json.update(figuresOf(stated, sun, i));
     json["cell_m"] = sun.sun[i].cellM > 0 ? Json(sun.sun[i].cellM) : Json();
     if (sun.sun[i].why != NoSunFigures::measured)
         json["without_figures"] = keyOf(noSunChoices(), sun.sun[i].why);
     for (const PlaceRemark remark : sun.sun[i].remarks)
         json["remarks"].push_back(keyOf(placeRemarkChoices(), remark));
     for (const ComparedSun& one : compared) {
-        Json other = figuresOf(one.sun, i);
-        other.update(figuresJson(sunChangeFigures().of(one.changes[i])));
-        for (std::size_t column = 0; column < one.sun.withTrees.size(); ++column)
-            other.update(figuresJson({changeFiguresWithTrees(one.sun.withTrees[column].column),
-                                      &one.changesWithTrees[column][i]}));
+        Json other = figuresOf(stated, one.sun, i);
+        addChanges(other, sunChangeFigures().rows(), one.changes[i], {});
+        addPartChanges(other, stated, sun.sun[i], one.sun.sun[i], {});
+        for (std::size_t column = 0; column < one.sun.withTrees.size(); ++column) {
+            const SunWithTrees& with = one.sun.withTrees[column];
+            const std::string trees = suffixOf(with.column);
+            addChanges(other, changeFiguresWithTrees(with.column), one.changesWithTrees[column][i], trees);
+            addPartChanges(other, stated, sun.withTrees[column].sun[i], with.sun[i], trees);
+        }
         json["scenarios"][one.sun.name] = std::move(other);
     }
     json["source"] = place.source;
     return json;
+}
+
+void defineShadow(Json& definitions) {
+    for (const ShadowFigure& figure : shadowOfPlaceFigures()) definitions[figure.key] = figure.definition;
+    for (const char* part : {"season", "month", "date"})
+        definitions[fmt::format("{}_shadow_min", part)] =
+            fmt::format("minutes of shadow a day: the sunlit time of the {} less {}_hours", part, part);
 }
 
 // What the changes refer to, and the error of each compared city.
@@ -260,6 +154,8 @@ void addComparison(Json& json, const SunByPlace& sun, std::span<const ComparedSu
              {"seconds", one.sun.seconds},
              {"warnings", warningsJson(one.sun.warnings)}});
     json["definitions"].update(definitionsJson(sunChangeFigures().rows()));
+    json["definitions"]["change_shadow_min"] =
+        "minutes of shadow a day more than in the baseline, mean over the days and the place; negative: less";
     for (const SunWithTrees& with : sun.withTrees)
         json["definitions"].update(definitionsJson(changeFiguresWithTrees(with.column)));
 }
@@ -278,8 +174,6 @@ constexpr std::array placeRemarkList{
 };
 
 }  // namespace
-
-std::string hoursColumn(std::string_view of) { return fmt::format("hours_{}", of); }
 
 std::span<const Choice<PlaceRemark>> placeRemarkChoices() { return placeRemarkList; }
 
@@ -383,12 +277,6 @@ std::span<const Figure> changeFiguresWithTrees(TreeColumns column) {
     return (column == TreeColumns::evergreen ? evergreen : seasonal).rows();
 }
 
-ElementTable makeTable(const SunByPlace& sun, std::span<const ComparedSun> compared) {
-    ElementTable table{.columns = columnsOf(sun, compared), .rows = {}, .places = {}};
-    for (std::size_t i = 0; i < sun.places.size(); ++i) table.rows.push_back(rowOf(sun, compared, i));
-    return table;
-}
-
 std::string describeCellError(const std::optional<SampledError>& error) {
     if (!error) return "not measured";
     const CellError& gross = error->gross;
@@ -416,8 +304,11 @@ std::string toJson(const SunByPlace& sun, std::span<const ComparedSun> compared)
     for (const SunSeason& season : sun.seasons) json["seasons"][season.key] = season.label;
     json["seconds"] = sun.seconds;
     json["places"] = Json::array();
-    for (std::size_t i = 0; i < sun.places.size(); ++i) json["places"].push_back(placeJson(sun, compared, i));
+    const Stated stated{sun};
+    for (std::size_t i = 0; i < sun.places.size(); ++i)
+        json["places"].push_back(placeJson(stated, compared, i));
     json["definitions"] = definitionsJson(sunOfPlaceFigures().rows());
+    defineShadow(json["definitions"]);
     for (const SunWithTrees& with : sun.withTrees)
         json["definitions"].update(definitionsJson(sunFiguresWithTrees(with.column)));
     if (!compared.empty()) addComparison(json, sun, compared);

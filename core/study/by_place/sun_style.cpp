@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 #include "core/study/by_place/place_errors.h"
 #include "core/study/by_place/sun_by_place.h"
@@ -16,43 +17,66 @@ ColourScale makeScaleOf(const std::vector<double>& hours, const SunByPlace& sun,
                               hours);
 }
 
-/// Styles by the hours of parts of the period.
-class PartStyles {
-public:
-    PartStyles(const SunByPlace& sun, const PlaceColours& colours) : sun_(sun), colours_(colours) {}
+// The same classes in the same colours, in whole minutes of shadow, so that the legend can be read.
+ColourScale asShadow(const ColourScale& hours, double possibleHours) {
+    ColourScale minutes = hours;
+    minutes.quantity = {ShownAs::shadow, minutesPerHour * possibleHours};
+    minutes.paintsZero = true;
+    minutes.low = std::max(0.0, shadowMinOf(hours.high, possibleHours));
+    minutes.high = shadowMinOf(hours.low, possibleHours);
+    std::ranges::reverse(minutes.breaks);
+    for (double& at : minutes.breaks) at = std::round(shadowMinOf(at, possibleHours));
+    return minutes;
+}
 
-    // `of`: hours of a place by part; a place without cells has none.
-    void add(const std::string& name, const std::string& key, std::vector<double> SunOfPlace::*of,
-             std::size_t part) {
-        std::vector<double> hours;
-        for (const SunOfPlace& one : sun_.sun)
-            if (part < (one.*of).size()) hours.push_back((one.*of)[part]);
-        const auto classes = styleClasses(makeScaleOf(hours, sun_, colours_));
-        styles_.push_back({fmt::format("Hours of sun a day, {}", name),
-                           graduatedStyle(StyledShape::polygons, hoursColumn(key), classes)});
-    }
-    [[nodiscard]] std::vector<LayerStyle> take() && { return std::move(styles_); }
+ColourScale makeShownScale(const std::vector<double>& hours, const SunByPlace& sun,
+                           const PlaceColours& colours, const ShownSunOrShadow& shown) {
+    const ColourScale scale = makeScaleOf(hours, sun, colours);
+    return shown.isShadow ? asShadow(scale, shown.possibleHours) : scale;
+}
 
-private:
-    const SunByPlace& sun_;
-    const PlaceColours& colours_;
-    std::vector<LayerStyle> styles_;
-};
+ShownSunOrShadow chooseShown(const PlaceColours& colours, double possibleHours) {
+    return {colours.legend.show == ShownAs::shadow && possibleHours > 0, possibleHours};
+}
 
+std::string_view unitOf(const ShownSunOrShadow& shown) {
+    return shown.isShadow ? "Minutes of shadow a day" : "Hours of sun a day";
+}
+
+// A place without cells has none.
+LayerStyle makePartStyle(const SunByPlace& sun, const PlaceColours& colours, const SunPart& part) {
+    std::vector<double> hours;
+    for (const SunOfPlace& one : sun.sun)
+        if (part.index < (one.*part.hours).size()) hours.push_back((one.*part.hours)[part.index]);
+    const ShownSunOrShadow shown = chooseShown(colours, part.possibleHours);
+    const std::string name = part.of == SunPart::Of::season ? sun.seasons[part.index].label : part.key;
+    return {
+        fmt::format("{}, {}", unitOf(shown), name),
+        graduatedStyle(StyledShape::polygons, shown.isShadow ? shadowColumn(part.key) : hoursColumn(part.key),
+                       styleClasses(makeShownScale(hours, sun, colours, shown)))};
+}
+
+// Dates first.
 std::vector<LayerStyle> makePartStyles(const SunByPlace& sun, const PlaceColours& colours) {
-    PartStyles styles(sun, colours);
-    for (std::size_t i = 0; i < sun.settings.dates.size(); ++i) {
-        const std::string date = formatText(sun.settings.dates[i]);
-        styles.add(date, date, &SunOfPlace::dateHours, i);
-    }
-    for (std::size_t i = 0; i < sun.seasons.size(); ++i)
-        styles.add(sun.seasons[i].label, sun.seasons[i].key, &SunOfPlace::seasonHours, i);
-    for (std::size_t i = 0; i < sun.months.size(); ++i)
-        styles.add(sun.months[i], sun.months[i], &SunOfPlace::monthHours, i);
-    return std::move(styles).take();
+    std::vector<LayerStyle> styles;
+    const std::vector<SunPart> parts = listParts(sun);
+    for (const bool isDate : {true, false})
+        for (const SunPart& part : parts)
+            if ((part.of == SunPart::Of::date) == isDate) styles.push_back(makePartStyle(sun, colours, part));
+    return styles;
 }
 
 }  // namespace
+
+double ShownSunOrShadow::of(double sunHours) const {
+    return isShadow ? shadowMinOf(sunHours, possibleHours) : sunHours;
+}
+
+ShownSunOrShadow chooseShown(const SunByPlace& sun, const PlaceColours& colours) {
+    if (!colours.date) return chooseShown(colours, sun.possibleHours);
+    const CivilDate& date = sun.settings.dates[*colours.date];
+    return chooseShown(colours, possibleHoursOn(sun, [&](const CivilDate& day) { return day == date; }));
+}
 
 double hoursOf(const SunOfPlace& of, std::optional<std::size_t> date) {
     if (!date) return of.meanHours;
@@ -62,13 +86,15 @@ double hoursOf(const SunOfPlace& of, std::optional<std::size_t> date) {
 ColourScale makeScale(const SunByPlace& sun, const PlaceColours& colours) {
     std::vector<double> hours;
     for (const SunOfPlace& of : sun.sun) hours.push_back(hoursOf(of, colours.date));
-    return makeScaleOf(hours, sun, colours);
+    return makeShownScale(hours, sun, colours, chooseShown(sun, colours));
 }
 
 LayerStyle makeStyle(const SunByPlace& sun, const PlaceColours& colours) {
     const std::vector<ColourClass> classes = styleClasses(makeScale(sun, colours));
-    return {"Hours of sun a day",
-            graduatedStyle(StyledShape::polygons, "hours_mean", classes),
+    const ShownSunOrShadow shown = chooseShown(sun, colours);
+    return {std::string(unitOf(shown)),
+            graduatedStyle(StyledShape::polygons, shown.isShadow ? shadowColumn("mean") : hoursColumn("mean"),
+                           classes),
             {},
             makePartStyles(sun, colours)};
 }

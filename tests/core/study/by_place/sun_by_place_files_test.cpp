@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/csv_text.h"
 #include "core/base/gdal_calls.h"
 #include "core/io/places/read_places.h"
 #include "core/receivers/place_names.h"
@@ -145,7 +146,8 @@ TEST(SunByPlace, ColumnsNameTheScenarios) {
     const std::string csv = toCsv(makeTable(all.baseline, all.compared));
     EXPECT_THAT(csv, HasSubstr("hours_mean_tower_b,"));
     EXPECT_THAT(csv, HasSubstr("change_hours_tower_b,max_loss_min_tower_b,max_gain_min_tower_b,"
-                               "share_lost_tower_b,hours_mean_tower_b_2,"));
+                               "share_lost_tower_b,change_shadow_min_tower_b,change_hours_dec_feb_tower_b,"
+                               "change_hours_2026-02_tower_b,hours_mean_tower_b_2,"));
     const auto json = nlohmann::json::parse(toJson(all.baseline, all.compared));
     EXPECT_NEAR(json["places"][0]["scenarios"]["Tower B!"]["change_hours"].get<double>(),
                 all.compared[0].changes[0].meanHours, 1e-4);
@@ -162,10 +164,12 @@ TEST(SunByPlace, TableJsonAndGeoPackageSayTheSame) {
         settings);
     const ElementTable table = makeTable(sun);
     const std::string csv = toCsv(table);
-    EXPECT_THAT(csv,
-                HasSubstr("name,kind,part_of,area_m2,hours_mean,hours_min,hours_max,share_enough,"
-                          "hours_dec_feb,hours_mar_may,hours_2026-02,hours_2026-03,hours_2026-12-21,"
-                          "share_below_2026-12-21,cell_m,without_figures,remarks,lon_deg,lat_deg,source"));
+    EXPECT_THAT(csv, HasSubstr("name,kind,part_of,area_m2,hours_mean,hours_min,hours_max,share_enough,"
+                               "hours_dec_feb,hours_mar_may,hours_2026-02,hours_2026-03,hours_2026-12-21,"
+                               "share_below_2026-12-21,shadow_mean_min,shadow_most_min,shadow_least_min,"
+                               "shadow_dec_feb_min,shadow_mar_may_min,shadow_2026-02_min,shadow_2026-03_min,"
+                               "cell_m,without_figures,remarks,lon_deg,lat_deg,source"))
+        << "the shadow of a date beyond the period is not known";
     EXPECT_THAT(csv, HasSubstr("\"A, \"\"B\"\"\",plaza,,800.00,"));
     const auto json = nlohmann::json::parse(toJson(sun));
     EXPECT_NEAR(json["places"][1]["hours_mean"].get<double>(), sun.sun[1].meanHours, 1e-4);
@@ -189,9 +193,14 @@ std::optional<double> numberOf(const nlohmann::json& place, const std::string& c
     if (place.contains(column) && place[column].is_number()) return place[column].get<double>();
     for (const auto& [object, prefix] :
          {std::pair("season_hours", "hours_"), std::pair("month_hours", "hours_"),
-          std::pair("date_hours", "hours_"), std::pair("share_below", "share_below_")})
+          std::pair("date_hours", "hours_"), std::pair("share_below", "share_below_"),
+          std::pair("season_shadow_min", "shadow_"), std::pair("month_shadow_min", "shadow_"),
+          std::pair("date_shadow_min", "shadow_"), std::pair("season_change_hours", "change_hours_"),
+          std::pair("month_change_hours", "change_hours_"), std::pair("date_change_hours", "change_hours_")})
         if (column.starts_with(prefix)) {
-            const std::string key = column.substr(std::string_view(prefix).size());
+            std::string key = column.substr(std::string_view(prefix).size());
+            if (std::string_view(object).ends_with("_min") && key.ends_with("_min"))
+                key.resize(key.size() - std::string_view("_min").size());
             if (place.contains(object) && place[object].contains(key))
                 return place[object][key].get<double>();
         }
@@ -241,7 +250,72 @@ TEST(SunByPlace, TheCsvIsTheGeoPackageRoundedAndJsonAgrees) {
         EXPECT_THAT(csv, HasSubstr(line)) << "a row of the CSV, made from the GeoPackage";
     }
     EXPECT_GT(compared, 20U);
-    EXPECT_GE(inJson, 2 * (5U + 2 + 2 + 2)) << "figures, seasons, months, hours and share of the date";
+    EXPECT_GE(inJson, 2 * (5U + 2 + 2 + 2 + 3 + 2 + 2))
+        << "figures, seasons, months, hours and share of the date; shadow of the figures, seasons, months";
+}
+
+// What the sun might have had, less the sun; what a scenario changes, month by month.
+TEST(SunByPlace, ShadowAndChangesOfPartsFollowFromTheHours) {
+    SunByPlaceSettings settings = settingsOfDays(20);
+    settings.dates = {settings.study.period.start};
+    const SunOfCities all =
+        compareByPlace({{"Now", loneTower()}, {"Wall", withSouthWall(loneTower())}},
+                       {namedPlace("North", -30, 20, 50, 60), namedPlace("East", 24, -10, 61, 15)}, settings);
+    const auto rows = parseCsvRows(toCsv(makeTable(all.baseline, all.compared)));
+    const auto json = nlohmann::json::parse(toJson(all.baseline, all.compared));
+    const std::string date = formatText(settings.dates[0]);
+    for (std::size_t place = 0; place < 2; ++place) {
+        const auto at = [&](const std::string& column) {
+            const auto& names = rows[0].fields;
+            const auto found = std::ranges::find(names, column);
+            EXPECT_NE(found, names.end()) << column;
+            return std::stod(rows[place + 1].fields[std::size_t(found - names.begin())]);
+        };
+        const double possible = all.baseline.possibleHours;
+        EXPECT_NEAR(at("shadow_mean_min"), 60 * (possible - at("hours_mean")), 0.01);
+        EXPECT_NEAR(at("shadow_most_min"), 60 * (possible - at("hours_min")), 0.01) << "least sun";
+        EXPECT_NEAR(at("shadow_mean_min_wall") - at("shadow_mean_min"), at("change_shadow_min_wall"), 0.02);
+        EXPECT_NEAR(at("change_shadow_min_wall"), -60 * at("change_hours_wall"), 0.01);
+        for (const std::string& part : {std::string("2026-02"), std::string("mar_may"), date}) {
+            EXPECT_NEAR(at("hours_" + part + "_wall") - at("hours_" + part),
+                        at("change_hours_" + part + "_wall"), 2e-4)
+                << part;
+            EXPECT_GE(at("shadow_" + part + "_min_wall"), at("shadow_" + part + "_min")) << part;
+        }
+        const auto& other = json["places"][place]["scenarios"]["Wall"];
+        for (const std::string column : {"hours_2026-03", "shadow_2026-03_min", "change_hours_2026-03",
+                                         "shadow_mean_min", "change_shadow_min", "hours_dec_feb"})
+            EXPECT_EQ(numberOf(other, column), at(column + "_wall")) << column << ": to the last digit";
+    }
+    // The month's sunlit time and the mean of its days add up.
+    const double february =
+        possibleHoursOn(all.baseline, [](const CivilDate& day) { return unsigned(day.month()) == 2; });
+    EXPECT_NEAR(json["places"][0]["month_shadow_min"]["2026-02"].get<double>() / 60 +
+                    json["places"][0]["month_hours"]["2026-02"].get<double>(),
+                february, 3e-4);
+}
+
+// The same classes in the same colours, as minutes.
+TEST(SunByPlace, StylesFollowTheSwitchBetweenSunAndShadow) {
+    SunByPlace sun;
+    sun.settings.enoughHours = 3;
+    sun.possibleHours = 10;
+    sun.sun.resize(2);
+    sun.sun[0].meanHours = 8.5;
+    sun.sun[1].meanHours = 1;
+    const PlaceColours asSun{{.show = ShownAs::sun}, {}}, asShadow{{.show = ShownAs::shadow}, {}};
+    EXPECT_THAT(makeStyle(sun, asSun).qml, HasSubstr(R"(attr="hours_mean")"));
+    const LayerStyle style = makeStyle(sun, asShadow);
+    EXPECT_EQ(style.name, "Minutes of shadow a day");
+    EXPECT_THAT(style.qml, HasSubstr(R"(attr="shadow_mean_min")"));
+    const ColourScale hours = makeScale(sun, asSun), minutes = makeScale(sun, asShadow);
+    EXPECT_EQ(minutes.unit(), "min");
+    EXPECT_THAT(minutes.breaks, testing::Contains(420)) << "3 of 10 hours in the sun: 7 in shadow";
+    for (const double of : {0.5, 1.5, 2.5, 3.5, 5.5, 8.5})
+        EXPECT_EQ(minutes.colourOf(60 * (10 - of)), hours.colourOf(of)) << of;
+    sun.possibleHours = SunOfPlace::none;
+    EXPECT_THAT(makeStyle(sun, asShadow).qml, HasSubstr(R"(attr="hours_mean")"))
+        << "what the sun might have had is not known";
 }
 
 TEST(SunByPlace, StyleHasTheClassesAroundEnoughSunInTheColoursOfTheLegend) {
