@@ -101,28 +101,27 @@ void addDecided(const RunRays& rays, const Receivers& receivers, ShadowField& fi
 
 // At most the sunlit time, as in addTakenMinutes() (core/engines/shade_trees.cpp).
 void addTakenSteps(const ShadowField& without, const std::vector<std::uint32_t>& cells,
-                   const std::vector<double>& steps, ShadowField& column) {
+                   const std::vector<double>& steps, const std::vector<std::int16_t>& runs,
+                   ShadowField& column) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const double minutes =
             double(without.grossMin[cells[i]]) + steps[i] * without.stepMinutes / without.days;
         column.grossMin[cells[i]] = float(std::min(minutes, without.sunlitMinutesPerDay));
+        if (!runs.empty()) column.continuousMin[cells[i]] = float(runs[cells[i]] * without.stepMinutes);
     }
-    std::ranges::fill(column.continuousMin, std::numeric_limits<float>::quiet_NaN());
 }
 
 std::string describeCrowns() {
     return fmt::format(
-        "Horizon sweep: the length of each path through each crown at up to {} altitudes in each azimuth "
-        "bin; "
-        "longest runs are not counted",
+        "Horizon sweep: the length of each path through each crown at up to {} altitudes in each azimuth bin",
         CrownSweep::maxLevels);
 }
 
 std::shared_ptr<const TreeShade> addTaken(const ShadowField& without, const Receivers& receivers,
                                           const PeriodSweep::TakenSteps& taken, std::size_t trees) {
     TreeShade shade = makeTreeShade(without, trees);
-    addTakenSteps(without, receivers.cells, taken.evergreen.front(), *shade.evergreen);
-    addTakenSteps(without, receivers.cells, taken.seasonal.front(), *shade.seasonal);
+    addTakenSteps(without, receivers.cells, taken.evergreen.front(), taken.evergreenRuns, *shade.evergreen);
+    addTakenSteps(without, receivers.cells, taken.seasonal.front(), taken.seasonalRuns, *shade.seasonal);
     shade.how = describeCrowns();
     return std::make_shared<const TreeShade>(std::move(shade));
 }
@@ -151,10 +150,13 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
     }
     const CrownScene crowns = findCrowns(city, receivers, sun);
     std::optional<CrownSweep> crownSweep;
-    if (!crowns.empty()) crownSweep.emplace(crowns, binned, makeOneSet(sun), receivers.grid, walls.datumM);
+    if (!crowns.empty())
+        crownSweep.emplace(crowns, binned, makeOneSet(sun), receivers.grid, walls.datumM,
+                           settings.counts == ShadowCounts::gross ? CrownSweep::widestGroupDeg
+                                                                  : CrownSweep::widestGroupOfRunsDeg);
     PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, settings.counts, rays ? &*rays : nullptr,
                       progress, stop);
-    if (crownSweep) sweep.weigh(&*crownSweep);
+    if (crownSweep) sweep.weigh(&*crownSweep, crowns.inLeaf);
     field.cost.seconds["build"] = watch.seconds();
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
     field.cost.skipped["prisms and solids whose shadow cannot reach a tile (each x azimuth bins)"] =
@@ -190,10 +192,11 @@ Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const
     const auto overhanging = makeOverhangShapes(overhangs, receivers.grid, walls.datumM);
     if (!overhanging) return tl::make_unexpected(overhanging.error());
     const BinnedSun binned = binSun(sun, HorizonSweepSettings{.counts = ShadowCounts::gross});
-    const CrownSweep crownSweep(crowns, binned, sets, receivers.grid, walls.datumM);
+    const CrownSweep crownSweep(crowns, binned, sets, receivers.grid, walls.datumM,
+                                CrownSweep::widestGroupDeg);
     ProgressShare whole(progress, 0, 1);  // without the partial results, which know no trees
     PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, ShadowCounts::gross, nullptr, whole, stop);
-    sweep.weigh(&crownSweep);
+    sweep.weigh(&crownSweep, crowns.inLeaf);
     ShadowField field = makeBlankField(receivers, sun);
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
     const PeriodSweep::TakenSteps& taken = sweep.takenSteps();

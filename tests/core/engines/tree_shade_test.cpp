@@ -186,6 +186,56 @@ TEST(TreeShade, OfTheSweepIsThatOfRays) {
     }
 }
 
+// Where trees make no run longer, it is that of the sweep without them. Crowns are marked by levels of
+// altitude, and light below overhangs parts runs, so that none are in this town.
+TEST(TreeShade, OfTheSweepHasTheLongestRunsOfRays) {
+    City city = townWithTrees(40, 3);
+    std::erase_if(city.buildings, [](const auto& building) { return building->parts[0].isOverhanging; });
+    SunSteps sun = threeDays();
+    setDates(sun, {std::chrono::January / 5, std::chrono::April / 20, std::chrono::July / 1});
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 2);
+    const ShadowField rays = traced(city, receivers, sun), sweep = swept(city, receivers, sun);
+    ASSERT_TRUE(rays.trees && sweep.trees);
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal}) {
+        const auto &exact = fieldOfColumn(rays, column).continuousMin,
+                   &found = fieldOfColumn(sweep, column).continuousMin;
+        double off = 0, longer = 0;
+        std::size_t cells = 0;
+        for (const std::uint32_t cell : receivers.cells) {
+            EXPECT_GE(found[cell], sweep.continuousMin[cell]) << "trees make no run shorter";
+            if (exact[cell] <= rays.continuousMin[cell]) continue;
+            off += std::abs(double(found[cell]) - double(exact[cell]));
+            longer += double(exact[cell]) - double(rays.continuousMin[cell]);
+            ++cells;
+        }
+        std::printf("longest runs with trees: %.2f min longer at %zu cells, off by %.2f min\n",
+                    longer / double(cells), cells, off / double(cells));
+        EXPECT_GT(cells, 200U);
+        EXPECT_GT(longer, 5 * double(cells)) << "minutes that trees add";
+        EXPECT_LT(off, 0.1 * longer);
+    }
+}
+
+// Nothing but one crown, and one noon at which half of its shadow's cells are dark.
+TEST(TreeShade, LongestRunsOfTheSweepAreOfStepsThatAreHalfTaken) {
+    City city;
+    city.trees = plant({treeAt(0, 0)});
+    SunSteps sun = oneDay({{180, 45}});
+    setDates(sun, {std::chrono::July / 1});
+    const Receivers receivers = receiversOver(city, -6, 0, 6, 16, 1);
+    const ShadowField field = swept(city, receivers, sun);
+    ASSERT_TRUE(field.trees);
+    std::size_t dark = 0;
+    for (const std::uint32_t cell : receivers.cells) {
+        const glm::dvec3 origin(receivers.position(cell));
+        const double taken = 1 - passes(city.trees->trees[0], origin, glm::dvec3(towardsSun(180, 45)), true);
+        if (std::abs(taken - 0.5) < 0.02) continue;
+        EXPECT_EQ(field.trees->evergreen->continuousMin[cell], taken > 0.5 ? 1 : 0);
+        dark += taken > 0.5 ? 1 : 0;
+    }
+    EXPECT_GT(dark, 20U);
+}
+
 TEST(TreeShade, OfTheSweepIsThatOfRaysOnUnevenGround) {
     City city = townWithTrees(30, 9);
     std::vector<float> elevations;
@@ -263,8 +313,10 @@ TEST(TreeShade, OfOneSweepByMonthAddsUpToThatOfThePeriod) {
     const City city = townWithTrees(40, 3);
     const SunSteps sun = daysOfThreeMonths();
     const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 2);
-    const ShadowField sweep = swept(city, receivers, sun);
     NoProgress quiet;
+    const ShadowField sweep = HorizonSweep({.counts = ShadowCounts::gross})
+                                  .accumulate(city, receivers, sun, quiet, {})
+                                  .value();  // in the same bins
     const auto taken =
         sweepCrowns(city, findCrowns(city, receivers, sun), receivers, sun, monthsOf(sun), quiet, {});
     ASSERT_TRUE(taken);

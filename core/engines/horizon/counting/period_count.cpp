@@ -95,6 +95,7 @@ RunLanes RunCount::decidedRuns(const BinCodes& codes, const BinGaps& gaps, std::
 PartRuns RunCount::find(RunMemory& memory) const {
     PartRuns runs{memory.lanes, memory.lanes, runs_.of(memory.lanes)};
     if (!memory.overhangs.empty()) walkWithOverhangs(memory, runs);
+    memory.undecided = runs.found.longest;
     return runs;
 }
 

@@ -36,6 +36,7 @@ struct OverhangGap {
 struct RunMemory {
     std::vector<RunLanes> lanes, filled;  // one per bin; `filled` only if there are overhangs
     std::vector<OverhangGap> overhangs;
+    RunLanes undecided;  ///< longest runs of the part as horizons have them, before rays
     RunDecider::Memory deciding;
 };
 
@@ -44,7 +45,7 @@ class RunCount {
 public:
     explicit RunCount(std::vector<TimedStep> steps) : runs_(std::move(steps)) {}
 
-    [[nodiscard]] std::size_t steps() const { return runs_.steps().size(); }
+    [[nodiscard]] std::span<const TimedStep> steps() const { return runs_.steps(); }
 
     /// Longest runs of the numbers [64 part, 64 part + 64), in steps. `gaps`: for each bin, sorted by number
     /// and altitude; may be empty. Where gaps matter, each receiver is walked step by step: 0.3 ms for a year

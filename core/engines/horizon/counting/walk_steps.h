@@ -36,4 +36,15 @@ struct alignas(64) RunLanes {
 /// entry per bin. 1 ns a step with AVX-512.
 void walkSteps(std::span<const RunLanes> horizons, std::span<const TimedStep> steps, RunLanes& longest);
 
+/// A step whose horizons are those of a level of altitude in a bin.
+struct LevelStep {
+    std::uint32_t level = 0;
+    HorizonCode sun = 0;
+    bool startsRun = false;
+};
+
+/// The same where each level of altitude has lanes of its own, 64 codes each, aligned as RunLanes are.
+void walkLevels(std::span<const std::int16_t* const> lanes, std::span<const LevelStep> steps,
+                RunLanes& longest);
+
 }  // namespace noonmark

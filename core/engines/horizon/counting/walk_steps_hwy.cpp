@@ -20,12 +20,17 @@ constexpr std::size_t lanes = hn::MaxLanes(d);
 /// Number of vectors that are walked together, as many as leave registers for their runs and longest runs.
 constexpr std::size_t together = std::min<std::size_t>(4, lanesPerPart / lanes);
 
+HWY_INLINE HorizonCode codeOf(const TimedStep& step) { return step.place.sun; }
+HWY_INLINE HorizonCode codeOf(const LevelStep& step) { return step.sun; }
+
 /// Runs of some neighbouring lanes.
 struct Runs {
     V run[together], longest[together];
 };
 
-HWY_INLINE void walkSome(Horizons horizons, std::span<const TimedStep> steps, std::size_t first,
+// `lanesOf`: the codes of a step's 64 lanes.
+template <class Step, class LanesOf>
+HWY_INLINE void walkSome(std::span<const Step> steps, const LanesOf& lanesOf, std::size_t first,
                          std::int16_t* longest) {
     const V one = hn::Set(d, 1);
     Runs runs;
@@ -34,9 +39,9 @@ HWY_INLINE void walkSome(Horizons horizons, std::span<const TimedStep> steps, st
         runs.run[i] = hn::Zero(d);
         runs.longest[i] = hn::Load(d, longest + first + i * lanes);
     }
-    for (const TimedStep& step : steps) {
-        const std::int16_t* const of = horizons[step.place.bin].values + first;
-        const V sun = hn::Set(d, step.place.sun);
+    for (const Step& step : steps) {
+        const std::int16_t* const of = lanesOf(step) + first;
+        const V sun = hn::Set(d, codeOf(step));
         HWY_UNROLL(4)
         for (std::size_t i = 0; i < together; ++i) {
             if (step.startsRun) runs.run[i] = hn::Zero(d);
@@ -52,8 +57,16 @@ HWY_INLINE void walkSome(Horizons horizons, std::span<const TimedStep> steps, st
 }  // namespace
 
 void walkSteps(Horizons horizons, std::span<const TimedStep> steps, RunLanes& longest) {
+    const auto lanesOf = [&](const TimedStep& step) { return horizons[step.place.bin].values; };
     for (std::size_t first = 0; first < lanesPerPart; first += together * lanes)
-        walkSome(horizons, steps, first, longest.values);
+        walkSome(steps, lanesOf, first, longest.values);
+}
+
+void walkLevels(std::span<const std::int16_t* const> lanesOfLevels, std::span<const LevelStep> steps,
+                RunLanes& longest) {
+    const auto lanesOf = [&](const LevelStep& step) { return lanesOfLevels[step.level]; };
+    for (std::size_t first = 0; first < lanesPerPart; first += together * lanes)
+        walkSome(steps, lanesOf, first, longest.values);
 }
 
 }  // namespace noonmark::HWY_NAMESPACE
@@ -65,6 +78,12 @@ namespace noonmark {
 NOONMARK_KERNEL(walkSteps);
 void walkSteps(std::span<const RunLanes> horizons, std::span<const TimedStep> steps, RunLanes& longest) {
     NOONMARK_CALL(walkSteps)(horizons, steps, longest);
+}
+
+NOONMARK_KERNEL(walkLevels);
+void walkLevels(std::span<const std::int16_t* const> lanes, std::span<const LevelStep> steps,
+                RunLanes& longest) {
+    NOONMARK_CALL(walkLevels)(lanes, steps, longest);
 }
 
 }  // namespace noonmark

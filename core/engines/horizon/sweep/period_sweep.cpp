@@ -72,6 +72,7 @@ struct PeriodSweep::Tile {
     BlockGrounds grounds;
     TileHorizons horizons;  ///< no bins if horizons are not stored
     OverhangTile overhangs;
+    CrownMarks crownMarks;               ///< if the longest runs of crowns are counted
     std::vector<std::vector<Gap>> gaps;  ///< one list per bin
     std::atomic<std::size_t> done{0};    ///< finished bins
 };
@@ -133,6 +134,7 @@ void PeriodSweep::timed(ShadowField& field, const char* stage, Work&& work) {
 // each turn.
 void PeriodSweep::sweep(Tile& tile, const ShadowField& field) {
     if (!overhangs_.empty()) tile.overhangs = OverhangTile(receivers_, tile.blocks, walls_.datumM);
+    if (crownRuns_) tile.crownMarks.begin(bins_.size(), tile.blocks);
     tile.gaps.assign(bins_.size(), {});
     for (Workspace& workspace : workspaces_) {
         workspace.sums.begin(tile.blocks.blocks().size());
@@ -167,7 +169,7 @@ void PeriodSweep::sweep(const BatchRange& batch, Tile& tile) {
         if (!overhangs_.empty()) codes = withOverhangs(batch, i, {block, codes, swapped}, tile, workspace);
         if (crowns_ != nullptr)
             workspace.crowns.add(bin, block, tile.blocks, codes, swapped, tile.grounds.of(block, swapped),
-                                 workspace.crownSums);
+                                 workspace.crownSums, crownRuns_ ? &tile.crownMarks : nullptr);
         if (keeps_)
             writeBlock(codes, tile.blocks, tile.blocks.blocks()[block], swapped,
                        tile.horizons.of(bin).data());
@@ -253,11 +255,15 @@ void PeriodSweep::count(Tile& tile, ShadowField& field) {
         writeGross(tile.blocks, part, hidden, field);
 }
 
-void PeriodSweep::weigh(const CrownSweep* crowns) {
+void PeriodSweep::weigh(const CrownSweep* crowns, std::span<const std::uint8_t> inLeaf) {
     crowns_ = crowns;
     if (crowns == nullptr) return;
     const std::vector<std::vector<double>> none(crowns->sets(), std::vector<double>(receivers_.cells.size()));
-    taken_ = {none, none};
+    taken_ = {none, none, {}, {}};
+    if (count_.runs() == nullptr) return;
+    crownRuns_.emplace(*crowns, count_.runs()->steps(), inLeaf);
+    taken_.evergreenRuns.assign(receivers_.grid.size(), 0);
+    taken_.seasonalRuns.assign(receivers_.grid.size(), 0);
 }
 
 // Of each number of a tile its place among all receivers; padding where it is none.
@@ -305,13 +311,26 @@ void PeriodSweep::countRuns(const Tile& tile, ShadowField& field) {
     tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
         if (stop_.stop_requested()) return;
         RunMemory& memory = runMemory_.local();
-        writeRuns(tile.blocks, part,
-                  decider ? runs.decidedRuns(codes, gaps, part, *decider,
-                                             findReceiverLanes(tile.blocks, part), memory)
-                          : runs.longestRuns(codes, gaps, part, memory),
-                  field);
+        const RunLanes longest = decider ? runs.decidedRuns(codes, gaps, part, *decider,
+                                                            findReceiverLanes(tile.blocks, part), memory)
+                                         : runs.longestRuns(codes, gaps, part, memory);
+        writeRuns(tile.blocks, part, longest, field);
+        if (crownRuns_) countCrownRuns(tile, part, longest, memory);
         report(tile.blocks, 0.8 + 0.2 * double(++done) / double(parts));
     });
+}
+
+void PeriodSweep::countCrownRuns(const Tile& tile, std::size_t part, const RunLanes& decided,
+                                 const RunMemory& memory) {
+    const CrownRunCount::Runs runs = crownRuns_->of(memory.lanes, tile.crownMarks, part, memory.undecided,
+                                                    decided, crownRunMemory_.local());
+    const std::size_t first = part * lanesPerPart;
+    for (std::size_t i = 0; i < lanesPerPart && first + i < tile.blocks.numbers(); ++i) {
+        const std::uint32_t cell = tile.blocks.cell(first + i);
+        if (cell == ReceiverBlocks::padding) continue;
+        taken_.evergreenRuns[cell] = runs.evergreen.values[i];
+        taken_.seasonalRuns[cell] = runs.seasonal.values[i];
+    }
 }
 
 void PeriodSweep::report(const ReceiverBlocks& blocks, double fraction) {

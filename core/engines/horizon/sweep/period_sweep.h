@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "core/engines/horizon/counting/short_sums.h"
 #include "core/engines/horizon/overhangs/overhang_sweep.h"
 #include "core/engines/horizon/sweep/tile_sweep.h"
+#include "core/engines/horizon/trees/crown_runs.h"
 #include "core/engines/horizon/trees/crown_sweep.h"
 
 namespace noonmark {
@@ -35,11 +37,14 @@ public:
                 const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts, RunRays* rays,
                 Progress& progress, std::stop_token stop);
 
-    /// Has crowns weighed along with the horizons; null: none. It must outlive this object.
-    void weigh(const CrownSweep* crowns);
+    /// Has crowns weighed along with the horizons; null: none. Both must outlive this object. `inLeaf`: one
+    /// per step, as in CrownScene.
+    void weigh(const CrownSweep* crowns, std::span<const std::uint8_t> inLeaf);
     /// Steps that crowns take, by set of CrownSweep and then by receiver; empty without crowns.
     struct TakenSteps {
         std::vector<std::vector<double>> evergreen, seasonal;
+        /// Longest runs with crowns, in steps, by cell of the grid; empty if they are not counted.
+        std::vector<std::int16_t> evergreenRuns, seasonalRuns;
     };
     [[nodiscard]] const TakenSteps& takenSteps() const { return taken_; }
 
@@ -82,6 +87,7 @@ private:
     void addTaken(const ReceiverBlocks& blocks, const CrownSums& sums, std::size_t set,
                   const std::vector<std::uint32_t>& receivers);
     void countRuns(const Tile& tile, ShadowField& field);
+    void countCrownRuns(const Tile& tile, std::size_t part, const RunLanes& decided, const RunMemory& memory);
     void report(const ReceiverBlocks& blocks, double fraction);
 
     const WallList& walls_;
@@ -94,6 +100,7 @@ private:
     RunDoubts doubts_;
     RunRays* rays_;
     const CrownSweep* crowns_ = nullptr;
+    std::optional<CrownRunCount> crownRuns_;
     TakenSteps taken_;
     bool keeps_;  // whether horizons are stored
     Progress& progress_;
@@ -102,6 +109,7 @@ private:
     bool oneTile_ = true;
     tbb::enumerable_thread_specific<Workspace> workspaces_;
     tbb::enumerable_thread_specific<RunMemory> runMemory_;
+    tbb::enumerable_thread_specific<CrownRunCount::Memory> crownRunMemory_;
     tbb::combinable<std::uint64_t> outOfReach_{[] { return std::uint64_t{0}; }};
 };
 

@@ -286,7 +286,20 @@ void findVisibleLevels(const CrownLevels& levels, const HorizonCode* codes,
     }
 }
 
-void weighBlock(const CrownLevels& levels, const CrownDepths& depths, const HorizonCode* codes,
+void toShares(const CrownLevels& levels, const std::uint16_t* some, CrownDepths& depths) {
+    const auto change = [](float* row) {
+        for (std::size_t cell = 0; cell < rowCells; cell += lanes)
+            hn::Store(takenBy(hn::Load(dr, row + cell)), dr, row + cell);
+    };
+    for (std::size_t row = 0; row < rowCells; ++row)
+        for (unsigned bits = depths.touched[row] & some[row]; bits != 0; bits &= bits - 1) {
+            const auto i = std::size_t(std::countr_zero(bits));
+            change(depths.inLeaf[row][i]);
+            if (levels.bare[i] > 0) change(depths.bare[row][i]);
+        }
+}
+
+void weighBlock(const CrownLevels& levels, const CrownDepths& shares, const HorizonCode* codes,
                 float fractions, std::int32_t* evergreen, std::int32_t* seasonal) {
     const auto zero = hn::Zero(dr), one = every(1);
     const auto addSteps = [&](RowVector steps, std::int32_t* to) {
@@ -294,7 +307,7 @@ void weighBlock(const CrownLevels& levels, const CrownDepths& depths, const Hori
         hn::Store(hn::Add(hn::Load(rowWholes, to), whole), rowWholes, to);
     };
     for (std::size_t row = 0; row < rowCells; ++row) {
-        const unsigned touched = depths.touched[row] & levels.weighed;
+        const unsigned touched = shares.touched[row] & levels.weighed;
         if (touched == 0) continue;
         for (std::size_t cell = 0; cell < rowCells; cell += lanes) {
             const std::size_t place = row * rowCells + cell;
@@ -306,17 +319,44 @@ void weighBlock(const CrownLevels& levels, const CrownDepths& depths, const Hori
                 const auto above =
                     hn::Mul(hn::Sub(every(levels.belowCode[i]), horizons), every(levels.perCode[i]));
                 const auto seen = hn::Min(hn::Max(above, zero), one);
-                const auto taken = hn::Mul(seen, takenBy(hn::Load(dr, depths.inLeaf[row][i] + cell)));
+                const auto taken = hn::Mul(seen, hn::Load(dr, shares.inLeaf[row][i] + cell));
                 all = hn::Add(all, hn::Mul(taken, every(levels.inLeaf[i] + levels.bare[i])));
                 season = hn::Add(season, hn::Mul(taken, every(levels.inLeaf[i])));
                 if (levels.bare[i] == 0) continue;
-                const auto takenBare = hn::Mul(seen, takenBy(hn::Load(dr, depths.bare[row][i] + cell)));
+                const auto takenBare = hn::Mul(seen, hn::Load(dr, shares.bare[row][i] + cell));
                 season = hn::Add(season, hn::Mul(takenBare, every(levels.bare[i])));
             }
             addSteps(all, evergreen + place);
             addSteps(season, seasonal + place);
         }
     }
+}
+
+bool markShaded(const CrownLevels& levels, const CrownDepths& shares, float share, std::uint16_t* inLeaf,
+                std::uint16_t* bare, bool& anyBare) {
+    constexpr hn::Rebind<std::uint16_t, RowCells> rowBits;
+    unsigned some = 0, someBare = 0;
+    for (std::size_t row = 0; row < rowCells; ++row)
+        for (std::size_t cell = 0; cell < rowCells; cell += lanes) {
+            auto leafy = hn::Zero(rowWholes), leafless = leafy;
+            for (unsigned bits = shares.touched[row]; bits != 0; bits &= bits - 1) {
+                const auto i = std::size_t(std::countr_zero(bits));
+                const auto level = hn::Set(rowWholes, std::int32_t(1U << i));
+                const auto isDark = [&](const float* of) {
+                    return hn::IfThenElseZero(
+                        hn::RebindMask(rowWholes, hn::Ge(hn::Load(dr, of + cell), every(share))), level);
+                };
+                leafy = hn::Or(leafy, isDark(shares.inLeaf[row][i]));
+                if (levels.bare[i] > 0) leafless = hn::Or(leafless, isDark(shares.bare[row][i]));
+            }
+            const std::size_t place = row * rowCells + cell;
+            hn::StoreU(hn::DemoteTo(rowBits, leafy), rowBits, inLeaf + place);
+            hn::StoreU(hn::DemoteTo(rowBits, leafless), rowBits, bare + place);
+            some |= hn::AllFalse(rowWholes, hn::Gt(leafy, hn::Zero(rowWholes))) ? 0U : 1U;
+            someBare |= hn::AllFalse(rowWholes, hn::Gt(leafless, hn::Zero(rowWholes))) ? 0U : 1U;
+        }
+    anyBare = someBare != 0;
+    return some != 0;
 }
 
 }  // namespace noonmark::HWY_NAMESPACE
@@ -337,10 +377,21 @@ void findVisibleLevels(const CrownLevels& levels, const HorizonCode* codes,
     NOONMARK_CALL(findVisibleLevels)(levels, codes, receivers, visible);
 }
 
+NOONMARK_KERNEL(toShares);
+void toShares(const CrownLevels& levels, const std::uint16_t* some, CrownDepths& depths) {
+    NOONMARK_CALL(toShares)(levels, some, depths);
+}
+
 NOONMARK_KERNEL(weighBlock);
-void weighBlock(const CrownLevels& levels, const CrownDepths& depths, const HorizonCode* codes,
+void weighBlock(const CrownLevels& levels, const CrownDepths& shares, const HorizonCode* codes,
                 float fractions, std::int32_t* evergreen, std::int32_t* seasonal) {
-    NOONMARK_CALL(weighBlock)(levels, depths, codes, fractions, evergreen, seasonal);
+    NOONMARK_CALL(weighBlock)(levels, shares, codes, fractions, evergreen, seasonal);
+}
+
+NOONMARK_KERNEL(markShaded);
+bool markShaded(const CrownLevels& levels, const CrownDepths& shares, float share, std::uint16_t* inLeaf,
+                std::uint16_t* bare, bool& anyBare) {
+    return NOONMARK_CALL(markShaded)(levels, shares, share, inLeaf, bare, anyBare);
 }
 
 }  // namespace noonmark

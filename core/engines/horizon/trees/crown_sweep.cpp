@@ -6,7 +6,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
+
+#include "core/engines/api/tree_shade.h"
+#include "core/engines/horizon/trees/crown_runs.h"
 
 namespace noonmark {
 
@@ -18,6 +22,7 @@ struct LeafySun {
     HorizonCode code;
     bool inLeaf;
     std::uint16_t set;
+    std::uint32_t bin;
 };
 
 // `suns`: of the level, ascending.
@@ -39,46 +44,67 @@ void addLevel(std::span<const LeafySun> suns, CrownLevels& levels) {
     setWeights(suns, i, levels);
 }
 
-// Months have their suns of one azimuth at few altitudes: those of each level count from where its own begin.
+using BinAndSet = std::pair<std::uint32_t, std::uint16_t>;
+
+BinAndSet binAndSetOf(const LeafySun& sun) { return {sun.bin, sun.set}; }
+
+// Bins and months have their suns of one level at few altitudes: they count from where their own begin.
 void addWeightsOfSets(std::vector<LeafySun> suns, std::size_t level,
-                      std::map<std::size_t, CrownLevels>& ofSets) {
-    std::ranges::stable_sort(suns, {}, &LeafySun::set);
+                      std::map<BinAndSet, CrownLevels>& ofSets) {
+    std::ranges::stable_sort(suns, {}, binAndSetOf);
     for (std::size_t first = 0, end = 0; first < suns.size(); first = end) {
-        while (end < suns.size() && suns[end].set == suns[first].set) ++end;
-        setWeights(std::span(suns).subspan(first, end - first), level, ofSets[suns[first].set]);
+        while (end < suns.size() && binAndSetOf(suns[end]) == binAndSetOf(suns[first])) ++end;
+        setWeights(std::span(suns).subspan(first, end - first), level, ofSets[binAndSetOf(suns[first])]);
     }
 }
 
-/// The levels of a bin, and the same by set.
-struct LevelsOfBin {
+/// The levels of a group, and the same by bin and set.
+struct LevelsOfGroup {
     CrownLevels all;
-    std::vector<CrownLevelsOfSet> ofSets;
+    std::map<BinAndSet, CrownLevels> ofSets;
 };
 
 // By equal numbers of suns, but for the first and last; suns of one code stay together. Levels of
-// neighbouring bins begin at different shares of their suns, by the golden ratio, because crowns have edges
-// at the same altitude in many bins: errors at equal levels would add up instead of cancelling out.
-LevelsOfBin splitIntoLevels(std::size_t bin, std::vector<LeafySun> suns) {
+// neighbouring groups begin at different shares of their suns, by the golden ratio, because crowns have edges
+// at the same altitude in many groups: errors at equal levels would add up instead of cancelling out.
+LevelsOfGroup splitIntoLevels(std::size_t group, std::vector<LeafySun> suns) {
     constexpr double goldenRatio = 0.6180339887498949;
     std::ranges::sort(suns, {}, &LeafySun::code);
-    CrownLevels levels;
-    std::map<std::size_t, CrownLevels> ofSets;
+    LevelsOfGroup split;
     const double size = std::max(1.0, double(suns.size()) / double(CrownSweep::maxLevels - 1));
-    const double share = double(bin + 1) * goldenRatio;
+    const double share = double(group + 1) * goldenRatio;
     double limit = size * (share - std::floor(share));
     for (std::size_t first = 0; first < suns.size(); limit += size) {
-        const bool last = levels.count + 1 == CrownSweep::maxLevels;
+        const bool last = split.all.count + 1 == CrownSweep::maxLevels;
         std::size_t end = last ? suns.size() : std::min(std::size_t(std::lround(limit)), suns.size());
         if (end <= first) continue;
         while (end < suns.size() && suns[end].code == suns[end - 1].code) ++end;
         const std::span<const LeafySun> own = std::span(suns).subspan(first, end - first);
-        addLevel(own, levels);
-        addWeightsOfSets({own.begin(), own.end()}, levels.count - 1, ofSets);
+        addLevel(own, split.all);
+        addWeightsOfSets({own.begin(), own.end()}, split.all.count - 1, split.ofSets);
         first = end;
     }
-    LevelsOfBin split{levels, {}};
-    for (const auto& [set, own] : ofSets) split.ofSets.push_back({set, own});
     return split;
+}
+
+// Of each bin: neighbours whose mean azimuths lie within `widestDeg` of the first of them. Bins of no more
+// suns than levels, as those of single days, stay alone: each of their suns sees crowns from its own azimuth.
+std::vector<std::uint32_t> groupBins(const BinnedSun& binned, double widestDeg) {
+    constexpr std::size_t maxInGroup = 4;
+    const double minCosine = std::cos(widestDeg * std::numbers::pi / 180);
+    std::vector<std::uint32_t> groupOfBin;
+    std::uint32_t group = 0;
+    for (std::size_t bin = 0, first = 0; bin < binned.bins.size(); ++bin) {
+        const AzimuthBin &own = binned.bins[bin], &one = binned.bins[first];
+        const bool hasFew = std::min(own.suns.size(), one.suns.size()) <= CrownSweep::maxLevels;
+        const bool isNear = glm::dot(own.away, one.away) >= minCosine && !hasFew;
+        if (bin > 0 && (!isNear || bin - first >= maxInGroup)) {
+            first = bin;
+            ++group;
+        }
+        groupOfBin.push_back(group);
+    }
+    return groupOfBin;
 }
 
 CrownOnBlock shapeOf(const Crown& crown, double datumM) {
@@ -121,17 +147,25 @@ CrownSums::Steps CrownSums::steps(std::size_t set, std::size_t block, std::size_
 }
 
 CrownSweep::CrownSweep(const CrownScene& scene, const BinnedSun& binned, const StepSets& sets,
-                       const Grid& grid, double datumM)
-    : cellM_(grid.cellM), steps_(binned.places.size()), sets_(sets.names.size()) {
-    std::vector<std::vector<LeafySun>> suns(binned.bins.size());
-    for (std::size_t step = 0; step < binned.places.size(); ++step)
-        suns[binned.places[step].bin].push_back(
-            {binned.places[step].sun, scene.inLeaf[step] != 0, sets.ofStep[step]});
-    for (std::size_t bin = 0; bin < suns.size(); ++bin) {
-        LevelsOfBin split = splitIntoLevels(bin, std::move(suns[bin]));
-        levels_.push_back(split.all);
-        levelsOfSets_.push_back(std::move(split.ofSets));
-        away_.push_back(binned.bins[bin].away);
+                       const Grid& grid, double datumM, double groupDeg)
+    : groupOfBin_(groupBins(binned, groupDeg)),
+      levelsOfSets_(binned.bins.size()),
+      cellM_(grid.cellM),
+      steps_(binned.places.size()),
+      sets_(sets.names.size()) {
+    std::vector<std::vector<LeafySun>> suns(groupOfBin_.empty() ? 0 : groupOfBin_.back() + 1);
+    for (std::size_t step = 0; step < binned.places.size(); ++step) {
+        const StepPlace& place = binned.places[step];
+        suns[groupOfBin_[place.bin]].push_back(
+            {place.sun, scene.inLeaf[step] != 0, sets.ofStep[step], place.bin});
+    }
+    groups_.resize(suns.size());
+    for (std::size_t bin = 0; bin < binned.bins.size(); ++bin)
+        groups_[groupOfBin_[bin]].away += binned.bins[bin].away * double(binned.bins[bin].suns.size());
+    for (std::size_t group = 0; group < suns.size(); ++group) {
+        LevelsOfGroup split = splitIntoLevels(group, std::move(suns[group]));
+        groups_[group] = {split.all, glm::normalize(groups_[group].away)};
+        for (const auto& [of, levels] : split.ofSets) levelsOfSets_[of.first].push_back({of.second, levels});
     }
     for (const Crown& crown : scene.crowns) {
         places_.emplace_back(crown.x - grid.westM, crown.y - grid.southM);
@@ -140,18 +174,6 @@ CrownSweep::CrownSweep(const CrownScene& scene, const BinnedSun& binned, const S
         highestM_ = std::max(highestM_, crowns_.back().topM);
     }
 }
-
-/// A block at one bin.
-struct CrownBatch::BlockView {
-    const CrownLevels& levels;
-    float aside = 0, ahead = 0;  // of its first cell, metres
-    float asidePerRow = 0, aheadPerRow = 0, asidePerCell = 0, aheadPerCell = 0;
-    float lowAside = 0, highAside = 0, lowAhead = 0, highAhead = 0;  // of its cells
-    bool swapped = false;
-    CrownGround ground;
-    float lowestTan = 0;                        // of the levels that some cell sees
-    std::array<std::uint16_t, side> visible{};  // levels that some cell of each row sees, as bits
-};
 
 std::size_t CrownBatch::Squares::at(const PlacedCrown& crown) const {
     const auto band = std::size_t((crown.aside - lowestAside) * perM);
@@ -171,14 +193,15 @@ std::span<const CrownBatch::PlacedCrown> CrownBatch::Squares::find(int band, flo
 
 void CrownBatch::begin(const CrownSweep& sweep, std::size_t first, std::size_t end) {
     sweep_ = &sweep;
-    firstBin_ = first;
-    squares_.resize(end - first);
-    for (std::size_t bin = first; bin < end; ++bin) place(sweep, bin, squares_[bin - first]);
+    firstGroup_ = sweep.groupOf(first);
+    group_ = block_ = none;
+    squares_.resize(sweep.groupOf(end - 1) + 1 - firstGroup_);
+    for (std::size_t i = 0; i < squares_.size(); ++i) place(sweep, firstGroup_ + i, squares_[i]);
 }
 
 // A counting sort, which leaves crowns of a square in their order, so that sums do not depend on threads.
-void CrownBatch::place(const CrownSweep& sweep, std::size_t bin, Squares& squares) {
-    const glm::dvec2 away = sweep.away(bin), right(-away.y, away.x);
+void CrownBatch::place(const CrownSweep& sweep, std::size_t group, Squares& squares) {
+    const glm::dvec2 away = sweep.away(group), right(-away.y, away.x);
     glm::vec2 low(std::numeric_limits<float>::max()), high(-low);
     unsorted_.clear();
     for (std::uint32_t i = 0; i < sweep.places().size(); ++i) {
@@ -203,30 +226,69 @@ void CrownBatch::place(const CrownSweep& sweep, std::size_t bin, Squares& square
 }
 
 void CrownBatch::add(std::size_t bin, std::size_t blockIndex, const ReceiverBlocks& blocks,
-                     const HorizonCode* codes, bool swapped, const BlockGround& ground, CrownSums& sums) {
-    const ReceiverBlocks::Masks& receivers = blocks.masks(blockIndex, swapped);
-    BlockView view = viewOf(bin, blocks.blocks()[blockIndex], swapped);
+                     const HorizonCode* codes, bool swapped, const BlockGround& ground, CrownSums& sums,
+                     CrownMarks* marks) {
+    if (group_ != sweep_->groupOf(bin) || block_ != blockIndex)
+        beginBlock(bin, blockIndex, blocks, swapped, ground);
     if (codes == nullptr) codes = levelHorizons().data();
-    setGround(view, ground, receivers);
-    if (findVisible(view, codes, receivers) && addCrowns(squares_[bin - firstBin_], view)) {
+    Wanted wanted;
+    if (findWanted(codes, blocks.masks(blockIndex, swapped), wanted)) computeShares(wanted);
+    if (std::ranges::any_of(shares_.touched, [](std::uint16_t levels) { return levels != 0; })) {
         for (const CrownLevelsOfSet& of : sweep_->levelsOfSets(bin)) {
             CrownSums::Block& block = sums.at(of.set, blockIndex, swapped);
-            weighBlock(of.levels, depths_, codes, sums.fractions(), block.evergreen, block.seasonal);
+            weighBlock(of.levels, shares_, codes, sums.fractions(), block.evergreen, block.seasonal);
             for (const HiddenGap& gap : gaps_) takeGap(gap, of.levels, swapped, sums.fractions(), block);
         }
-        std::ranges::fill(depths_.touched, std::uint16_t{0});
+        if (marks != nullptr) mark(bin, blockIndex, swapped, *marks);
     }
     gaps_.clear();
 }
 
+void CrownBatch::beginBlock(std::size_t bin, std::size_t blockIndex, const ReceiverBlocks& blocks,
+                            bool swapped, const BlockGround& ground) {
+    group_ = sweep_->groupOf(bin);
+    block_ = blockIndex;
+    view_ = viewOf(bin, blocks.blocks()[blockIndex], swapped);
+    setGround(view_, ground, blocks.masks(blockIndex, swapped));
+    computed_.fill(0);
+    std::ranges::fill(shares_.touched, std::uint16_t{0});
+}
+
+// Levels that some cell sees, and that no bin of the group before has asked for. False: none.
+bool CrownBatch::findWanted(const HorizonCode* codes, const ReceiverBlocks::Masks& receivers,
+                            Wanted& wanted) const {
+    findVisibleLevels(*view_.levels, codes, receivers, wanted.levels.data());
+    unsigned some = 0;
+    for (std::size_t row = 0; row < side; ++row) {
+        wanted.levels[row] = std::uint16_t(wanted.levels[row] & ~computed_[row]);
+        some |= wanted.levels[row];
+    }
+    if (some != 0) wanted.lowestTan = view_.levels->tan[std::countr_zero(some)];
+    return some != 0;
+}
+
+void CrownBatch::computeShares(const Wanted& wanted) {
+    addCrowns(squares_[group_ - firstGroup_], wanted);
+    toShares(*view_.levels, wanted.levels.data(), shares_);
+    for (std::size_t row = 0; row < side; ++row)
+        computed_[row] = std::uint16_t(computed_[row] | wanted.levels[row]);
+}
+
+void CrownBatch::mark(std::size_t bin, std::size_t blockIndex, bool swapped, CrownMarks& marks) const {
+    CrownMarks::Block block;
+    block.anyInLeaf = markShaded(*view_.levels, shares_, float(TreeShade::defaultShadedFrom), block.inLeaf,
+                                 block.bare, block.anyBare);
+    if (block.anyInLeaf || block.anyBare) marks.set(bin, blockIndex, swapped, block);
+}
+
 CrownBatch::BlockView CrownBatch::viewOf(std::size_t bin, const ReceiverBlocks::Block& block,
                                          bool swapped) const {
-    const glm::dvec2 away = sweep_->away(bin), right(-away.y, away.x);
+    const glm::dvec2 away = sweep_->away(sweep_->groupOf(bin)), right(-away.y, away.x);
     const double cellM = sweep_->cellM();
     const glm::dvec2 first(cellM * (block.column + 0.5), cellM * (block.row + 0.5));
     const glm::dvec2 toNextCell = swapped ? glm::dvec2(0, cellM) : glm::dvec2(cellM, 0);
     const glm::dvec2 toNextRow = swapped ? glm::dvec2(cellM, 0) : glm::dvec2(0, cellM);
-    BlockView view{.levels = sweep_->levels(bin)};
+    BlockView view{.levels = &sweep_->levels(bin)};
     view.aside = float(glm::dot(first, right));
     view.ahead = float(-glm::dot(first, away));
     view.asidePerRow = float(glm::dot(toNextRow, right));
@@ -240,7 +302,6 @@ CrownBatch::BlockView CrownBatch::viewOf(std::size_t bin, const ReceiverBlocks::
     view.highAside = -low(-view.aside, -view.asidePerRow, -view.asidePerCell);
     view.lowAhead = low(view.ahead, view.aheadPerRow, view.aheadPerCell);
     view.highAhead = -low(-view.ahead, -view.aheadPerRow, -view.aheadPerCell);
-    view.swapped = swapped;
     return view;
 }
 
@@ -254,49 +315,34 @@ void CrownBatch::setGround(BlockView& view, const BlockGround& ground,
                 view.ground.highestM = std::max(view.ground.highestM, ground.rowsM[row].values[cell]);
 }
 
-// Whether any cell sees a sun.
-bool CrownBatch::findVisible(BlockView& view, const HorizonCode* codes,
-                             const ReceiverBlocks::Masks& receivers) {
-    findVisibleLevels(view.levels, codes, receivers, view.visible.data());
-    unsigned some = 0;
-    for (const std::uint16_t levels : view.visible) some |= levels;
-    if (some == 0) return false;
-    view.lowestTan = view.levels.tan[std::countr_zero(some)];
-    return true;
-}
-
-// Whether any stands before the block.
-bool CrownBatch::addCrowns(const Squares& squares, const BlockView& view) {
+void CrownBatch::addCrowns(const Squares& squares, const Wanted& wanted) {
     const float widest = sweep_->widestM();
-    const float reachM = std::max(0.0F, sweep_->highestM() - view.ground.lowestM) / view.lowestTan;
+    const float reachM = std::max(0.0F, sweep_->highestM() - view_.ground.lowestM) / wanted.lowestTan;
     const auto bandAt = [&](float aside) {
         return int(std::floor((aside - squares.lowestAside) * squares.perM));
     };
-    const int first = std::max(0, bandAt(view.lowAside - widest));
-    const int last = std::min(squares.bands - 1, bandAt(view.highAside + widest));
-    bool any = false;
+    const int first = std::max(0, bandAt(view_.lowAside - widest));
+    const int last = std::min(squares.bands - 1, bandAt(view_.highAside + widest));
     for (int band = first; band <= last; ++band)
         for (const PlacedCrown& crown :
-             squares.find(band, view.lowAhead - widest, view.highAhead + widest + reachM))
-            any = addCrown(crown, view) || any;
-    return any;
+             squares.find(band, view_.lowAhead - widest, view_.highAhead + widest + reachM))
+            addCrown(crown, wanted);
 }
 
-bool CrownBatch::addCrown(const PlacedCrown& placed, const BlockView& view) {
+void CrownBatch::addCrown(const PlacedCrown& placed, const Wanted& wanted) {
     const CrownOnBlock& crown = sweep_->crowns()[placed.crown];
-    const float r = crown.radiusM, overM = crown.topM - view.ground.lowestM;
-    if (placed.aside - view.highAside >= r || placed.aside - view.lowAside <= -r || overM <= 0) return false;
-    if (placed.ahead - view.lowAhead <= -r) return false;
-    if ((placed.ahead - view.highAhead - r) * view.lowestTan >= overM) return false;
+    const float r = crown.radiusM, overM = crown.topM - view_.ground.lowestM;
+    if (placed.aside - view_.highAside >= r || placed.aside - view_.lowAside <= -r || overM <= 0) return;
+    if (placed.ahead - view_.lowAhead <= -r) return;
+    if ((placed.ahead - view_.highAhead - r) * wanted.lowestTan >= overM) return;
     CrownOnBlock on = crown;
-    on.distance = placed.ahead - view.ahead;
-    on.distancePerRow = -view.aheadPerRow;
-    on.distancePerCell = -view.aheadPerCell;
-    on.aside = placed.aside - view.aside;
-    on.asidePerRow = -view.asidePerRow;
-    on.asidePerCell = -view.asidePerCell;
-    addCrownToBlock(on, view.levels, view.ground, view.visible.data(), depths_);
-    return true;
+    on.distance = placed.ahead - view_.ahead;
+    on.distancePerRow = -view_.aheadPerRow;
+    on.distancePerCell = -view_.aheadPerCell;
+    on.aside = placed.aside - view_.aside;
+    on.asidePerRow = -view_.asidePerRow;
+    on.asidePerCell = -view_.asidePerCell;
+    addCrownToBlock(on, *view_.levels, view_.ground, wanted.levels.data(), shares_);
 }
 
 // Suns that an overhang hides are not the crowns'.
@@ -305,17 +351,17 @@ void CrownBatch::takeGap(const HiddenGap& gap, const CrownLevels& levels, bool s
     const std::size_t across = gap.cell % side, down = gap.cell / side;
     const std::size_t row = swapped ? across : down, cell = swapped ? down : across;
     float evergreen = 0, seasonal = 0;
-    for (unsigned bits = depths_.touched[row] & levels.weighed; bits != 0; bits &= bits - 1) {
+    for (unsigned bits = shares_.touched[row] & levels.weighed; bits != 0; bits &= bits - 1) {
         const auto i = std::size_t(std::countr_zero(bits));
         const auto above = [&](HorizonCode code) {
             return std::clamp((levels.belowCode[i] - float(code)) * levels.perCode[i], 0.0F, 1.0F);
         };
         const float hidden = above(gap.low) - above(gap.high);
         if (hidden <= 0) continue;
-        const float taken = -std::expm1(-depths_.inLeaf[row][i][cell]);
+        const float taken = shares_.inLeaf[row][i][cell];
         evergreen += hidden * (levels.inLeaf[i] + levels.bare[i]) * taken;
         seasonal += hidden * levels.inLeaf[i] * taken;
-        if (levels.bare[i] > 0) seasonal -= hidden * levels.bare[i] * std::expm1(-depths_.bare[row][i][cell]);
+        if (levels.bare[i] > 0) seasonal += hidden * levels.bare[i] * shares_.bare[row][i][cell];
     }
     sums.evergreen[row * side + cell] -= std::int32_t(evergreen * fractions + 0.5F);
     sums.seasonal[row * side + cell] -= std::int32_t(seasonal * fractions + 0.5F);

@@ -2,7 +2,8 @@
 
 // The folder core/engines/horizon/trees weighs crowns within the horizon sweep. In this file, CrownSweep has
 // the crowns and the suns of each bin in levels of altitude, CrownBatch adds the crowns before each block,
-// and addCrownToBlock(), findVisibleLevels() and weighBlock() are the inner loops.
+// and addCrownToBlock(), findVisibleLevels(), weighBlock() and markShaded() are the inner loops. crown_runs.h
+// counts longest runs.
 
 #include <array>
 #include <cstddef>
@@ -22,8 +23,8 @@
 
 namespace noonmark {
 
-/// The suns of a bin in levels of altitude, from the lowest up; those of a level are weighed together, at the
-/// mean of their altitudes. Entries from `count` on are harmless.
+/// The suns of a group of bins in levels of altitude, from the lowest up; those of a level are weighed
+/// together, at the mean of their altitudes. Entries from `count` on are harmless.
 struct CrownLevels {
     static constexpr std::size_t maximum = 16;  ///< a level is a bit
     std::size_t count = 0;
@@ -35,9 +36,15 @@ struct CrownLevels {
                                                 {};  ///< numbers of suns in and out of the leaf season
     std::uint16_t weighed = 0;                       ///< levels that have suns, as bits
     [[nodiscard]] std::uint16_t all() const { return std::uint16_t((1U << count) - 1); }
+    /// The level of one of its suns.
+    [[nodiscard]] std::uint32_t levelOf(HorizonCode sun) const {
+        std::uint32_t level = 0;
+        while (level + 1 < count && float(sun) >= belowCode[level]) ++level;
+        return level;
+    }
 };
 
-/// The suns of one set of steps (StepSets) in the levels of their bin.
+/// The suns of one bin and one set of steps (StepSets) in the levels of their group.
 struct CrownLevelsOfSet {
     std::size_t set;
     CrownLevels levels;
@@ -59,8 +66,9 @@ struct CrownGround {
     float lowestM = 0, highestM = 0;          ///< of the receivers
 };
 
-/// Optical depths before the cells of a block at each level, in and out of the leaf season. Those of a row
-/// and level that no crown has touched are unspecified.
+/// Optical depths before the cells of a block at each level, in and out of the leaf season, or, after
+/// toShares(), the shares of the sun that crowns take. Those of a row and level that no crown has touched are
+/// unspecified.
 struct CrownDepths {
     static constexpr std::size_t side = ReceiverBlocks::side;
     std::uint16_t touched[side] = {};  ///< levels of each row, as bits
@@ -72,16 +80,23 @@ struct CrownDepths {
 void addCrownToBlock(const CrownOnBlock& crown, const CrownLevels& levels, const CrownGround& ground,
                      const std::uint16_t* visible, CrownDepths& depths);
 
+/// Turns the depths of some levels of each row, as bits, into shares: 1 - exp(-depth), within 5e-5.
+void toShares(const CrownLevels& levels, const std::uint16_t* some, CrownDepths& depths);
+
 /// For each row of a block the levels of which some receiver sees a sun, as bits.
 void findVisibleLevels(const CrownLevels& levels, const HorizonCode* codes,
                        const ReceiverBlocks::Masks& receivers, std::uint16_t* visible);
 
 /// Adds the steps that crowns take from a block's cells, of those that their horizons leave, times
-/// `fractions`, at the levels that have suns: each sun counts 1 - exp(-optical depth). A level that a horizon
-/// cuts counts by the share of its codes. Sums are 16 a row; those of cells that are no receivers are of no
-/// use.
-void weighBlock(const CrownLevels& levels, const CrownDepths& depths, const HorizonCode* codes,
+/// `fractions`, at the levels that have suns: each sun counts by its share. A level that a horizon cuts
+/// counts by the share of its codes. Sums are 16 a row; those of cells that are no receivers are of no use.
+void weighBlock(const CrownLevels& levels, const CrownDepths& shares, const HorizonCode* codes,
                 float fractions, std::int32_t* evergreen, std::int32_t* seasonal);
+
+/// Sets for each cell of a block, 16 a row, the levels at which crowns take `share` of the sun or more, as
+/// bits; true if there are some. The levels of `bare` are those that have suns out of season.
+bool markShaded(const CrownLevels& levels, const CrownDepths& shares, float share, std::uint16_t* inLeaf,
+                std::uint16_t* bare, bool& anyBare);
 
 /// Steps of each set taken by crowns from each cell of a tile's blocks, in fractions of a step, so that sums
 /// are the same in whatever order they are made. For one thread.
@@ -114,44 +129,62 @@ private:
     std::vector<Block> blocks_;
 };
 
-/// The crowns and suns of a period.
+/// The crowns and suns of a period. Neighbouring bins form groups, whose suns see crowns from one azimuth, as
+/// crowns have no corners: what a crown takes earlier on one side it takes later on the other.
 class CrownSweep {
 public:
-    /// At most so many levels a bin.
+    /// At most so many levels a group.
     static constexpr std::size_t maxLevels = 12;
     static_assert(maxLevels <= CrownLevels::maximum);
+    /// A group's width, from its first sun to its last, unless a bin is wider. Longest runs begin and end at
+    /// the azimuth of their group.
+    static constexpr double widestGroupDeg = 1.5, widestGroupOfRunsDeg = 0.5;
+
     /// `scene`, `binned` and `sets` are of the same steps; `datumM`: local z from which heights count.
     CrownSweep(const CrownScene& scene, const BinnedSun& binned, const StepSets& sets, const Grid& grid,
-               double datumM);
+               double datumM, double groupDeg);
 
     /// Where crowns stand: metres from the grid's south-western corner.
     [[nodiscard]] std::span<const glm::dvec2> places() const { return places_; }
     /// The crowns, but for where they stand before a block.
     [[nodiscard]] std::span<const CrownOnBlock> crowns() const { return crowns_; }
-    [[nodiscard]] const CrownLevels& levels(std::size_t bin) const { return levels_[bin]; }
-    /// The same suns by set: those that have some in the bin.
+    [[nodiscard]] std::size_t bins() const { return groupOfBin_.size(); }
+    [[nodiscard]] std::size_t groupOf(std::size_t bin) const { return groupOfBin_[bin]; }
+    /// Of the bin's group.
+    [[nodiscard]] const CrownLevels& levels(std::size_t bin) const {
+        return groups_[groupOfBin_[bin]].levels;
+    }
+    /// The bin's own suns by set: those that have some.
     [[nodiscard]] std::span<const CrownLevelsOfSet> levelsOfSets(std::size_t bin) const {
         return levelsOfSets_[bin];
     }
     [[nodiscard]] std::size_t sets() const { return sets_; }
-    [[nodiscard]] glm::dvec2 away(std::size_t bin) const { return away_[bin]; }
+    /// The direction in which shadows fall at a group.
+    [[nodiscard]] glm::dvec2 away(std::size_t group) const { return groups_[group].away; }
     [[nodiscard]] double cellM() const { return cellM_; }
     [[nodiscard]] float widestM() const { return widestM_; }    ///< the largest radius
     [[nodiscard]] float highestM() const { return highestM_; }  ///< the highest top above the datum
     [[nodiscard]] std::size_t steps() const { return steps_; }
 
 private:
+    struct Group {
+        CrownLevels levels;
+        glm::dvec2 away;
+    };
     std::vector<glm::dvec2> places_;
     std::vector<CrownOnBlock> crowns_;
-    std::vector<CrownLevels> levels_;  // one a bin
-    std::vector<std::vector<CrownLevelsOfSet>> levelsOfSets_;
-    std::vector<glm::dvec2> away_;
+    std::vector<Group> groups_;
+    std::vector<std::uint32_t> groupOfBin_;
+    std::vector<std::vector<CrownLevelsOfSet>> levelsOfSets_;  // of each bin
     double cellM_;
     float widestM_ = 0, highestM_ = 0;
     std::size_t steps_, sets_;
 };
 
-/// The crowns at one bin after the other. Reuses its memory; one per thread.
+class CrownMarks;
+
+/// The crowns at one bin after the other. What they take from a block is computed once for the bins of a
+/// group that follow each other there. Reuses its memory; one per thread.
 class CrownBatch {
 public:
     /// Selects the bins [first, end).
@@ -164,9 +197,9 @@ public:
     }
 
     /// Adds what crowns take from a block's cells at a bin. `codes`: the cells' horizons, as from BlockSweep;
-    /// null: all level.
+    /// null: all level. `marks`: null if longest runs are not counted.
     void add(std::size_t bin, std::size_t blockIndex, const ReceiverBlocks& blocks, const HorizonCode* codes,
-             bool swapped, const BlockGround& ground, CrownSums& sums);
+             bool swapped, const BlockGround& ground, CrownSums& sums, CrownMarks* marks);
 
 private:
     /// A crown in the axes of one azimuth, metres.
@@ -174,7 +207,7 @@ private:
         float aside, ahead;  ///< across the azimuth, and along it towards the sun, from the grid's corner
         std::uint32_t crown;
     };
-    /// Those of one bin in squares: bands across the azimuth, in each from the farthest from the sun on.
+    /// Those of one group in squares: bands across the azimuth, in each from the farthest from the sun on.
     struct Squares {
         float lowestAside = 0, lowestAhead = 0;
         float perM = 0;  ///< 1 / side
@@ -188,24 +221,46 @@ private:
         std::size_t cell;
         HorizonCode low, high;
     };
-    struct BlockView;
+    using RowLevels = std::array<std::uint16_t, ReceiverBlocks::side>;  // of each row, as bits
+    /// A block at one azimuth.
+    struct BlockView {
+        const CrownLevels* levels = nullptr;
+        float aside = 0, ahead = 0;  // of its first cell, metres
+        float asidePerRow = 0, aheadPerRow = 0, asidePerCell = 0, aheadPerCell = 0;
+        float lowAside = 0, highAside = 0, lowAhead = 0, highAhead = 0;  // of its cells
+        CrownGround ground;
+    };
+    /// Levels that are to be computed of each row.
+    struct Wanted {
+        RowLevels levels{};
+        float lowestTan = 0;
+    };
 
-    void place(const CrownSweep& sweep, std::size_t bin, Squares& squares);
+    void place(const CrownSweep& sweep, std::size_t group, Squares& squares);
+    void beginBlock(std::size_t bin, std::size_t blockIndex, const ReceiverBlocks& blocks, bool swapped,
+                    const BlockGround& ground);
     [[nodiscard]] BlockView viewOf(std::size_t bin, const ReceiverBlocks::Block& block, bool swapped) const;
     static void setGround(BlockView& view, const BlockGround& ground, const ReceiverBlocks::Masks& receivers);
-    static bool findVisible(BlockView& view, const HorizonCode* codes,
-                            const ReceiverBlocks::Masks& receivers);
-    bool addCrowns(const Squares& squares, const BlockView& view);
-    bool addCrown(const PlacedCrown& placed, const BlockView& view);
+    [[nodiscard]] bool findWanted(const HorizonCode* codes, const ReceiverBlocks::Masks& receivers,
+                                  Wanted& wanted) const;
+    void computeShares(const Wanted& wanted);
+    void addCrowns(const Squares& squares, const Wanted& wanted);
+    void addCrown(const PlacedCrown& placed, const Wanted& wanted);
+    void mark(std::size_t bin, std::size_t blockIndex, bool swapped, CrownMarks& marks) const;
     void takeGap(const HiddenGap& gap, const CrownLevels& levels, bool swapped, float fractions,
                  CrownSums::Block& sums) const;
 
     const CrownSweep* sweep_ = nullptr;
-    std::size_t firstBin_ = 0;
+    std::size_t firstGroup_ = 0;
     std::vector<Squares> squares_;
     std::vector<PlacedCrown> unsorted_;
     std::vector<HiddenGap> gaps_;
-    CrownDepths depths_;
+    // Of the group and the block of the last call.
+    static constexpr std::size_t none = std::size_t(-1);
+    std::size_t group_ = none, block_ = none;
+    BlockView view_;
+    RowLevels computed_{};
+    CrownDepths shares_;
 };
 
 /// What crowns take of the sun that buildings leave, in one sweep for all sets. `crowns`: with one; of the

@@ -1,0 +1,259 @@
+// What trees cost the horizon sweep, and how far it is off: a year of 8 h days at one minute over 800 x 800 m
+// in the middle of a city, without trees and with made inventories of 5,000 and 20,000 trees in reach. First
+// the sweep's columns are compared with exact rays on a sample of receivers; then all are timed in turn.
+// "district": 2 x 2 km with 100,000 trees, and with a canopy raster of 1 m of which a quarter is canopy.
+//
+//     trees_bench FILE.osm.pbf [columns|district] [rounds] [receivers in the sample]
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "core/city/trees/tree_facts.h"
+#include "core/engines/horizon/horizon_sweep.h"
+#include "core/engines/ray/ray_reference.h"
+#include "core/engines/shade_trees.h"
+#include "core/engines/trees/crowns.h"
+#include "tests/benchmarks/bench_scene.h"
+
+using namespace noonmark;
+using namespace noonmark::bench;
+
+namespace {
+
+template <class T>
+T must(Result<T> made) {
+    if (made) return std::move(*made);
+    fmt::print(stderr, "{}\n", made.error().text());
+    std::exit(EXIT_FAILURE);
+}
+
+Receivers findSquare(const City& city, double sideM) {
+    const Box2 box = bounds(city);
+    const glm::vec2 middle = (box.low + box.high) * 0.5F, half(float(sideM / 2));
+    return must(placeReceiversOnGround(city, makeRegionFromLocalBox({middle - half, middle + half}), {}));
+}
+
+SunSteps yearOf(const City& city) {
+    Period period;
+    period.start = {std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}};
+    period.days = 365;
+    period.hours = 8;
+    period.zone = "America/New_York";
+    const LonLat place = city.frame.origin();
+    return must(computeSunSteps(period, {.place = {place.lonDeg, place.latDeg}}));
+}
+
+// As an inventory of New York has them: stems of 3 to 30 inches, planes and honey locusts above all.
+TreeFacts makeFacts(std::mt19937& random) {
+    constexpr std::array species{
+        "Platanus x acerifolia", "Gleditsia triacanthos", "Pyrus calleryana", "Quercus palustris",
+        "Tilia cordata",         "Ginkgo biloba",         "Pinus strobus",    "Acer rubrum"};
+    std::uniform_real_distribution<double> inches(3, 30);
+    return {.species = species[random() % species.size()], .stemDiameterM = inches(random) * 0.0254};
+}
+
+// Trees on open ground, drawn at random.
+std::vector<Tree> plantOnGround(const City& city, const Receivers& ground, std::size_t count,
+                                std::mt19937& random) {
+    std::vector<Tree> trees;
+    while (trees.size() < count) {
+        const std::uint32_t cell = ground.cells[random() % ground.cells.size()];
+        Tree tree = completeTree(makeFacts(random));
+        tree.place = glm::dvec2(ground.position(cell));
+        tree.groundM = groundAt(city, tree.place);
+        trees.push_back(std::move(tree));
+    }
+    return trees;
+}
+
+City withTrees(City city, std::vector<Tree> trees) {
+    city.trees = std::make_shared<const Trees>(
+        Trees{std::move(trees), assumeLeafDays(city.frame.origin().latDeg), true});
+    return city;
+}
+
+// So many trees whose shadow can reach a receiver, and none else.
+City withTreesInReach(const City& city, const Receivers& receivers, const SunSteps& sun, std::size_t count) {
+    std::mt19937 random(7);
+    const Receivers around = findSquare(city, 1300);
+    const City many = withTrees(city, plantOnGround(city, around, 3 * count, random));
+    std::vector<Tree> inReach;
+    for (const std::uint32_t tree : findCrowns(many, receivers, sun).trees)
+        if (inReach.size() < count) inReach.push_back(many.trees->trees[tree]);
+    return withTrees(city, std::move(inReach));
+}
+
+Receivers sampleOf(Receivers receivers, std::size_t count) {
+    std::mt19937 random(11);
+    std::shuffle(receivers.cells.begin(), receivers.cells.end(), random);
+    receivers.cells.resize(std::min(count, receivers.cells.size()));
+    std::ranges::sort(receivers.cells);
+    std::ranges::replace(receivers.kind, CellKind::ground, CellKind::outside);
+    for (const std::uint32_t cell : receivers.cells) receivers.kind[cell] = CellKind::ground;
+    return receivers;
+}
+
+ShadowField compute(const Engine& engine, const City& city, const Receivers& receivers, const SunSteps& sun) {
+    NoProgress quiet;
+    return must(engine.accumulate(city, receivers, sun, quiet, {}));
+}
+
+/// Differences in percent of the sunlit minutes.
+struct Errors {
+    double mean = 0, p99 = 0, largest = 0;
+};
+
+template <class Off>
+Errors errorsOf(const Receivers& sample, const Off& offPercent) {
+    std::vector<double> off;
+    for (const std::uint32_t cell : sample.cells) off.push_back(std::abs(offPercent(cell)));
+    std::ranges::sort(off);
+    Errors errors{.p99 = off[off.size() * 99 / 100], .largest = off.back()};
+    for (const double one : off) errors.mean += one / double(off.size());
+    return errors;
+}
+
+void print(std::string_view what, const Errors& errors) {
+    fmt::print("  {:<44} mean {:.4f} %, 99th percentile {:.3f} %, largest {:.2f} %\n", what, errors.mean,
+               errors.p99, errors.largest);
+}
+
+// Both columns against rays; false where gross shadow is off by more than 0.1 % in the mean or 1 % in the
+// 99th percentile.
+bool checkGross(const ShadowField& swept, const ShadowField& traced, const Receivers& sample) {
+    const double percent = 100 / traced.sunlitMinutesPerDay;
+    bool good = true;
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal}) {
+        const ShadowField &found = fieldOfColumn(swept, column), &exact = fieldOfColumn(traced, column);
+        const auto grossOff = [&](std::uint32_t cell) {
+            return percent * (double(found.grossMin[cell]) - double(exact.grossMin[cell]));
+        };
+        const auto takenOff = [&](std::uint32_t cell) {
+            return grossOff(cell) - percent * (double(swept.grossMin[cell]) - double(traced.grossMin[cell]));
+        };
+        const std::string name(keyOf<TreeColumns>(treeColumnChoices, column));
+        const Errors gross = errorsOf(sample, grossOff);
+        print(name + ": gross shadow", gross);
+        print(name + ": what trees take", errorsOf(sample, takenOff));
+        good = good && gross.mean <= 0.1 && gross.p99 <= 1;
+    }
+    return good;
+}
+
+void compareRuns(const ShadowField& swept, const ShadowField& traced, const Receivers& sample) {
+    const double percent = 100 / traced.sunlitMinutesPerDay;
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal}) {
+        const auto &found = fieldOfColumn(swept, column).continuousMin,
+                   &exact = fieldOfColumn(traced, column).continuousMin;
+        print(std::string(keyOf<TreeColumns>(treeColumnChoices, column)) + ": longest runs",
+              errorsOf(sample, [&](std::uint32_t cell) {
+                  return percent * (double(found[cell]) - double(exact[cell]));
+              }));
+    }
+}
+
+double medianOf(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+struct Case {
+    std::string name;
+    City city;
+    std::vector<double> gross{}, runs{};
+};
+
+void time(std::vector<Case>& cases, const Receivers& receivers, const SunSteps& sun, int rounds) {
+    const HorizonSweep gross({.counts = ShadowCounts::gross}), runs;
+    for (int round = 0; round < rounds; ++round)
+        for (Case& one : cases) {
+            one.gross.push_back(secondsOf([&] { compute(gross, one.city, receivers, sun); }).processor);
+            one.runs.push_back(secondsOf([&] { compute(runs, one.city, receivers, sun); }).processor);
+        }
+    for (const Case& one : cases)
+        fmt::print("{:<14} gross {:6.2f} s ({:.2f} x), with longest runs {:6.2f} s ({:.2f} x)\n", one.name,
+                   medianOf(one.gross), medianOf(one.gross) / medianOf(cases[0].gross), medianOf(one.runs),
+                   medianOf(one.runs) / medianOf(cases[0].runs));
+}
+
+int benchColumns(const City& city, int rounds, std::size_t sampleSize) {
+    const Receivers receivers = findSquare(city, 800), sample = sampleOf(receivers, sampleSize);
+    const SunSteps sun = yearOf(city);
+    std::vector<Case> cases{{"without", city}};
+    bool good = true;
+    for (const std::size_t count : {std::size_t{5'000}, std::size_t{20'000}}) {
+        cases.push_back({fmt::format("{} trees", count), withTreesInReach(city, receivers, sun, count)});
+        const City& planted = cases.back().city;
+        const ShadowField swept =
+            compute(HorizonSweep({.counts = ShadowCounts::gross}), planted, receivers, sun);
+        const ShadowField traced = compute(RayReference(), planted, sample, sun);
+        fmt::print("{} trees in reach of {} receivers, {} steps; {} receivers by rays\n",
+                   swept.trees->treesUsed, receivers.cells.size(), sun.steps.size(), sample.cells.size());
+        good = checkGross(swept, traced, sample) && good;
+        compareRuns(compute(HorizonSweep(), planted, sample, sun), traced, sample);
+    }
+    time(cases, receivers, sun, rounds);
+    return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+// A quarter of the square's open cells, in groves of some 10 m; heights change smoothly.
+std::vector<Tree> makeCanopy(const City& city, const Receivers& square) {
+    std::vector<Tree> cells;
+    for (const std::uint32_t cell : square.cells) {
+        const glm::dvec2 place(square.position(cell));
+        const double wave = std::sin(place.x / 9) * std::sin(place.y / 11) + 0.3 * std::sin(place.x / 3.1);
+        if (wave < 0.42) continue;
+        Tree tree = completeTree({.sourceId = "canopy", .heightM = 4 + 12 * wave, .canopyCellM2 = 1});
+        tree.place = place;
+        tree.groundM = groundAt(city, place);
+        cells.push_back(std::move(tree));
+    }
+    return cells;
+}
+
+double peakGiB() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return double(usage.ru_maxrss) / (1U << 20U);
+}
+
+bool measureDistrict(std::string_view name, const City& city, const Receivers& square,
+                     const Receivers& sample, const SunSteps& sun) {
+    ShadowField swept;
+    const Seconds seconds =
+        secondsOf([&] { swept = compute(HorizonSweep({.counts = ShadowCounts::gross}), city, square, sun); });
+    fmt::print(
+        "{}: {} of {} in reach of {} receivers: {:.1f} s, {:.1f} s of processor time, peak {:.2f} GiB\n",
+        name, swept.trees->treesUsed, city.trees->trees.size(), square.cells.size(), seconds.wall,
+        seconds.processor, peakGiB());
+    return checkGross(swept, compute(RayReference(), city, sample, sun), sample);
+}
+
+int benchDistrict(const City& city, std::size_t sampleSize) {
+    const Receivers square = findSquare(city, 2000), sample = sampleOf(square, sampleSize);
+    const SunSteps sun = yearOf(city);
+    std::mt19937 random(7);
+    bool good = measureDistrict("trees", withTrees(city, plantOnGround(city, square, 100'000, random)),
+                                square, sample, sun);
+    good = measureDistrict("canopy", withTrees(city, makeCanopy(city, square)), square, sample, sun) && good;
+    return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    chooseInstructionSet();
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
+    if (argc < 2) return EXIT_FAILURE;
+    City city = cityFrom(argv[1]);
+    city.trees.reset();
+    const std::string what = argc > 2 ? argv[2] : "columns";
+    const int rounds = argc > 3 ? std::stoi(argv[3]) : 3;
+    const std::size_t sample = argc > 4 ? std::stoul(argv[4]) : 500;
+    if (what == "district") return benchDistrict(city, sample);
+    return benchColumns(city, rounds, sample);
+}
