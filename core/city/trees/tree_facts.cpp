@@ -140,9 +140,11 @@ double findCrownBase(const TreeFacts& facts, const TreeGroup& group, double heig
     return isBelowTop ? *facts.crownBaseM : group.crownBaseShare * heightM;
 }
 
-// As dense as a crown of medium density and default size, whose ratios it has.
+// As dense as a crown of its group (medium where nothing is known) and default size, whose ratios it has. A
+// wood's outline measures no crown.
 Tree makeCanopyColumn(const TreeFacts& facts) {
-    const TreeGroup& group = listTreeGroups().front();
+    const TreeGroup& group = groupOf(facts);
+    const bool evergreen = facts.evergreen.value_or(group.evergreen);
     const double heightM = facts.heightM.value_or(group.heightM);
     const double baseM = group.crownBaseShare * heightM,
                  radiusM = std::sqrt(*facts.canopyCellM2 / std::numbers::pi);
@@ -150,15 +152,18 @@ Tree makeCanopyColumn(const TreeFacts& facts) {
     const double groupChordM =
         computeMeanChord(group.shape, groupRadiusM, group.heightM * (1 - group.crownBaseShare));
     const double chords = computeMeanChord(CrownShape::cylinder, radiusM, heightM - baseM) / groupChordM;
-    return {.sourceId = facts.sourceId,
-            .heightM = float(heightM),
-            .crownBaseM = float(baseM),
-            .crownDiameterM = float(2 * radiusM),
-            .shape = CrownShape::cylinder,
-            .heightSource = TreeSource::measured,
-            .crownSource = TreeSource::measured,
-            .leafOnTransmissivity = float(std::pow(double(group.leafOn), chords)),
-            .leafOffTransmissivity = float(std::pow(double(group.leafOff), chords))};
+    return {
+        .sourceId = facts.sourceId,
+        .species = facts.species,
+        .heightM = float(heightM),
+        .crownBaseM = float(baseM),
+        .crownDiameterM = float(2 * radiusM),
+        .shape = CrownShape::cylinder,
+        .evergreen = evergreen,
+        .heightSource = facts.heightM ? TreeSource::measured : TreeSource::assumed,
+        .crownSource = facts.sourceId == canopyRasterId ? TreeSource::measured : TreeSource::assumed,
+        .leafOnTransmissivity = float(std::pow(double(group.leafOn), chords)),
+        .leafOffTransmissivity = float(std::pow(double(evergreen ? group.leafOn : group.leafOff), chords))};
 }
 
 }  // namespace

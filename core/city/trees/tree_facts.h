@@ -31,6 +31,9 @@ const TreeGroup* findTreeGroup(std::string_view species);
 /// The group with this key, which must be there.
 const TreeGroup& treeGroup(std::string_view key);
 
+/// TreeFacts::sourceId of the cells of a canopy raster.
+inline constexpr std::string_view canopyRasterId = "canopy";
+
 /// What data state of a tree; metres.
 struct TreeFacts {
     std::string sourceId;
@@ -41,7 +44,8 @@ struct TreeFacts {
     std::optional<double> stemDiameterM;
     std::optional<bool> evergreen;  ///< leaf cycle
     std::optional<bool> needles;    ///< leaf type
-    /// Area of the cell, where the tree is one cell of a canopy raster. The tree is a cylinder of that area.
+    /// Area of the cell, where the tree is one cell of a canopy raster, or of a wood (coverWithCanopy()). The
+    /// tree is a cylinder of that area.
     std::optional<double> canopyCellM2;
 };
 

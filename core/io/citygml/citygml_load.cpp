@@ -10,6 +10,7 @@
 #include "core/io/citygml/gml_object.h"
 #include "core/io/cityjson/cityjson_load.h"
 #include "core/io/files/xml_stream.h"
+#include "core/io/heights/tree_fields.h"
 #include "core/io/pieces/read_part.h"
 
 namespace noonmark {
@@ -248,6 +249,7 @@ private:
         reader_.adopt(shared);
         for (std::string& id : reader_.unresolved())
             if (wantedIds.size() < mostShared) wantedIds.insert(std::move(id));
+        if (findGmlObjectKind(objects_.front().object.type) == GmlObjectKind::plants) return addPlants();
         for (GmlObject& one : objects_) values_.add(one.attributes, one.object, data.city);
         for (const GmlObject& one : objects_)
             std::ranges::move(findOpenings(one, reader_), std::back_inserter(data.openings));
@@ -266,6 +268,45 @@ private:
         warnOf(id);
         forgetObject();
         return {};
+    }
+
+    // A tree whose shape is in another file stands at its reference point.
+    Result<void> addPlants() {
+        const std::string id = objects_.front().object.id;
+        const TreeFacts facts = factsOf(objects_.front());
+        CityJsonBlock block = makeBlock(objects_, reader_, choice_, areDegrees_, file_, data.city.warnings);
+        CityJsonTree plants = makePlantCover(block.objects.front(), facts);
+        if (block.objects.front().type != "PlantCover") plants.cover.clear();
+        if (plants.vertices.empty() && !reader_.offsets().empty()) {
+            plants.vertices.push_back(block.vertices.size());
+            block.vertices.push_back(reader_.offsets().front().at);
+        }
+        block.objects.clear();
+        if (plants.vertices.empty())
+            warn(WarningKind::leftOut, "a tree without a place", id);
+        else if (!isInExtent(block))
+            ++data.outsideExtent;
+        else {
+            block.trees.push_back(std::move(plants));
+            corners_ += block.vertices.size();
+            data.city.blocks.push_back(std::move(block));
+        }
+        warnOf(id);
+        forgetObject();
+        return {};
+    }
+
+    TreeFacts factsOf(const GmlObject& object) {
+        std::vector<std::string> names, values;
+        for (const ObjectAttribute& attribute : object.attributes) {
+            const bool isInFeet = attribute.unit == LengthUnit::feet;
+            names.push_back(attribute.name);
+            values.push_back(attribute.text + (isInFeet                                    ? " ft"
+                                               : attribute.unit == LengthUnit::centimetres ? " cm"
+                                                                                           : ""));
+        }
+        return collectTreeFacts(findTreeFields(names), values, file_ + ": " + object.object.id,
+                                data.city.warnings);
     }
 
     bool isInExtent(const CityJsonBlock& block) {
@@ -378,6 +419,7 @@ Result<FilePiece> readGml(const std::filesystem::path& file, const ReadSettings&
     piece.crs = city.crsWords;
     if (!settings.frame) piece.frame = *frame;
     addTin(city, name, piece);
+    addTrees(city, name, *frame, piece);
     if (!addBuildings(city, settings, name, piece, progress, stop)) return cancelled();
     if (piece.buildings.empty() && !piece.terrain)
         return failure("The file holds no usable building and no usable terrain", file.string(),

@@ -34,9 +34,9 @@ struct CityGmlData {
 /// What is wanted besides buildings and terrain.
 enum class GmlContent { buildings, openings };
 
-/// Reads the buildings and the terrain of CityGML; what else it holds is listed. No file that it refers to is
-/// opened; where objects refer to surfaces of others in it, it is read three times. Memory: that of one
-/// object, and some 3 KB for each building. Error: streamXml()'s, not CityGML, too large (40 million
+/// Reads the buildings, the terrain and the plants of CityGML; what else it holds is listed. No file that it
+/// refers to is opened; where objects refer to surfaces of others in it, it is read three times. Memory: that
+/// of one object, and some 3 KB for each building. Error: streamXml()'s, not CityGML, too large (40 million
 /// corners), no level of detail.
 Result<CityGmlData> loadCityGml(const std::filesystem::path& file, const ReadSettings& settings,
                                 Progress& progress, const std::stop_token& stop,

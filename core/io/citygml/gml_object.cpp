@@ -46,6 +46,7 @@ constexpr std::array gmlAsides{"address"sv,           "externalReference"sv,
 GmlObjectKind findGmlObjectKind(std::string_view name) {
     if (isAmong(gmlBuildings, name)) return GmlObjectKind::building;
     if (name == "TINRelief") return GmlObjectKind::terrain;
+    if (name == "SolitaryVegetationObject" || name == "PlantCover") return GmlObjectKind::plants;
     return isAmong(gmlContainers, name) ? GmlObjectKind::container : GmlObjectKind::other;
 }
 
@@ -62,8 +63,8 @@ std::optional<LodProperty> findLodProperty(std::string_view name) {
     const std::string_view shape = name.substr(4);
     if (shape == "FootPrint") return LodProperty{lod, Shape::footprint};
     if (shape == "RoofEdge") return LodProperty{lod, Shape::roofEdge};
-    constexpr std::array bodies{"Solid"sv, "MultiSurface"sv, "Geometry"sv, "ImplicitRepresentation"sv,
-                                "Surface"sv};
+    constexpr std::array bodies{
+        "Solid"sv, "MultiSolid"sv, "MultiSurface"sv, "Geometry"sv, "ImplicitRepresentation"sv, "Surface"sv};
     if (!isAmong(bodies, shape)) return std::nullopt;
     return LodProperty{lod, lod < 1 ? Shape::footprint : Shape::body};
 }

@@ -171,6 +171,7 @@ enum class GmlObjectKind {
     other,      ///< left out, with its name
     building,   ///< Building, BuildingPart, BuildingInstallation, BuildingConstructiveElement
     terrain,    ///< TINRelief
+    plants,     ///< SolitaryVegetationObject, PlantCover
     container,  ///< of objects: ReliefFeature, CityObjectGroup
 };
 GmlObjectKind findGmlObjectKind(std::string_view name);
@@ -197,7 +198,7 @@ struct LodProperty {
 /// "lod2Solid", "lod0FootPrint", "tin". Nothing for properties with curves, points or no geometry.
 std::optional<LodProperty> findLodProperty(std::string_view name);
 
-/// An object of CityGML as it is read: a building, a part of one, a terrain.
+/// An object of CityGML as it is read: a building, a part of one, a terrain, a tree.
 struct GmlObject {
     /// What a geometry belongs to.
     enum class Owner { object, surface, opening };

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <limits>
 #include <memory>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -235,11 +236,57 @@ bool addBuildings(const CityJsonData& data, const ReadSettings& settings, const 
     return true;
 }
 
+CityJsonTree makePlantCover(const CityJsonObject& object, TreeFacts facts) {
+    CityJsonTree plants{.facts = std::move(facts)};
+    for (const auto* geometry : {&object.body, &object.footprint})
+        for (std::size_t i = 0; *geometry && i < (*geometry)->bodies.size(); ++i)
+            for (const auto& shell : (*geometry)->bodies[i])
+                plants.cover.insert(plants.cover.end(), shell.begin(), shell.end());
+    for (const Surface& surface : plants.cover)
+        for (const auto& ring : surface)
+            plants.vertices.insert(plants.vertices.end(), ring.begin(), ring.end());
+    return plants;
+}
+
 namespace {
+
+constexpr double minPlantsM = 2;  // as of canopy rasters
+
+// A body has walls, and a bottom below its top: each square counts once.
+void addPlants(const CityJsonTree& plants, const std::vector<glm::dvec3>& vertices, const Frame& frame,
+               double heightM, const std::string& file, FilePiece& piece) {
+    TreeFacts facts = plants.facts;
+    if (!facts.heightM && isPlausibleTreeHeight(heightM)) facts.heightM = heightM;
+    if (facts.heightM && *facts.heightM < minPlantsM) {
+        piece.warnings.push_back({WarningKind::leftOut, "plants lower than 2 m", facts.sourceId});
+        return;
+    }
+    std::vector<ReadTree> columns;
+    for (const Surface& surface : plants.cover) {
+        std::vector<std::vector<LonLat>> rings;
+        for (const auto& ring : surface) {
+            rings.emplace_back();
+            for (const auto vertex : ring)
+                rings.back().push_back(frame.lonLatFromLocal(glm::dvec2(vertices[vertex])));
+        }
+        coverWithCanopy(rings, facts, columns);
+    }
+    std::set<std::pair<std::int64_t, std::int64_t>> squares;
+    std::size_t count = 0;
+    for (ReadTree& column : columns) {
+        const glm::dvec2 place = frame.localFromLonLat(column.place) / std::sqrt(*column.facts.canopyCellM2);
+        if (!squares.emplace(std::llround(std::floor(place.x)), std::llround(std::floor(place.y))).second)
+            continue;
+        piece.trees.push_back(std::move(column));
+        ++count;
+    }
+    piece.warnings.push_back({WarningKind::assumed, std::string(woodIsClosedCanopy),
+                              fmt::format("{}, {}: {}", file, facts.sourceId, countOf(count, "column"))});
+}
 
 // Where the data state no measure, that of the geometry counts.
 void addTree(const CityJsonTree& tree, const std::vector<glm::dvec3>& vertices, const Frame& frame,
-             FilePiece& piece) {
+             const std::string& file, FilePiece& piece) {
     glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
     for (const std::size_t vertex : tree.vertices) {
         low = glm::min(low, vertices[vertex]);
@@ -247,12 +294,22 @@ void addTree(const CityJsonTree& tree, const std::vector<glm::dvec3>& vertices, 
     }
     const glm::dvec3 size = high - low;
     if (!std::isfinite(size.x + size.y)) return;
+    if (!tree.cover.empty()) return addPlants(tree, vertices, frame, size.z, file, piece);
     ReadTree read{frame.lonLatFromLocal(glm::dvec2(low + high) / 2.0), tree.facts};
     if (!read.facts.heightM && isPlausibleTreeHeight(size.z)) read.facts.heightM = size.z;
     const double wide = std::max(size.x, size.y);
     if (!read.facts.crownDiameterM && isPlausibleCrown(wide)) read.facts.crownDiameterM = wide;
     piece.trees.push_back(std::move(read));
 }
+
+}  // namespace
+
+void addTrees(const CityJsonData& data, const std::string& file, const Frame& frame, FilePiece& piece) {
+    for (const CityJsonBlock& block : data.blocks)
+        for (const CityJsonTree& tree : block.trees) addTree(tree, block.vertices, frame, file, piece);
+}
+
+namespace {
 
 Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& settings, Progress& progress,
                        const std::stop_token& stop) {
@@ -267,8 +324,7 @@ Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& se
     piece.crs = data->crsWords;
     if (!settings.frame) piece.frame = *frame;
     addTin(*data, name, piece);
-    for (const CityJsonBlock& block : data->blocks)
-        for (const CityJsonTree& tree : block.trees) addTree(tree, block.vertices, *frame, piece);
+    addTrees(*data, name, *frame, piece);
     if (!addBuildings(*data, settings, name, piece, progress, stop)) return cancelled();
     if (piece.buildings.empty() && !piece.terrain)
         return failure("The file holds no usable building and no usable terrain", file.string(),

@@ -286,6 +286,7 @@ private:
                               .parent = firstOf(member(source, "parents"))};
         const std::string where = file_ + ": " + id;
         if (object.type == "SolitaryVegetationObject") return addTree(source, where, block);
+        if (object.type == "PlantCover") return addPlants(source, where, std::move(object), block);
         if (!isOfBuilding(object.type) && object.type != "TINRelief")
             return warn(
                 WarningKind::leftOut,
@@ -306,6 +307,21 @@ private:
         for (std::size_t i = 0; geometries.is_array() && i < geometries.size() && tree.vertices.empty(); ++i)
             collectVertices(member(geometries[i], "boundaries"), block.vertices.size(), tree.vertices);
         if (tree.vertices.empty()) return warn(WarningKind::leftOut, "a tree without a place", where);
+        tree.facts = factsOf(source, where);
+        block.trees.push_back(std::move(tree));
+    }
+
+    void addPlants(const Json& source, const std::string& where, CityJsonObject object,
+                   CityJsonBlock& block) {
+        chooseGeometry(member(source, "geometry"), choice_, block.vertices.size(), where, object,
+                       data.warnings);
+        CityJsonTree plants = makePlantCover(object, factsOf(source, where));
+        if (plants.vertices.empty())
+            return warn(WarningKind::leftOut, "an area of plants without a shape", where);
+        block.trees.push_back(std::move(plants));
+    }
+
+    TreeFacts factsOf(const Json& source, const std::string& where) {
         std::vector<std::string> names, values;
         const Json& attributes = member(source, "attributes");
         if (attributes.is_object())
@@ -313,8 +329,7 @@ private:
                 names.push_back(name);
                 values.push_back(formatText(value));
             }
-        tree.facts = collectTreeFacts(findTreeFields(names), values, where, data.warnings);
-        block.trees.push_back(std::move(tree));
+        return collectTreeFacts(findTreeFields(names), values, where, data.warnings);
     }
 
     void addValues(const Json& attributes, CityJsonObject& object) {

@@ -18,6 +18,14 @@ namespace noonmark {
 Result<CityJsonData> loadCityJson(const std::filesystem::path& file, const ReadSettings& settings,
                                   Progress& progress, const std::stop_token& stop);
 
+/// The area of plants that an object is, by its surfaces; without vertices if it has none.
+CityJsonTree makePlantCover(const CityJsonObject& object, TreeFacts facts);
+
+/// Adds the trees of the data to a piece: single ones by their measures, or those of their shapes; areas of
+/// plants of 2 m and more as canopy (coverWithCanopy()), with a warning. The vertices are in local metres of
+/// the frame.
+void addTrees(const CityJsonData& data, const std::string& file, const Frame& frame, FilePiece& piece);
+
 /// Makes the terrain of the piece from the TIN of the data, if it has one. The vertices are in local metres
 /// (placeCity).
 void addTin(const CityJsonData& data, const std::string& file, FilePiece& piece);

@@ -71,10 +71,11 @@ struct CityJsonObject {
     std::optional<CityJsonGeometry> footprint;  ///< geometry of level of detail 0
 };
 
-/// A single tree (SolitaryVegetationObject).
+/// A single tree (SolitaryVegetationObject), or an area of plants (PlantCover).
 struct CityJsonTree {
     TreeFacts facts;
     std::vector<std::size_t> vertices;  ///< of its geometry or its reference point, in range; at least one
+    std::vector<Surface> cover;         ///< the surfaces of an area of plants
 };
 
 /// Objects that share vertices: a whole CityJSON file, or one feature of a sequence.

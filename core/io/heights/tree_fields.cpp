@@ -30,6 +30,7 @@ constexpr std::array listedTreeFields{
     TreeFieldName{"treeheightm", TreeRole::height, m},
     TreeFieldName{"height", TreeRole::height, m},
     TreeFieldName{"estheight", TreeRole::height, m},
+    TreeFieldName{"averageheight", TreeRole::height, m},  // PlantCover of CityGML
     TreeFieldName{"hoehe", TreeRole::height, m},
     TreeFieldName{"altura", TreeRole::height, m},
     TreeFieldName{"altezza", TreeRole::height, m},

@@ -8,6 +8,7 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/base/progress.h"
+#include "core/base/safe_text.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/footprints/build_footprints.h"
@@ -74,7 +75,8 @@ std::vector<ReadTree> listOsmTrees(const OsmMap& map, Warnings& warnings) {
             trees.push_back(
                 {placeOf(node.point), factsOf(node.tags, fmt::format("node {}", node.id), warnings)});
     for (const OsmWay& way : map.ways) {
-        if (!way.line || way.points.empty() || findTag(way.tags, osmTreeKey) != "tree_row") continue;
+        const bool isPath = way.line || way.area;  // rows may be closed
+        if (!isPath || way.points.empty() || findTag(way.tags, osmTreeKey) != "tree_row") continue;
         const std::string where = fmt::format("way {}", way.id);
         const TreeFacts facts = factsOf(way.tags, where, warnings);
         for (const LonLat place : placeRow(way)) trees.push_back({place, facts});
@@ -84,7 +86,26 @@ std::vector<ReadTree> listOsmTrees(const OsmMap& map, Warnings& warnings) {
     return trees;
 }
 
+void addOsmWood(const OsmArea& area, std::vector<ReadTree>& trees, Warnings& warnings) {
+    if (findTag(area.tags, osmTreeKey) != "wood") return;
+    const std::string where = fmt::format("{} {}", area.relation ? "relation" : "way", area.id);
+    const TreeFacts facts = factsOf(area.tags, where, warnings);
+    const std::size_t before = trees.size();
+    for (const LonLatPolygon& polygon : area.polygons) coverWithCanopy(polygon, facts, trees);
+    warnings.push_back({WarningKind::assumed, std::string(woodIsClosedCanopy),
+                        fmt::format("{}: {}", where, countOf(trees.size() - before, "column"))});
+}
+
 namespace {
+
+constexpr std::array<std::string_view, 2> buildingAreaKeys{"building", "building:part"};
+
+// Closed ways that are read for trees are no polygons that might have been buildings.
+bool mayBeBuilding(const OsmArea& area) {
+    return area.relation || std::ranges::any_of(buildingAreaKeys, [&](std::string_view key) {
+               return !findTag(area.tags, key).empty();
+           });
+}
 
 // The tags that describe a building; tags that the user named come to them.
 std::vector<std::string> buildingKeys(const ReadSettings& settings) {
@@ -203,7 +224,7 @@ Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmForm
     std::vector<std::string> kept = keys;
     std::ranges::copy(osmTreeKeys(), std::back_inserter(kept));
     const OsmSelection selection{.keys = kept,
-                                 .areaKeys = {"building", "building:part"},
+                                 .areaKeys = {"building", "building:part", osmTreeKey},
                                  .lineKeys = {osmTreeKey},
                                  .pointKeys = {osmTreeKey}};
     const auto map = readOsmMap(file, format, selection, progress, stop);
@@ -214,6 +235,8 @@ Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmForm
     forEachOsmArea(
         *map,
         [&](OsmArea area) {
+            addOsmWood(area, buildings.trees, buildings.warnings);
+            if (!mayBeBuilding(area)) return;
             ++buildings.areas;
             if (auto facts = tags.facts(area, buildings.warnings))
                 buildings.features.push_back({*std::move(facts), std::move(area.polygons)});
@@ -221,7 +244,7 @@ Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmForm
         stop);
     if (stop.stop_requested()) return cancelled();
     tags.addHeights(buildings.heights, name);
-    buildings.trees = listOsmTrees(*map, buildings.warnings);
+    std::ranges::move(listOsmTrees(*map, buildings.warnings), std::back_inserter(buildings.trees));
     return buildings;
 }
 

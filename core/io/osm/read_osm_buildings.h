@@ -11,6 +11,7 @@
 #include "core/io/footprints/footprint_scan.h"
 #include "core/io/footprints/place_features.h"
 #include "core/io/heights/height_facts.h"
+#include "core/io/osm/osm_layers.h"
 #include "core/io/osm/osm_map.h"
 #include "core/io/pieces/read_part.h"
 
@@ -21,14 +22,17 @@ inline constexpr const char* osmTreeKey = "natural";
 const std::vector<std::string>& osmTreeKeys();
 
 /// The trees of a map that was read with them: natural=tree, and natural=tree_row as trees 8 m apart along
-/// its line, with a warning for each row. Woods are left out: they state no trees.
+/// its line, with a warning for each row.
 std::vector<ReadTree> listOsmTrees(const OsmMap& map, Warnings& warnings);
+
+/// Adds the canopy of an area that is natural=wood (coverWithCanopy()), with a warning; of others nothing.
+void addOsmWood(const OsmArea& area, std::vector<ReadTree>& trees, Warnings& warnings);
 
 /// Buildings of an OpenStreetMap file, before repair.
 struct OsmBuildings {
     std::vector<UnplacedFeature> features;  ///< relations in the file's order, then ways by id
     std::size_t areas = 0;                  ///< areas of any kind in the file
-    std::vector<ReadTree> trees;            ///< listOsmTrees()
+    std::vector<ReadTree> trees;            ///< listOsmTrees() and addOsmWood()
     HeightFacts heights;
     Warnings warnings;
 };

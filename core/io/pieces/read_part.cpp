@@ -21,6 +21,60 @@ std::string describeCrs(const std::string& name, CrsSource source) {
 
 namespace {
 
+constexpr double canopyColumnM = 8, maxColumns = 100'000;
+
+using LocalRings = std::vector<std::vector<glm::dvec2>>;
+
+double areaOfRing(const std::vector<glm::dvec2>& ring) {
+    double twice = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const glm::dvec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+        twice += a.x * b.y - a.y * b.x;
+    }
+    return std::abs(twice) / 2;
+}
+
+// Where the rings cross a line of this y, ascending; half-open as crossesRow().
+std::vector<double> findRowCrossings(const LocalRings& rings, double y) {
+    std::vector<double> crossings;
+    for (const std::vector<glm::dvec2>& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+            if ((a.y <= y) != (b.y <= y)) crossings.push_back(a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y));
+        }
+    std::ranges::sort(crossings);
+    return crossings;
+}
+
+}  // namespace
+
+void coverWithCanopy(const std::vector<std::vector<LonLat>>& rings, const TreeFacts& facts,
+                     std::vector<ReadTree>& trees) {
+    if (rings.empty() || rings.front().empty()) return;
+    const Frame frame(rings.front().front());
+    LocalRings local(rings.size());
+    for (std::size_t i = 0; i < rings.size(); ++i)
+        for (const LonLat place : rings[i]) local[i].push_back(frame.localFromLonLat(place));
+    const double sideM = std::max(canopyColumnM, std::sqrt(areaOfRing(local.front()) / maxColumns));
+    double lowM = 0, highM = 0;
+    for (const glm::dvec2 point : local.front()) {
+        if (!std::isfinite(point.x + point.y)) return;
+        lowM = std::min(lowM, point.y);
+        highM = std::max(highM, point.y);
+    }
+    TreeFacts column = facts;
+    column.canopyCellM2 = sideM * sideM;
+    for (double y = (std::floor(lowM / sideM) + 0.5) * sideM; y < highM; y += sideM) {
+        const std::vector<double> crossings = findRowCrossings(local, y);
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+            for (double x = (std::ceil(crossings[i] / sideM - 0.5) + 0.5) * sideM; x < crossings[i + 1];
+                 x += sideM)
+                trees.push_back({frame.lonLatFromLocal({x, y}), column});
+    }
+}
+
+namespace {
+
 constexpr float farthestM = 1e6F, deepestM = -2e4F, highestM = 2e4F;
 
 // Null if it is plausible.

@@ -29,6 +29,16 @@ struct ReadTree {
     TreeFacts facts;
 };
 
+/// What is said of areas that are read as canopy.
+inline constexpr std::string_view woodIsClosedCanopy =
+    NM_TEXT("a wood is taken as closed canopy, in columns of 8 x 8 m");
+
+/// Covers a polygon, the outer ring and then holes, closed or not, with canopy: a column with these facts for
+/// each square of 8 x 8 m whose middle lies in it, of larger squares where these would be more than 100,000.
+/// O(area).
+void coverWithCanopy(const std::vector<std::vector<LonLat>>& rings, const TreeFacts& facts,
+                     std::vector<ReadTree>& trees);
+
 /// The result of one reader for one file, in the frame that was given or that it chose. readCity() joins
 /// these pieces.
 struct FilePiece {

@@ -15,6 +15,7 @@
 #include "core/io/heights/height_text.h"
 #include "core/io/heights/tree_fields.h"
 #include "core/io/layers/feature_stream.h"
+#include "core/io/osm/osm_layers.h"
 #include "core/io/osm/read_osm_buildings.h"
 #include "core/io/settings/read_settings.h"
 
@@ -97,9 +98,10 @@ Result<TreesRead> readCanopy(GDALDataset& dataset, const std::string& file,
     const std::vector<LonLat> places = toLonLat->lonLat(cells->places);
     TreesRead read;
     for (std::size_t i = 0; i < places.size(); ++i)
-        read.trees.push_back(
-            {places[i],
-             {.sourceId = "canopy", .heightM = double(cells->heightsM[i]), .canopyCellM2 = cellM2}});
+        read.trees.push_back({places[i],
+                              {.sourceId = std::string(canopyRasterId),
+                               .heightM = double(cells->heightsM[i]),
+                               .canopyCellM2 = cellM2}});
     if (read.trees.empty())
         return failure("It holds no canopy of 2 to 120 m", file,
                        "Give heights of the canopy above the ground, in metres");
@@ -246,12 +248,18 @@ Result<void> readTreeLayer(OGRLayer& layer, const Path& file, const std::optiona
 
 Result<TreesRead> readTreesOfMap(const Path& file, OsmFormat format, Progress& progress,
                                  const std::stop_token& stop) {
-    const auto map =
-        readOsmMap(file, format, {.keys = osmTreeKeys(), .lineKeys = {osmTreeKey}, .pointKeys = {osmTreeKey}},
-                   progress, stop);
+    const auto map = readOsmMap(file, format,
+                                {.keys = osmTreeKeys(),
+                                 .areaKeys = {osmTreeKey},
+                                 .lineKeys = {osmTreeKey},
+                                 .pointKeys = {osmTreeKey}},
+                                progress, stop);
     if (!map) return tl::make_unexpected(map.error());
     TreesRead read{.attribution = osmCredit};
     read.trees = listOsmTrees(*map, read.warnings);
+    forEachOsmArea(
+        *map, [&](const OsmArea& area) { addOsmWood(area, read.trees, read.warnings); }, stop);
+    if (stop.stop_requested()) return cancelled();
     if (read.trees.empty()) return holdsNoTrees(file);
     return read;
 }

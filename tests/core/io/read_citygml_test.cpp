@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -329,9 +330,42 @@ TEST(ReadCityGml, WhatIsNoBuildingIsListed) {
     ASSERT_TRUE(piece) << piece.error().text();
     EXPECT_EQ(piece->features, 6U);
     EXPECT_TRUE(warns(*piece, "name it as a GeoTIFF beside this file"));
-    for (const char* name : {"SolitaryVegetationObject", "PlantCover", "CityFurniture", "Road"})
+    for (const char* name : {"CityFurniture", "Road"})
         EXPECT_TRUE(warns(*piece, std::string("not a building but ") + name)) << name;
+    EXPECT_TRUE(warns(*piece, "a tree without a place"));
+    EXPECT_TRUE(piece->trees.empty());
     EXPECT_TRUE(warns(*piece, "inside of buildings"));
+}
+
+TEST(ReadCityGml, TreesHaveTheMeasuresThatTheyOrTheirShapesState) {
+    const auto tree = [](const char* type, const char* id, const std::string& inside) {
+        return fmt::format(
+            "<core:cityObjectMember><veg:{0} gml:id=\"{1}\">{2}</veg:{0}></core:cityObjectMember>", type, id,
+            inside);
+    };
+    const auto shape = [](glm::dvec3 low, glm::dvec3 high) {
+        return "<veg:lod1Geometry>" + gmlSolid(gmlBoxFaces(low, high)) + "</veg:lod1Geometry>";
+    };
+    const auto piece = readGmlText(
+        cityGml(gmlBuilding("house", gmlBoxSolid({0, 0, 0}, {10, 10, 9})) +
+                tree("SolitaryVegetationObject", "shaped", shape({20, 0, 0}, {26, 6, 14})) +
+                tree("SolitaryVegetationObject", "stated",
+                     "<veg:species>Acer platanoides</veg:species><veg:height uom=\"ft\">50</veg:height>"
+                     "<veg:trunkDiameter uom=\"m\">0.4</veg:trunkDiameter>" +
+                         shape({40, 0, 0}, {46, 6, 14})) +
+                tree("PlantCover", "grove",
+                     "<veg:averageHeight uom=\"m\">7</veg:averageHeight><veg:lod1MultiSolid>" +
+                         gmlSolid(gmlBoxFaces({60, 0, 0}, {100, 24, 9})) + "</veg:lod1MultiSolid>")));
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_EQ(piece->buildings.size(), 1U);
+    ASSERT_GT(piece->trees.size(), 2U);
+    EXPECT_NEAR(*piece->trees[0].facts.heightM, 14, 1e-3);
+    EXPECT_NEAR(*piece->trees[0].facts.crownDiameterM, 6, 0.1);
+    EXPECT_NEAR(*piece->trees[1].facts.heightM, 15.24, 1e-3);
+    EXPECT_NEAR(*piece->trees[1].facts.stemDiameterM, 0.4, 1e-9);
+    EXPECT_EQ(piece->trees[1].facts.species, "Acer platanoides");
+    EXPECT_NEAR(double(piece->trees.size() - 2) * 64, 40 * 24, 8 * 40);
+    EXPECT_EQ(*piece->trees.back().facts.heightM, 7);
 }
 
 // A box of some 10 m near Bonn or Tokyo, in degrees.

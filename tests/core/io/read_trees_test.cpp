@@ -1,5 +1,6 @@
 #include "core/io/trees/read_trees.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -214,6 +215,59 @@ TEST_F(ReadTreesTest, OfOpenStreetMapComeWithTheCity) {
     EXPECT_EQ(trees[1].crownSource, TreeSource::estimated);
     EXPECT_EQ(trees[2].species, "Tilia");
     EXPECT_THAT(whats(read->warnings), Contains("the trees of a row stand 8 m apart"));
+}
+
+// A square of 0.0004 x 0.0004 degrees at the equator, 44.5 x 44.2 m, beside the building: 30 squares of 8 m
+// have their middle in it, or one row or column more.
+TEST_F(ReadTreesTest, AWoodOfOpenStreetMapIsClosedCanopy) {
+    const auto town = [](std::string_view tags) {
+        return fmt::format(R"(<osm version="0.6">
+<node id="1" lat="0.0000" lon="0.0000"/><node id="2" lat="0.0000" lon="0.0002"/>
+<node id="3" lat="0.0002" lon="0.0002"/><node id="4" lat="0.0002" lon="0.0000"/>
+<node id="5" lat="0.0010" lon="0.0000"/><node id="6" lat="0.0010" lon="0.0004"/>
+<node id="7" lat="0.0014" lon="0.0004"/><node id="8" lat="0.0014" lon="0.0000"/>
+<way id="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="1"/><tag k="building" v="yes"/></way>
+<way id="2"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="8"/><nd ref="5"/>{}</way></osm>)",
+                           tags);
+    };
+    NoProgress quiet;
+    const auto read = [&](std::string_view tags) {
+        return readCity({folder_.file("town.osm", town(tags))}, {}, quiet, {}).value();
+    };
+    const CityRead wood = read(R"(<tag k="natural" v="wood"/><tag k="height" v="18"/>)");
+    ASSERT_TRUE(wood.city.trees);
+    const auto& columns = wood.city.trees->trees;
+    EXPECT_NEAR(double(columns.size()) * 64, 44.5 * 44.2, 8 * 45);
+    for (const Tree& column : columns) {
+        EXPECT_EQ(column.shape, CrownShape::cylinder);
+        EXPECT_EQ(column.heightM, 18);
+        EXPECT_EQ(column.heightSource, TreeSource::measured);
+        EXPECT_EQ(column.crownSource, TreeSource::assumed) << "an outline measures no crown";
+        EXPECT_NEAR(column.crownDiameterM, std::sqrt(64 * 4 / std::numbers::pi), 1e-4);
+        EXPECT_FALSE(column.evergreen);
+    }
+    EXPECT_THAT(whats(wood.warnings), Contains("a wood is taken as closed canopy, in columns of 8 x 8 m"));
+    const CityRead firs = read(R"(<tag k="natural" v="wood"/><tag k="leaf_type" v="needleleaved"/>)");
+    EXPECT_TRUE(firs.city.trees->trees[0].evergreen);
+    EXPECT_EQ(firs.city.trees->trees[0].heightSource, TreeSource::assumed);
+    const CityRead water = read(R"(<tag k="natural" v="water"/>)");
+    EXPECT_FALSE(water.city.trees);
+    EXPECT_EQ(water.features, wood.features) << "no polygon that might be a building";
+}
+
+TEST_F(ReadTreesTest, AnAreaOfPlantsOfCityJsonIsClosedCanopy) {
+    CityJsonMaker maker;
+    maker.addBuilding("house", maker.boxSolid({0, 0, 0}, {10, 20, 30}));
+    maker.addBuilding("grove", maker.boxSolid({40, 0, 0}, {80, 24, 9}));
+    maker.addBuilding("lawn", maker.boxSolid({40, 40, 0}, {80, 64, 0.5}));
+    Json document = maker.document("2.0", "EPSG:28992");
+    for (const char* id : {"grove", "lawn"}) document["CityObjects"][id]["type"] = "PlantCover";
+    const auto piece = noonmark::tests::read(document);
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_EQ(piece->buildings.size(), 1);
+    EXPECT_NEAR(double(piece->trees.size()) * 64, 40 * 24, 8 * 40) << "the bottom counts once";
+    for (const ReadTree& tree : piece->trees) EXPECT_NEAR(*tree.facts.heightM, 9, 1e-3);
+    EXPECT_THAT(whats(piece->warnings), Contains("plants lower than 2 m"));
 }
 
 // Two cells a quarter of a metre apart, and a tree below them.
