@@ -109,12 +109,14 @@ void addTakenSteps(const ShadowField& without, const std::vector<std::uint32_t>&
         column.grossMin[cells[i]] = float(std::min(minutes, without.sunlitMinutesPerDay));
         if (!runs.empty()) column.continuousMin[cells[i]] = float(runs[cells[i]] * without.stepMinutes);
     }
+    if (runs.empty()) std::ranges::fill(column.continuousMin, std::numeric_limits<float>::quiet_NaN());
 }
 
-std::string describeCrowns() {
+std::string describeCrowns(bool countsRuns) {
     return fmt::format(
-        "Horizon sweep: the length of each path through each crown at up to {} altitudes in each azimuth bin",
-        CrownSweep::maxLevels);
+        "Horizon sweep: the length of each path through each crown at up to {} altitudes in each azimuth "
+        "bin{}",
+        CrownSweep::maxLevels, countsRuns ? "" : "; longest runs are not counted");
 }
 
 std::shared_ptr<const TreeShade> addTaken(const ShadowField& without, const Receivers& receivers,
@@ -122,7 +124,7 @@ std::shared_ptr<const TreeShade> addTaken(const ShadowField& without, const Rece
     TreeShade shade = makeTreeShade(without, trees);
     addTakenSteps(without, receivers.cells, taken.evergreen.front(), taken.evergreenRuns, *shade.evergreen);
     addTakenSteps(without, receivers.cells, taken.seasonal.front(), taken.seasonalRuns, *shade.seasonal);
-    shade.how = describeCrowns();
+    shade.how = describeCrowns(!taken.seasonalRuns.empty());
     return std::make_shared<const TreeShade>(std::move(shade));
 }
 
@@ -201,7 +203,7 @@ Result<TakenBySet> sweepCrowns(const City& city, const CrownScene& crowns, const
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
     const PeriodSweep::TakenSteps& taken = sweep.takenSteps();
     return TakenBySet{toMinutes(taken.evergreen, sun.stepMinutes), toMinutes(taken.seasonal, sun.stepMinutes),
-                      crowns.crowns.size(), describeCrowns()};
+                      crowns.crowns.size(), describeCrowns(false)};
 }
 
 HorizonSweep::HorizonSweep(HorizonSweepSettings settings) : settings_(settings) {}
