@@ -106,7 +106,7 @@ public:
             return writePlacesGeoPackage(file, sun.city.frame, sun.places, table, makeStyle(sun, colours));
         });
         files.add("places.json", textContent(extendRepeat(json(), listColourOptions(colours))));
-        addPlaceMaps(files, shared(), sun.city,
+        addPlaceMaps(files, shared(), shownCity(content()).city,
                      {colours, how.pictureWidth, sun.settings.study.receivers.cellM,
                       makeProvenanceTags(sun.provenance)});
         addPlaceContributions(files, ofPlaces_, shownCity(content()).city, sun.provenance);

@@ -2392,6 +2392,10 @@ Opens the panel Review.</source>
         <source>Trees</source>
         <translation>Bäume</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -4841,6 +4845,26 @@ Opens the panel Review.</source>
         <source>The measured hours end this many hours before sunset</source>
         <translation>Die gemessenen Stunden enden so viele Stunden vor Sonnenuntergang</translation>
     </message>
+    <message>
+        <source>minutes of shadow a day, mean over the days and the place</source>
+        <translation>Schattenminuten am Tag, Mittel über die Tage und den Ort</translation>
+    </message>
+    <message>
+        <source>Max shadow</source>
+        <translation>Max. Schatten</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day, mean over the days, at the cell that has most</source>
+        <translation>Schattenminuten am Tag, Mittel über die Tage, an der Zelle mit den meisten</translation>
+    </message>
+    <message>
+        <source>Min shadow</source>
+        <translation>Min. Schatten</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day, mean over the days, at the cell that has least</source>
+        <translation>Schattenminuten am Tag, Mittel über die Tage, an der Zelle mit den wenigsten</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -6718,6 +6742,10 @@ Niedrigstes %3, Median %4, höchstes %5.</numerusform>
 Niedrigstes %3, Median %4, höchstes %5.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 below the ground</source>
+        <translation>%1 unter dem Boden</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MeshPlacing</name>
@@ -7607,6 +7635,14 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>%1, %2 without figures</source>
         <translation>%1, %2 ohne Werte</translation>
+    </message>
+    <message>
+        <source>%1. A saved answer states its dates as sun</source>
+        <translation>%1. Eine gespeicherte Antwort nennt ihre Tage als Sonne</translation>
+    </message>
+    <message>
+        <source>%1, without trees</source>
+        <translation>%1, ohne Bäume</translation>
     </message>
 </context>
 <context>
@@ -10854,6 +10890,10 @@ Zuerst ein Gebäude anklicken.</translation>
         <source>%1 is in the list of answers</source>
         <translation>%1 steht in der Liste der Antworten</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
 </context>
 <context>
     <name>std</name>
@@ -11192,6 +11232,10 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>trees with their seasons</source>
         <translation>Bäume mit ihren Jahreszeiten</translation>
+    </message>
+    <message>
+        <source>a wood is taken as closed canopy, in columns of 8 x 8 m</source>
+        <translation>ein Wald gilt als geschlossenes Kronendach, in Säulen von 8 x 8 m</translation>
     </message>
 </context>
 </TS>

@@ -2392,6 +2392,10 @@ Abre el panel Evaluación.</translation>
         <source>Trees</source>
         <translation>Árboles</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -4841,6 +4845,26 @@ Abre el panel Evaluación.</translation>
         <source>The measured hours end this many hours before sunset</source>
         <translation>Las horas medidas acaban estas horas antes de la puesta del sol</translation>
     </message>
+    <message>
+        <source>minutes of shadow a day, mean over the days and the place</source>
+        <translation>minutos de sombra al día, media de los días y del lugar</translation>
+    </message>
+    <message>
+        <source>Max shadow</source>
+        <translation>Sombra máx.</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day, mean over the days, at the cell that has most</source>
+        <translation>minutos de sombra al día, media de los días, en la celda que más tiene</translation>
+    </message>
+    <message>
+        <source>Min shadow</source>
+        <translation>Sombra mín.</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day, mean over the days, at the cell that has least</source>
+        <translation>minutos de sombra al día, media de los días, en la celda que menos tiene</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -6718,6 +6742,10 @@ El más bajo %3, mediana %4, el más alto %5.</numerusform>
 El más bajo %3, mediana %4, el más alto %5.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 below the ground</source>
+        <translation>%1 bajo el suelo</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MeshPlacing</name>
@@ -7607,6 +7635,14 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>%1, %2 without figures</source>
         <translation>%1, %2 sin cifras</translation>
+    </message>
+    <message>
+        <source>%1. A saved answer states its dates as sun</source>
+        <translation>%1. Una respuesta guardada indica sus fechas como sol</translation>
+    </message>
+    <message>
+        <source>%1, without trees</source>
+        <translation>%1, sin árboles</translation>
     </message>
 </context>
 <context>
@@ -10854,6 +10890,10 @@ Haga clic antes en un edificio.</translation>
         <source>%1 is in the list of answers</source>
         <translation>%1 está en la lista de respuestas</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
 </context>
 <context>
     <name>std</name>
@@ -11192,6 +11232,10 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>trees with their seasons</source>
         <translation>árboles con sus estaciones</translation>
+    </message>
+    <message>
+        <source>a wood is taken as closed canopy, in columns of 8 x 8 m</source>
+        <translation>un bosque se toma como dosel cerrado, en columnas de 8 x 8 m</translation>
     </message>
 </context>
 </TS>

@@ -2364,6 +2364,10 @@ Opens the panel Review.</source>
         <source>Trees</source>
         <translation>樹木</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>
@@ -4813,6 +4817,26 @@ Opens the panel Review.</source>
         <source>The measured hours end this many hours before sunset</source>
         <translation>測定する時間は日の入りのこの時間前に終わる</translation>
     </message>
+    <message>
+        <source>minutes of shadow a day, mean over the days and the place</source>
+        <translation>1 日の影の分数。日数と場所での平均</translation>
+    </message>
+    <message>
+        <source>Max shadow</source>
+        <translation>最大の影</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day, mean over the days, at the cell that has most</source>
+        <translation>1 日の影の分数。日数の平均、最も多いセル</translation>
+    </message>
+    <message>
+        <source>Min shadow</source>
+        <translation>最小の影</translation>
+    </message>
+    <message>
+        <source>minutes of shadow a day, mean over the days, at the cell that has least</source>
+        <translation>1 日の影の分数。日数の平均、最も少ないセル</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -6682,6 +6706,10 @@ Lowest %3, median %4, tallest %5.</source>
 最低 %3、中央値 %4、最高 %5。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 below the ground</source>
+        <translation>地面より %1 下</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MeshPlacing</name>
@@ -7561,6 +7589,14 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>%1, %2 without figures</source>
         <translation>%1、値のないもの %2</translation>
+    </message>
+    <message>
+        <source>%1. A saved answer states its dates as sun</source>
+        <translation>%1。保存された回答の日付は日照で示されます</translation>
+    </message>
+    <message>
+        <source>%1, without trees</source>
+        <translation>%1 (樹木なし)</translation>
     </message>
 </context>
 <context>
@@ -10799,6 +10835,10 @@ Click a building first.</source>
         <source>%1 is in the list of answers</source>
         <translation>%1 は回答の一覧にある</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
 </context>
 <context>
     <name>std</name>
@@ -11137,6 +11177,10 @@ Click a building first.</source>
     <message>
         <source>trees with their seasons</source>
         <translation>季節のある樹木</translation>
+    </message>
+    <message>
+        <source>a wood is taken as closed canopy, in columns of 8 x 8 m</source>
+        <translation>森は 8 x 8 m の柱からなる閉じた樹冠とみなします</translation>
     </message>
 </context>
 </TS>

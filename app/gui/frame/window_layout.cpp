@@ -1,6 +1,7 @@
 #include "app/gui/frame/window_layout.h"
 
 #include <QAccessible>
+#include <QAction>
 #include <QDockWidget>
 #include <QGroupBox>
 #include <QLineEdit>
@@ -164,8 +165,12 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     window.resizeDocks({study}, {studyWidth}, Qt::Horizontal);
     QList<QAction*> toggles;
     for (QDockWidget* dock : {project, study, results, contributions, scenarios, weights, places, review,
-                              point, elements, building, tower, trees, warnings})
+                              point, elements, building, tower, trees, warnings}) {
         toggles << dock->toggleViewAction();
+        QObject::connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
+            if (shown) dock->raise();
+        });
+    }
     return toggles;
 }
 

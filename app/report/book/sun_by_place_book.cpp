@@ -71,7 +71,8 @@ TextBlocks describeMethod(const SunOfCities& all) {
             .arg(hoursText(sun.possibleHours)));
     for (const SunWithTrees& with : sun.withTrees)
         add(QStringLiteral("Also measured with %1.").arg(plainText(std::string(describeTrees(with.column)))));
-    if (!sun.withTrees.empty()) add(QStringLiteral("Trees: %1.").arg(plainText(sun.treesHow)));
+    const std::string& how = shownCity(all).treesHow;  // a baseline may have none
+    if (!how.empty()) add(QStringLiteral("Trees: %1.").arg(plainText(how)));
     add(QStringLiteral("Error of cells: %1. The error of each figure is in the table at the end.")
             .arg(plainText(describeCellError(sun.error))));
     if (!all.compared.empty())

@@ -280,13 +280,13 @@ std::vector<Contribution> parseRows(const Json& json) {
 
 }  // namespace
 
-ContributionTable makeContributionTable(const PlaceContributions& of, double sunlitMinutesPerDay) {
+ContributionTable makeContributionTable(const PlaceContributions& of) {
     return {.place = of.place.name,
             .kind = std::string(nameOf(of.place.kind)),
             .period = formatText(of.period),
             .engine = of.breakdown.engine,
             .cells = of.cells,
-            .sunlitMinutesPerDay = sunlitMinutesPerDay,
+            .sunlitMinutesPerDay = of.sunlitMinutesPerDay,
             .months = of.breakdown.sets.names,
             .rows = of.rows};
 }

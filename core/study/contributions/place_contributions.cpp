@@ -81,9 +81,14 @@ Result<PlaceContributions> attribute(const Study& study, const Place& place, Pro
     auto breakdown = (*engine)->breakDown(study.city, cropTo(cells, study.receivers), study.sun,
                                           monthsOf(study.sun), true, progress, std::move(stop));
     if (!breakdown) return tl::make_unexpected(breakdown.error());
-    PlaceContributions made{
-        place, *std::move(breakdown), cells.size(), study.sun.dayCount(), sumOfStudy(study, cells),
-        {},    study.settings.period};
+    PlaceContributions made{place,
+                            *std::move(breakdown),
+                            cells.size(),
+                            study.sun.dayCount(),
+                            sumOfStudy(study, cells),
+                            {},
+                            study.settings.period,
+                            study.field.sunlitMinutesPerDay};
     made.rows = listContributions(study.city, made.breakdown, made.days);
     return made;
 }
@@ -130,14 +135,16 @@ Result<PlaceContributions> attribute(const SunOfCities& all, std::size_t place,
                                           std::move(stop));
     if (!breakdown) return tl::make_unexpected(breakdown.error());
     const double hours = date ? of.dateHours[*date] : of.meanHours;
-    const double minutesADay = when->sunlitMinutes() / double(days) - 60 * hours;
+    const double sunlitMinutes = when->sunlitMinutes() / double(days);
+    const double minutesADay = sunlitMinutes - 60 * hours;
     PlaceContributions made{where,
                             *std::move(breakdown),
                             of.cells,
                             days,
                             minutesADay * of.areaM2 * double(days),
                             {},
-                            periodOf(sun.settings, dateOf(sun, date))};
+                            periodOf(sun.settings, dateOf(sun, date)),
+                            sunlitMinutes};
     made.rows = listContributions(sun.city, made.breakdown, days);
     return made;
 }

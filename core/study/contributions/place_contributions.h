@@ -18,7 +18,8 @@ struct PlaceContributions {
     /// attributes, and on level ground, the breakdown adds up to it, within the rounding of float32.
     double studyMinM2 = 0;
     std::vector<Contribution> rows;  ///< of listContributions()
-    Period period;                   ///< of the study
+    Period period;                   ///< of the study, or one of its dates
+    double sunlitMinutesPerDay = 0;  ///< of that period
 };
 
 /// Attributes the shadow of a place to buildings, with the engine, the steps and the cells of the study, but
@@ -52,7 +53,7 @@ struct ContributionTable {
     std::vector<std::string> months{};  ///< "2026-01"; those that rows have sums of
     std::vector<Contribution> rows;     ///< read back: without indices of buildings
 };
-ContributionTable makeContributionTable(const PlaceContributions& of, double sunlitMinutesPerDay);
+ContributionTable makeContributionTable(const PlaceContributions& of);
 /// Replaces an earlier one of the same place and period.
 std::vector<ContributionTable> withContributions(std::vector<ContributionTable> all, ContributionTable more);
 

@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const Frame frame({-73.98, 40.75});
+const Frame cityFrame({-73.98, 40.75});
 
 std::string squareAt(double west, const std::string& properties) {
     return fmt::format(
@@ -33,7 +33,7 @@ std::string collection(const std::vector<std::string>& features) {
 class ReadParcels : public testing::Test {
 protected:
     Result<std::vector<Parcel>> read(const ParcelSettings& settings) {
-        return readParcels(file_, settings, frame, stop_.get_token());
+        return readParcels(file_, settings, cityFrame, stop_.get_token());
     }
 
     tests::TemporaryFolder folder_;
@@ -114,7 +114,7 @@ TEST_F(ReadParcels, AShapefileInFeetIsInMetres) {
         << "scale of the projection: 1e-4";
     // The corner as computed by gdaltransform.
     const Box2 box = bounds(plots[0].polygons[0]);
-    const LonLat corner = frame.lonLatFromLocal(glm::dvec2(box.low));
+    const LonLat corner = cityFrame.lonLatFromLocal(glm::dvec2(box.low));
     EXPECT_NEAR(corner.lonDeg, -73.9792435, 1e-6);
     EXPECT_NEAR(corner.latDeg, 40.7622894, 1e-6);
 }

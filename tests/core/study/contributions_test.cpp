@@ -188,7 +188,8 @@ TEST(PlaceContributions, OfADateTheyAddUpToTheShadowOfThatDay) {
         EXPECT_EQ(made->period.start, settings.dates[date]);
         const double shadowMin = 60 * (settings.study.period.hours - sun->baseline.sun[0].dateHours[date]);
         EXPECT_NEAR(sumOfRows(made->rows, &Contribution::attributedMin), shadowMin, 1e-6 * 60);
-        tables = withContributions(tables, makeContributionTable(*made, 60));
+        EXPECT_NEAR(made->sunlitMinutesPerDay, 60 * settings.study.period.hours, 1e-9);
+        tables = withContributions(tables, makeContributionTable(*made));
     }
     EXPECT_EQ(tables.size(), 2) << "one of each date";
 }
@@ -228,7 +229,7 @@ TEST(PlaceContributions, ACellOnTheEdgeOfAMeasuredPlaceCountsByItsShare) {
 TEST(PlaceContributions, KeptOnesComeBackFromTheJsonOfTheirAnswer) {
     const Study study = studied(twoTowers(), atNoon("horizon"));
     const auto keptOf = [&](const char* name) {
-        return makeContributionTable(attributed(study, square(name, 0, 52, 20, 92)), 120);
+        return makeContributionTable(attributed(study, square(name, 0, 52, 20, 92)));
     };
     std::vector<ContributionTable> all = withContributions({}, keptOf("Yard"));
     all = withContributions(all, keptOf("Lawn"));
@@ -253,7 +254,7 @@ TEST(PlaceContributions, KeptOnesComeBackFromTheJsonOfTheirAnswer) {
 TEST(PlaceContributions, AreALayerOfTheBuildingsWithWhatTheyTake) {
     const City city = twoTowers();
     const Study study = studied(city, atNoon("horizon"));
-    ContributionTable of = makeContributionTable(attributed(study, square("Yard", 0, 52, 20, 92)), 120);
+    ContributionTable of = makeContributionTable(attributed(study, square("Yard", 0, 52, 20, 92)));
     ASSERT_FALSE(of.rows.empty());
     const std::size_t buildings = of.rows.size();
     of.rows.push_back({.building = {}, .id = terrainId, .name = {}, .shadow = {}});

@@ -232,8 +232,7 @@ void ContributionLinks::attributeSun(std::size_t place) {
             if (!sun() || !haveSameShadow(*places, *sun())) return;
             if (!made)
                 return isCancelled(made.error()) ? refresh() : dock_.explain(describeError(made.error()));
-            workbench_.attachToAnswer(
-                makeContributionTable(*made, places->baseline.field.sunlitMinutesPerDay));
+            workbench_.attachToAnswer(makeContributionTable(*made));
         });
 }
 
@@ -256,7 +255,7 @@ void ContributionLinks::take(const std::string& place, Result<PlaceContributions
     if (!made) return isCancelled(made.error()) ? refresh() : dock_.explain(describeError(made.error()));
     known_[place] = std::make_shared<const PlaceContributions>(*std::move(made));
     if (!place.empty() && workbench_.answerAs<Study>() == study_)
-        workbench_.attachToAnswer(makeContributionTable(*known_[place], study_->field.sunlitMinutesPerDay));
+        workbench_.attachToAnswer(makeContributionTable(*known_[place]));
     refresh();
 }
 

@@ -47,6 +47,10 @@ public:
     explicit PlaceSunModel(QObject* parent = nullptr);
 
     void show(std::shared_ptr<const SunOfCities> sun);  ///< null: no rows
+    /// Shadow is to be shown, but the sunlit time is not known.
+    [[nodiscard]] bool showsSunOnly(const ShownSun& shown) const {
+        return show_ == ShownAs::shadow && showsSun(shown);
+    }
     /// Hours of sun, or minutes of shadow where the sunlit time of the period or date is known.
     void setShown(ShownAs show);
     /// Of a place, in the unit shown: hours of sun, minutes of shadow or, of a change, minutes of either.

@@ -28,6 +28,7 @@
 #include "app/gui/session/study/region_text.h"
 #include "app/report/maps/style.h"
 #include "core/describe/field_json.h"
+#include "core/describe/field_values.h"
 #include "core/describe/shown_as.h"
 #include "core/describe/text.h"
 
@@ -328,15 +329,18 @@ struct PlaceListing {
     bool byKind = false;
     int sortedBy = -1;  ///< column; -1: in the order of the project
     bool isDescending = false;
+    std::optional<double> thresholdHours;
 };
 
 const Fields<PlaceListing>& listingFields() {
-    static const Fields<PlaceListing> fields{field(&PlaceListing::of, {.key = "of"}),
-                                             field(&PlaceListing::kind, {.key = "kind"}),
-                                             field(&PlaceListing::onlyBelow, {.key = "only_below"}),
-                                             field(&PlaceListing::byKind, {.key = "by_kind"}),
-                                             field(&PlaceListing::sortedBy, {.key = "sorted_by"}),
-                                             field(&PlaceListing::isDescending, {.key = "descending"})};
+    static const Fields<PlaceListing> fields{
+        field(&PlaceListing::of, {.key = "of"}),
+        field(&PlaceListing::kind, {.key = "kind"}),
+        field(&PlaceListing::onlyBelow, {.key = "only_below"}),
+        field(&PlaceListing::byKind, {.key = "by_kind"}),
+        field(&PlaceListing::sortedBy, {.key = "sorted_by"}),
+        field(&PlaceListing::isDescending, {.key = "descending"}),
+        field(&PlaceListing::thresholdHours, {.key = "threshold_h", .range = ValueRange{0, maxThreshold}})};
     return fields;
 }
 
@@ -347,7 +351,8 @@ std::string PlacesDock::choice() const {
     PlaceListing listing{.onlyBelow = onlyBelow_->isChecked(),
                          .byKind = grouped_->isChecked(),
                          .sortedBy = filter_->sortColumn(),
-                         .isDescending = filter_->sortOrder() == Qt::DescendingOrder};
+                         .isDescending = filter_->sortOrder() == Qt::DescendingOrder,
+                         .thresholdHours = threshold_->value()};
     if (what.what == ShownSun::What::date)
         listing.of = formatText(model_->sun()->baseline.settings.dates[what.date]);
     if (what.what == ShownSun::What::change) listing.of = changeOfSun;
@@ -364,7 +369,11 @@ void PlacesDock::restore(const std::string& choice) {
 void PlacesDock::applyRestored() {
     const auto json = nlohmann::ordered_json::parse(std::exchange(restored_, {}), nullptr, false);
     PlaceListing listing;
-    if (!json.is_object() || !readFieldsJson(listingFields().of(listing), json)) return;
+    if (!json.is_object() || !readFieldsJson(listingFields().of(listing), json) ||
+        !checkRanges(listingFields().of(listing)))
+        return;
+    // Cells decide the shares of a new answer; of a saved one the colours follow the threshold alone.
+    if (listing.thresholdHours && !knowsCells(model_->sun()->baseline)) follow(*listing.thresholdHours);
     const auto& sun = *model_->sun();
     const auto& dates = sun.baseline.settings.dates;
     for (std::size_t date = 0; date < dates.size(); ++date)
@@ -625,7 +634,9 @@ void PlacesDock::describeCount() {
         tr("%1 of %2 place(s)", "", pluralNumber(measured)).arg(formatCount(below), formatCount(measured));
     if (const auto kind = filter_->kind())
         counts = tr("%1: %2 of %3").arg(describeKinds(*kind), formatCount(below), formatCount(measured));
-    const QString counted = describeLimit(counts, what);
+    QString counted = describeLimit(counts, what);
+    if (model_->showsSunOnly(what)) counted = tr("%1. A saved answer states its dates as sun").arg(counted);
+    if (!sun->baseline.withTrees.empty()) counted = tr("%1, without trees").arg(counted);
     const double enough = sun->baseline.settings.enoughHours;
     const bool isOfAnother =
         what.what != ShownSun::What::change && !knowsCells(sun->baseline) && threshold_->value() != enough;

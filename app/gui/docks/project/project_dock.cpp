@@ -1,5 +1,6 @@
 #include "app/gui/docks/project/project_dock.h"
 
+#include <QApplication>
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -180,7 +181,9 @@ bool ProjectDock::eventFilter(QObject* watched, QEvent* event) {
         return QWidget::eventFilter(watched, event);
     const int key = static_cast<QKeyEvent*>(event)->key();
     const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
-    if (!enter && key != Qt::Key_Delete) return QWidget::eventFilter(watched, event);
+    const QWidget* focus = QApplication::focusWidget();
+    const bool isNaming = focus != tree_ && tree_->isAncestorOf(focus);  // Enter ends the name
+    if (isNaming || (!enter && key != Qt::Key_Delete)) return QWidget::eventFilter(watched, event);
     if (claim)
         event->accept();
     else if (enter)
