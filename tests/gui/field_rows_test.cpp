@@ -57,7 +57,8 @@ struct FieldRowsTest : ::testing::Test {
     FieldRows rows{boatFields().rows()};
 
     void SetUp() override {
-        rows.addRows(*form, {"--hull-length", "--masts", "--rudder", "--sail", "--name", "--oars", "--draught"});
+        rows.addRows(*form,
+                     {"--hull-length", "--masts", "--rudder", "--sail", "--name", "--oars", "--draught"});
     }
     template <class Widget>
     Widget* find(const char* name) {

@@ -84,8 +84,8 @@ QWidget* makeNumber(const Field& field) {
     ValueRange range = field.range.value_or(ValueRange{-1e9, 1e9});
     range = {range.min * field.shownTimes, range.max * field.shownTimes};
     const int decimals = decimalsOf(field, range);
-    const double least = std::pow(10.0, -decimals), step = std::max(stepOf(field), least);
-    if (hasNoneBelow(field)) range.min -= least;
+    const double lastDigit = std::pow(10.0, -decimals), step = std::max(stepOf(field), lastDigit);
+    if (hasNoneBelow(field)) range.min -= lastDigit;
     QDoubleSpinBox* number = field.unit == "m"
                                  ? lengthField(range.min, range.max, decimals, step)
                                  : numberField(range.min, range.max, decimals, step, unitOf(field));

@@ -191,7 +191,7 @@ std::vector<Place> PlacesForm::chosen() const {
 namespace {
 
 /// What is ticked and typed, as projects hold it.
-struct PlacesAsked {
+struct PlacesChoice {
     std::vector<std::string> unticked;  ///< nameOf(PlaceKind)
     bool ownRegions = false;
     bool allScenarios = false;
@@ -199,35 +199,36 @@ struct PlacesAsked {
     std::string dates;  ///< as typed
 };
 
-const Fields<PlacesAsked>& placesAskedFields() {
-    static const Fields<PlacesAsked> fields{
-        field(&PlacesAsked::unticked, {.key = "unticked"}),
-        field(&PlacesAsked::ownRegions, {.key = "own_regions"}),
-        field(&PlacesAsked::allScenarios, {.key = "all_scenarios"}),
-        field(&PlacesAsked::enoughHours,
+const Fields<PlacesChoice>& placesChoiceFields() {
+    static const Fields<PlacesChoice> fields{
+        field(&PlacesChoice::unticked, {.key = "unticked"}),
+        field(&PlacesChoice::ownRegions, {.key = "own_regions"}),
+        field(&PlacesChoice::allScenarios, {.key = "all_scenarios"}),
+        field(&PlacesChoice::enoughHours,
               {.key = "enough_hours", .range = ValueRange{0, SunByPlaceSettings::maxHours}}),
-        field(&PlacesAsked::dates, {.key = "dates"})};
+        field(&PlacesChoice::dates, {.key = "dates"})};
     return fields;
 }
 
 }  // namespace
 
 std::string PlacesForm::choice() const {
-    PlacesAsked asked{.ownRegions = regionsTicked_,
-                      .allScenarios = all_->isChecked(),
-                      .enoughHours = enough_->value(),
-                      .dates = dates_->text().toStdString()};
+    PlacesChoice asked{.ownRegions = regionsTicked_,
+                       .allScenarios = all_->isChecked(),
+                       .enoughHours = enough_->value(),
+                       .dates = dates_->text().toStdString()};
     for (const PlaceKind kind : unticked_) asked.unticked.emplace_back(nameOf(kind));
-    return fieldsJson(placesAskedFields().of(asked)).dump();
+    return fieldsJson(placesChoiceFields().of(asked)).dump();
 }
 
 void PlacesForm::restore(const std::string& choice) {
-    const PlacesAsked atFirst{.dates = defaultDates(year_).toStdString()};
-    PlacesAsked asked = atFirst;
+    const PlacesChoice atFirst{.dates = defaultDates(year_).toStdString()};
+    PlacesChoice asked = atFirst;
     for (const PlaceKind kind : untickedAtFirst) asked.unticked.emplace_back(nameOf(kind));
     const auto json = nlohmann::ordered_json::parse(choice, nullptr, false);
-    if (PlacesAsked read = atFirst; json.is_object() && readFieldsJson(placesAskedFields().of(read), json) &&
-                                    checkRanges(placesAskedFields().of(read)))
+    if (PlacesChoice read = atFirst; json.is_object() &&
+                                     readFieldsJson(placesChoiceFields().of(read), json) &&
+                                     checkRanges(placesChoiceFields().of(read)))
         asked = std::move(read);
     unticked_.clear();
     for (const std::string& name : asked.unticked)

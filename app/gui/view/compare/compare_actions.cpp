@@ -327,7 +327,8 @@ QString CompareActions::describe() const {
     for (const std::string& scenario : panel_.results().missingSides())
         missing << QString::fromStdString(scenario);
     if (missing.empty()) return tr("the same question, in the same colours");
-    return tr("not measured yet: %1 (Scenario > Measure all scenarios)").arg(missing.join(QStringLiteral(", ")));
+    return tr("not measured yet: %1 (Scenario > Measure all scenarios)")
+        .arg(missing.join(QStringLiteral(", ")));
 }
 
 }  // namespace noonmark

@@ -259,7 +259,7 @@ const GroundAnswer* ResultLayer::ground() const {
     return nullptr;
 }
 
-// What stands beside the displayed answer; null: nothing.
+// The other scenario's, on its side; null: none.
 const GroundAnswer* ResultLayer::otherGround() const {
     return sides_ && sides_->other.ground && showsAnswer() ? &*sides_->other.ground : nullptr;
 }
