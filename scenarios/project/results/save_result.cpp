@@ -38,6 +38,13 @@ Json originJson(std::chrono::sys_seconds at, const std::string& citySha256, cons
     return {{"at", formatText(at)}, {"city_sha256", citySha256}, {"question_sha256", hashQuestion(settings)}};
 }
 
+// How long each day is: hours of sun are stated as minutes of shadow by it.
+Json daylightJson(const SunSteps& sun) {
+    Json days = Json::array();
+    for (const SunDay& day : sun.days) days.push_back(Json::array({Json(noonmark::formatText(day.date)), Json(day.count)}));
+    return {{"step_min", sun.stepMinutes}, {"days", std::move(days)}};
+}
+
 std::string withOrigin(const std::string& settings, Json origin) {
     Json json = Json::parse(settings);
     json["kept"] = std::move(origin);
@@ -175,6 +182,7 @@ SavedResult makeSavedResult(const Project& project, const SunOfCities& sun, std:
     Json origin = originJson(at, hashCity(shown.city), baseline.settings.study);
     if (!sun.compared.empty()) origin["baseline_sha256"] = hashCity(baseline.city);
     origin["places"] = outlinesJson(baseline.places);
+    origin["daylight"] = daylightJson(baseline.daylight);
     Json json = Json::parse(toJson(baseline, sun.compared));
     json["engine_settings"] = baseline.field.engine;
     json["region"] = "places";

@@ -230,6 +230,17 @@ SunOfPlace sunOfPlace(const Json& json) {
     return sun;
 }
 
+// The days alone: how many steps each has. Answers of earlier versions lack them.
+SunSteps daylightOf(const Json& json) {
+    SunSteps sun;
+    if (!json.is_object()) return sun;
+    sun.stepMinutes = json.at("step_min");
+    for (const Json& day : json.at("days"))
+        if (const auto date = parseDate(day.at(0).get<std::string>()))
+            sun.days.push_back({.date = *date, .count = day.at(1)});
+    return sun;
+}
+
 // What the figures of all cities have in common: their places, dates and threshold.
 SunByPlace sunWithoutFigures(const Json& json) {
     SunByPlace sun;
@@ -241,6 +252,7 @@ SunByPlace sunWithoutFigures(const Json& json) {
     const Json& outlines = json.at("kept").at("places");
     for (std::size_t i = 0; i < places.size(); ++i) sun.places.push_back(placeOf(places[i], outlines.at(i)));
     sun.partOf = findWholes(sun.places);
+    sun.daylight = daylightOf(json.at("kept").value("daylight", Json()));
     const Json seasons = json.value("seasons", Json::object());
     for (const auto& season : seasons.items()) sun.seasons.push_back({season.key(), season.value()});
     if (places.empty()) return sun;
