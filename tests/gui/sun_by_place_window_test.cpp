@@ -363,7 +363,6 @@ TEST_F(SunByPlaceWindow, AnotherScenarioOrAnswerMayBeShownWhileAllAreMeasured) {
 }
 
 TEST_F(SunByPlaceWindow, TheColumnOfNamesIsWideEnoughForThem) {
-    window->resize(1200, 700);
     measure();
     auto& tree = field<QTreeView>("placesTable");
     for (int row = 0; row < tree.model()->rowCount(); ++row) {

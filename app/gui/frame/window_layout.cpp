@@ -73,7 +73,7 @@ void nameForScreenReaders(QWidget& window) {
 
 namespace {
 
-constexpr int sideWidth = 300;
+constexpr int sideWidth = 324;  // with its tabs
 constexpr int narrowWidth = 190;
 constexpr int scrollBarWidth = 22;
 constexpr int lowShare = 3;  // of the window's height a dock below the view takes one part of so many

@@ -275,7 +275,7 @@ void PlacesDock::show(std::shared_ptr<const SunOfCities> sun, const QString& not
         if (!restored_.empty()) applyRestored();
     } else if (sun != model_->sun()) {
         rest_->stop();
-        if (sun && model_->sun() && restored_.empty()) restored_ = choice();
+        if (sun && model_->sun() && restored_.empty()) restored_ = describeListing({});
         picture_ = sun ? PlacePicture(sun->baseline.places) : PlacePicture();
         model_->show(std::move(sun));
         fillLists();
@@ -346,13 +346,16 @@ const Fields<PlaceListing>& listingFields() {
 
 }  // namespace
 
-std::string PlacesDock::choice() const {
+std::string PlacesDock::choice() const { return describeListing(threshold_->value()); }
+
+// Another answer has a threshold of its own.
+std::string PlacesDock::describeListing(std::optional<double> thresholdHours) const {
     const ShownSun what = shown();
     PlaceListing listing{.onlyBelow = onlyBelow_->isChecked(),
                          .byKind = grouped_->isChecked(),
                          .sortedBy = filter_->sortColumn(),
                          .isDescending = filter_->sortOrder() == Qt::DescendingOrder,
-                         .thresholdHours = threshold_->value()};
+                         .thresholdHours = thresholdHours};
     if (what.what == ShownSun::What::date)
         listing.of = formatText(model_->sun()->baseline.settings.dates[what.date]);
     if (what.what == ShownSun::What::change) listing.of = changeOfSun;

@@ -88,6 +88,7 @@ private:
     [[nodiscard]] Legend legendOf(const ColourScale& scale, const ShownSun& shown) const;
     [[nodiscard]] QString describeError(const ShownSun& shown) const;
     void emitDate();
+    [[nodiscard]] std::string describeListing(std::optional<double> thresholdHours) const;
     [[nodiscard]] PlaceView makeView(const std::string& scenario) const;
     [[nodiscard]] QString describeAt(glm::dvec2 point, const ShownSun& shown,
                                      const std::string& scenario) const;
