@@ -102,9 +102,8 @@ constexpr std::array<std::string_view, 2> buildingAreaKeys{"building", "building
 
 // Closed ways that are read for trees are no polygons that might have been buildings.
 bool mayBeBuilding(const OsmArea& area) {
-    return area.relation || std::ranges::any_of(buildingAreaKeys, [&](std::string_view key) {
-               return !findTag(area.tags, key).empty();
-           });
+    const auto has = [&](std::string_view key) { return !findTag(area.tags, key).empty(); };
+    return area.relation || !has(osmTreeKey) || std::ranges::any_of(buildingAreaKeys, has);
 }
 
 // The tags that describe a building; tags that the user named come to them.

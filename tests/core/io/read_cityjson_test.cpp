@@ -330,7 +330,7 @@ TEST(ReadCityJson, WhatIsLeftOutIsReported) {
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     maker.addBuilding("cube2", maker.boxSolid({30, 0, 0}, {40, 10, 10}));
     maker.addBuilding("far", maker.boxSolid({90000, 0, 0}, {90010, 10, 10}));
-    maker.addBuilding("tree", maker.boxSolid({20, 0, 0}, {21, 1, 5}), "PlantCover");
+    maker.addBuilding("bench", maker.boxSolid({20, 0, 0}, {21, 1, 5}), "CityFurniture");
     maker.addBuilding("stamp", {{"type", "GeometryInstance"}, {"template", 0}, {"boundaries", {0}}});
     maker.objects["empty"] = {{"type", "Building"}};
     maker.objects["odd"] = 5;
@@ -338,8 +338,8 @@ TEST(ReadCityJson, WhatIsLeftOutIsReported) {
     ASSERT_TRUE(piece) << piece.error().text();
     EXPECT_EQ(piece->buildings.size(), 2U);
     EXPECT_EQ(piece->features, 7U);
-    for (const char* what :
-         {"far from the middle", "PlantCover", "geometry templates", "no usable geometry", "without a type"})
+    for (const char* what : {"far from the middle", "CityFurniture", "geometry templates",
+                             "no usable geometry", "without a type"})
         EXPECT_TRUE(warns(*piece, what)) << what;
 }
 
