@@ -41,7 +41,8 @@ Json originJson(std::chrono::sys_seconds at, const std::string& citySha256, cons
 // How long each day is: hours of sun are stated as minutes of shadow by it.
 Json daylightJson(const SunSteps& sun) {
     Json days = Json::array();
-    for (const SunDay& day : sun.days) days.push_back(Json::array({Json(noonmark::formatText(day.date)), Json(day.count)}));
+    for (const SunDay& day : sun.days)
+        days.push_back(Json::array({Json(noonmark::formatText(day.date)), Json(day.count)}));
     return {{"step_min", sun.stepMinutes}, {"days", std::move(days)}};
 }
 
