@@ -152,12 +152,12 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
     }
     const CrownScene crowns = findCrowns(city, receivers, sun);
     std::optional<CrownSweep> crownSweep;
-    if (!crowns.empty())
-        crownSweep.emplace(crowns, binned, makeOneSet(sun), receivers.grid, walls.datumM,
-                           settings.counts == ShadowCounts::gross ? CrownSweep::widestGroupDeg
-                                                                  : CrownSweep::widestGroupOfRunsDeg);
     PeriodSweep sweep(walls, *overhanging, receivers, sun, binned, settings.counts, rays ? &*rays : nullptr,
                       progress, stop);
+    if (!crowns.empty())
+        crownSweep.emplace(
+            crowns, binned, makeOneSet(sun), receivers.grid, walls.datumM,
+            sweep.countsCrownRuns() ? CrownSweep::widestGroupOfRunsDeg : CrownSweep::widestGroupDeg);
     if (crownSweep) sweep.weigh(&*crownSweep, crowns.inLeaf);
     field.cost.seconds["build"] = watch.seconds();
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());

@@ -29,7 +29,7 @@ struct ReadTree {
     TreeFacts facts;
 };
 
-/// What is said of areas that are read as canopy.
+/// The warning about areas that are read as canopy.
 inline constexpr std::string_view woodIsClosedCanopy =
     NM_TEXT("a wood is taken as closed canopy, in columns of 8 x 8 m");
 

@@ -198,7 +198,7 @@ TEST(TracedView, ShadowsAreWhereTheSunIsHidden) {
 }
 
 // A crown in the shape of a box, 30 to 40 m east and 10 to 20 m high: with the sun at 45 degrees in the west
-// its shade lies from 40 to 60 m east, that of the house from 10 to 30.
+// its shade lies from 40 to 60 m east, that of the box from 10 to 30.
 TEST(TracedView, CrownsShadeWhatBuildingsLeaveInTheSun) {
     OneBox scene;
     scene.camera = makeCamera({0, 0, 200}, {0, 0, 0}, 40, width, height);

@@ -216,6 +216,20 @@ TEST(TreeShade, OfTheSweepHasTheLongestRunsOfRays) {
     }
 }
 
+TEST(TreeShade, OfTheSweepHasNoLongestRunsWhereLightPassesBelowOverhangs) {
+    const City city = townWithTrees(40, 3);
+    ASSERT_TRUE(std::ranges::any_of(city.buildings,
+                                    [](const auto& building) { return building->parts[0].isOverhanging; }));
+    const Receivers receivers = receiversOver(city, 0, 0, 100, 100, 4);
+    const ShadowField field = swept(city, receivers, threeDays());
+    ASSERT_TRUE(field.trees);
+    EXPECT_NE(field.trees->how.find("longest runs are not counted"), std::string::npos) << field.trees->how;
+    for (const std::uint32_t cell : receivers.cells) {
+        EXPECT_TRUE(std::isnan(field.trees->seasonal->continuousMin[cell]));
+        EXPECT_FALSE(std::isnan(field.continuousMin[cell])) << "those without trees stay";
+    }
+}
+
 // Nothing but one crown, and one noon at which half of its shadow's cells are dark.
 TEST(TreeShade, LongestRunsOfTheSweepAreOfStepsThatAreHalfTaken) {
     City city;

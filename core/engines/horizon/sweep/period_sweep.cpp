@@ -260,8 +260,7 @@ void PeriodSweep::weigh(const CrownSweep* crowns, std::span<const std::uint8_t> 
     if (crowns == nullptr) return;
     const std::vector<std::vector<double>> none(crowns->sets(), std::vector<double>(receivers_.cells.size()));
     taken_ = {none, none, {}, {}};
-    // Light below an overhang parts the runs of crowns, which are counted from horizons alone.
-    if (count_.runs() == nullptr || !overhangs_.empty()) return;
+    if (!countsCrownRuns()) return;
     crownRuns_.emplace(*crowns, count_.runs()->steps(), inLeaf);
     taken_.evergreenRuns.assign(receivers_.grid.size(), 0);
     taken_.seasonalRuns.assign(receivers_.grid.size(), 0);
