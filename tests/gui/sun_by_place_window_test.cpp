@@ -614,6 +614,9 @@ TEST_F(SunByPlaceWindow, SideBySideEachScenarioHasItsOwnPlaces) {
     EXPECT_NE(before->describe(park), dock().view()->describe(park)) << "the tower shades it";
     field<QComboBox>("placesShown").setCurrentText(QStringLiteral("Change"));
     EXPECT_EQ(layer.missingSides(), std::vector<std::string>{existingCity}) << "a baseline has no change";
+    const Pick inPark{.position = {park, 0}};
+    EXPECT_FALSE(layer.minutesAt(inPark).isEmpty());
+    EXPECT_TRUE(layer.minutesAt(inPark, true).isEmpty()) << "nothing is shown there";
 }
 
 TEST_F(SunByPlaceWindow, TheDateThatIsShownStaysWithTheNextRun) {

@@ -219,8 +219,8 @@ void ResultLayer::setSides(std::optional<ComparedSides> sides) {
 std::vector<std::string> ResultLayer::missingSides() const {
     std::vector<std::string> missing;
     if (!sides_) return missing;
-    for (const auto& [scenario, ground] : {sides_->displayed, sides_->other})
-        if (showsPlaces() ? !places_->in(scenario) : !ground) missing.push_back(scenario);
+    for (const ComparedSides::Side* side : {&sides_->displayed, &sides_->other})
+        if (showsPlaces() ? !places_->in(side->scenario) : !side->ground) missing.push_back(side->scenario);
     return missing;
 }
 
@@ -342,18 +342,22 @@ QString ResultLayer::minutesAt(const Pick& pick, bool ofOther) const {
         if (!live_) return {};
     }
     const glm::dvec2 place{pick.position.x, pick.position.y};
-    if (showsPlaces()) return pick.building ? QString() : places_->describe(place);
+    if (showsPlaces()) return pick.building ? QString() : placeTextAt(place, false);
     if (!ground() || (pick.building && !isOnRoof(*ground(), place))) return {};
     return textAt(*ground(), place, strip_.choice().show);
+}
+
+// Of the scenario on that side; empty where its places were not measured.
+QString ResultLayer::placeTextAt(const glm::dvec2& place, bool ofOther) const {
+    if (!sides_) return places_->describe(place);
+    const auto places = places_->in((ofOther ? sides_->other : sides_->displayed).scenario);
+    return places ? places->describe(place) : QString();
 }
 
 QString ResultLayer::minutesOfOther(const Pick& pick) const {
     const glm::dvec2 place{pick.position.x, pick.position.y};
     if (!sides_ || pick.building) return {};
-    if (showsPlaces()) {
-        const auto places = places_->in(sides_->other.scenario);
-        return places ? places->describe(place) : QString();
-    }
+    if (showsPlaces()) return placeTextAt(place, true);
     return otherGround() ? textAt(*otherGround(), place, strip_.choice().show) : QString();
 }
 

@@ -101,6 +101,7 @@ private:
     void showPlacesOfSides();
     [[nodiscard]] const GroundAnswer* otherGround() const;
     [[nodiscard]] QString minutesOfOther(const Pick& pick) const;
+    [[nodiscard]] QString placeTextAt(const glm::dvec2& place, bool ofOther) const;
     [[nodiscard]] std::optional<std::size_t> paintedTileAt(const glm::dvec3& place) const;
     void showFacades();
     [[nodiscard]] const ElementMap* shownElements() const;
