@@ -20,4 +20,10 @@ bool StopScope::isStopped() {
     return false;
 }
 
+std::stop_token StopScope::current() {
+    for (const StopScope* scope = innermostScope; scope != nullptr; scope = scope->outer_)
+        if (scope->stop_.stop_possible()) return scope->stop_;
+    return {};
+}
+
 }  // namespace noonmark

@@ -17,6 +17,8 @@ public:
     /// Whether a stop was requested of a scope of this thread. What failed since is then no defect of the
     /// data.
     [[nodiscard]] static bool isStopped();
+    /// The token of the innermost scope of this thread that has one, for scopes of the threads that help it.
+    [[nodiscard]] static std::stop_token current();
 
 private:
     std::stop_token stop_;

@@ -68,6 +68,16 @@ TEST_F(PlacesWindow, AFileOfPolygonsBecomesPlacesInTheTreeAndOneUndoRemovesThem)
     EXPECT_TRUE(places().empty());
 }
 
+TEST_F(PlacesWindow, AnEntryStaysSelectedUnderItsNewName) {
+    read(polygonFile());
+    auto& view = *tree().findChild<QTreeView*>(QStringLiteral("projectTree"));
+    tree().select(ProjectPart::place, "Green");
+    ASSERT_TRUE(tree().model().setData(view.currentIndex(), QStringLiteral("Our green")));
+    const ProjectNode* node = tree().model().nodeAt(view.currentIndex());
+    ASSERT_TRUE(node);
+    EXPECT_EQ(node->name, "Our green");
+}
+
 TEST_F(PlacesWindow, AFileReadAgainReplacesItsPlacesAndKeepsNamesGivenByTheUser) {
     read(polygonFile());
     ASSERT_TRUE(session().rename(ProjectPart::place, "Green", "Our green"));

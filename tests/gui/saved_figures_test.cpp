@@ -97,12 +97,16 @@ TEST(SavedFigures, ComeBackFromTheProjectsView) {
     impact.gross = {1, 2, 3, 4, 5.5, 6, 7};
     impact.continuous.meanMin = std::nan("");
     impact.shadowAreaChangeM2 = -12.25;
+    SunOfPlace sun;
+    sun.meanHours = 4.25;
+    sun.monthHours = {1.5, std::nan("")};
     const std::vector<ViewFigures> before{
         {"aa", "", {.question = "q", .measured = measured.measured}},
         {"bb", "cc", {.question = "q", .impact = impact}},
-        {"dd", "", {.question = "q", .weights = project.weights.front(), .score = {0.125, 2.5}}}};
+        {"dd", "", {.question = "q", .weights = project.weights.front(), .score = {0.125, 2.5}}},
+        {"ee", "", {.question = "q", .sun = ScenarioSun{3, 2.5, {"2026-01", "2026-02"}, sun}}}};
     const auto after = parseViewFigures(formatText(before));
-    ASSERT_EQ(after.size(), 3U);
+    ASSERT_EQ(after.size(), 4U);
     EXPECT_EQ(after[0].citySha256, "aa");
     EXPECT_EQ(after[0].figures.measured->shadowAreaM2, measured.measured->shadowAreaM2);
     EXPECT_EQ(after[1].baselineSha256, "cc");
@@ -112,12 +116,22 @@ TEST(SavedFigures, ComeBackFromTheProjectsView) {
     EXPECT_EQ(after[2].figures.weights, project.weights.front());
     EXPECT_EQ(after[2].figures.score.scoreM2, 0.125);
     EXPECT_FALSE(after[2].figures.measured);
+    ASSERT_TRUE(after[3].figures.sun);
+    EXPECT_EQ(after[3].figures.sun->places, 3U);
+    EXPECT_EQ(after[3].figures.sun->enoughHours, 2.5);
+    EXPECT_EQ(after[3].figures.sun->mean.meanHours, 4.25);
+    EXPECT_TRUE(std::isnan(after[3].figures.sun->mean.enoughShare));
+    EXPECT_EQ(after[3].figures.sun->months.at(1), "2026-02");
+    EXPECT_EQ(after[3].figures.sun->mean.monthHours.at(0), 1.5);
+    EXPECT_TRUE(std::isnan(after[3].figures.sun->mean.monthHours.at(1)));
 }
 
 TEST(SavedFigures, OfAStrangersViewAreReadAsFarAsTheyAreValid) {
     for (const char* text :
          {"", "{", "[]", "{}", "[1, null, {}]", R"([{"city_sha256": 1, "question_sha256": 2}])",
           R"([{"city_sha256": "a", "question_sha256": "q", "measured": []}])",
+          R"([{"city_sha256": "a", "question_sha256": "q", "sun": {"places": 1, "enough_hours": 2,
+               "months": {"20": 1}}}])",
           R"([{"city_sha256": "a", "question_sha256": "q", "score": {"table": "t"}}])"})
         EXPECT_TRUE(parseViewFigures(text).empty()) << text;
 }

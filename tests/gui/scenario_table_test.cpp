@@ -388,8 +388,8 @@ TEST_F(ScenarioTableWindow, TheCsvStatesWhatEachScenarioLacksAndWhy) {
     EXPECT_TRUE(lines[2].startsWith(QStringLiteral("Low,1,17.5,2000,")));
     EXPECT_TRUE(
         lines[2].endsWith(QStringLiteral("weighted_shade_m2h: not scored; verdicts: not reviewed\"")));
-    EXPECT_THAT(lines[3].toStdString(),
-                HasSubstr("shadow_area_m2: out of date; shadow_area_change_m2: out of date"));
+    EXPECT_THAT(lines[3].toStdString(), HasSubstr("shadow_area_m2: out of date; hours_mean: not measured; "
+                                                  "shadow_area_change_m2: out of date"));
     window->findChild<QPushButton*>(QStringLiteral("copyScenarios"))->click();
     EXPECT_TRUE(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("Scenario\tChanges\t")));
 }

@@ -23,6 +23,8 @@
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/places/places_dock.h"
 #include "app/gui/docks/results/results_dock.h"
+#include "app/gui/docks/scenarios/scenario_table.h"
+#include "app/gui/docks/scenarios/scenarios_dock.h"
 #include "app/gui/docks/study_form/places_form.h"
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/session/answers/answer_viewer.h"
@@ -599,6 +601,51 @@ TEST_F(SunByPlaceWindow, MeasureAllMeasuresThePlacesThatAreAskedFor) {
     EXPECT_EQ(sun()->baseline.name, existingCity);
     EXPECT_EQ(sun()->compared[0].sun.name, "Tower");
     EXPECT_EQ(session().scenario(), "Tower");
+}
+
+// In the table of scenarios: values and months of the places, also in another session.
+TEST_F(SunByPlaceWindow, TheTableOfScenariosHasTheSunOfTheirPlaces) {
+    const ScenarioTable& scenarios = window->findChild<ScenariosDock*>()->table();
+    const auto shown = [&](int row, std::string_view key) {
+        return scenarios.index(row, scenarioColumn(key)).data().toString();
+    };
+    EXPECT_EQ(shown(0, "hours_mean"), QStringLiteral("not measured"));
+    QTest::mouseClick(&field<QPushButton>("measureAll"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return sun() != nullptr; }));
+    const double before = averagePlaces(sun()->baseline).meanHours;
+    const double after = averagePlaces(sun()->compared[0].sun).meanHours;
+    EXPECT_GT(before, after) << "the tower takes sun";
+    EXPECT_EQ(shown(0, "hours_mean"), QString::number(before, 'f', 2));
+    EXPECT_EQ(shown(1, "hours_mean"), QString::number(after, 'f', 2));
+    EXPECT_NE(shown(1, "share_enough"), QStringLiteral("not measured"));
+    const std::vector<MonthChart> charts = makeMonthCharts(scenarios.months());
+    ASSERT_EQ(charts.size(), 1U);
+    EXPECT_EQ(charts[0].key, "places_sun_hours");
+    ASSERT_EQ(charts[0].values.series.size(), 2U);
+    EXPECT_EQ(charts[0].values.groups.size(), sun()->baseline.months.size());
+    EXPECT_LT(charts[0].changes.groups[0].values[0], 0);
+    const QString saved = shown(1, "hours_mean");
+    window->saving().save();
+    ASSERT_TRUE(waitFor([&] { return !window->saving().writing().busy(); }));
+    const auto city = workbench().city();
+    window->open({QString::fromStdString(session().file()->path().string())});
+    ASSERT_TRUE(waitFor([&] { return workbench().city() != city && shown(1, "hours_mean") == saved; }));
+    EXPECT_EQ(makeMonthCharts(scenarios.months()).size(), 1U);
+}
+
+TEST_F(SunByPlaceWindow, AnEditOfAThirdScenarioMarksWhatWasMeasuredOfAll) {
+    ASSERT_TRUE(session().change(withScenario(session().project(), "Copy", "Tower"), QStringLiteral("copy")));
+    QTest::mouseClick(&field<QPushButton>("measureAll"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return sun() && sun()->compared.size() == 2; }));
+    const std::string third = sun()->compared[0].sun.name;
+    const auto measured = workbench().measuredShown();
+    ASSERT_TRUE(measured);
+    EXPECT_FALSE(workbench().isOutdated(*measured));
+    Project next = session().project();
+    for (Scenario& scenario : next.scenarios)
+        if (scenario.name == third) scenario.edits.push_back(test::newTower("Third", 50));
+    ASSERT_TRUE(session().change(std::move(next), QStringLiteral("edit")));
+    EXPECT_TRUE(workbench().isOutdated(*measured));
 }
 
 TEST_F(SunByPlaceWindow, SideBySideEachScenarioHasItsOwnPlaces) {

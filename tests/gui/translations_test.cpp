@@ -92,6 +92,10 @@ TEST_F(Languages, NumbersAreWrittenAsTheLanguageWritesThem) {
     EXPECT_EQ(groupDigits(1234.5, 1), QStringLiteral("1,234.5"));
     EXPECT_EQ(formatAmount(61234.50, 2), QStringLiteral("61,234.5"));
     EXPECT_EQ(groupDigits(-0.04, 1), QStringLiteral("0.0"));
+    EXPECT_EQ(withPlus(0.04, groupDigits(0.04, 1)), QStringLiteral("0.0"));
+    EXPECT_EQ(withPlus(0.06, groupDigits(0.06, 1)), QStringLiteral("+0.1"));
+    EXPECT_EQ(withPlus(-3, groupDigits(-3, 1)), QStringLiteral("-3.0"));
+    EXPECT_EQ(signedAreaNumber(0.2), QStringLiteral("0"));
     const QString texts[] = {QStringLiteral("1,204 m² (0.25 %)"), QStringLiteral("2026-06-21 14:30"),
                              QStringLiteral("12.5 ha")};
     for (const QString& text : texts) EXPECT_EQ(localiseNumbers(text), text);

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <QWindow>
+#include <chrono>
+#include <thread>
 
 #include "app/gui/base/widgets/status_bars.h"
 #include "app/gui/view/panel/view_panel.h"
@@ -54,6 +56,25 @@ TEST_F(ProjectWindow, AQuitThatIsCancelledIsAskedAboutAgainAndLosesNothing) {
     answer = SavingActions::Unsaved::discard;
     EXPECT_TRUE(window->close());
     EXPECT_FALSE(window->isVisible());
+}
+
+TEST_F(ProjectWindow, AQuitAsksBeforeItStopsWhatTheUserWaitsFor) {
+    int asked = 0;
+    SavingActions::Unsaved answer = SavingActions::Unsaved::cancel;
+    window->saving().setUnsavedQuestion([&] { return ++asked, answer; });
+    workbench().running().start<int>(
+        QStringLiteral("Study"),
+        [](Progress&, const std::stop_token& stop) -> Result<int> {
+            while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            return cancelled();
+        },
+        [](const Result<int>&) {});
+    ASSERT_FALSE(session().hasUnsavedWork());
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(asked, 1);
+    EXPECT_TRUE(workbench().running().busy()) << "it goes on";
+    answer = SavingActions::Unsaved::discard;
+    EXPECT_TRUE(window->close());
 }
 
 TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {

@@ -232,6 +232,10 @@ void MainWindow::connectJobs() {
                           &saving_.writing(), &places_.reading(), &photograph_.reading(), &movies_.writing(),
                           &answers_.scoring(), &review_.runningAll(), &glazingReview_.runningAll()})
         progress_->follow(*slot);
+    saving_.watch(workbench_.running(), [this] { return workbench_.isAwaited(); });
+    for (JobSlot* slot : {&workbench_.writing(), &movies_.writing(), &answers_.scoring(),
+                          &review_.runningAll(), &glazingReview_.runningAll()})
+        saving_.watch(*slot, [] { return true; });
     connect(&places_, &PlaceActions::photographDropped, &photograph_, [this](const QString& file) {
         photograph_.set(GroundPictureFile{file.toStdString(), {}, {}});
     });

@@ -47,6 +47,8 @@ public:
     /// As run(), without being asked by the user: its answer is saved with the project, but is no unsaved
     /// work.
     void runAgain();
+    /// The user waits for a run.
+    [[nodiscard]] bool isAwaited() const { return running_.busy() && !again_; }
     /// What can be asked, for saved results; the questions and their list must outlive the workbench.
     void setQuestions(Questions questions) { questions_ = questions; }
     [[nodiscard]] Questions questions() const { return questions_; }

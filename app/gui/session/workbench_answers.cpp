@@ -209,7 +209,9 @@ void Workbench::runByPlace(std::vector<Place> places, const SunByPlaceSettings& 
 }
 
 void Workbench::compute(const Question& question, Asked asked) {
-    KnownAnswer known{session_.city(), asked.before, {}};
+    KnownAnswer known{session_.city(), asked.before, {}, {}};
+    for (const NamedCity& other : asked.others)
+        known.others.emplace_back(other.name, session_.cityOf(other.name).value_or(nullptr));
     runningOn_ = {known.city, known.before};
     running_.start<SharedAnswer>(
         translated(question.label),
@@ -524,7 +526,10 @@ bool Workbench::isOutdated(const MeasuredAnswer& measured) {
     const KnownAnswer& known = measured.known();
     if (!known.answer) return isOutdated(*measured.toSave());
     const MeasuredPart part = known.answer->part();
-    return !isCurrent(part.scenario, known.city) || (known.before && !isCurrent(part.baseline, known.before));
+    return !isCurrent(part.scenario, known.city) ||
+           (known.before && !isCurrent(part.baseline, known.before)) ||
+           std::ranges::any_of(known.others,
+                               [this](const auto& one) { return !isCurrent(one.first, one.second); });
 }
 
 bool Workbench::isCurrent(const std::string& scenario, const std::shared_ptr<const City>& city) {

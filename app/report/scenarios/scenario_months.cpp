@@ -34,6 +34,14 @@ ByMonth sunOf(const ScenarioMonths& scenario) {
     return hours;
 }
 
+ByMonth sunOfPlaces(const ScenarioMonths& scenario) {
+    ByMonth hours;
+    if (!scenario.sun) return hours;
+    const std::vector<double>& values = scenario.sun->mean.monthHours;
+    for (std::size_t i = 0; i < values.size(); ++i) hours[monthOfKey(scenario.sun->months[i])] = values[i];
+    return hours;
+}
+
 ByMonth scoreOf(const ScenarioMonths& scenario, double MonthFigures::*figure) {
     ByMonth values;
     for (const MonthFigures& month : scenario.score) values[month.month] = month.*figure;
@@ -65,24 +73,29 @@ struct MonthlyFigure {
     std::string_view title, changeTitle;
     ByMonth (*valuesOf)(const ScenarioMonths&);
     std::string_view definition;
-    bool ofScore = false;
+    MonthsOf of = MonthsOf::study;
 };
 
-const std::array<MonthlyFigure, 4>& monthlyFigures() {
+const std::array<MonthlyFigure, 5>& monthlyFigures() {
     const auto definitionOf = [](std::string_view key) {
         return findFigure(scoreMonthFigures().rows(), key).definition;
     };
-    static const std::array<MonthlyFigure, 4> figures{
+    static const std::array<MonthlyFigure, 5> figures{
         {{"sun_hours", FigureUnit::none, 4, NM_TEXT("Hours of sun a day by month"),
           NM_TEXT("Change of the hours of sun a day by month"), sunOf,
           "hours of sun a day, mean over the month's days and the receivers"},
+         {"places_sun_hours", FigureUnit::none, 4, NM_TEXT("Hours of sun a day in the places by month"),
+          NM_TEXT("Change of the hours of sun a day in the places by month"), sunOfPlaces,
+          "hours of sun a day, mean over the month's days and the area of the places that were measured",
+          MonthsOf::places},
          {"shadow_area_m2", FigureUnit::squareMetres, 1, NM_TEXT("Shadow area by month, m²"),
           NM_TEXT("Change of the shadow area by month, m²"), areaOf, definitionOf("shadow_area_m2")},
          {"weighted_shade_m2h", FigureUnit::squareMetreHours, 1, NM_TEXT("Weighted shade by month, m² h"),
           NM_TEXT("Change of the weighted shade by month, m² h"), weightedOf,
-          definitionOf("weighted_shade_m2h"), true},
+          definitionOf("weighted_shade_m2h"), MonthsOf::score},
          {"score_m2", FigureUnit::squareMetres, 1, NM_TEXT("Shadow score by month, m²"),
-          NM_TEXT("Change of the shadow score by month, m²"), pointsOf, definitionOf("score_m2"), true}}};
+          NM_TEXT("Change of the shadow score by month, m²"), pointsOf, definitionOf("score_m2"),
+          MonthsOf::score}}};
     return figures;
 }
 
@@ -152,7 +165,7 @@ std::vector<ScenarioMonths> listMonths(const ScenarioStudies& scenarios) {
 std::vector<MonthChartName> monthChartNames() {
     std::vector<MonthChartName> names;
     for (const MonthlyFigure& figure : monthlyFigures())
-        names.push_back({figure.key, figure.title, figure.ofScore});
+        names.push_back({figure.key, figure.title, figure.of});
     return names;
 }
 

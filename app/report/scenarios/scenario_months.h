@@ -15,6 +15,7 @@ struct ScenarioMonths {
     std::string name;
     std::shared_ptr<const Study> study{};  ///< null: none; it may have no months
     std::vector<MonthFigures> score{};     ///< empty: not scored
+    std::optional<ScenarioSun> sun{};      ///< of places; none: not measured
 };
 std::vector<ScenarioMonths> listMonths(const ScenarioStudies& scenarios);
 
@@ -27,15 +28,18 @@ struct MonthChart {
     Bars changes;  ///< from the first scenario; without groups where it or all others lack the figure
 };
 
+/// What has to be measured for a chart of months.
+enum class MonthsOf { study, places, score };
+
 /// Which charts there may be.
 struct MonthChartName {
     std::string_view key, title;  ///< the title is NM_TEXT
-    bool ofScore = false;         ///< only of scenarios that were scored
+    MonthsOf of = MonthsOf::study;
 };
 std::vector<MonthChartName> monthChartNames();
 
-/// Hours of sun, shadow area, weighted shade and score by month: those that any scenario has. Costs some
-/// milliseconds for each million cells of a study.
+/// Hours of sun, those of places, shadow area, weighted shade and score by month: those that any scenario
+/// has. Costs some milliseconds for each million cells of a study.
 std::vector<MonthChart> makeMonthCharts(std::span<const ScenarioMonths> scenarios);
 
 /// Columns: scenario,month, and for each chart its key and that of its change

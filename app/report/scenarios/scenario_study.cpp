@@ -27,6 +27,10 @@ ScenarioStudy makeScenarioStudy(const std::vector<Scenario>& scenarios, std::str
     return {std::move(name), std::move(study), sumUses(edits), heightM, {}, std::move(withTrees)};
 }
 
+ScenarioSun makeScenarioSun(const SunByPlace& sun) {
+    return {sun.places.size(), sun.settings.enoughHours, sun.months, averagePlaces(sun)};
+}
+
 std::size_t countChanges(const ScenarioStudy& scenario) {
     const auto& project = scenario.study->provenance.project;
     return project ? project->scenario.edits.size() : 0;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/review/glazing/building_review.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "core/study/study.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/massing/tower_design.h"
@@ -31,6 +32,15 @@ struct ScenarioScore {
     std::vector<ShadedScore> withTrees{};  ///< of Score::withTrees, without their maps
 };
 
+/// Sun of all places that were measured, as one.
+struct ScenarioSun {
+    std::size_t places = 0;
+    double enoughHours = 0;           ///< a day, of the share of the area that has enough
+    std::vector<std::string> months;  ///< of SunOfPlace::monthHours
+    SunOfPlace mean;                  ///< averagePlaces()
+};
+ScenarioSun makeScenarioSun(const SunByPlace& sun);
+
 /// What a study measured with trees.
 struct ShadedFigures {
     TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
@@ -50,6 +60,7 @@ struct ScenarioAnswers {
     std::optional<ScenarioScore> score{};
     std::optional<ScenarioVerdicts> verdicts{};
     std::optional<ShadowStatistics> measured{};  ///< of an earlier study, which is not in memory
+    std::optional<ScenarioSun> sun{};            ///< of the places that were measured last
 };
 
 /// A scenario with its study. Those that are put side by side have the same settings, so that their figures

@@ -1,6 +1,7 @@
 #include "core/io/places/place_assembly.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/base/stop_scope.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/footprints/repair_footprint.h"
 #include "core/receivers/place_names.h"
@@ -62,6 +64,16 @@ bool isUsable(const StreetPiece& piece, Warnings& warnings) {
     return false;
 }
 
+// GEOS gives up in each thread where a stop is requested in the caller's.
+template <class Make>
+void makeEach(std::size_t count, const Make& make) {
+    const std::stop_token stop = StopScope::current();
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+        const StopScope scope(stop);
+        make(i);
+    });
+}
+
 // The strips beside `street` that no carriageway covers.
 std::vector<Footprint> cutSidewalks(StreetBlock street, double sidewalkM,
                                     const std::vector<Footprint>& carriageways) {
@@ -82,12 +94,10 @@ std::vector<Place> makeSidewalks(const std::vector<Place>& carriageways,
     std::vector<std::vector<Footprint>> near(streets.size());
     for (const auto& [a, b] : findMeetingBoxes(wide, boxes))
         near[a].insert(near[a].end(), carriageways[b].polygons.begin(), carriageways[b].polygons.end());
-    std::vector<Place> places;
-    for (std::size_t i = 0; i < streets.size(); ++i) {
-        Place place = carriageways[i];
-        place.polygons = cutSidewalks(streets[i], sidewalkM, near[i]);
-        if (!place.polygons.empty()) places.push_back(std::move(place));
-    }
+    std::vector<Place> places = carriageways;
+    makeEach(streets.size(),
+             [&](std::size_t i) { places[i].polygons = cutSidewalks(streets[i], sidewalkM, near[i]); });
+    std::erase_if(places, [](const Place& place) { return place.polygons.empty(); });
     return places;
 }
 
@@ -129,8 +139,10 @@ std::vector<Place> joinAreas(std::vector<Place> areas, double nearM) {
         if (some.size() > 1) groupNear(areas, some, nearM, parents);
     std::map<std::size_t, Indices> groups;
     for (std::size_t i = 0; i < areas.size(); ++i) groups[rootOf(parents, i)].push_back(i);
-    std::vector<Place> places;
-    for (const auto& [first, group] : groups) places.push_back(joined(areas, group));
+    std::vector<Indices> each;
+    for (auto& [first, group] : groups) each.push_back(std::move(group));
+    std::vector<Place> places(each.size());
+    makeEach(each.size(), [&](std::size_t i) { places[i] = joined(areas, each[i]); });
     return places;
 }
 
@@ -140,16 +152,17 @@ std::vector<Place> makeStreets(const std::vector<StreetPiece>& pieces, const Str
     for (const StreetPiece& piece : pieces)
         if (isUsable(piece, warnings)) usable.push_back(piece);
     std::vector<Place> places;
-    std::vector<StreetBlock> streets;
-    for (StreetBlock& street : how.whole ? joinByName(usable) : cutAtJunctions(usable)) {
-        auto polygons = widenStreet(street.lines);
-        if (polygons.empty()) {
-            warnings.push_back({WarningKind::dropped, "the street could not be widened", street.id});
+    std::vector<StreetBlock> all = how.whole ? joinByName(usable) : cutAtJunctions(usable), streets;
+    std::vector<std::vector<Footprint>> wide(all.size());
+    makeEach(all.size(), [&](std::size_t i) { wide[i] = widenStreet(all[i].lines); });
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (wide[i].empty()) {
+            warnings.push_back({WarningKind::dropped, "the street could not be widened", all[i].id});
             continue;
         }
-        places.push_back({street.name, PlaceKind::street, std::move(polygons),
-                          sourceStart + sourceOf(street.id, street.lineCount)});
-        streets.push_back(std::move(street));
+        places.push_back({all[i].name, PlaceKind::street, std::move(wide[i]),
+                          sourceStart + sourceOf(all[i].id, all[i].lineCount)});
+        streets.push_back(std::move(all[i]));
     }
     if (how.sidewalkM <= 0) return joinAreas(std::move(places));
     auto sidewalks = joinAreas(named(makeSidewalks(places, streets, how.sidewalkM), "sidewalks"));

@@ -3,6 +3,7 @@
 // The folder core/study/by_place answers how sunny places are over a period: runSunByPlace() (this file)
 // measures all of them in one sweep over the union of their cells, sun_by_place_text.cpp writes the figures.
 
+#include <chrono>
 #include <functional>
 #include <limits>
 #include <map>
@@ -10,6 +11,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/describe/answer_page.h"
@@ -77,6 +79,9 @@ enum class PlaceRemark {
 };
 /// With the keys of JSON.
 std::span<const Choice<PlaceRemark>> placeRemarkChoices();
+
+/// The month of a key as in SunByPlace::months: "2026-01". Not ok() where the text is another.
+std::chrono::year_month monthOfKey(std::string_view key);
 
 /// Three months of the year.
 struct SunSeason {
@@ -232,6 +237,10 @@ Result<SunOfCities> measurePlacesOfTile(std::span<const NamedCity> cities, std::
 /// which place is part of which. `sun`: has a city, settings and places; its region becomes that of the
 /// places. Error: the sun cannot be computed.
 Result<void> frameSun(SunByPlace& sun, const Observer& observer, const std::stop_token& stop);
+
+/// All places as one: the hours of the period and of its months and the share with enough, each place by its
+/// area; NaN: none has a cell. A place that is part of another counts twice.
+SunOfPlace averagePlaces(const SunByPlace& sun);
 
 /// Share of the area of a place with so many hours of sun a day or more, from its cells; NaN: none is known.
 double computeEnoughShare(const SunOfPlace& of, double hours);

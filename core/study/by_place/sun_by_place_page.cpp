@@ -110,15 +110,6 @@ Sentence describeLosses(const ComparedSun& compared, const SunOrShadow& as) {
             {compared.sun.name, countOf(losing), Amount{largest, FigureUnit::minutes}}};
 }
 
-// Of "2026-01".
-std::chrono::year_month parseMonth(const std::string& name) {
-    int year = 0;
-    unsigned month = 0;
-    std::from_chars(name.data(), name.data() + 4, year);
-    std::from_chars(name.data() + 5, name.data() + 7, month);
-    return std::chrono::year(year) / std::chrono::month(month);
-}
-
 double monthHours(const SunOfPlace& of, std::size_t month) {
     return month < of.monthHours.size() ? of.monthHours[month] : SunOfPlace::none;
 }
@@ -134,7 +125,7 @@ Bars monthBars(const SunOfCities& sun, const HoursOf& hoursOf) {
     for (const ComparedSun& compared : sun.compared) bars.series.push_back(compared.sun.name);
     for (std::size_t month = 0; month < sun.baseline.months.size(); ++month) {
         Bars::Group group{
-            parseMonth(sun.baseline.months[month]), {hoursOf(sun.baseline, month)}, BarTone::sun};
+            monthOfKey(sun.baseline.months[month]), {hoursOf(sun.baseline, month)}, BarTone::sun};
         for (const ComparedSun& compared : sun.compared) group.values.push_back(hoursOf(compared.sun, month));
         bars.groups.push_back(std::move(group));
     }
@@ -142,7 +133,7 @@ Bars monthBars(const SunOfCities& sun, const HoursOf& hoursOf) {
 }
 
 double possibleIn(const SunByPlace& sun, std::size_t month) {
-    const auto wanted = parseMonth(sun.months[month]);
+    const auto wanted = monthOfKey(sun.months[month]);
     return possibleHoursOn(sun,
                            [wanted](const CivilDate& day) { return day.year() / day.month() == wanted; });
 }
@@ -298,6 +289,29 @@ Sentence describeChange(const ComparedSun& compared, std::size_t place, const Su
 }
 
 }  // namespace
+
+std::chrono::year_month monthOfKey(std::string_view key) {
+    int year = 0;
+    unsigned month = 0;
+    if (key.size() == 7 && key[4] == '-') {
+        std::from_chars(key.data(), key.data() + 4, year);
+        std::from_chars(key.data() + 5, key.data() + 7, month);
+    }
+    return std::chrono::year(year) / std::chrono::month(month);
+}
+
+SunOfPlace averagePlaces(const SunByPlace& sun) {
+    SunOfPlace all;
+    for (const SunOfPlace& place : sun.sun) {
+        all.cells += place.cells;
+        all.areaM2 += place.areaM2;
+    }
+    all.meanHours = meanOver(sun, [&](std::size_t i) { return sun.sun[i].meanHours; });
+    all.enoughShare = meanOver(sun, [&](std::size_t i) { return sun.sun[i].enoughShare; });
+    for (std::size_t month = 0; month < sun.months.size(); ++month)
+        all.monthHours.push_back(monthHours(sun, month));
+    return all;
+}
 
 bool SunOrShadow::isSun() const { return show == ShownAs::sun || std::isnan(possibleHours); }
 

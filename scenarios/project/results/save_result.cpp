@@ -182,6 +182,9 @@ SavedResult makeSavedResult(const Project& project, const SunOfCities& sun, std:
     const SunByPlace& shown = sun.compared.empty() ? baseline : sun.compared.back().sun;
     Json origin = originJson(at, hashCity(shown.city), baseline.settings.study);
     if (!sun.compared.empty()) origin["baseline_sha256"] = hashCity(baseline.city);
+    for (const ComparedSun& compared : sun.compared)
+        if (&compared != &sun.compared.back())
+            origin["others_sha256"][compared.sun.name] = hashCity(compared.sun.city);
     origin["places"] = outlinesJson(baseline.places);
     origin["daylight"] = daylightJson(baseline.daylight);
     Json json = Json::parse(toJson(baseline, sun.compared));

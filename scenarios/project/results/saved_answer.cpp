@@ -55,6 +55,7 @@ SavedOrigin originOf(const Json& json) {
     return {saved.value("at", ""),
             saved.value("city_sha256", ""),
             saved.value("baseline_sha256", ""),
+            saved.value("others_sha256", std::map<std::string, std::string>()),
             saved.value("question_sha256", ""),
             textOf(json, "program"),
             textOf(json, json.contains("engine_settings") ? "engine_settings" : "engine_used"),
@@ -356,6 +357,7 @@ std::vector<std::string> listChanges(const SavedResult& result, const SavedOrigi
     std::vector<std::string> changes;
     compareCity(changes, result.scenario, origin.citySha256, hashes);
     if (!result.baseline.empty()) compareCity(changes, result.baseline, origin.baselineSha256, hashes);
+    for (const auto& [scenario, hash] : origin.othersSha256) compareCity(changes, scenario, hash, hashes);
     if (result.inputs != inputsJson(project.inputs).dump())
         changes.emplace_back("The city has been read from other files since.");
     if (origin.citySha256.empty())

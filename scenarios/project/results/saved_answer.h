@@ -2,6 +2,7 @@
 
 #include <any>
 #include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
@@ -25,13 +26,14 @@ namespace noonmark {
 /// How a saved result was made, from its settings.
 struct SavedOrigin {
     std::string at;  ///< UTC, "2026-11-22T03:10:28Z"; empty in results of versions that did not store it
-    std::string citySha256;              ///< hashCity() of the scenario at that time; empty likewise
-    std::string baselineSha256;          ///< impact: hashCity() of the baseline
-    std::string questionSha256;          ///< hashQuestion() of its settings; empty likewise
-    std::string program;                 ///< "Noonmark 0.1.0"
-    std::string engine;                  ///< name and settings, as text
-    std::string period;                  ///< as text
-    std::string region;                  ///< its name; may be empty
+    std::string citySha256;      ///< hashCity() of the scenario at that time; empty likewise
+    std::string baselineSha256;  ///< impact: hashCity() of the baseline
+    std::map<std::string, std::string> othersSha256{};  ///< sun by place: of further scenarios, by name
+    std::string questionSha256;                         ///< hashQuestion() of its settings; empty likewise
+    std::string program;                                ///< "Noonmark 0.1.0"
+    std::string engine;                                 ///< name and settings, as text
+    std::string period;                                 ///< as text
+    std::string region;                                 ///< its name; may be empty
     std::optional<TimeWeights> weights;  ///< score: the table at that time; empty where not stored
 };
 

@@ -18,11 +18,7 @@ namespace {
 /// empty outside the grid. As sun: "change: sun -12.0 min a day".
 QString formatChange(const Impact& impact, glm::dvec2 point, ShownAs show = ShownAs::shadow);
 
-QString signedMinutes(float minutes) {
-    return QStringLiteral("%1%2")
-        .arg(minutes > 0 ? QStringLiteral("+") : QString())
-        .arg(groupDigits(double(minutes), 1));
-}
+QString signedMinutes(float minutes) { return withPlus(minutes, groupDigits(double(minutes), 1)); }
 
 /// The change of shadow as a picture for the ground. Transparent: cells that change by no more than a
 /// thousandth of a minute, and cells that are not receivers in both cities; cells that became building or
@@ -78,9 +74,7 @@ QString formatScore(const Score& score, glm::dvec2 point) {
     if (!cell) return {};
     const float value = score.score[*cell];
     if (std::isnan(value)) return QObject::tr("not measured");
-    return QObject::tr("score %1%2 m² a m²")
-        .arg(value > 0 ? QStringLiteral("+") : QString())
-        .arg(groupDigits(double(value), 3));
+    return QObject::tr("score %1 m² a m²").arg(withPlus(value, groupDigits(double(value), 3)));
 }
 
 namespace {

@@ -18,6 +18,12 @@ QString groupDigits(double number, int decimals) {
     return number < 0 && std::abs(number) < unit / 2 ? QLocale().toString(0.0, 'f', decimals) : text;
 }
 
+QString withPlus(double value, const QString& text) {
+    static const QRegularExpression digit(QStringLiteral("[1-9]"));
+    const bool isShown = text.section(QLatin1Char(' '), 0, 0).contains(digit);
+    return (value > 0 && isShown ? QStringLiteral("+") : QString()) + text;
+}
+
 QString formatAmount(double number, int decimals) {
     QString text = groupDigits(number, decimals);
     const QString point = QLocale().decimalPoint(), zero = QLocale().zeroDigit();
@@ -121,8 +127,6 @@ QString lengthNumber(double metres) {
     return inUnits(groupDigits(metres, 1), groupDigits(metres / metresPerFoot, 1));
 }
 
-QString signedAreaNumber(double squareMetres) {
-    return (squareMetres > 0 ? QStringLiteral("+") : QString()) + areaNumber(squareMetres);
-}
+QString signedAreaNumber(double squareMetres) { return withPlus(squareMetres, areaNumber(squareMetres)); }
 
 }  // namespace noonmark

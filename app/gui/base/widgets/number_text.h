@@ -47,6 +47,9 @@ QString longDay();    ///< "21 March"
 QString dayOfYear();  ///< "21 Mar 2026"
 QString longDate();   ///< "21 March 2026"
 
+/// "+" before the text of a value above zero, but not where it states zero as rounded.
+QString withPlus(double value, const QString& text);
+
 /// Conversion between QDate and CivilDate.
 QDate dateOf(CivilDate date);
 CivilDate civilOf(QDate date);

@@ -146,8 +146,7 @@ QString describeChange(const ImpactAnswer& answer, double meanMin, std::size_t c
               : QObject::tr("%1 compared with %2: %3 min a day in shadow, mean over %4 cell(s).", "",
                             pluralNumber(cells));
     return text.arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from),
-                    (shown > 0 ? QStringLiteral("+") : QString()) + formatAmount(shown, 2),
-                    formatCount(cells));
+                    withPlus(shown, formatAmount(shown, 2)), formatCount(cells));
 }
 
 // Shares of the sum of what is added; a building that takes shadow away has none.

@@ -275,7 +275,7 @@ void PlacesDock::show(std::shared_ptr<const SunOfCities> sun, const QString& not
         if (!restored_.empty()) applyRestored();
     } else if (sun != model_->sun()) {
         rest_->stop();
-        if (sun && model_->sun() && restored_.empty()) restored_ = describeListing({});
+        if (model_->sun() && restored_.empty()) restored_ = describeListing({});
         picture_ = sun ? PlacePicture(sun->baseline.places) : PlacePicture();
         model_->show(std::move(sun));
         fillLists();
@@ -346,7 +346,10 @@ const Fields<PlaceListing>& listingFields() {
 
 }  // namespace
 
-std::string PlacesDock::choice() const { return describeListing(threshold_->value()); }
+std::string PlacesDock::choice() const {
+    const bool isForNext = !model_->sun() && !restored_.empty();  // an answer that is not there yet
+    return isForNext ? restored_ : describeListing(threshold_->value());
+}
 
 // Another answer has a threshold of its own.
 std::string PlacesDock::describeListing(std::optional<double> thresholdHours) const {

@@ -114,12 +114,9 @@ std::string chosenIn(const QComboBox& list) {
 
 QStringList textsOf(const PointCaseFigures& figures, double firstYearMin, bool wall) {
     const double change = (figures.yearMin - firstYearMin) / 60;
-    return {QString::fromStdString(figures.name),
-            groupDigits(figures.dayMin, 0),
-            groupDigits(figures.yearMin / 60, 0),
-            (change > 0 ? QStringLiteral("+") : QString()) + groupDigits(change, 1),
-            groupDigits(figures.skyView, 3),
-            wall ? groupDigits(figures.skyComponentPct, 1) : QString()};
+    return {QString::fromStdString(figures.name), groupDigits(figures.dayMin, 0),
+            groupDigits(figures.yearMin / 60, 0), withPlus(change, groupDigits(change, 1)),
+            groupDigits(figures.skyView, 3),      wall ? groupDigits(figures.skyComponentPct, 1) : QString()};
 }
 
 }  // namespace

@@ -158,6 +158,7 @@ ProjectDock::ProjectDock(ProjectSession& session, QWidget* parent)
                     node != nullptr && node->kind == Kind::part && node->part == ProjectPart::place;
                 Q_EMIT placeSelected(place ? node->name : std::string());
             });
+    connect(model_, &ProjectModel::renamed, this, &ProjectDock::select);  // its row is another one now
     connect(tree_, &QWidget::customContextMenuRequested, this, &ProjectDock::showMenu);
     connect(model_, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex& group) {
         if (group.isValid() && !group.parent().isValid()) openGroup(group);

@@ -322,7 +322,10 @@ bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int 
     const std::string name = value.toString().trimmed().toStdString();
     if (node == nullptr || role != Qt::EditRole || !canRename(*node) || name.empty()) return false;
     if (name == node->name) return true;
-    return session_.rename(*node->part, std::string(node->name), name);
+    const ProjectPart part = *node->part;
+    if (!session_.rename(part, std::string(node->name), name)) return false;
+    Q_EMIT renamed(part, name);
+    return true;
 }
 
 Qt::ItemFlags ProjectModel::flags(const QModelIndex& index) const {

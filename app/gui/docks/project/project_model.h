@@ -47,6 +47,9 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
+Q_SIGNALS:
+    void renamed(noonmark::ProjectPart part, std::string name);  ///< in the tree, to this name
+
 private:
     void follow();
     void mergeInto(ProjectNode& old, ProjectNode& wanted);

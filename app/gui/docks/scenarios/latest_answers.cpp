@@ -39,7 +39,7 @@ bool replaces(const ViewFigures& newer, const ViewFigures& older) {
     return newer.citySha256 == older.citySha256 && newer.baselineSha256 == older.baselineSha256 &&
            now.question == then.question && now.weights == then.weights &&
            now.measured.has_value() == then.measured.has_value() &&
-           now.impact.has_value() == then.impact.has_value();
+           now.impact.has_value() == then.impact.has_value() && now.sun.has_value() == then.sun.has_value();
 }
 
 }  // namespace
@@ -50,6 +50,10 @@ LatestAnswers::LatestAnswers(const Sources& sources, ScenarioTable& table, QObje
     workbench.setScenarioAnswers([this] { return all(); });
     connect(&workbench, &Workbench::projectOpened, this, &LatestAnswers::forget);
     connect(&workbench, &Workbench::answered, this, &LatestAnswers::adoptAnswer);
+    connect(&workbench, &Workbench::answerUpdated, this, [this] {  // other hours are enough
+        adoptSun();
+        update();
+    });
     connect(&workbench.document(), &StudyDocument::changed, this, &LatestAnswers::update);
     for (auto signal : {&ProjectSession::changed, &ProjectSession::baselineChanged})
         connect(&workbench.session(), signal, this, &LatestAnswers::update);
@@ -121,7 +125,7 @@ std::map<std::string, ScenarioAnswers> LatestAnswers::all() {
         const CityPointer city = cityOf(name);
         if (!city) continue;
         ScenarioAnswers& answers = all[name];
-        answers = {impactOf(city), scoreOf(city), std::nullopt, measuredOf(city)};
+        answers = {impactOf(city), scoreOf(city), std::nullopt, measuredOf(city), sunOf(city)};
         if (const auto found = verdicts.find(name); found != verdicts.end()) answers.verdicts = found->second;
     }
     return all;
@@ -149,6 +153,23 @@ std::optional<ShadowStatistics> LatestAnswers::measuredOf(const CityPointer& cit
     return found ? found->measured : std::nullopt;
 }
 
+// Null: no places were measured.
+const SavedFigures* LatestAnswers::latestSun() const {
+    const auto found = std::ranges::find_if(known_.rbegin(), known_.rend(),
+                                            [](const Known& one) { return one.figures.sun.has_value(); });
+    return found == known_.rend() ? nullptr : &found->figures;
+}
+
+// Only scenarios whose places were measured alike can be compared: as those of the latest answer.
+std::optional<ScenarioSun> LatestAnswers::sunOf(const CityPointer& city) const {
+    const SavedFigures* latest = latestSun();
+    const auto found = std::ranges::find_if(known_.rbegin(), known_.rend(), [&](const Known& one) {
+        return one.city == city && one.figures.sun && one.figures.question == latest->question &&
+               one.figures.sun->enoughHours == latest->sun->enoughHours;
+    });
+    return found == known_.rend() ? std::nullopt : found->figures.sun;
+}
+
 std::map<std::string, ScenarioVerdicts> LatestAnswers::verdicts() {
     return from_.windows.applies() ? countEach(from_.windows.latest()) : countEach(from_.review.latest());
 }
@@ -169,7 +190,26 @@ void LatestAnswers::adoptAnswer() {
               .score = score->score,
               .scoreMonths = score->score.months,
               .scoreErrors = score->score.errors}});
+    adoptSun();
     update();
+}
+
+// Of each city that the answer is about, unless one of them has changed since.
+void LatestAnswers::adoptSun() {
+    const auto sun = from_.workbench.answerAs<SunOfCities>();
+    const auto measured = from_.workbench.measuredShown();
+    if (!sun || !measured || from_.workbench.isOutdated(*measured)) return;
+    const auto adopt = [&](const SunByPlace& one) {
+        const CityPointer city = cityOf(one.name.empty() ? from_.workbench.session().scenario() : one.name);
+        Known known{
+            city, nullptr, {.question = hashQuestion(one.settings.study), .sun = makeScenarioSun(one)}};
+        std::erase_if(known_, [&](const Known& old) {
+            return old.figures.sun && old.city == city && old.figures.question == known.figures.question;
+        });
+        add(std::move(known));
+    };
+    adopt(sun->baseline);
+    for (const ComparedSun& compared : sun->compared) adopt(compared.sun);
 }
 
 std::vector<LatestAnswers::CityPointer> LatestAnswers::cities() {

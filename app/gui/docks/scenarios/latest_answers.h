@@ -25,6 +25,7 @@ struct SavedFigures {
     ScoreTotals score;
     std::vector<MonthFigures> scoreMonths;  ///< of it; empty in results of versions that did not save them
     std::vector<ShownError> scoreErrors{};  ///< likewise
+    std::optional<ScenarioSun> sun{};       ///< of places; `question` is that of their study
     std::string settings;  ///< JSON: period, engine, cells and region's name, where there is no question
     Grid grid;             ///< likewise
 };
@@ -101,6 +102,7 @@ private:
     void update();
     void forget();
     void adoptAnswer();
+    void adoptSun();
     void noteFailure(const std::string& scenario, ScenarioWork work, const Error& error);
     void compareStudies();
     void readSaved();
@@ -114,6 +116,8 @@ private:
     [[nodiscard]] std::vector<CityPointer> cities();
     [[nodiscard]] std::string hashOf(const CityPointer& city);
     [[nodiscard]] std::vector<Known> ofStudies();
+    [[nodiscard]] const SavedFigures* latestSun() const;
+    [[nodiscard]] std::optional<ScenarioSun> sunOf(const CityPointer& city) const;
     [[nodiscard]] std::optional<ShadowStatistics> measuredOf(const CityPointer& city) const;
     [[nodiscard]] CityPointer cityOf(const std::string& scenario);
     [[nodiscard]] std::string baseline() const;

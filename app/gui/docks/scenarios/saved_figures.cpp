@@ -36,12 +36,32 @@ bool haveOldSettings(const SavedFigures& saved, const StudySettings& settings) {
     return grid && *grid == saved.grid && Json::parse(saved.settings) == questionOf(settingsJson(settings));
 }
 
+Json sunJson(const ScenarioSun& sun) {
+    Json json{{"places", sun.places}, {"enough_hours", sun.enoughHours}};
+    json.update(figuresJson(sunOfPlaceFigures().of(sun.mean)));
+    for (std::size_t i = 0; i < sun.months.size(); ++i)
+        json["months"][sun.months[i]] = sun.mean.monthHours[i];
+    return json;
+}
+
+ScenarioSun sunFrom(const Json& json) {
+    ScenarioSun sun{json.at("places"), json.at("enough_hours"), {}, readFigures(sunOfPlaceFigures(), json)};
+    const Json months = json.value("months", Json::object());
+    for (const auto& [month, hours] : months.items()) {
+        if (!monthOfKey(month).ok()) throw std::invalid_argument("not a month");
+        sun.months.push_back(month);
+        sun.mean.monthHours.push_back(hours.is_null() ? SunOfPlace::none : hours.get<double>());
+    }
+    return sun;
+}
+
 Json viewJson(const ViewFigures& saved) {
     const SavedFigures& figures = saved.figures;
     Json json{{"city_sha256", saved.citySha256}, {"question_sha256", figures.question}};
     if (!saved.baselineSha256.empty()) json["baseline_sha256"] = saved.baselineSha256;
     if (figures.measured) json["measured"] = figuresJson(shadowFigures().of(*figures.measured));
     if (figures.impact) json["impact"] = figuresJson(*figures.impact);
+    if (figures.sun) json["sun"] = sunJson(*figures.sun);
     if (!figures.weights) return json;
     json["score"] = {{"table", figures.weights->name},
                      {"weights", Json::parse(weightsJson(*figures.weights))}};
@@ -63,6 +83,7 @@ std::optional<ViewFigures> viewFiguresFrom(const Json& json) try {
     figures.question = json.at("question_sha256");
     if (json.contains("measured")) figures.measured = parseStatistics(json.at("measured"));
     if (json.contains("impact")) figures.impact = parseImpactFigures(json.at("impact"));
+    if (json.contains("sun")) figures.sun = sunFrom(json.at("sun"));
     if (json.contains("score")) {
         figures.weights = weightsFrom(json.at("score"));
         figures.score = readFigures(scoreFigures(), json.at("score"));

@@ -143,6 +143,18 @@ ScenarioColumn shadowColumn(const Figure& figure) {
             }};
 }
 
+ScenarioColumn sunColumn(std::string_view key, const char* title) {
+    const Figure& figure = findFigure(sunOfPlaceFigures().rows(), key);
+    return {.key = figure.key,
+            .figure = &figure,
+            .title = title,
+            .work = ScenarioWork::measuringPlaces,
+            .isCompared = true,
+            .value = [&figure](const ScenarioRow&, const ScenarioAnswers& answers) {
+                return answers.sun ? orNone(figure.get(&answers.sun->mean)) : QVariant();
+            }};
+}
+
 ScenarioColumn impactColumn(const Figure& figure) {
     return {.key = figure.key,
             .figure = &figure,
@@ -171,6 +183,10 @@ std::vector<ScenarioColumn> listColumns() {
     std::vector columns{nameColumn(), changesColumn(), heightColumn(), floorAreaColumn()};
     for (const Figure& figure : shadowFigures().rows())
         if (figure.inTable && figure.use == FigureUse::result) columns.push_back(shadowColumn(figure));
+    columns.push_back(
+        sunColumn("hours_mean", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Sun of places, h")));
+    columns.push_back(
+        sunColumn("share_enough", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Places with enough sun, %")));
     for (const Figure& figure : impactFigures().rows())
         if (figure.isChange && figure.inFiles) columns.push_back(impactColumn(figure));
     for (const Figure& figure : scoreFigures().rows())
@@ -196,6 +212,9 @@ QString absoluteText(double value, const ScenarioColumn& column) {
     if (column.key == heightKey) return lengthNumber(value);
     const FigureUnit unit = unitIn(column);
     if (unit == FigureUnit::squareMetres) return areaNumber(value);
+    if (unit == FigureUnit::share) return formatAmount(percentOfWhole * value, 0);
+    if (column.work == ScenarioWork::measuringPlaces)
+        return formatAmount(value, column.figure->shownDecimals);
     return formatAmount(value, unit == FigureUnit::squareMetreHours || column.key == changesKey ? 0 : 1);
 }
 
@@ -229,7 +248,8 @@ QString tipOf(const ScenarioColumn& column) {
 QString numberText(double value, const ScenarioColumn& column, bool isDifference) {
     const bool isSigned = isDifference || (column.figure && column.figure->isChange);
     if (isSigned && unitIn(column) == FigureUnit::squareMetres) return signedAreaNumber(value);
-    return (isSigned && value > 0 ? QStringLiteral("+") : QString()) + absoluteText(value, column);
+    const QString text = absoluteText(value, column);
+    return isSigned ? withPlus(value, text) : text;
 }
 
 }  // namespace noonmark

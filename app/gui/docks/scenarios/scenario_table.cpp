@@ -59,11 +59,12 @@ QString beingDone(ScenarioWork work) {
                                            : ScenarioTable::tr("being measured");
 }
 
-constexpr ScenarioWork allWork[] = {ScenarioWork::measuring, ScenarioWork::comparing, ScenarioWork::scoring,
-                                    ScenarioWork::reviewing};
+constexpr ScenarioWork allWork[] = {ScenarioWork::measuring, ScenarioWork::measuringPlaces,
+                                    ScenarioWork::comparing, ScenarioWork::scoring, ScenarioWork::reviewing};
 
 bool isFilled(const ScenarioAnswers& answers, ScenarioWork work) {
     if (work == ScenarioWork::measuring) return answers.measured.has_value();
+    if (work == ScenarioWork::measuringPlaces) return answers.sun.has_value();
     if (work == ScenarioWork::comparing) return answers.impact.has_value();
     return work == ScenarioWork::scoring ? answers.score.has_value() : answers.verdicts.has_value();
 }
@@ -73,9 +74,11 @@ const ScenarioColumn& firstColumnOf(ScenarioWork work) {
     return *std::ranges::find(scenarioColumns(), work, &ScenarioColumn::work);
 }
 
-bool isBetter(double one, double other, Better better, bool shadeWanted) {
-    const bool lower = better == Better::lower || (better == Better::lessShadow && !shadeWanted);
-    return lower ? one < other : one > other;
+// More sun is worse where shade is wanted.
+bool isLowerBetter(const ScenarioColumn& column, bool shadeWanted) {
+    if (column.work == ScenarioWork::measuringPlaces) return shadeWanted;
+    const Better better = betterOf(column);
+    return better == Better::lower || (better == Better::lessShadow && !shadeWanted);
 }
 
 }  // namespace
@@ -200,14 +203,16 @@ QVariant ScenarioTable::shownValueAt(const Row& row, int column) const {
 }
 
 bool ScenarioTable::isBest(const Row& row, int column) const {
-    const Better better = betterOf(scenarioColumns()[std::size_t(column)]);
+    const ScenarioColumn& of = scenarioColumns()[std::size_t(column)];
     const QVariant value = valueAt(row, column);
-    if (better == Better::none || !value.isValid()) return false;
+    if (betterOf(of) == Better::none || !value.isValid()) return false;
+    const bool lower = isLowerBetter(of, shadeWanted_);
     bool beats = false;
     for (const Row& other : rows_) {
         const QVariant rival = valueAt(other, column);
         if (!rival.isValid()) continue;
-        if (isBetter(rival.toDouble(), value.toDouble(), better, shadeWanted_)) return false;
+        const double lead = rival.toDouble() - value.toDouble();
+        if (lower ? lead < 0 : lead > 0) return false;
         beats |= rival.toDouble() != value.toDouble();
     }
     return beats;
@@ -282,6 +287,8 @@ QString ScenarioTable::tipOfValue(const Row& row, const ScenarioColumn& column) 
         return studies_.contains(row.scenario)
                    ? QString()
                    : tr("Measured earlier and saved with the project: press Measure all for the maps");
+    if (column.work == ScenarioWork::measuringPlaces)
+        return tr("Over the area of the %Ln place(s) that were measured last", "", int(answers.sun->places));
     const ImpactFigures& figures = answers.impact->figures;
     return tr("Compared with %1. Ground whose gross shadow changes by more than %2 min a day:\n%3")
         .arg(named(answers.impact->baseline))
@@ -295,6 +302,10 @@ QString ScenarioTable::tipOfLack(const Row& row, const ScenarioColumn& column) c
         return failure->second;
     if (column.work == ScenarioWork::measuring)
         return tr("Not computed with the current settings: press Measure all");
+    if (column.work == ScenarioWork::measuringPlaces)
+        return tr(
+            "Not measured since buildings last changed: choose Sun by place in the dock Study, and "
+            "press Measure all");
     if (column.work == ScenarioWork::scoring)
         return tr("Not computed with these settings and the weights %1 since buildings last changed: "
                   "press Score all")
@@ -313,7 +324,9 @@ std::vector<ScenarioMonths> ScenarioTable::months() const {
         ScenarioMonths months{row.scenario};
         if (const auto study = studies_.find(row.scenario); study != studies_.end())
             months.study = study->second;
-        if (const auto score = answersOf(row).score) months.score = score->months;
+        const ScenarioAnswers answers = answersOf(row);
+        if (answers.score) months.score = answers.score->months;
+        months.sun = answers.sun;
         all.insert(row.scenario == basis_.baseline ? all.begin() : all.end(), std::move(months));
     }
     return all;
@@ -334,7 +347,7 @@ QString ScenarioTable::impactVerdict() const {
     if (impacts.empty()) return {};
     const auto area = [](const Impact& one) {
         const double changeM2 = one.second.shadowAreaChangeM2;
-        return (changeM2 > 0 ? QStringLiteral("+") : QString()) + describeSmallArea(changeM2);
+        return withPlus(changeM2, describeSmallArea(changeM2));
     };
     const auto ground = [](const Impact& one) { return describeSmallArea(one.second.gross.gainedM2); };
     const auto [minimum, maximum] = std::ranges::minmax_element(

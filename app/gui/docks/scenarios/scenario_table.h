@@ -35,7 +35,7 @@ struct ScenarioRow {
 };
 
 /// What fills a column.
-enum class ScenarioWork { none, measuring, comparing, scoring, reviewing };
+enum class ScenarioWork { none, measuring, measuringPlaces, comparing, scoring, reviewing };
 
 /// A column of the table of scenarios. One that shows a figure has its label, definition and unit from there.
 struct ScenarioColumn {

@@ -38,8 +38,12 @@ QString textOf(std::string_view key) { return QString::fromUtf8(key.data(), qsiz
 // Why no scenario has the figure.
 QString describeMissing(const QString& key) {
     for (const MonthChartName& name : monthChartNames())
-        if (textOf(name.key) == key && name.ofScore)
-            return ScenarioCharts::tr("No scenario has been scored by month: press Score all");
+        if (textOf(name.key) == key && name.of != MonthsOf::study)
+            return name.of == MonthsOf::score
+                       ? ScenarioCharts::tr("No scenario has been scored by month: press Score all")
+                       : ScenarioCharts::tr(
+                             "No places have been measured: choose Sun by place in the dock "
+                             "Study, and press Measure all");
     return ScenarioCharts::tr("No scenario has months yet. %1")
         .arg(QStringLiteral("<a href=\"months\">%1</a>").arg(ScenarioCharts::tr("Measure all by month")));
 }

@@ -115,7 +115,7 @@ void SavingActions::saveTo(const std::filesystem::path& file) { saving_.saveAs(f
 
 bool SavingActions::confirmUnsaved(const std::function<void()>& afterSave) {
     afterSave_ = nullptr;
-    if (!workbench_.session().hasUnsavedWork()) {
+    if (!workbench_.session().hasUnsavedWork() && runningWork().isEmpty()) {
         saving_.removeRecovery();
         return true;
     }
@@ -143,9 +143,34 @@ void SavingActions::takeProject() {
     isRecovered_ = workbench_.session().recovered();
 }
 
+void SavingActions::watch(JobSlot& slot, std::function<bool()> isAwaited) {
+    watched_[&slot] = {std::move(isAwaited), {}};
+    connect(&slot, &JobSlot::started, this,
+            [this, &slot](const Job&, const QString& what) { watched_[&slot].what = what; });
+}
+
+// Empty: none.
+QString SavingActions::runningWork() const {
+    for (const auto& [slot, watched] : watched_)
+        if (slot->busy() && watched.isAwaited()) return watched.what;
+    return {};
+}
+
+SavingActions::Unsaved SavingActions::askRunning() {
+    QMessageBox box(QMessageBox::Question, tr("Work in progress"),
+                    tr("%1 is still running. Stop it?").arg(runningWork()), QMessageBox::Cancel, &window_);
+    const auto* stop = box.addButton(tr("Stop it"), QMessageBox::DestructiveRole);
+    box.exec();
+    return box.clickedButton() == stop ? Unsaved::discard : Unsaved::cancel;
+}
+
 SavingActions::Unsaved SavingActions::askUnsaved() {
+    if (!workbench_.session().hasUnsavedWork()) return askRunning();
+    const QString running = runningWork();
+    const QString stopped =
+        running.isEmpty() ? QString() : QLatin1Char(' ') + tr("%1 is still running and ends.").arg(running);
     const auto answer = QMessageBox::question(
-        &window_, tr("Unsaved changes"), tr("Save changes to %1?").arg(workbench_.projectName()),
+        &window_, tr("Unsaved changes"), tr("Save changes to %1?").arg(workbench_.projectName()) + stopped,
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     if (answer == QMessageBox::Save) return Unsaved::save;
     return answer == QMessageBox::Discard ? Unsaved::discard : Unsaved::cancel;

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <functional>
+#include <map>
 
 #include "app/gui/session/project/project_saving.h"
 #include "scenarios/project/project_file.h"
@@ -57,16 +58,19 @@ public:
     void save();
     void saveAs();                                   ///< asks for a file
     void saveTo(const std::filesystem::path& file);  ///< replaces a project file, never another file
-    /// Whether an action that ends the current work may proceed now: nothing is unsaved, or the user discards
-    /// it. False if the user cancels or saves first; in the latter case `afterSave` is called after the save.
-    /// An action that waited for an earlier save is dropped.
+    /// Work that the user waits for, so that he is asked before it is stopped; the slot must outlive this
+    /// object. `isAwaited`: whether that which runs in it is such.
+    void watch(JobSlot& slot, std::function<bool()> isAwaited);
+    /// Whether an action that ends the current work may proceed now: nothing is unsaved or running, or the
+    /// user discards it. False if the user cancels or saves first; in the latter case `afterSave` is called
+    /// after the save. An action that waited for an earlier save is dropped.
     [[nodiscard]] bool confirmUnsaved(const std::function<void()>& afterSave);
     /// Calls `then` once no work can be lost: at once, after a save, or never.
     void whenSafe(const std::function<void()>& then);
     void takeProject();  ///< another project is open
 
-    /// What to do with unsaved work before an action that would lose it. Tests answer here instead of in a
-    /// dialog.
+    /// What to do with unsaved or running work before an action that would lose it; running work alone cannot
+    /// be saved. Tests answer here instead of in a dialog.
     enum class Unsaved { save, discard, cancel };
     void setUnsavedQuestion(std::function<Unsaved()> question) { askUnsaved_ = std::move(question); }
     /// Replaces the "Save as" dialog: takes the suggested name, returns the file, or an empty string if the
@@ -86,6 +90,8 @@ private:
     void showFailure(const Error& error);
     void discardWork();
     [[nodiscard]] Unsaved askUnsaved();
+    [[nodiscard]] Unsaved askRunning();
+    [[nodiscard]] QString runningWork() const;
 
     Workbench& workbench_;
     RecoveryStore& store_;
@@ -95,6 +101,11 @@ private:
     QAction* save_;
     QAction* saveAs_;
     std::function<Unsaved()> askUnsaved_;
+    struct Watched {
+        std::function<bool()> isAwaited;
+        QString what;  ///< that was started last
+    };
+    std::map<JobSlot*, Watched> watched_;
     SaveAsQuestion askSaveAs_;
     /// Action to continue with after the save that the user asked for.
     std::function<void()> afterSave_;

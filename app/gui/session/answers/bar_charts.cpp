@@ -87,8 +87,8 @@ QColor colourOf(BarTone tone) {
 QString describeBar(const Bars& bars, int group, std::size_t series) {
     const Bars::Group& of = bars.groups[std::size_t(group)];
     const double amount = of.values[series];
-    const QString sign = bars.isChange && amount > 0 ? QStringLiteral("+") : QString();
-    const QString value = sign + formatAmount(amount, std::abs(amount) < 100 ? 2 : 0);
+    const QString number = formatAmount(amount, std::abs(amount) < 100 ? 2 : 0);
+    const QString value = bars.isChange ? withPlus(amount, number) : number;
     QString text = QObject::tr("%1: %2").arg(nameOf(bars, of), value);
     if (!bars.series[series].empty())
         text = QString::fromStdString(bars.series[series]) + QStringLiteral(", ") + text;

@@ -56,6 +56,8 @@ struct KnownAnswer {
     std::shared_ptr<const City> city;
     std::shared_ptr<const City> before;    ///< of a comparison
     std::shared_ptr<const Answer> answer;  ///< null: not computed yet
+    /// Of sun by place: further scenarios with their cities.
+    std::vector<std::pair<std::string, std::shared_ptr<const City>>> others{};
 };
 
 /// An answer that the project keeps without being asked: it is saved with the project and listed when the

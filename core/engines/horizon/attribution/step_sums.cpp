@@ -1,5 +1,7 @@
 #include "core/engines/horizon/attribution/step_sums.h"
 
+#include <tbb/parallel_for.h>
+
 #include <limits>
 #include <tuple>
 
@@ -30,12 +32,13 @@ std::vector<SetTables> setTables(const BinnedSun& binned, const StepSets& sets) 
     for (std::size_t i = 0; i < binned.places.size(); ++i)
         suns[binned.places[i].bin][sets.ofStep[i]].push_back(binned.places[i].sun);
     std::vector<SetTables> tables(suns.size());
-    for (std::size_t bin = 0; bin < suns.size(); ++bin)
+    tbb::parallel_for(std::size_t{0}, suns.size(), [&](std::size_t bin) {
         for (std::size_t set = 0; set < suns[bin].size(); ++set) {
             std::ranges::sort(suns[bin][set]);
             if (!suns[bin][set].empty())
                 tables[bin].push_back({set, HiddenSuns(suns[bin][set]), findSunChanges(suns[bin][set], {})});
         }
+    });
     return tables;
 }
 
