@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 
 #include "app/gui/tools/editing/mesh_placing.h"
