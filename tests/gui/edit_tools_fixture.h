@@ -84,7 +84,7 @@ struct EditToolsTest : ::testing::Test {
         ASSERT_TRUE(test::waitFor([this] { return tools.context().preview.shown(); }));
     }
     [[nodiscard]] double massOf(std::size_t building) const {
-        return collectFacts(*city->city().buildings[building], city->city()).grossFloorM2;
+        return collectFacts(*city->city().buildings[building], city->city()).grossFloorM2.value_or(0);
     }
     void drawLot(std::initializer_list<glm::dvec2> corners) {
         tools.drawLot();

@@ -131,6 +131,17 @@ TEST_F(ScenarioTableWindow, WhatIsBeingComputedIsNotCalledMissing) {
     EXPECT_TRUE(hasValue(2, "score_m2")) << text(2, "score_m2").toStdString();
 }
 
+TEST_F(ScenarioTableWindow, WhatWasMeasuredIsReadFirst) {
+    const QHeaderView& heading = *view->horizontalHeader();
+    const int score = scenarioColumn("score_m2"), height = scenarioColumn("height");
+    EXPECT_EQ(heading.logicalIndex(0), 0) << "the name";
+    EXPECT_LT(heading.visualIndex(height), heading.visualIndex(score));
+    press("scoreAll");
+    EXPECT_GT(heading.visualIndex(height), heading.visualIndex(score));
+    EXPECT_LT(heading.visualIndex(height), heading.visualIndex(scenarioColumn("shadow_area_m2")))
+        << "not measured";
+}
+
 TEST_F(ScenarioTableWindow, StatesHeightAndFloorAreaOfWhatAScenarioAdds) {
     EXPECT_EQ(text(0, "height"), QString()) << "the existing city adds nothing";
     EXPECT_EQ(text(0, "floor_area"), QString());

@@ -113,11 +113,22 @@ TEST(BuildingFacts, OfABox) {
     EXPECT_EQ(facts.heightSource, QStringLiteral("measured"));
     EXPECT_EQ(facts.storeys, 17);
     EXPECT_NEAR(facts.planM2, 1600, 0.1);
-    EXPECT_NEAR(facts.grossFloorM2, 17 * 1600, 1);
+    EXPECT_NEAR(facts.grossFloorM2.value_or(0), 17 * 1600, 1);
     EXPECT_NEAR(area(lotUnder(*city.buildings[0], city).value()), 1600, 0.1);
     const std::vector<Edit> higher{ChangeHeight{"South House", 297.5}};
     const City changed = applyEdits(city, higher).value().city;
     EXPECT_EQ(collectFacts(*changed.buildings[0], changed).heightSource, QStringLiteral("designed"));
+}
+
+// Its plan is that of all its parts, and it has no floor area: not 0 m2.
+TEST(BuildingFacts, OfARoofOnPosts) {
+    City city = test::smallCity();
+    Building raised = *city.buildings[0];
+    for (Part& part : raised.parts) part.bottomM = part.topM - 1;
+    city.buildings[0] = std::make_shared<const Building>(std::move(raised));
+    const BuildingFacts facts = collectFacts(*city.buildings[0], city);
+    EXPECT_NEAR(facts.planM2, 1600, 0.1);
+    EXPECT_FALSE(facts.grossFloorM2);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/number_text.h"
@@ -174,6 +175,20 @@ ScenarioAnswers ScenarioTable::answersOf(const Row& row) const {
 }
 
 std::string ScenarioTable::scenarioAt(int row) const { return rows_.at(std::size_t(row)).scenario; }
+
+std::vector<int> ScenarioTable::readingOrder() const {
+    const auto rankOf = [this](int column) {
+        if (column == 0) return 0;
+        if (scenarioColumns()[std::size_t(column)].work == ScenarioWork::none) return 2;
+        const bool isKnown =
+            std::ranges::any_of(rows_, [&](const Row& row) { return valueAt(row, column).isValid(); });
+        return isKnown ? 1 : 3;
+    };
+    std::vector<int> order(scenarioColumns().size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, rankOf);
+    return order;
+}
 
 int ScenarioTable::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : int(rows_.size());

@@ -111,6 +111,9 @@ public:
     void forgetPast();
 
     [[nodiscard]] std::string scenarioAt(int row) const;
+    /// Its columns in the order in which they are read: the name, what was measured of any scenario, what the
+    /// scenarios are, what was not measured.
+    [[nodiscard]] std::vector<int> readingOrder() const;
     /// Their months, the baseline first.
     [[nodiscard]] std::vector<ScenarioMonths> months() const;
     /// Which of the scenarios adds least shadow and which most, and by what; likewise of scores. Of one

@@ -279,6 +279,14 @@ QTableView* ScenariosDock::makeView(QSettings& settings) {
     heading->setSortIndicator(-1, Qt::AscendingOrder);
     view->setSortingEnabled(true);
     new FrozenColumn(*view);
+    const auto order = [this, heading] {
+        const std::vector<int> columns = table_->readingOrder();
+        for (int at = 0; at < int(columns.size()); ++at)
+            heading->moveSection(heading->visualIndex(columns[std::size_t(at)]), at);
+    };
+    connect(table_, &QAbstractItemModel::dataChanged, heading, order);
+    connect(table_, &QAbstractItemModel::modelReset, heading, order);
+    order();
     return view;
 }
 

@@ -279,10 +279,11 @@ void BuildingEditing::previewHeight(double heightM) {
     const glm::dvec2 middle = findMiddle(building());
     context_.handle.place(
         {{middle.x, middle.y, ground}, facts.heightM, defaultStoreyM, facts.groundElevationM});
-    context_.handle.showFigures(tr("%1, %2\n%3 floor area")
-                                    .arg(describeHeight(facts.heightM, facts.groundElevationM),
-                                         describeAssumedStoreys(facts.storeys),
-                                         describeSmallArea(facts.grossFloorM2)));
+    const QString height = describeHeight(facts.heightM, facts.groundElevationM);
+    context_.handle.showFigures(facts.grossFloorM2 ? tr("%1, %2\n%3 floor area")
+                                                         .arg(height, describeAssumedStoreys(facts.storeys),
+                                                              describeSmallArea(*facts.grossFloorM2))
+                                                   : height);
 }
 
 void BuildingEditing::takeHeight(double heightM) {

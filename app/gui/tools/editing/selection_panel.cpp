@@ -70,6 +70,8 @@ BuildingFacts collectFacts(const Building& building, const City& city, const Pro
         facts.planM2 = computeArea(mass->plate);
         facts.grossFloorM2 = mass->grossFloorM2;
         facts.estimatedStoreys = mass->estimatedStoreys;
+    } else {
+        facts.planM2 = computeArea(computeOutline(building));
     }
     const auto figures = tower != nullptr ? figuresOf(*tower) : std::nullopt;
     if (!figures) return facts;
@@ -120,16 +122,18 @@ QString makeRows(const BuildingFacts& facts) {
     const QString storeys = facts.storeys == 0 ? QString()
                             : facts.designed   ? QStringLiteral(", ") + describeStoreys(facts.storeys)
                                                : QStringLiteral(", ") + describeAssumedStoreys(facts.storeys);
+    const QString floors = facts.grossFloorM2
+                               ? describeSmallArea(*facts.grossFloorM2) + storeys +
+                                     QObject::tr(" of %1").arg(describeLength(facts.storeyHeightM)) +
+                                     describeEstimate(facts.estimatedStoreys)
+                               : QObject::tr("not counted: no storey stands on the ground");
     return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
            (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
            row(QObject::tr("Height"),
                QStringLiteral("%1 (%2)").arg(describeHeight(facts.heightM, facts.groundElevationM),
                                              facts.heightSource)) +
            row(QObject::tr("Parts"), QString::number(facts.parts)) +
-           row(QObject::tr("Plan"), describeArea(facts.planM2)) +
-           row(QObject::tr("Floor area"), describeSmallArea(facts.grossFloorM2) + storeys +
-                                              QObject::tr(" of %1").arg(describeLength(facts.storeyHeightM)) +
-                                              describeEstimate(facts.estimatedStoreys)) +
+           row(QObject::tr("Plan"), describeArea(facts.planM2)) + row(QObject::tr("Floor area"), floors) +
            QStringLiteral("</table>");
 }
 

@@ -28,8 +28,8 @@ struct BuildingFacts {
     bool designed = false;                  ///< storeys and floor area are those of a design
     int storeys = 0;                        ///< 0: less than one
     std::size_t parts = 0;
-    double planM2 = 0;         ///< area of the parts that touch the ground
-    double grossFloorM2 = 0;   ///< of these storeys
+    double planM2 = 0;  ///< area of the parts that touch the ground; of all where none has a storey there
+    std::optional<double> grossFloorM2;  ///< of these storeys; none: no storey stands on the ground
     int estimatedStoreys = 0;  ///< storeys of that area that are estimated, because the mesh is open
 };
 
