@@ -213,8 +213,7 @@ QString absoluteText(double value, const ScenarioColumn& column) {
     const FigureUnit unit = unitIn(column);
     if (unit == FigureUnit::squareMetres) return areaNumber(value);
     if (unit == FigureUnit::share) return formatAmount(percentOfWhole * value, 0);
-    if (column.work == ScenarioWork::measuringPlaces)
-        return formatAmount(value, column.figure->shownDecimals);
+    if (column.work == ScenarioWork::measuringPlaces) return groupDigits(value, column.figure->shownDecimals);
     return formatAmount(value, unit == FigureUnit::squareMetreHours || column.key == changesKey ? 0 : 1);
 }
 

@@ -205,6 +205,7 @@ ScenariosDock::ScenariosDock(ProjectSession& session, QSettings& settings, QWidg
     connect(charts, &ScenarioCharts::exportRequested, this, &ScenariosDock::monthsExportRequested);
     connect(charts, &ScenarioCharts::monthsRequested, this, &ScenariosDock::measureMonthsRequested);
     auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
     column->addWidget(verdict);
     column->addWidget(view, 1);
     column->addWidget(makeSwitches(settings));
