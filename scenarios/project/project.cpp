@@ -96,8 +96,8 @@ Result<void> checkNames(const Range& list, Name nameOf, const char* what) {
     for (const auto& one : list) {
         if (nameOf(one).empty()) return failure(fmt::format("A {} has no name", what), "project", "Name it");
         if (!names.insert(nameOf(one)).second)
-            return failure(fmt::format("Two of the project's {}s have this name", what), nameOf(one),
-                           "Rename one");
+            return failure(fmt::format("Another {} of the project has this name", what), nameOf(one),
+                           "Choose another name");
     }
     return {};
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 namespace noonmark {
 
@@ -194,10 +196,18 @@ std::optional<Range> join(Range a, Range b) {
     return b.end == a.first ? std::optional(Range{b.first, a.end}) : std::nullopt;
 }
 
+// Dates follow each other around the year, too: the range may end behind it.
+std::optional<Range> joinDays(Range a, Range b) {
+    if (a.size() + b.size() > yearDays) return std::nullopt;
+    if (a.end % yearDays == b.first % yearDays) return Range{a.first, a.end + b.size()};
+    return b.end % yearDays == a.first % yearDays ? std::optional(Range{b.first, b.end + a.size()})
+                                                  : std::nullopt;
+}
+
 // Two boxes that make one.
 std::optional<Box> join(const Box& a, const Box& b) {
     if (a.minutes == b.minutes)
-        if (const auto dates = join(a.days, b.days)) return Box{*dates, a.minutes};
+        if (const auto dates = joinDays(a.days, b.days)) return Box{*dates, a.minutes};
     if (a.days == b.days)
         if (const auto times = join(a.minutes, b.minutes)) return Box{a.days, *times};
     return std::nullopt;
@@ -216,19 +226,53 @@ std::string pieceName(const WeightedInterval& interval) {
     return interval.name == nameOf(interval) ? std::string() : interval.name;
 }
 
-// Painted neighbours, which have no name of their own, become part of it.
-Box takeNeighbours(TimeWeights& table, Box box, double weight) {
+// Around New Year as one; none where its hours span midnight.
+std::optional<Box> wholeBoxOf(const WeightedInterval& interval) {
+    const int first = dayOf(interval.first);
+    const Box box{{first, first + lengthOf(interval)},
+                  {int(interval.from.count()), int(interval.to.count())}};
+    return minutesOf(box) > 0 ? std::optional(box) : std::nullopt;
+}
+
+// The pieces of an interval over New Year that lie on both sides of it become one again.
+std::vector<Box> joinOverNewYear(std::vector<Box> pieces) {
+    const auto atEnd = std::ranges::find(pieces, yearDays, [](const Box& box) { return box.days.end; });
+    if (atEnd == pieces.end()) return pieces;
+    const auto next = std::ranges::find_if(pieces, [&](const Box& box) {
+        return &box != &*atEnd && box.days.first == 0 && box.minutes == atEnd->minutes;
+    });
+    if (next == pieces.end()) return pieces;
+    atEnd->days = *joinDays(atEnd->days, next->days);
+    pieces.erase(next);
+    return pieces;
+}
+
+// Names of several intervals: of pieces that were cut from one.
+std::set<std::string> listCutNames(const TimeWeights& table) {
+    std::set<std::string> once, again;
+    for (const WeightedInterval& one : table.intervals)
+        if (!once.insert(one.name).second) again.insert(one.name);
+    return again;
+}
+
+// Neighbours of the same weight become part of it: painted ones, and pieces of an interval in which it fills
+// a hole. Intervals with a name of their own stay apart.
+WeightedInterval withNeighbours(TimeWeights& table, Box box, double weight) {
+    const std::set<std::string> cut = listCutNames(table);
     const auto extends = [&](const WeightedInterval& one) {
-        const auto boxes = boxesOf(one);
-        return one.weight == weight && one.name == nameOf(one) && boxes.size() == 1 && join(box, boxes[0]);
+        const auto whole = wholeBoxOf(one);
+        return one.weight == weight && (one.name == nameOf(one) || cut.contains(one.name)) && whole &&
+               join(box, *whole);
     };
+    std::string name;
     auto& all = table.intervals;
     for (auto found = std::ranges::find_if(all, extends); found != all.end();
          found = std::ranges::find_if(all, extends)) {
-        box = *join(box, boxesOf(*found)[0]);
+        box = *join(box, *wholeBoxOf(*found));
+        if (name.empty()) name = pieceName(*found);
         all.erase(found);
     }
-    return box;
+    return intervalOf(box, weight, name);
 }
 
 WeightCell cellOf(const TimeWeights& table, const Box& cell) {
@@ -278,11 +322,12 @@ Result<TimeWeights> paintWeights(const TimeWeights& table, const MonthsAndHours&
             next.intervals.push_back(interval);
             continue;
         }
-        for (const Box& box : boxes)
-            for (const Box& piece : cutOut(box, hole))
-                next.intervals.push_back(intervalOf(piece, interval.weight, pieceName(interval)));
+        std::vector<Box> pieces;
+        for (const Box& box : boxes) std::ranges::move(cutOut(box, hole), std::back_inserter(pieces));
+        for (const Box& piece : joinOverNewYear(std::move(pieces)))
+            next.intervals.push_back(intervalOf(piece, interval.weight, pieceName(interval)));
     }
-    if (weight) next.intervals.push_back(intervalOf(takeNeighbours(next, hole, *weight), *weight));
+    if (weight) next.intervals.push_back(withNeighbours(next, hole, *weight));
     return validate(next).map([&] { return std::move(next); });
 }
 

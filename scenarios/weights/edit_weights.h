@@ -43,8 +43,8 @@ struct MonthsAndHours {
 
 /// Gives this time one weight, or none. What an interval holds outside of it keeps its exact dates and hours,
 /// its name and weight, in up to four pieces for each range of dates and hours. The painted interval joins
-/// painted neighbours of the same weight. Error: a time without an hour; a weight out of range; or no
-/// interval would be left.
+/// painted neighbours of the same weight, and the pieces around it of an interval in which it fills a hole.
+/// Error: a time without an hour; a weight out of range; or no interval would be left.
 Result<TimeWeights> paintWeights(const TimeWeights& table, const MonthsAndHours& time,
                                  std::optional<double> weight);
 

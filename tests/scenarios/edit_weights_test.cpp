@@ -119,6 +119,26 @@ TEST(PaintedWeights, JoinPaintedNeighboursOfTheSameWeight) {
         << "intervals with a name of their own stay apart";
 }
 
+// The score is by interval: a hole that is filled again must leave none behind.
+TEST(PaintedWeights, AHoleThatIsFilledLeavesTheTableAsItWas) {
+    const TimeWeights table{"mine",
+                            {{.name = "winter",
+                              .first = November / 1,
+                              .last = February / 29,
+                              .from = 9h,
+                              .to = 16h,
+                              .weight = -1}}};
+    const auto holed = paintWeights(table, {February, February, 11, 12}, 1).value();
+    EXPECT_THAT(linesOf(holed),
+                testing::ElementsAre("winter|11-01 01-31|09:00 16:00|-1", "winter|02-01 02-29|09:00 11:00|-1",
+                                     "winter|02-01 02-29|12:00 16:00|-1",
+                                     "02-01 to 02-29, 11:00 to 12:00|02-01 02-29|11:00 12:00|1"));
+    EXPECT_EQ(paintWeights(holed, {February, February, 11, 12}, -1).value(), table);
+    const auto late = paintWeights(table, {December, December, 9, 16}, 1).value();
+    EXPECT_EQ(late.intervals.size(), 3U);
+    EXPECT_EQ(paintWeights(late, {December, December, 9, 16}, -1).value(), table);
+}
+
 TEST(PaintedWeights, AreErasedAndRefused) {
     const auto without = paintWeights(makeMonthlyWeights(), {January, November, 0, 24}, {}).value();
     EXPECT_THAT(linesOf(without), testing::ElementsAre("December|12-01 12-31|00:00 24:00|-1"));

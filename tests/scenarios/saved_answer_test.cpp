@@ -192,6 +192,7 @@ TEST(SavedAnswers, SunByPlaceComesBackWithOutlinesDatesAndChanges) {
         result.name = "Sun";
         return result;
     }());
+    project.places = answer.baseline.places;
     project = saved(project);
     const SavedResult& result = *project.results[0];
     EXPECT_EQ(result.kind, "by-place");
@@ -225,6 +226,30 @@ TEST(SavedAnswers, SunByPlaceComesBackWithOutlinesDatesAndChanges) {
     EXPECT_FALSE(answer.baseline.errors.empty());
     EXPECT_EQ(errorsJson(back.sun.baseline.errors), errorsJson(answer.baseline.errors));
     EXPECT_EQ(errorsJson(back.sun.compared[0].sun.errors), errorsJson(answer.compared[0].sun.errors));
+}
+
+TEST(SavedAnswers, SunByPlaceIsOutdatedOncePlacesAreRenamedMovedOrGone) {
+    Project project = town();
+    const SunOfCities answer = sunny(project);
+    project.places = answer.baseline.places;
+    const SavedResult result = makeSavedResult(project, answer, keptAt);
+    const SavedOrigin origin = readSavedOrigin(result).value();
+    EXPECT_THAT(findChangesSince(result, origin, project), IsEmpty());
+    const auto changesWith = [&](const auto& change) {
+        Project other = project;
+        change(other.places);
+        return findChangesSince(result, origin, other);
+    };
+    EXPECT_THAT(changesWith([](auto& places) { places[1].name = "Meadow"; }),
+                ElementsAre("The place 'Lawn' is gone, or has another name."));
+    EXPECT_THAT(changesWith([](auto& places) { places.erase(places.begin()); }),
+                ElementsAre("The place 'Ring' is gone, or has another name."));
+    EXPECT_THAT(changesWith([](auto& places) { places[1].kind = PlaceKind::plaza; }),
+                ElementsAre("The place 'Lawn' has another kind or outline since."));
+    EXPECT_THAT(changesWith([](auto& places) { places[1].polygons = {box(12, 12, 40, 41)}; }),
+                ElementsAre("The place 'Lawn' has another kind or outline since."));
+    EXPECT_THAT(changesWith([](auto& places) { places.push_back(lawn("New", box(0, 0, 5, 5))); }), IsEmpty())
+        << "what was measured is still right";
 }
 
 // The names of the keys order the cities of a place otherwise.

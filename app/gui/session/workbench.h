@@ -110,6 +110,8 @@ public:
     /// Whether the buildings, or the files that they were read from, have changed since. Of results in the
     /// project file this becomes known some time after a change: measuredUpdated().
     [[nodiscard]] bool isOutdated(const MeasuredAnswer& measured);
+    /// Whether the places that the displayed sun by place is of have changed since, been renamed or removed.
+    [[nodiscard]] bool havePlacesChanged() const;
     [[nodiscard]] bool isOutdated(const SavedResult& result) const { return outdated_.contains(result.name); }
     /// The answer that was displayed before the buildings changed, until a new one is computed. Its figures
     /// belong to the previous buildings. Null: none.
@@ -289,6 +291,8 @@ private:
     struct Compared {
         std::shared_ptr<const City> city;
         std::vector<Scenario> scenarios;
+        std::vector<Place> places;
+        std::vector<Region> regions;
         std::vector<std::shared_ptr<const SavedResult>> results;
         bool operator==(const Compared&) const = default;
     };

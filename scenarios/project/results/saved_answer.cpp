@@ -10,6 +10,7 @@
 #include "core/base/json_number.h"
 #include "core/describe/figure_text.h"
 #include "core/engines/api/engine_registry.h"
+#include "core/receivers/place_names.h"
 #include "core/study/by_place/sum_places.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/study_hash.h"
@@ -352,12 +353,36 @@ void compareCity(std::vector<std::string>& changes, const std::string& scenario,
             fmt::format("'{}' has changed since: its buildings, its terrain or its water.", scenario));
 }
 
+constexpr std::size_t maxPlacesNamed = 3;
+
+// Whatever its pieces: a file that is read again may have them in another order.
+bool haveSameOutline(const Place& one, const Place& other) {
+    constexpr float nearM = 0.05F;
+    constexpr double share = 0.001;
+    const Box2 box = bounds(one), second = bounds(other);
+    return glm::distance(box.low, second.low) < nearM && glm::distance(box.high, second.high) < nearM &&
+           std::abs(area(one) - area(other)) < share * (1 + area(one));
+}
+
+// Of other kinds, and of damaged results, which are refused elsewhere: none.
+std::vector<Place> placesOf(const SavedResult& result) try {
+    std::vector<Place> places;
+    if (result.kind != "by-place") return places;
+    const Json json = Json::parse(result.settings);
+    const Json &listed = json.at("places"), &outlines = json.at("kept").at("places");
+    for (std::size_t i = 0; i < listed.size(); ++i) places.push_back(placeOf(listed[i], outlines.at(i)));
+    return places;
+} catch (const std::exception&) {
+    return {};
+}
+
 std::vector<std::string> listChanges(const SavedResult& result, const SavedOrigin& origin,
                                      const Project& project, CityHashes& hashes) {
     std::vector<std::string> changes;
     compareCity(changes, result.scenario, origin.citySha256, hashes);
     if (!result.baseline.empty()) compareCity(changes, result.baseline, origin.baselineSha256, hashes);
     for (const auto& [scenario, hash] : origin.othersSha256) compareCity(changes, scenario, hash, hashes);
+    std::ranges::move(findChangedPlaces(placesOf(result), project), std::back_inserter(changes));
     if (result.inputs != inputsJson(project.inputs).dump())
         changes.emplace_back("The city has been read from other files since.");
     if (origin.citySha256.empty())
@@ -367,6 +392,28 @@ std::vector<std::string> listChanges(const SavedResult& result, const SavedOrigi
 }
 
 }  // namespace
+
+std::vector<std::string> findChangedPlaces(const std::vector<Place>& measured, const Project& project) {
+    std::map<std::string_view, Place> now;
+    for (const Place& place : project.places) now.emplace(place.name, place);
+    for (const Region& region : project.regions) now.emplace(region.name, makePlace(region));
+    std::vector<std::string> changes;
+    std::size_t more = 0;
+    for (const Place& place : measured) {
+        const auto found = now.find(place.name);
+        const bool isThere = found != now.end();
+        if (isThere && found->second.kind == place.kind && haveSameOutline(place, found->second)) continue;
+        if (changes.size() == maxPlacesNamed) {
+            ++more;
+            continue;
+        }
+        changes.push_back(isThere
+                              ? fmt::format("The place '{}' has another kind or outline since.", place.name)
+                              : fmt::format("The place '{}' is gone, or has another name.", place.name));
+    }
+    if (more > 0) changes.push_back(fmt::format("{} more places have changed since.", more));
+    return changes;
+}
 
 Result<SavedOrigin> readSavedOrigin(const SavedResult& result) try {
     return originOf(Json::parse(result.settings));

@@ -105,10 +105,15 @@ std::span<const SavedKind> savedKinds();
 Result<SavedAnswer> readSavedAnswer(const SavedResult& result,
                                     std::span<const SavedKind> kinds = savedKinds());
 
-/// Reasons why the current project would not give this result, one sentence each: other buildings, terrain or
-/// files. Empty where there is none. Costs a hash of the scenario's city and of the baseline's.
+/// Reasons why the current project would not give this result, one sentence each: other buildings, terrain,
+/// places or files. Empty where there is none. Costs a hash of the scenario's city and of the baseline's.
 std::vector<std::string> findChangesSince(const SavedResult& result, const SavedOrigin& origin,
                                           const Project& project);
+
+/// Reasons why sun by place that was measured on these places is not that of the project's places and regions:
+/// one for each that is gone or renamed, and that has another kind or outline. Outlines count as the same
+/// within 5 cm and a thousandth of the area. O(n log n).
+std::vector<std::string> findChangedPlaces(const std::vector<Place>& measured, const Project& project);
 
 /// Names of the results that the project would not give now: those of which findChangesSince() would state
 /// any, and damaged ones. Costs a hash of the city of each scenario that they are about. Error: cancelled().

@@ -59,7 +59,7 @@ TEST_F(MeasuredAnswersWindow, MeasuredAnswersOfOtherBuildingsAreMarkedTomorrow) 
     EXPECT_TRUE(waitFor([&] {
         return list->findText(QStringLiteral("Study of Tower"), Qt::MatchStartsWith) >= 0 &&
                list->itemText(list->findText(QStringLiteral("Study of Tower"), Qt::MatchStartsWith))
-                   .contains(QStringLiteral("buildings have changed"));
+                   .contains(QStringLiteral("outdated"));
     }));
 }
 

@@ -395,12 +395,18 @@ TEST_F(ScenarioTableWindow, TheCsvStatesWhatEachScenarioLacksAndWhy) {
     window->findChild<ScenarioActions*>()->saveTable(out);
     const QStringList lines = QString::fromUtf8(test::bytesOf(out)).split(QStringLiteral("\r\n"));
     EXPECT_TRUE(lines[0].startsWith(QStringLiteral("scenario,changes,height,floor_area,shadow_area_m2,")));
-    EXPECT_TRUE(lines[0].endsWith(QStringLiteral(",verdicts,uses,lacks")));
+    EXPECT_TRUE(lines[0].endsWith(QStringLiteral(",region,period,enough_hours,lacks")));
+    EXPECT_TRUE(lines[0].contains(QStringLiteral(",shadow_area_m2_difference,")));
     EXPECT_TRUE(lines[2].startsWith(QStringLiteral("Low,1,17.5,2000,")));
     EXPECT_TRUE(
         lines[2].endsWith(QStringLiteral("weighted_shade_m2h: not scored; verdicts: not reviewed\"")));
     EXPECT_THAT(lines[3].toStdString(), HasSubstr("shadow_area_m2: out of date; hours_mean: not measured; "
                                                   "shadow_area_change_m2: out of date"));
+    ScenarioTable& table = window->findChild<ScenariosDock*>()->table();
+    const std::string whole = table.csv();
+    table.setDifferences(true);
+    EXPECT_EQ(table.csv(), whole) << "whatever the table shows";
+    table.setDifferences(false);
     window->findChild<QPushButton*>(QStringLiteral("copyScenarios"))->click();
     EXPECT_TRUE(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("Scenario\tChanges\t")));
 }

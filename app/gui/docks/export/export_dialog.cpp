@@ -95,8 +95,7 @@ QLayout* ExportDialog::makeFields() {
     makePicture(*form);
     cells_ = makeCheck(tr("Table of all cells"), "exportCells",
                        tr("A line of text for each cell: large for a large region"), first_.cells);
-    sheets_ = makeCheck(tr("Sheets with a title block"), "exportSheets",
-                        tr("A PDF with maps, figures, charts and method on several pages"), first_.sheets);
+    sheets_ = makeCheck(tr("Sheets with a title block"), "exportSheets", {}, first_.sheets);
     form->addRow(QString(), cells_);
     form->addRow(QString(), sheets_);
     makeFolder(*form, folder_->text());
@@ -248,6 +247,11 @@ void ExportDialog::update() {
     files_->setText(names.join(QStringLiteral(", ")));
     cells_->setEnabled(differs(&ExportChoice::cells));
     sheets_->setEnabled(differs(&ExportChoice::sheets));
+    sheets_->setToolTip(
+        sheets_->isEnabled()
+            ? tr("A PDF with maps, figures, charts and method on several pages")
+            : tr("A saved answer has figures and tables, but not all that sheets show: run it "
+                 "again to print it"));
     const bool hasPicture = names.join(QLatin1Char(' ')).contains(QStringLiteral(".png"));
     for (QWidget* field : std::initializer_list<QWidget*>{width_, pixels_}) field->setEnabled(hasPicture);
     const bool isView = now.subject == ExportChoice::Subject::view;

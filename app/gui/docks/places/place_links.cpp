@@ -21,6 +21,7 @@ bool isAged(const std::shared_ptr<const Answer>& answer) {
 PlaceLinks::PlaceLinks(Workbench& workbench, const ResultDisplay& display, PlacesDock& dock, ViewPanel& panel)
     : workbench_(workbench), dock_(dock), panel_(panel) {
     connect(&display, &ResultDisplay::updated, this, &PlaceLinks::follow);
+    connect(&workbench_, &Workbench::measuredUpdated, this, &PlaceLinks::follow);
     connect(&workbench_, &Workbench::answered, this, [this] {
         follow();
         if (sunOf(workbench_.answer())) Q_EMIT dockRequested();
@@ -55,9 +56,12 @@ void PlaceLinks::follow() {
     isDisplayed_ = sun != nullptr;
     if (sun) keep(sun);
     const bool isKeptAged = kept_.measured && workbench_.isOutdated(*kept_.measured);
-    const bool outdated = sun ? past || isAged(answer) : isKeptAged;
+    const bool areOthers = !past && workbench_.havePlacesChanged();
+    const bool outdated = sun ? past || areOthers || isAged(answer) : isKeptAged;
     dock_.setAside(isDisplayed_ || !kept_.sun ? QString() : nameOfKept());
-    dock_.show(kept_.sun, outdated ? tr("Outdated: buildings have changed") : QString(), outdated);
+    const QString why =
+        areOthers ? tr("Outdated: places have changed") : tr("Outdated: buildings or places have changed");
+    dock_.show(kept_.sun, outdated ? why : QString(), outdated);
     paint();
 }
 

@@ -43,7 +43,10 @@ ResultDisplay::ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditP
     : workbench_(workbench), mode_(mode), preview_(preview), places_(places) {
     connect(&workbench_, &Workbench::answered, this, &ResultDisplay::showAnswered);
     connect(&workbench_, &Workbench::answerUpdated, this, &ResultDisplay::show);
-    connect(&workbench_, &Workbench::measuredUpdated, this, &ResultDisplay::listAnswers);
+    connect(&workbench_, &Workbench::measuredUpdated, this, [this] {
+        listAnswers();
+        showOutdated();
+    });
     connect(&workbench_, &Workbench::studyPartial, this,
             [this](const auto& partial) { places_.layer.setPartial(partial); });
     connect(&workbench_, &Workbench::studyStopped, this, [this] { places_.layer.setPartial(nullptr); });
@@ -177,7 +180,7 @@ void ResultDisplay::listAnswers() {
     int shown = -1;
     const auto list = [&](const QString& name, bool isShown, bool isOutdated, std::function<void()> show) {
         if (isShown) shown = int(names.size());
-        names << (isOutdated ? tr("%1 (buildings have changed)").arg(name) : name);
+        names << (isOutdated ? tr("%1 (outdated)").arg(name) : name);
         listed_.push_back(std::move(show));
     };
     const auto measured = workbench_.measured();
@@ -230,6 +233,8 @@ QString ResultDisplay::whyOutdated() const {
             .arg(workbench_.running().busy() ? tr("new figures are being computed")
                                              : tr("run again (Ctrl+R)"));
     const auto answer = workbench_.answer();
+    if (workbench_.havePlacesChanged())
+        return tr("Outdated figures: places have changed; run again (Ctrl+R).");
     if (answer && !answer->settings()) return {};
     const StudyDocument& document = workbench_.document();
     const bool samePoints = !answer || !answer->points() || document.elements() == *answer->points();

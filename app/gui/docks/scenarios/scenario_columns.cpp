@@ -185,8 +185,8 @@ std::vector<ScenarioColumn> listColumns() {
         if (figure.inTable && figure.use == FigureUse::result) columns.push_back(shadowColumn(figure));
     columns.push_back(
         sunColumn("hours_mean", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Sun of places, h")));
-    columns.push_back(
-        sunColumn("share_enough", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Places with enough sun, %")));
+    columns.push_back(sunColumn(
+        "share_enough", QT_TRANSLATE_NOOP("noonmark::ScenarioTable", "Area of places with enough sun, %")));
     for (const Figure& figure : impactFigures().rows())
         if (figure.isChange && figure.inFiles) columns.push_back(impactColumn(figure));
     for (const Figure& figure : scoreFigures().rows())

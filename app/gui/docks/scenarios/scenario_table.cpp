@@ -130,6 +130,8 @@ void ScenarioTable::notePast() {
 void ScenarioTable::setStudies(Studies studies, const StudySettings& settings) {
     std::erase_if(studies, [&](const auto& one) { return one.second->settings != settings; });
     studies_ = std::move(studies);
+    region_ = settings.region.name;
+    period_ = formatText(settings.period);
     showAgain();
 }
 
@@ -208,8 +210,12 @@ bool ScenarioTable::showsDifferenceAt(const Row& row, int column) const {
 }
 
 QVariant ScenarioTable::shownValueAt(const Row& row, int column) const {
+    return showsDifferenceAt(row, column) ? differenceAt(row, column) : valueAt(row, column);
+}
+
+QVariant ScenarioTable::differenceAt(const Row& row, int column) const {
     const QVariant value = valueAt(row, column);
-    if (!value.isValid() || !showsDifferenceAt(row, column)) return value;
+    if (!value.isValid()) return value;
     const auto baseline = std::ranges::find(rows_, basis_.baseline, &Row::scenario);
     const QVariant base = baseline == rows_.end() ? QVariant() : valueAt(*baseline, column);
     if (base.isValid()) return value.toDouble() - base.toDouble();
@@ -398,19 +404,30 @@ QString ScenarioTable::scoreVerdict() const {
 }
 
 std::string ScenarioTable::csv() const {
+    const auto& columns = scenarioColumns();
     std::vector<std::string> keys;
-    for (const ScenarioColumn& column : scenarioColumns()) keys.emplace_back(column.key);
-    keys.emplace_back("lacks");
+    for (const ScenarioColumn& column : columns) keys.emplace_back(column.key);
+    for (const ScenarioColumn& column : columns)
+        if (column.isCompared) keys.push_back(std::string(column.key) + "_difference");
+    for (const char* key : {"baseline", "weights", "rule", "region", "period", "enough_hours", "lacks"})
+        keys.emplace_back(key);
     CsvText text(keys);
+    const auto number = [&](const QVariant& value) {
+        value.isValid() ? text.number(value.toDouble()) : text.nothing();
+    };
     for (const Row& row : rows_) {
         for (int at = 0; at < columnCount(); ++at) {
-            const ScenarioColumn& column = scenarioColumns()[std::size_t(at)];
-            const QVariant value = shownValueAt(row, at);
-            if (!column.isNumber)
-                text.text((value.isValid() ? textAt(row, at) : QString()).toStdString());
+            if (columns[std::size_t(at)].isNumber)
+                number(valueAt(row, at));
             else
-                value.isValid() ? text.number(value.toDouble()) : text.nothing();
+                text.text((valueAt(row, at).isValid() ? textAt(row, at) : QString()).toStdString());
         }
+        for (int at = 0; at < columnCount(); ++at)
+            if (columns[std::size_t(at)].isCompared) number(differenceAt(row, at));
+        for (const std::string& fact : {basis_.baseline, basis_.weights, basis_.rule, region_, period_})
+            text.text(fact);
+        const ScenarioAnswers answers = answersOf(row);
+        number(answers.sun ? QVariant(answers.sun->enoughHours) : QVariant());
         text.text(listLacks(row).toStdString()).endRow();
     }
     return text.take();

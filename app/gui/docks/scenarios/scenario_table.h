@@ -119,8 +119,9 @@ public:
     /// Which of the scenarios adds least shadow and which most, and by what; likewise of scores. Of one
     /// scenario what it adds. Empty: none has been compared.
     [[nodiscard]] QString verdict() const;
-    /// All scenarios as CSV, whatever is hidden: numbers in metres and square metres, empty where there is
-    /// none, and last what each scenario lacks, in words.
+    /// All scenarios as CSV, whatever is hidden or shown as a difference: numbers in metres and square metres,
+    /// empty where there is none, then their differences to the baseline ("height_difference"), what they
+    /// belong to, and last what each scenario lacks, in words.
     [[nodiscard]] std::string csv() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -134,6 +135,7 @@ private:
     [[nodiscard]] Row makeRow(const std::string& scenario) const;
     [[nodiscard]] QVariant valueAt(const Row& row, int column) const;
     [[nodiscard]] QVariant shownValueAt(const Row& row, int column) const;
+    [[nodiscard]] QVariant differenceAt(const Row& row, int column) const;  ///< to the baseline
     [[nodiscard]] bool showsDifferenceAt(const Row& row, int column) const;
     [[nodiscard]] bool isBest(const Row& row, int column) const;
     [[nodiscard]] QString textAt(const Row& row, int column) const;
@@ -155,6 +157,7 @@ private:
     Studies studies_;
     std::map<std::string, ScenarioAnswers> answers_;
     Basis basis_;
+    std::string region_, period_;  ///< of the study's settings
     bool differences_ = false, shadeWanted_ = false;
     using Filled = std::pair<std::string, ScenarioWork>;
     std::set<ScenarioWork> working_;

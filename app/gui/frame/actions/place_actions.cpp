@@ -307,7 +307,9 @@ void PlaceActions::askForLayer(const QString& file, const std::vector<UnknownLay
 void PlaceActions::take(const PlacesRead& read, EarlierPlaces earlier) {
     if (read.places.empty())
         return panel_.messages().showError(
-            {"The file holds no places", {}, "Choose a map with parks, or a file of polygons"});
+            {"The file holds no such places near the city",
+             {},
+             "Choose a map of this city with parks or streets, or a file of polygons"});
     PlacesAdded added;
     const auto join = earlier == EarlierPlaces::stay ? withMorePlaces : withPlaces;
     Project next = join(workbench_.session().project(), read.places, added);
@@ -378,7 +380,9 @@ void PlaceActions::add(Place place, const QString& what) {
 
 void PlaceActions::zoomTo(const std::string& name) {
     const auto place = findPlace(workbench_.session().project(), name);
-    if (!place) return panel_.messages().showError(place.error());
+    if (!place)
+        return panel_.messages().showError({"The project has no place of this name any more", name,
+                                            "Run again, so that the table lists the places as they are"});
     Box2 box = bounds(*place);
     const glm::vec2 border =
         glm::max((box.high - box.low) * 0.25F, (glm::vec2(minShownM) - (box.high - box.low)) * 0.5F);

@@ -180,8 +180,8 @@ void StudyActions::announceLongRun(const RunEstimate& estimate) {
 
 void StudyActions::showStopped(bool cancelled) {
     if (!cancelled) return;
-    panel_.messages().showNote(workbench_.study() ? tr("Cancelled. The previous study is shown.")
-                                                  : tr("Cancelled. No study yet."));
+    const bool isShown = workbench_.answer() || workbench_.past();
+    panel_.messages().showNote(isShown ? tr("Cancelled. The previous answer is shown.") : tr("Cancelled."));
 }
 
 ReviewActions::ReviewActions(ReviewSession& review, GlazingSession& windows, ReviewDock& dock,

@@ -4,7 +4,9 @@
 #include <QDropEvent>
 #include <QGuiApplication>
 #include <QMimeData>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <QWindow>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -143,8 +145,8 @@ void ViewPanel::placeMessages() {
     const int height = std::min(room.height(), messages_->heightForWidth(width));
     messages_->setGeometry(room.left() + (room.width() - width) / 2, room.top(), width, height);
     // Raised while hidden, it would have a window again after the panel's was closed; Qt loses one of the
-    // two.
-    if (messages_->isVisible()) messages_->raise();
+    // two. The view's window may have come later, of which QWidget::raise() knows nothing.
+    if (messages_->isVisible() && messages_->windowHandle() != nullptr) messages_->windowHandle()->raise();
 }
 
 void ViewPanel::setCovered(int left, int right) {
@@ -402,6 +404,8 @@ bool ViewPanel::eventFilter(QObject* watched, QEvent* event) {
         dropEvent(static_cast<QDropEvent*>(event));
         return true;
     }
+    // Its window comes on top of a message that was there before it.
+    if (event->type() == QEvent::Expose) QTimer::singleShot(0, messages_, [this] { placeMessages(); });
     if (event->type() == QEvent::MouseButtonRelease) takeKeys(*view_);
     return QWidget::eventFilter(watched, event);
 }
