@@ -110,9 +110,9 @@ Result<SavedAnswer> readSavedAnswer(const SavedResult& result,
 std::vector<std::string> findChangesSince(const SavedResult& result, const SavedOrigin& origin,
                                           const Project& project);
 
-/// Reasons why sun by place that was measured on these places is not that of the project's places and regions:
-/// one for each that is gone or renamed, and that has another kind or outline. Outlines count as the same
-/// within 5 cm and a thousandth of the area. O(n log n).
+/// Reasons why sun by place that was measured on these places is not that of the project's places and
+/// regions: one for each that is gone or renamed, and that has another kind or outline. Outlines count as the
+/// same within 5 cm and a thousandth of the area. O(n log n).
 std::vector<std::string> findChangedPlaces(const std::vector<Place>& measured, const Project& project);
 
 /// Names of the results that the project would not give now: those of which findChangesSince() would state
