@@ -144,5 +144,23 @@ TEST(ReviewBook, RepeatsHowMuchItHolds) {
     EXPECT_THAT(find("--least-place")->values, testing::ElementsAre("250"));
 }
 
+TEST(ReviewBook, ShowsOnRequestWhereTheHeightsComeFrom) {
+    const ReviewedPark park("Elm Park");
+    const auto find = [](const Book& book) {
+        return std::ranges::find(book.pages, QStringLiteral("Where the heights come from"), &BookPage::title);
+    };
+    const Book plain = park.book({});
+    EXPECT_EQ(find(plain), plain.pages.end());
+    BookSettings settings;
+    settings.heightMap = true;
+    const Book book = park.book(settings);
+    ASSERT_NE(find(book), book.pages.end());
+    const auto index = std::size_t(find(book) - book.pages.begin());
+    const QString text = textOfPage(book, index);
+    EXPECT_TRUE(text.contains(QStringLiteral("measured: 3"))) << text.toStdString();
+    EXPECT_FALSE(text.contains(QStringLiteral("assumed"))) << text.toStdString();
+    EXPECT_THAT(listMeetings(textsOfPage(book, index)), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace noonmark
