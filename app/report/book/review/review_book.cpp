@@ -58,7 +58,9 @@ std::vector<CommandOption> makeRepeatOptions(const BookSettings& settings) {
         for (CommandOption& option : listOptions(fields->of(settings))) options.push_back(std::move(option));
     for (CommandOption& option : listOptions(legendFields().of(settings.legend)))
         options.push_back(std::move(option));
-    if (!settings.titleBlock.date.empty()) options.push_back({"--date", {settings.titleBlock.date}});
+    // That of the day where none is stated: repeated later, the sheets print the same.
+    const std::string& date = settings.titleBlock.date;
+    options.push_back({"--date", {date.empty() ? describeToday().toStdString() : date}});
     return options;
 }
 
