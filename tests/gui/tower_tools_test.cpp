@@ -250,7 +250,7 @@ TEST_F(EditToolsTest, FieldsOfATowerStayWithinTheirPanelWhateverItsPlateIs) {
     drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
     QWidget* panel = tools.massingDock();
     panel->setAttribute(Qt::WA_DontShowOnScreen);
-    panel->resize(345, 700);
+    panel->resize(350, 700);
     panel->show();
     field<QPushButton>(panel, "fitPlate").click();  // a plate by its area has the widest number
     QCoreApplication::processEvents();

@@ -11,6 +11,8 @@
 #include <QTest>
 
 #include "app/gui/docks/results/results_dock.h"
+#include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/study_form/element_form.h"
 #include "app/gui/frame/actions/edit_actions.h"
 #include "app/gui/frame/window_layout.h"
 #include "app/gui/view/panel/view_panel.h"
@@ -124,10 +126,9 @@ TEST_F(ProjectWindow, AReviewLeavesASmallScreenToTheViewAndDoesNotWidenTheWindow
     ReviewChoice choice = window->review().choice();
     choice.rule = "en-17037";
     window->review().choose(choice);
-    ASSERT_TRUE(waitFor([&] {
-        auto* words = window->findChild<QLabel*>(QStringLiteral("reviewEstimate"));
-        return words != nullptr && !words->text().isEmpty();
-    }));
+    ElementForm& form = window->findChild<ReviewDock*>()->elements();
+    ASSERT_TRUE(waitFor([&] { return form.isVisible(); }));
+    QCoreApplication::processEvents();
     EXPECT_EQ(window->size(), screen) << "a long form scrolls";
     window->findChild<QAction*>(QStringLiteral("side%1").arg(int(Qt::RightDockWidgetArea)))->trigger();
     EXPECT_FALSE(results->isHidden()) << "its key brings it back";

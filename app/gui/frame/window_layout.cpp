@@ -181,7 +181,7 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
 
 namespace {
 
-// What stands at the right leaves the room to what opens below; its switch shows it again.
+// A panel that opens below hides those at the right in a narrow window; their switch shows them again.
 void makeRoomBelow(QMainWindow& window) {
     if (window.width() >= widthOfThreeSides || shownAt(window, Qt::RightDockWidgetArea).isEmpty()) return;
     if (auto* side = window.findChild<QAction*>(nameOfSide(Qt::RightDockWidgetArea))) side->trigger();

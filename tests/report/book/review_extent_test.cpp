@@ -144,6 +144,18 @@ TEST(ReviewBook, RepeatsHowMuchItHolds) {
     EXPECT_THAT(find("--least-place")->values, testing::ElementsAre("250"));
 }
 
+TEST(ReviewBook, IsRepeatedWithTheDateThatItPrints) {
+    for (const char* date : {"", "1 May 2026"}) {
+        BookSettings settings;
+        settings.titleBlock.date = date;
+        const auto options = makeRepeatOptions(settings);
+        const auto stated = std::ranges::find(options, "--date", &CommandOption::name);
+        ASSERT_NE(stated, options.end()) << date;
+        EXPECT_EQ(QString::fromStdString(stated->values.front()),
+                  *date == 0 ? describeToday() : QString::fromUtf8(date));
+    }
+}
+
 TEST(ReviewBook, ShowsOnRequestWhereTheHeightsComeFrom) {
     const ReviewedPark park("Elm Park");
     const auto find = [](const Book& book) {

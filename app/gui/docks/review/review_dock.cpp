@@ -129,7 +129,8 @@ QWidget* ReviewDock::makeForm() {
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(formWidth + scroll->verticalScrollBar()->sizeHint().width());
+    scroll->setMinimumWidth(std::max(formWidth, content->minimumSizeHint().width()) +
+                            scroll->verticalScrollBar()->sizeHint().width());
     return scroll;
 }
 

@@ -87,7 +87,7 @@ FloorAreaTarget TargetRow::target(FloorAreaBy by) const {
 
 namespace {
 
-constexpr int minNumberPx = 70;
+constexpr int minNumberPx = 58;
 constexpr int minScreenPx = 300;  // of the fields, so that the window fits on small screens
 
 QString makeUseRows(const std::vector<UseArea>& uses) {
