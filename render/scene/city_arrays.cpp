@@ -124,6 +124,37 @@ void addTerrain(CityArrays& arrays, const Terrain& terrain) {
         arrays.groundTriangles.insert(arrays.groundTriangles.end(), {triangle.x, triangle.y, triangle.z});
 }
 
+// The posts along the border, counter-clockwise seen from above.
+std::vector<std::uint32_t> listBorder(const PostGrid& grid) {
+    std::vector<std::uint32_t> border;
+    const auto add = [&](int column, int row) { border.push_back(std::uint32_t(grid.index(column, row))); };
+    const int east = grid.columns - 1, north = grid.rows - 1;
+    for (int column = 0; column < east; ++column) add(column, 0);
+    for (int row = 0; row < north; ++row) add(east, row);
+    for (int column = east; column > 0; --column) add(column, north);
+    for (int row = north; row > 0; --row) add(0, row);
+    return border;
+}
+
+// From the border of a terrain the ground falls gently to the plane that surrounds it: a step would throw a
+// shadow of its own. The terrain's points are the first ones.
+void addSlopeAround(CityArrays& arrays, const Terrain& terrain, float levelM) {
+    constexpr float farther = 15;
+    const glm::vec2 middle(
+        terrain.grid.centre(0.5 * (terrain.grid.columns - 1), 0.5 * (terrain.grid.rows - 1)));
+    const std::vector<std::uint32_t> border = listBorder(terrain.grid);
+    const auto first = std::uint32_t(arrays.groundPoints.size());
+    for (const std::uint32_t post : border)
+        arrays.groundPoints.emplace_back(middle + farther * (glm::vec2(arrays.groundPoints[post]) - middle),
+                                         levelM);
+    const auto count = std::uint32_t(border.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t next = (i + 1) % count;
+        arrays.groundTriangles.insert(arrays.groundTriangles.end(), {border[i], first + i, first + next,
+                                                                     border[i], first + next, border[next]});
+    }
+}
+
 }  // namespace
 
 CityArrays makeBuildingArrays(const City& city, std::size_t maxEdgeTriangles) {
@@ -149,10 +180,15 @@ CityArrays makeArrays(const City& city, std::size_t maxEdgeTriangles) {
     CityArrays arrays = makeBuildingArrays(city, maxEdgeTriangles);
     arrays.bounds = computeViewBounds(city);
     arrays.mainPart = findMainPart(city);
-    if (city.terrain) addTerrain(arrays, *city.terrain);
+    arrays.terrain = city.terrain;
     // Below a terrain the square only fills the view up to the horizon.
     const float below = city.terrain ? 0.5F + float(arrays.bounds.radiusM()) * 1e-3F : 0;
-    addSquare(arrays, groundBox(arrays.bounds), arrays.bounds.groundM - below);
+    const float levelM = arrays.bounds.groundM - below;
+    if (city.terrain) {
+        addTerrain(arrays, *city.terrain);
+        addSlopeAround(arrays, *city.terrain, levelM);
+    }
+    addSquare(arrays, groundBox(arrays.bounds), levelM);
     return arrays;
 }
 

@@ -34,6 +34,7 @@ struct CityArrays {
     std::vector<std::size_t> edgeStart;
     std::vector<glm::vec3> groundPoints;
     std::vector<std::uint32_t> groundTriangles;
+    std::shared_ptr<const Terrain> terrain;  ///< of which the ground is; null: level
     ViewBounds bounds;
     MainPart mainPart;  ///< is shown first, and what scale and haze are fitted to
 };

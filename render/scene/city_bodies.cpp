@@ -133,12 +133,7 @@ OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* si
     floor_->set(QStringLiteral("edgeColour"), vectorOf(floorColour).toVector3D());
     floor_->set(QStringLiteral("hazeDistance"), floorHazeM);
     floor_->blend();
-    line_ = new ShaderMaterial(QStringLiteral("ribbon"), root_);
-    line_->set(QStringLiteral("lineColour"), vectorOf(lotColour));
-    line_->set(QStringLiteral("widthPx"), 2.5F);
-    line_->blend();
-    line_->alwaysVisible();
-    line_->bothSides();
+    lots_ = std::make_unique<GroundLines>(lotColour, 2.5F, blended_, root_);
     handle_ = {makeDoubleArrow(float(handlePx)), made("mark"), nullptr, {}};
     lightHandle(false);
     pin_ = {makePin(float(pinPx)), made("mark"), nullptr, {}};
@@ -147,7 +142,10 @@ OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* si
     worst_.material->set(QStringLiteral("tint"), vectorOf(worstColour));
 }
 
-OverlayBodies::~OverlayBodies() { delete root_; }
+OverlayBodies::~OverlayBodies() {
+    lots_.reset();
+    delete root_;
+}
 
 ShaderMaterial* OverlayBodies::makeTint(glm::vec4 colour, float lift) {
     auto* material = new ShaderMaterial(QStringLiteral("overlay"), root_);
@@ -190,10 +188,7 @@ void OverlayBodies::showColoured(const std::vector<Coloured>& groups, ColouredBy
     }
 }
 
-void OverlayBodies::showLines(const std::vector<GroundLine>& lines) {
-    drop(lines_);
-    if (!lines.empty()) lines_ = makeArrayEntity(makeOutlineGeometry(lines), *line_, root_, blended_);
-}
+void OverlayBodies::showLines(const std::vector<GroundLine>& lines) { lots_->show(lines); }
 
 void OverlayBodies::showFloors(const std::vector<std::vector<glm::vec3>>& rings) {
     drop(floors_);
@@ -239,7 +234,7 @@ void OverlayBodies::setLens(const CameraPose& pose, const ViewLens& lens) {
     const double atOneMetre = metresPerPixel(pose, lens, 1);
     for (const Mark* mark : {&handle_, &pin_, &worst_})
         mark->material->set(QStringLiteral("metresPerPixel"), float(atOneMetre));
-    line_->set(QStringLiteral("viewSize"), QVector2D(float(lens.widthPx), float(lens.heightPx)));
+    lots_->setViewSize({float(lens.widthPx), float(lens.heightPx)});
 }
 
 }  // namespace noonmark

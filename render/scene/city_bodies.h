@@ -12,6 +12,7 @@
 #include "core/city/meshes/mesh.h"
 #include "render/scene/array_entity.h"
 #include "render/scene/city_arrays.h"
+#include "render/scene/ground_lines.h"
 #include "render/view/camera_pose.h"
 
 namespace Qt3DCore {
@@ -149,8 +150,7 @@ private:
     };
     std::array<ColouredBodies, 2> coloured_;
     ShaderMaterial* edge_;
-    ShaderMaterial* line_;
-    Qt3DCore::QEntity* lines_ = nullptr;
+    std::unique_ptr<GroundLines> lots_;
     ShaderMaterial* floor_;
     Qt3DCore::QEntity* floors_ = nullptr;
     Mark handle_, pin_, worst_;

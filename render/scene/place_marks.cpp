@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "render/scene/picture_texture.h"
 #include "render/scene/shader_material.h"
@@ -185,10 +186,23 @@ PlaceMarks::~PlaceMarks() {
 }
 
 void PlaceMarks::show(std::vector<Mark> marks) {
-    marks_ = std::move(marks);
+    const std::vector<Mark> before = std::exchange(marks_, std::move(marks));
     highlighted_.reset();
     hovered_.reset();
+    keepNames(before);
     draw();
+}
+
+// Names of marks that are gone leave at once; those of others wait for the camera's rest.
+void PlaceMarks::keepNames(const std::vector<Mark>& before) {
+    std::vector<std::size_t> kept;
+    for (const std::size_t i : named_) {
+        const auto same = std::ranges::find_if(marks_, [&gone = before[i]](const Mark& mark) {
+            return mark.name == gone.name && mark.at == gone.at;
+        });
+        if (same != marks_.end()) kept.push_back(std::size_t(same - marks_.begin()));
+    }
+    showNames(std::move(kept));
 }
 
 void PlaceMarks::highlight(std::optional<std::size_t> mark) {
@@ -280,7 +294,11 @@ void PlaceMarks::layNames(const CameraPose& pose, const ViewLens& lens) {
         taken.push_back(box);
         chosen.push_back(i);
     }
-    named_ = std::move(chosen);
+    showNames(std::move(chosen));
+}
+
+void PlaceMarks::showNames(std::vector<std::size_t> marks) {
+    named_ = std::move(marks);
     std::vector<NameLabels::Label> labels;
     for (const std::size_t i : named_) labels.push_back({marks_[i].name, marks_[i].at, i == highlighted_});
     labels_->show(labels);

@@ -79,6 +79,7 @@ public:
     /// Called when names have to be chosen again.
     void onChange(std::function<void()> changed) { changed_ = std::move(changed); }
 
+    /// Names of earlier marks that are none of these disappear at once.
     void show(std::vector<Mark> marks);
     /// Draws the outline of this mark bolder, and its name in any case; an index beyond the marks: none.
     void highlight(std::optional<std::size_t> mark);
@@ -106,6 +107,8 @@ public:
 private:
     void draw();
     void drawOutlines();
+    void keepNames(const std::vector<Mark>& before);
+    void showNames(std::vector<std::size_t> marks);
     [[nodiscard]] bool isOutlined(std::size_t mark) const;
     [[nodiscard]] Qt3DCore::QEntity* drawLines(bool named, ShaderMaterial& material);
     [[nodiscard]] std::vector<std::size_t> ranked() const;

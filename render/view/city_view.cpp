@@ -25,8 +25,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr QColor lineColour{0xd6, 0x3c, 0x1e};
-constexpr QColor demolishedColour{0x4a, 0x4d, 0x57};
+constexpr QColor lineColour{0xd6, 0x3c, 0x1e, 230};
+constexpr QColor demolishedColour{0x4a, 0x4d, 0x57, 230};
 constexpr double viewDeg = 40;
 constexpr int restMs = 200;
 constexpr double hazeDistances = 4;
@@ -38,17 +38,6 @@ ViewLens inDevicePixels(ViewLens lens, double ratio) {
     return lens;
 }
 
-// Lines that stay as wide as they are however far away they lie.
-ShaderMaterial* makeLineMaterial(const QColor& colour, float widthPx, Qt3DCore::QEntity* parent) {
-    auto* material = new ShaderMaterial(QStringLiteral("ribbon"), parent);
-    material->set(QStringLiteral("lineColour"), QVector4D(toVector(colour), 0.9F));
-    material->set(QStringLiteral("widthPx"), widthPx);
-    material->blend();
-    material->alwaysVisible();
-    material->bothSides();
-    return material;
-}
-
 }  // namespace
 
 CityView::CityView()
@@ -58,8 +47,8 @@ CityView::CityView()
       sideLayers_{new Qt3DRender::QLayer(root_), new Qt3DRender::QLayer(root_)},
       displayed_(blended_, sideLayers_[0], root_),
       other_(blended_, sideLayers_[1], root_),
-      ribbon_(makeLineMaterial(lineColour, 2.5F, root_)),
-      demolishedRibbon_(makeLineMaterial(demolishedColour, 1.8F, root_)),
+      lines_(lineColour, 2.5F, blended_, root_),
+      demolished_(demolishedColour, 1.8F, blended_, root_),
       divider_(blended_, sideLayers_, root_),
       rest_(new QTimer(this)),
       names_(new QTimer(this)) {
@@ -221,18 +210,9 @@ void CityView::clearMap() {
     for (DrawnCity* city : {&displayed_, &other_}) city->clearMap();
 }
 
-void CityView::showLines(const std::vector<GroundLine>& lines) {
-    delete lines_;
-    lines_ = nullptr;
-    if (!lines.empty()) lines_ = makeArrayEntity(makeOutlineGeometry(lines), *ribbon_, root_, blended_);
-}
+void CityView::showLines(const std::vector<GroundLine>& lines) { lines_.show(lines); }
 
-void CityView::showDemolished(const std::vector<GroundLine>& lines) {
-    delete demolished_;
-    demolished_ = nullptr;
-    if (!lines.empty())
-        demolished_ = makeArrayEntity(makeOutlineGeometry(lines), *demolishedRibbon_, root_, blended_);
-}
+void CityView::showDemolished(const std::vector<GroundLine>& lines) { demolished_.show(lines); }
 
 void CityView::setPose(const CameraPose& pose) {
     moving_ = isTraced() && pose != pose_;
@@ -285,8 +265,8 @@ void CityView::applyCamera() {
     camera()->setPosition(toVector(computeEye(pose_)));
     camera()->setViewCenter(toVector(pose_.target));
     camera()->setUpVector(toVector(computeUp(pose_)));
-    for (ShaderMaterial* ribbon : {ribbon_, demolishedRibbon_})
-        ribbon->set(QStringLiteral("viewSize"), QVector2D(float(view.widthPx), float(view.heightPx)));
+    for (GroundLines* lines : {&lines_, &demolished_})
+        lines->setViewSize({float(view.widthPx), float(view.heightPx)});
     overlay_->setLens(pose_, view);
     places_->setLens(view);
     pointMarks_->setViewSize({float(view.widthPx), float(view.heightPx)});

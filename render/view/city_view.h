@@ -15,6 +15,7 @@
 #include "render/scene/city_bodies.h"
 #include "render/scene/dome_marks.h"
 #include "render/scene/element_tiles.h"
+#include "render/scene/ground_lines.h"
 #include "render/scene/place_marks.h"
 #include "render/scene/view_marks.h"
 #include "render/view/camera_pose.h"
@@ -161,8 +162,8 @@ private:
     std::array<Qt3DRender::QLayer*, 2> sideLayers_;  ///< of the displayed and of the other city
     DrawnCity displayed_;
     DrawnCity other_;
-    ShaderMaterial* ribbon_;
-    ShaderMaterial* demolishedRibbon_;
+    GroundLines lines_;
+    GroundLines demolished_;
     SideDivider divider_;
     ViewSides sides_;
     bool traced_ = false;
@@ -170,8 +171,6 @@ private:
     bool moving_ = false;       ///< see isMoving()
     QTimer* rest_;
     QTimer* names_;
-    Qt3DCore::QEntity* lines_ = nullptr;
-    Qt3DCore::QEntity* demolished_ = nullptr;
     std::unique_ptr<ElementTiles> tiles_;
     std::unique_ptr<OverlayBodies> overlay_;
     std::unique_ptr<CrownBodies> markedTrees_;

@@ -187,7 +187,8 @@ void DrawnCity::showBodies() {
 
 void DrawnCity::setRays(RayScene scene, const std::vector<std::shared_ptr<const Building>>& buildings) {
     if (!drawsInSoftware() || !city_) return;
-    traced_.setScene(std::move(scene), buildings, city_->arrays()->groundPoints.back().z);
+    traced_.setScene(std::move(scene), buildings,
+                     {city_->arrays()->groundPoints.back().z, city_->arrays()->terrain});
     addedTraced_ = true;
     showBodies();
 }

@@ -80,10 +80,10 @@ TracedCity::TracedCity(Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent)
       material_(new ShaderMaterial(QStringLiteral("traced"), parent)),
       pixels_(makePixels(*material_, side, parent)) {}
 
-void TracedCity::setScene(RayScene scene, Buildings buildings, float groundM) {
+void TracedCity::setScene(RayScene scene, Buildings buildings, Ground ground) {
     scene_ = std::move(scene);
     buildings_ = std::move(buildings);
-    groundM_ = groundM;
+    ground_ = std::move(ground);
     hidden_.clear();
     proposed_.clear();
     for (const auto& building : buildings_) proposed_.push_back(isProposal(*building) ? 1 : 0);
@@ -125,7 +125,8 @@ void TracedCity::trace(const Picture& picture) {
     if (crowns) dense = crowns_->evergreen;
     if (crowns) std::ranges::copy(crowns_->losingLeaves, std::back_inserter(inLeaf ? dense : light));
     traceView(*scene_, camera,
-              {.groundM = groundM_,
+              {.groundM = ground_.levelM,
+               .terrain = ground_.terrain.get(),
                .nearM = float(picture.clip.nearM),
                .farM = float(picture.clip.farM),
                .firstColumn = picture.columns.first,

@@ -33,9 +33,14 @@ public:
     /// `parent` owns the nodes, which belong to the layer `side`.
     TracedCity(Qt3DRender::QLayer* side, Qt3DCore::QEntity* parent);
 
-    /// What is traced: a scene, its buildings in the scene's order, and the z of the level ground around.
-    /// Proposals (isProposal()) have a colour of their own.
-    void setScene(RayScene scene, Buildings buildings, float groundM);
+    /// The ground that is no part of the scene.
+    struct Ground {
+        float levelM = 0;                          ///< z of the plane around and below the city
+        std::shared_ptr<const Terrain> terrain{};  ///< null: the plane is all there is
+    };
+    /// What is traced: a scene, its buildings in the scene's order, and the ground around. Proposals
+    /// (isProposal()) have a colour of their own.
+    void setScene(RayScene scene, Buildings buildings, Ground ground);
     void clear();
     [[nodiscard]] bool hasScene() const { return scene_.has_value(); }
     /// Leaves out the other buildings. Returns whether the scene has all of these.
@@ -76,7 +81,7 @@ private:
     Buildings buildings_;
     std::vector<std::uint8_t> hidden_, proposed_;  ///< by building, 1: left out; empty: nothing is
     std::optional<glm::vec3> towardsSun_;
-    float groundM_ = 0;
+    Ground ground_;
 };
 
 }  // namespace noonmark

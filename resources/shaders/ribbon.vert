@@ -28,4 +28,7 @@ void main() {
     vec2 across = length(along) > 0.0 ? normalize(vec2(-along.y, along.x)) : vec2(0.0);
     here.xy += across * side * widthPx / viewSize * here.w;
     gl_Position = here;
+#ifdef LIFTED
+    gl_Position.z -= 0.0003 * gl_Position.w;
+#endif
 }

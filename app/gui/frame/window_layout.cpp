@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QTextDocumentFragment>
 #include <QWidget>
+#include <algorithm>
 #include <glm/common.hpp>
 #include <memory>
 
@@ -74,6 +75,8 @@ void nameForScreenReaders(QWidget& window) {
 namespace {
 
 constexpr int sideWidth = 324;  // with its tabs
+constexpr int narrowSideWidth = 290;
+constexpr int widthOfThreeSides = 1500;  // of a window that has panels at left, right and below
 constexpr int narrowWidth = 190;
 constexpr int scrollBarWidth = 22;
 constexpr int lowShare = 3;  // of the window's height a dock below the view takes one part of so many
@@ -103,12 +106,14 @@ QList<QPointer<QDockWidget>> shownAt(const QMainWindow& window, Qt::DockWidgetAr
     return shown;
 }
 
+QString nameOfSide(Qt::DockWidgetArea area) { return QStringLiteral("side%1").arg(int(area)); }
+
 // Hides what is shown there, or shows again what it has hidden.
 QAction* makeSideSwitch(QMainWindow& window, Qt::DockWidgetArea area, const QString& text, const char* keys) {
     QAction* action =
         makeAction(&window, text, QKeySequence(QString::fromLatin1(keys)),
                    QObject::tr("Hides these panels, for more of the view, and shows them again"));
-    action->setObjectName(QStringLiteral("side%1").arg(int(area)));
+    action->setObjectName(nameOfSide(area));
     auto hidden = std::make_shared<QList<QPointer<QDockWidget>>>();
     QObject::connect(action, &QAction::triggered, &window, [&window, area, hidden] {
         const auto shown = shownAt(window, area);
@@ -174,14 +179,36 @@ QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     return toggles;
 }
 
+namespace {
+
+// A panel that opens below hides those at the right in a narrow window; their switch shows them again.
+void makeRoomBelow(QMainWindow& window) {
+    if (window.width() >= widthOfThreeSides || shownAt(window, Qt::RightDockWidgetArea).isEmpty()) return;
+    if (auto* side = window.findChild<QAction*>(nameOfSide(Qt::RightDockWidgetArea))) side->trigger();
+}
+
+// The width of a panel at the right that leaves half of the window to the view.
+int widthAtRight(const QMainWindow& window) {
+    int left = 0;
+    for (const auto& dock : shownAt(window, Qt::LeftDockWidgetArea)) left = std::max(left, dock->width());
+    return std::clamp(window.width() / 2 - left, narrowSideWidth, sideWidth);
+}
+
+}  // namespace
+
 void openDock(QMainWindow& window, QDockWidget& dock, DockPlace place) {
     const Qt::DockWidgetArea area = window.dockWidgetArea(&dock);
     const bool isFirst = !dock.isFloating() && shownAt(window, area).isEmpty();
+    const bool isAside = isFirst && place == DockPlace::behindOthers && area == Qt::RightDockWidgetArea;
+    if (isAside && window.width() < widthOfThreeSides && !shownAt(window, Qt::BottomDockWidgetArea).isEmpty())
+        return;  // the panel below has its answer
+    if (isFirst && area == Qt::BottomDockWidgetArea) makeRoomBelow(window);
     dock.show();
     if (place == DockPlace::inFront) dock.raise();
     if (isFirst && area == Qt::BottomDockWidgetArea)
         window.resizeDocks({&dock}, {window.height() / lowShare}, Qt::Vertical);
-    if (isFirst && area == Qt::RightDockWidgetArea) window.resizeDocks({&dock}, {sideWidth}, Qt::Horizontal);
+    if (isFirst && area == Qt::RightDockWidgetArea)
+        window.resizeDocks({&dock}, {widthAtRight(window)}, Qt::Horizontal);
 }
 
 QList<QAction*> makeSideSwitches(QMainWindow& window) {

@@ -75,13 +75,14 @@ struct BookSettings {
     /// In the book of a review every place is in all tables and timelines, on as many pages as that takes.
     bool allPages = false;
     double minPlaceM2 = 100;  ///< of such a book: smaller places without a name are listed together
+    bool heightMap = false;   ///< a page with the buildings by source of height, in that of a review
     LegendChoice legend{};    ///< of maps, places, points and windows
     bool operator==(const BookSettings&) const = default;
 };
 
 /// The scale alone; page and title block have fields of their own.
 const Fields<BookSettings>& scaleFields();
-/// How much the book of a review of places holds.
+/// What the book of a review of places holds.
 const Fields<BookSettings>& extentFields();
 
 struct Book {

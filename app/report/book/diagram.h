@@ -77,7 +77,7 @@ struct DiagramFoot {
     UnitSystem units = UnitSystem::metric;
     /// What the legend explains besides.
     std::vector<LegendPatch> places{};  ///< what colours of outlines mean; empty: all are the same
-    bool hasRemoved = false, hasStreets = false, hasContext = false, hasNumbers = false;
+    bool hasRemoved = false, hasOverhangs = false, hasStreets = false, hasContext = false, hasNumbers = false;
 };
 constexpr double diagramFootPt(double scale) { return 40 * scale; }
 

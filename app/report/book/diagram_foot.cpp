@@ -44,6 +44,8 @@ std::vector<LegendEntry> entriesOf(const DiagramFoot& foot) {
     entries.push_back({QStringLiteral("proposal"), shade::proposal, ink::text, 0.9});
     if (foot.hasRemoved) entries.push_back({QStringLiteral("removed"), ink::paper, ink::text, 0.6, true});
     entries.push_back({QStringLiteral("building"), shade::building, shade::buildingLine, 0.4});
+    if (foot.hasOverhangs)
+        entries.push_back({QStringLiteral("open below"), ink::paper, shade::buildingLine, 0.5, true});
     if (foot.places.empty())
         entries.push_back({QStringLiteral("place"), shade::place, shade::placeLine, 1.1});
     for (const LegendPatch& patch : foot.places)

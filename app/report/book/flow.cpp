@@ -214,6 +214,13 @@ const Fields<BookSettings>& extentFields() {
                .hint = "M2",
                .unit = "m2",
                .range = ValueRange{0, 1e6},
+               .role = SettingRole::none}),
+        field(&BookSettings::heightMap,
+              {.key = "height_map",
+               .flag = "--height-map",
+               .label = NM_TEXT("Map of sources of heights"),
+               .help = NM_TEXT("Sheets of places: a page with the buildings coloured by where their heights "
+                               "come from: measured, from storeys, assumed, of a 3D model, designed"),
                .role = SettingRole::none})};
     return fields;
 }

@@ -27,9 +27,10 @@ QPainterPath pathOf(const Building& building, const MapView& view, const City& c
     return path;
 }
 
-void paintSolid(const Canvas& canvas, const QPainterPath& path, const FootprintStyle& style) {
+void paintSolid(const Canvas& canvas, const QPainterPath& path, const FootprintStyle& style,
+                const Building& building) {
     if (path.isEmpty()) return;
-    canvas.painter.setBrush(style.fill);
+    canvas.painter.setBrush(style.fillOf ? style.fillOf(building) : style.fill);
     canvas.painter.setPen(linePen(canvas, style.line, style.linePt));
     canvas.painter.drawPath(path);
 }
@@ -50,7 +51,7 @@ void paintBuildings(const Canvas& canvas, const MapView& view, const City& city,
     for (const auto& building : city.buildings) {
         if (!view.sees(bounds(*building))) continue;
         paintOverhangs(canvas, pathOf(*building, view, city, false), style);
-        paintSolid(canvas, pathOf(*building, view, city, true), style);
+        paintSolid(canvas, pathOf(*building, view, city, true), style, *building);
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QTransform>
+#include <functional>
 
 #include "app/report/maps/map_view.h"
 #include "app/report/maps/style.h"
@@ -16,6 +17,7 @@ struct FootprintStyle {
     QColor fill;
     QColor line;
     double linePt = 0.25;
+    std::function<QColor(const Building&)> fillOf{};  ///< instead of `fill`; empty: all are alike
 };
 
 /// Paints the footprints of all buildings in `view` as vectors. Parts that stand on the ground are filled;

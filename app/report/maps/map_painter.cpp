@@ -170,6 +170,7 @@ void cutTo(const QRectF& shown, QImage& picture, QRectF& place) {
 }
 
 void paintField(const Canvas& canvas, const MapView& view, const MapScene& scene) {
+    if (!scene.image) return;
     const QRectF grid = view.rectOf(scene.grid);
     FieldImage field = scene.image(wantedPixels(canvas, grid));
     QRectF place = placeOf(field, grid, scene.grid.cellM * view.unitsPerM());
@@ -183,7 +184,9 @@ void paintField(const Canvas& canvas, const MapView& view, const MapScene& scene
     canvas.painter.restore();
 }
 
-void paintCity(const Canvas& canvas, const MapView& view, const City& city, const QPainterPath& region) {
+void paintCity(const Canvas& canvas, const MapView& view, const MapScene& scene, const QPainterPath& region) {
+    const City& city = scene.city;
+    if (scene.fillOf) return paintBuildings(canvas, view, city, {{}, ink::quiet, 0.25, scene.fillOf});
     paintBuildings(canvas, view, city, {ink::context, ink::contextLine});
     canvas.painter.save();
     canvas.painter.setClipPath(region, Qt::IntersectClip);
@@ -290,7 +293,7 @@ void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene) 
         paintContext(canvas.painter, *scene.city.context, view.transform(), 0.4 * canvas.point);
     paintField(canvas, view, scene);
     canvas.painter.setRenderHint(QPainter::Antialiasing);
-    paintCity(canvas, view, scene.city, region);
+    paintCity(canvas, view, scene, region);
     if (scene.proposal) paintProposal(canvas, view, *scene.proposal);
     paintOutline(canvas, region);
     paintMarks(canvas, view, scene.marks);

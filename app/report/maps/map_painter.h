@@ -50,10 +50,12 @@ struct MapScene {
     const City& city;
     const Region& region;
     Grid grid;
-    std::function<FieldImage(int wantedPixels)> image;  ///< as makeFieldImage()
+    std::function<FieldImage(int wantedPixels)> image;  ///< as makeFieldImage(); empty: no field
     std::vector<MapMark> marks{};                       ///< the first lies on top
     const City* proposal = nullptr;  ///< new buildings, drawn darker over the city, each with its height
     std::optional<Box2> shown{};     ///< none: grid and region
+    /// The colour of each building; empty: grey, and pale outside the region.
+    std::function<QColor(const Building&)> fillOf{};
 };
 /// The ground that a map of the scene shows.
 Box2 shownGround(const MapScene& scene);

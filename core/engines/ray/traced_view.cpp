@@ -51,7 +51,7 @@ public:
         Bits bits;
         packPixels(packet, ground, camera_.section.has_value(), bits.data());
         const HitPacket::Lanes depths = packet.distance;
-        if (space_.towardsSun) markSun(packet, bits);
+        if (space_.towardsSun) markSun(packet, ground, bits);
         store(packet, depths, bits, column, row);
     }
 
@@ -64,14 +64,24 @@ private:
         return {parallel ? eye + aside : eye, parallel ? forward : forward + aside, right_, -up_, parallel};
     }
 
-    void markSun(HitPacket& packet, Bits& bits) const {
+    void markSun(HitPacket& packet, std::uint32_t ground, Bits& bits) const {
         const std::uint32_t facing = turnToSun(*space_.towardsSun, bits.data(), packet);
+        if (space_.terrain) liftToTerrain(packet, ground & facing);
         const std::uint32_t lit = facing == 0 ? 0 : facing & ~scene_.findBlocked(packet);
         const std::uint32_t dense = lit & findBlocked(space_.denseCrowns, packet, lit);
         const std::uint32_t light = lit & ~dense & findBlocked(space_.lightCrowns, packet, lit);
         for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
             bits[lane] |= ((lit & ~dense) >> lane & 1U) << TracedPixel::sunBit;
             bits[lane] |= ((dense | light) >> lane & 1U) << TracedPixel::crownBit;
+        }
+    }
+
+    // `ground`: rays that end at the plane if nothing lies before it.
+    void liftToTerrain(HitPacket& packet, std::uint32_t ground) const {
+        for (std::size_t lane = 0; lane < HitPacket::lanes; ++lane) {
+            if ((ground >> lane & 1U) == 0 || packet.hit[lane] != HitPacket::nothing) continue;
+            const float above = elevationAt(*space_.terrain, {packet.originX[lane], packet.originY[lane]});
+            packet.originZ[lane] += std::max(0.0F, above - space_.groundM);
         }
     }
 

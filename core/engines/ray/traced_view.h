@@ -78,7 +78,10 @@ struct TracedView {
 /// What is traced, and how far.
 struct TracedSpace {
     float groundM = 0;  ///< z of the level plane around and below the city
-    float nearM = 0;    ///< depths that a pixel shows
+    /// The plane is lit as the terrain above it, or as if the terrain went on from its border: no step
+    /// down to the plane throws a shadow. Null: the plane is the ground.
+    const Terrain* terrain = nullptr;
+    float nearM = 0;  ///< depths that a pixel shows
     float farM = std::numeric_limits<float>::max();
     /// Columns of the picture from firstColumn up to lastColumn; the others keep what they were.
     int firstColumn = 0;

@@ -17,6 +17,7 @@
 
 #include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/status_bars.h"
+#include "app/gui/docks/review/verdict_table.h"
 #include "app/report/maps/style.h"
 #include "tests/gui/project_window.h"
 
@@ -57,6 +58,16 @@ TEST_F(Themes, AreReadableInBothColours) {
                 << int(theme) << ", role " << int(text);
         for (const NoteColours& colours : {noteColours(theme), errorColours(theme), warningColours(theme)})
             EXPECT_GE(contrastOf(colours.text, colours.background), 4.5);
+    }
+}
+
+TEST_F(Themes, VerdictsAreReadableInBothColours) {
+    for (const Theme theme : {Theme::light, Theme::dark}) {
+        QApplication::setPalette(makePalette(theme));
+        const QColor base = QApplication::palette().color(QPalette::Base);
+        for (const Verdict verdict :
+             {Verdict::pass, Verdict::borderline, Verdict::fail, Verdict::notApplicable, Verdict::notChecked})
+            EXPECT_GE(contrastOf(verdictColour(verdict), base), 4.5) << int(theme) << ' ' << int(verdict);
     }
 }
 

@@ -177,6 +177,21 @@ TEST_F(PlacesWindow, ANameThatSomethingHidesIsLeftOut) {
     EXPECT_TRUE(marks.named().empty());
 }
 
+TEST_F(PlacesWindow, NamesLeaveTogetherWithTheirCity) {
+    read(polygonFile());
+    PlaceMarks& marks = window->panel().view().places();
+    window->panel().navigator().show(bounds(places()[1]));
+    ASSERT_TRUE(waitFor([&] { return marks.named() == std::vector<std::size_t>{1}; }));
+    window->panel().showPlaces({places()[1]});
+    EXPECT_EQ(marks.named(), std::vector<std::size_t>{0}) << "a name whose place is still there stays";
+    std::optional<std::size_t> named;
+    QObject::connect(&workbench(), &Workbench::cityShown, window.get(),
+                     [&] { named = marks.named().size(); });
+    workbench().open({QStringLiteral("sample:grid")});
+    ASSERT_TRUE(waitFor([&] { return named.has_value(); }));
+    EXPECT_EQ(*named, 0U) << "before the camera rests";
+}
+
 TEST_F(PlacesWindow, TheRegionListTakesAPlaceByItsNameAndSuggestsOneForAMistypedName) {
     read(polygonFile());
     auto* list = window->findChild<QComboBox*>(QStringLiteral("regionList"));

@@ -333,8 +333,19 @@ TEST_F(SheetsWindow, PagesAreShownAndTheFilesAreThoseOfTheCommandLine) {
     for (const std::string& name : reviewFileNames())
         EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("out/") + QString::fromStdString(name))))
             << name;
-    EXPECT_TRUE(
-        test::bytesOf(folder.filePath(QStringLiteral("out/review.json"))).contains("\"rule\": \"ceqr\""));
+    const QByteArray record = test::bytesOf(folder.filePath(QStringLiteral("out/review.json")));
+    EXPECT_TRUE(record.contains("\"rule\": \"ceqr\""));
+}
+
+TEST_F(SheetsWindow, TheDialogHasItsSizeBeforeTheSheetsCome) {
+    run();
+    exportButton().click();
+    auto& sheets = *window->findChild<ExportDialog*>();
+    ASSERT_TRUE(waitFor([&] { return sheets.pages().isVisible(); }));
+    EXPECT_TRUE(sheets.pages().picture().isNull()) << "they are being laid out";
+    const QRect place = sheets.geometry();
+    ASSERT_TRUE(waitFor([&] { return !sheets.busy() && !sheets.pages().picture().isNull(); }));
+    EXPECT_EQ(sheets.geometry(), place) << "no field moves away from the cursor";
 }
 
 TEST_F(SheetsWindow, TheTitleBlockIsSavedInTheProjectAndCanBeUndone) {

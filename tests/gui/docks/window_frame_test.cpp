@@ -11,7 +11,10 @@
 #include <QTest>
 
 #include "app/gui/docks/results/results_dock.h"
+#include "app/gui/docks/review/review_dock.h"
+#include "app/gui/docks/study_form/element_form.h"
 #include "app/gui/frame/actions/edit_actions.h"
+#include "app/gui/frame/window_layout.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "tests/gui/project_window.h"
 
@@ -107,6 +110,28 @@ TEST_F(ProjectWindow, TheViewHasHalfOfASmallScreenUntilThereIsAnAnswer) {
     EXPECT_GE(share(), 0.5) << "a message lies over the view";
     QTest::mouseClick(&window->panel().messages(), Qt::LeftButton, {}, QPoint(3, 3));
     EXPECT_EQ(window->panel().messages().text(), QString()) << "a click closes it";
+}
+
+TEST_F(ProjectWindow, AReviewLeavesASmallScreenToTheViewAndDoesNotWidenTheWindow) {
+    const QSize screen(1366, 740);
+    window->resize(screen);
+    auto* results = window->findChild<QDockWidget*>(QStringLiteral("resultsDock"));
+    openDock(*window, *results);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(results->isHidden());
+    EXPECT_GE(window->panel().width(), window->width() / 2 - 20) << "beside an answer";
+    window->mode().setMode(ViewMode::review);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(results->isHidden()) << "three sides leave no room";
+    ReviewChoice choice = window->review().choice();
+    choice.rule = "en-17037";
+    window->review().choose(choice);
+    ElementForm& form = window->findChild<ReviewDock*>()->elements();
+    ASSERT_TRUE(waitFor([&] { return form.isVisible(); }));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(window->size(), screen) << "a long form scrolls";
+    window->findChild<QAction*>(QStringLiteral("side%1").arg(int(Qt::RightDockWidgetArea)))->trigger();
+    EXPECT_FALSE(results->isHidden()) << "its key brings it back";
 }
 
 TEST_F(ProjectWindow, ScreenReadersHaveANameForEverythingThatTakesTheKeyboard) {

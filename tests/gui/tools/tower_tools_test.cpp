@@ -6,6 +6,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSpinBox>
 
 #include "app/gui/tools/editing/selection_panel.h"
@@ -243,6 +244,26 @@ TEST_F(EditToolsTest, AFloorAreaIsReachedByStoreysOrByThePlate) {
     field<QPushButton>(panel, "fitPlate").click();
     EXPECT_TRUE(static_cast<MassingPanel*>(panel)->message().contains(QStringLiteral("more storeys")));
     EXPECT_TRUE(field<QPushButton>(panel, "applyMassing").isEnabled()) << "the tower stays as it is";
+}
+
+TEST_F(EditToolsTest, FieldsOfATowerStayWithinTheirPanelWhateverItsPlateIs) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    QWidget* panel = tools.massingDock();
+    panel->setAttribute(Qt::WA_DontShowOnScreen);
+    panel->resize(350, 700);
+    panel->show();
+    field<QPushButton>(panel, "fitPlate").click();  // a plate by its area has the widest number
+    QCoreApplication::processEvents();
+    const auto* scroll = panel->findChild<QScrollArea*>();
+    EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width());
+}
+
+TEST_F(EditToolsTest, WithoutALotThePanelSaysHowToBegin) {
+    QWidget* panel = tools.massingDock();
+    tools.setLots({});
+    EXPECT_FALSE(field<QLabel>(panel, "towerHint").isHidden());
+    tools.setLots({{"South", test::square({-25, -65}, 40)}});
+    EXPECT_TRUE(field<QLabel>(panel, "towerHint").isHidden());
 }
 
 TEST_F(EditToolsTest, TheNextTowerBeginsWithTheValuesOfTheLastOne) {

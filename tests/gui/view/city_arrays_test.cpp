@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "app/gui/view/panel/ground_layers.h"
 #include "render/scene/ground_picture.h"
@@ -90,7 +91,15 @@ TEST(CityArrays, TerrainIsTheGround) {
     const CityArrays arrays = makeArrays(city);
     EXPECT_FLOAT_EQ(arrays.bounds.groundM, 7);
     EXPECT_FLOAT_EQ(arrays.bounds.topM, 42);
-    EXPECT_EQ(arrays.groundTriangles.size(), 3U * (2 * 9 * 9 + 2));
+    EXPECT_EQ(arrays.groundTriangles.size(), 3U * (2 * 9 * 9 + 2 * 36 + 2));
+    for (std::size_t i = 3 * 2 * 9 * 9; i < arrays.groundTriangles.size(); i += 3) {
+        const auto at = [&](std::size_t corner) {
+            return arrays.groundPoints[arrays.groundTriangles[i + corner]];
+        };
+        EXPECT_GT(glm::cross(at(1) - at(0), at(2) - at(0)).z, 0) << "the ground around faces up";
+        EXPECT_LE(at(0).z, 7) << "and goes on from the border";
+        EXPECT_GT(at(0).z, 5);
+    }
 }
 
 TEST(GroundPicture, WhatFitsIsLeftAlone) {

@@ -93,6 +93,18 @@ TEST_F(OverlayTest, TintsComeAndGo) {
     EXPECT_TRUE(becomes(southFront, isPlain));
 }
 
+// Behind the South House; where nothing stands before it, the line is red.
+TEST_F(OverlayTest, LinesAreFaintWhereABuildingHidesThem) {
+    panel.view().showLines({GroundLine{{{-110, -10, 0.3F}, {110, -10, 0.3F}}, false}});
+    const auto redness = [](QColor c) { return c.red() - c.green(); };
+    EXPECT_TRUE(becomes({45, -10, 0.3}, [&](QColor c) { return redness(c) > 100; }));
+    int hidden = 0;
+    EXPECT_TRUE(becomes({0, -10, 0.3}, [&](QColor c) {
+        hidden = redness(c);
+        return hidden > 15 && hidden < 85;
+    })) << hidden;
+}
+
 TEST_F(OverlayTest, ABuildingIsLeftOutAndComesBack) {
     const glm::dvec3 roofPoint{0, -40, 60};
     const QColor roof = settledColourAt(roofPoint);

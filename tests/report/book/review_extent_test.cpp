@@ -144,5 +144,35 @@ TEST(ReviewBook, RepeatsHowMuchItHolds) {
     EXPECT_THAT(find("--least-place")->values, testing::ElementsAre("250"));
 }
 
+TEST(ReviewBook, IsRepeatedWithTheDateThatItPrints) {
+    for (const char* date : {"", "1 May 2026"}) {
+        BookSettings settings;
+        settings.titleBlock.date = date;
+        const auto options = makeRepeatOptions(settings);
+        const auto stated = std::ranges::find(options, "--date", &CommandOption::name);
+        ASSERT_NE(stated, options.end()) << date;
+        EXPECT_EQ(QString::fromStdString(stated->values.front()),
+                  *date == 0 ? describeToday() : QString::fromUtf8(date));
+    }
+}
+
+TEST(ReviewBook, ShowsOnRequestWhereTheHeightsComeFrom) {
+    const ReviewedPark park("Elm Park");
+    const auto find = [](const Book& book) {
+        return std::ranges::find(book.pages, QStringLiteral("Where the heights come from"), &BookPage::title);
+    };
+    const Book plain = park.book({});
+    EXPECT_EQ(find(plain), plain.pages.end());
+    BookSettings settings;
+    settings.heightMap = true;
+    const Book book = park.book(settings);
+    ASSERT_NE(find(book), book.pages.end());
+    const auto index = std::size_t(find(book) - book.pages.begin());
+    const QString text = textOfPage(book, index);
+    EXPECT_TRUE(text.contains(QStringLiteral("measured: 3"))) << text.toStdString();
+    EXPECT_FALSE(text.contains(QStringLiteral("assumed"))) << text.toStdString();
+    EXPECT_THAT(listMeetings(textsOfPage(book, index)), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -77,6 +77,7 @@ int decimalsOf(const Field& field, const ValueRange& shown) {
 
 QString unitOf(const Field& field) {
     if (field.unit.empty()) return {};
+    if (field.unit == "m2") return QStringLiteral(" m²");
     return field.unit == "deg" ? QStringLiteral("°") : QLatin1Char(' ') + translated(field.unit);
 }
 

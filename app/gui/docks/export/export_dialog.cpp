@@ -75,7 +75,7 @@ ExportDialog::ExportDialog(const ExportChoice& first, const QString& folder, Sou
     // Enter in a field ends its editing, and presses no button.
     for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(false);
     soon_.setSingleShot(true);
-    soon_.setInterval(waitMs);
+    soon_.setInterval(0);  // the first time
     connect(&soon_, &QTimer::timeout, this, &ExportDialog::layOut);
     connect(subject_, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(folder_, &QLineEdit::textChanged, this, &ExportDialog::update);
@@ -291,6 +291,7 @@ void ExportDialog::showProject() {
 }
 
 void ExportDialog::layOut() {
+    soon_.setInterval(waitMs);
     SheetsToMake wanted = source_.sheets(choice());
     if (!wanted.make) {
         laidOutFrom_.reset();
@@ -299,6 +300,7 @@ void ExportDialog::layOut() {
     }
     if (laidOutFrom_ == wanted.from) return;
     laidOutFrom_ = std::move(wanted.from);
+    makeRoom();
     using Sheets = std::shared_ptr<const Book>;
     layoutJob_.start<Sheets>(tr("Laying out the sheets"), wanted.make, [this](const Result<Sheets>& sheets) {
         if (sheets) return showSheets(*sheets);
@@ -307,13 +309,20 @@ void ExportDialog::layOut() {
     });
 }
 
+// At once, so that no field moves away from the cursor when the sheets come.
+void ExportDialog::makeRoom() {
+    if (pages_->isVisibleTo(this)) return;
+    pages_->setVisible(true);
+    growTo({1120, 720});
+}
+
 void ExportDialog::showSheets(const std::shared_ptr<const Book>& book) {
-    const bool wasShown = pages_->isVisibleTo(this);
+    if (book) makeRoom();
     form_->setEnabled(book != nullptr);
-    pages_->setVisible(book != nullptr);
     pages_->show(book);
-    if (book && !wasShown) growTo({1120, 720});
-    if (!book && wasShown) adjustSize();
+    if (book || !pages_->isVisibleTo(this)) return;
+    pages_->hide();
+    adjustSize();
 }
 
 // Without leaving the screen.

@@ -23,6 +23,7 @@ namespace noonmark {
 namespace {
 
 constexpr double headlineSize = 1.3;  // of the font of the window
+constexpr int maxNamePx = 165;        // longer names of figures take two lines, so that none widens the panel
 
 QString defaultHint() {
     return ResultsDock::tr(
@@ -70,7 +71,10 @@ void fillRows(QWidget& widget, const std::vector<ResultRow>& rows, bool ofMethod
         value->setWordWrap(true);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
         const int at = grid->rowCount();
-        grid->addWidget(rowLabel(row.name, row.meaning), at, 0);
+        QLabel* name = rowLabel(row.name, row.meaning);
+        name->setWordWrap(true);
+        name->setMinimumWidth(std::min(name->fontMetrics().horizontalAdvance(row.name) + 2, maxNamePx));
+        grid->addWidget(name, at, 0);
         grid->addWidget(value, at, 1);
     }
 }

@@ -5,6 +5,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -113,6 +115,7 @@ QWidget* ReviewDock::makeForm() {
     run_->setObjectName(QStringLiteral("runReview"));
     run_->setToolTip(tr("Evaluate the rule on the ticked places, or on the windows"));
     estimate_->setObjectName(QStringLiteral("reviewEstimate"));
+    estimate_->setWordWrap(true);  // its words must not widen the window
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(2, 2, 2, 2);
@@ -120,8 +123,15 @@ QWidget* ReviewDock::makeForm() {
     for (QWidget* subject : {static_cast<QWidget*>(places_), static_cast<QWidget*>(glazingForm_)})
         subjects_->addWidget(subject);
     column->addWidget(subjects_, 1);
-    content->setMinimumWidth(formWidth);
-    return content;
+    // It scrolls where the window is low: a rule about windows asks for more than a small screen holds.
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(std::max(formWidth, content->minimumSizeHint().width()) +
+                            scroll->verticalScrollBar()->sizeHint().width());
+    return scroll;
 }
 
 QWidget* ReviewDock::makeTable() {

@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 
+#include "app/gui/base/looks/theme.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/review/review_cache.h"
 #include "core/review/library/rule_text.h"
@@ -61,7 +62,9 @@ QString describeCounts(const VerdictCounts& counts) {
     return parts.join(QStringLiteral(", "));
 }
 
-QColor verdictColour(Verdict verdict) {
+namespace {
+
+QColor verdictInk(Verdict verdict) {
     switch (verdict) {
         case Verdict::pass:
             return {0x00, 0x5f, 0x9e};
@@ -74,6 +77,14 @@ QColor verdictColour(Verdict verdict) {
             break;
     }
     return {0x5c, 0x61, 0x6b};
+}
+
+}  // namespace
+
+QColor verdictColour(Verdict verdict) {
+    const QColor ink = verdictInk(verdict);
+    if (themeInUse() == Theme::light) return ink;
+    return QColor::fromHsl(ink.hslHue(), ink.hslSaturation(), 255 - ink.lightness());
 }
 
 QString describeVerdicts(const ReviewStudy& study) {

@@ -19,7 +19,8 @@ QString describeVerdict(Verdict verdict);
 QString describeVerdict(const PlaceReview& review);
 /// "1 ✗ fail, 12 ✓ pass": the worst first, those without a place left out.
 QString describeCounts(const VerdictCounts& counts);
-/// Dark enough to be read on white, and told apart by people who do not see red and green apart.
+/// Read on the background of lists, light or dark, and told apart by people who do not see red and green
+/// apart.
 QColor verdictColour(Verdict verdict);
 
 /// "1 ✗ fail, 2 ✓ pass": the number of places of each verdict, the worst first.

@@ -44,7 +44,6 @@ namespace {
 
 constexpr std::array offeredScales{500, 1000, 1250, 2000, 2500, 5000};
 constexpr int logoHeightPx = 36;
-constexpr std::array<std::string_view, 2> extentFlags{"--all-pages", "--least-place"};
 
 QString scaleText(double scale) { return QStringLiteral("1:%1").arg(scale, 0, 'g', 10); }
 
@@ -71,7 +70,8 @@ SheetForm::SheetForm(QWidget* parent)
 }
 
 void SheetForm::offerExtent(bool offered) {
-    for (const std::string_view flag : extentFlags) page_->setRowVisible(extent_->widget(flag), offered);
+    for (const Field& field : extentFields().rows())
+        page_->setRowVisible(extent_->widget(field.flag), offered);
 }
 
 void SheetForm::makePaper(QFormLayout& form) {
@@ -95,7 +95,7 @@ void SheetForm::makePaper(QFormLayout& form) {
     units_ = addList(form, tr("Units"), "sheetUnits", tr("Of areas, lengths and heights"));
     for (const KeyedLabel& choice : std::ranges::find(sheetFields().rows(), "--units", &Field::flag)->choices)
         units_->addItem(translated(choice.label), int(*parseUnitSystem(choice.key)));
-    extent_->addRows(form, {extentFlags[0], extentFlags[1]});
+    extent_->addRows(form);
     connect(extent_, &FieldRows::edited, this, &SheetForm::edited);
 }
 

@@ -1,5 +1,6 @@
 #include "app/gui/tools/massing/massing_panel.h"
 
+#include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -46,7 +47,6 @@ TargetRow::TargetRow(QWidget* parent)
     kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     kind_->setMinimumContentsLength(7);
     number_->setObjectName(QStringLiteral("targetNumber"));
-    number_->setMinimumWidth(70);  // its largest number is far wider than the usual ones
     kind_->setToolTip(
         tr("Gross floor area, or floor area ratio: gross floor area divided by the lot's area"));
     number_->setToolTip(tr("What the tower shall have; press a button below to reach it"));
@@ -87,6 +87,7 @@ FloorAreaTarget TargetRow::target(FloorAreaBy by) const {
 
 namespace {
 
+constexpr int minNumberPx = 58;
 constexpr int minScreenPx = 300;  // of the fields, so that the window fits on small screens
 
 QString makeUseRows(const std::vector<UseArea>& uses) {
@@ -162,6 +163,9 @@ MassingPanel::MassingPanel(QWidget* parent)
     connect(target, &TargetRow::fitRequested, this, &MassingPanel::fitRequested);
     connect(form_, &MassingForm::edited, this, &MassingPanel::edited);
     connect(name_, &QLineEdit::textEdited, this, &MassingPanel::edited);
+    // Their largest numbers are far wider than the usual ones.
+    for (QAbstractSpinBox* number : scrolled->findChildren<QAbstractSpinBox*>())
+        number->setMinimumWidth(minNumberPx);
     // No field is cut, and none needs to be scrolled to sideways; on small screens they scroll.
     const int barPx = scroll_->verticalScrollBar()->sizeHint().width();
     scroll_->setMinimumWidth(std::min(minScreenPx, scrolled->minimumSizeHint().width() + barPx));
@@ -202,6 +206,12 @@ QWidget* MassingPanel::makeLotRow() {
     towers->addWidget(editTower_);
     column->addLayout(towers);
     column->addWidget(copy_);
+    hint_ = new QLabel(
+        tr("Draw a lot on the ground, or click a building and make a lot from its footprint. Ctrl+T replaces "
+           "the building that is selected by a tower."));
+    hint_->setObjectName(QStringLiteral("towerHint"));
+    hint_->setWordWrap(true);
+    column->addWidget(hint_);
     connect(lot_, &QComboBox::currentIndexChanged, this, &MassingPanel::enableLotButtons);
     connect(editTower_, &QPushButton::clicked, this, [this] {
         if (const auto lot = chosenLot()) Q_EMIT editTowerRequested(*lot);
@@ -307,6 +317,7 @@ void MassingPanel::setLots(const std::vector<NamedLot>& lots) {
     if (lots.empty()) lot_->addItem(tr("No lots yet: draw one"));
     lot_->setCurrentIndex(std::max(0, lot_->findText(chosen)));
     lot_->setEnabled(!lots.empty());
+    hint_->setVisible(lots.empty());
     enableLotButtons();
 }
 

@@ -98,6 +98,7 @@ private:
     QScrollArea* scroll_;
     QWidget* body_;
     QWidget* footer_;
+    QLabel* hint_;  ///< what to do where there are no lots
     QLabel* on_;
     QLineEdit* name_;
     MassingForm* form_;

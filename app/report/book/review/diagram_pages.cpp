@@ -5,6 +5,7 @@
 #include "app/report/book/review/review_pages.h"
 #include "app/report/book/sun_view.h"
 #include "app/report/maps/answer_legends.h"
+#include "app/report/maps/city_painter.h"
 #include "app/report/sheets/study_text.h"
 #include "core/measures/shadow_outlines.h"
 #include "core/review/rule/rule_days.h"
@@ -195,6 +196,8 @@ DiagramFoot makeFoot(const ReviewScene& scene, double scale, DiagramFoot::Subjec
             .units = scene.settings.units,
             .places = verdictPatches(scene),
             .hasRemoved = !scene.diagrams->removed.buildings.empty(),
+            .hasOverhangs =
+                showsOverhangs({reachOf(scene, scene.moments), contentArea(setup)}, scene.diagrams->city),
             .hasStreets = !scene.diagrams->streets.empty(),
             .hasContext = scene.diagrams->city.context != nullptr};
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/report/book/flow.h"
+#include "app/report/book/height_map.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_text.h"
@@ -57,7 +58,9 @@ std::vector<CommandOption> makeRepeatOptions(const BookSettings& settings) {
         for (CommandOption& option : listOptions(fields->of(settings))) options.push_back(std::move(option));
     for (CommandOption& option : listOptions(legendFields().of(settings.legend)))
         options.push_back(std::move(option));
-    if (!settings.titleBlock.date.empty()) options.push_back({"--date", {settings.titleBlock.date}});
+    // That of the day where none is stated: repeated later, the sheets print the same.
+    const std::string& date = settings.titleBlock.date;
+    options.push_back({"--date", {date.empty() ? describeToday().toStdString() : date}});
     return options;
 }
 
@@ -77,6 +80,9 @@ Result<Book> makeReviewBook(const ReviewBookSource& source, const BookSettings& 
     }
     std::vector<BookPage> charts = makeChartPages(*scene), tables = makeReviewTablePages(*scene),
                           method = makeMethodPages(*scene);
+    if (settings.heightMap)
+        method.insert(method.begin(),
+                      makeHeightMapPage(source.scenario, focusOf(*scene, scene->moments), settings.setup));
     if (!settings.allPages) fit(charts, tables, book.pages.size() + method.size());
     for (auto* pages : {&charts, &tables, &method}) appendPages(book.pages, std::move(*pages));
     return book;

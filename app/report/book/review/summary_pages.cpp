@@ -164,8 +164,9 @@ Result<void> addPicture(const ReviewScene& scene, BookPage& page, const QRectF& 
     if (anyIncremental && !scene.source.study.timelines.empty())
         diagram->caption.first += QStringLiteral(": the most incremental shadow on a place at one moment");
     page.items.push_back({picture, *std::move(diagram)});
-    page.items.push_back({{area.left(), area.bottom() - foot, area.width(), foot},
-                          makeFoot(scene, layout.scale, DiagramFoot::Subject::shadows)});
+    DiagramFoot legend = makeFoot(scene, layout.scale, DiagramFoot::Subject::shadows);
+    if (scene.keyPt > 0) legend.note = QStringLiteral("Numbers in a white field: places of the table.");
+    page.items.push_back({{area.left(), area.bottom() - foot, area.width(), foot}, std::move(legend)});
     return {};
 }
 

@@ -117,6 +117,29 @@ TEST(TracedView, OnlyTheWantedColumnsAreTraced) {
     }
 }
 
+// The terrain is a plateau of 100 m a side, 30 m above the plane: a sun of 25 degrees would shade 64 m of it.
+TEST(TracedView, TheBorderOfATerrainThrowsNoShadow) {
+    City city = cityOf({{{-5, 40, 30}, {5, 45, 50}}});
+    city.terrain =
+        std::make_shared<const Terrain>(Terrain{{-60, -60, 20, 6, 6}, std::vector<float>(36, 30.0F)});
+    const PixelCamera camera = makeCamera({0, -60, 400}, {0, 60, 0}, 40, width, height);
+    const glm::vec3 sun = glm::normalize(glm::vec3(0, -0.9063F, 0.4226F));
+    const auto count = [&](const Terrain* terrain) {
+        std::array<int, 2> bySun{};
+        const TracedView view = trace(city, camera, {.terrain = terrain, .towardsSun = sun});
+        for (std::size_t pixel = 0; pixel < view.pixels.size(); ++pixel) {
+            const glm::vec3 place = placeOf(camera, view, pixel);
+            const bool beside = kindOf(view.pixels[pixel]) == SeenKind::ground && place.z < 1 &&
+                                std::abs(place.x) > 8 && std::abs(place.x) < 45 && place.y > 60;
+            if (beside) ++bySun[isInSun(view.pixels[pixel]) ? 1 : 0];
+        }
+        return bySun;
+    };
+    EXPECT_GT(count(nullptr)[0], 40) << "the step's shadow";
+    EXPECT_EQ(count(city.terrain.get())[0], 0);
+    EXPECT_GT(count(city.terrain.get())[1], 100);
+}
+
 TEST(TracedView, TerrainHasNoEdges) {
     City city;
     std::vector<float> elevationM(36, 5.0F);
