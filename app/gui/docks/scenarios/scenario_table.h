@@ -119,9 +119,9 @@ public:
     /// Which of the scenarios adds least shadow and which most, and by what; likewise of scores. Of one
     /// scenario what it adds. Empty: none has been compared.
     [[nodiscard]] QString verdict() const;
-    /// All scenarios as CSV, whatever is hidden or shown as a difference: numbers in metres and square metres,
-    /// empty where there is none, then their differences to the baseline ("height_difference"), what they
-    /// belong to, and last what each scenario lacks, in words.
+    /// All scenarios as CSV, whatever is hidden or shown as a difference: numbers in metres and square
+    /// metres, empty where there is none, then their differences to the baseline ("height_difference"), what
+    /// they belong to, and last what each scenario lacks, in words.
     [[nodiscard]] std::string csv() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
