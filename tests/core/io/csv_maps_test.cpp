@@ -44,9 +44,9 @@ TEST_F(CsvMaps, TheSystemOfOutlinesOfPostgisIsTheirNumber) {
     ASSERT_TRUE(city) << city.error().text();
     ASSERT_EQ(city->city.buildings.size(), 1U);
     EXPECT_NEAR(topM(*city->city.buildings[0]), 20, 1e-4);
-    EXPECT_NEAR(city->city.frame.origin().lonDeg, 13.379, 0.001);
-    EXPECT_NEAR(city->city.frame.origin().latDeg, 52.512, 0.001);
-    EXPECT_THAT(city->crs, HasSubstr("25833"));
+    EXPECT_NEAR(city->city.frame.origin().lonDeg, 13.37929, 0.0001);
+    EXPECT_NEAR(city->city.frame.origin().latDeg, 52.51010, 0.0001);
+    EXPECT_THAT(city->crs, HasSubstr("UTM zone 33N"));
 }
 
 TEST_F(CsvMaps, OutlinesMayBeCalledGeometry) {

@@ -145,7 +145,7 @@ TEST_F(TreeInventories, BerlinStatesHeightAndCrownInMetresOfItsOwnSystem) {
     expectSize(0, 14, 8);
     EXPECT_EQ(trees_[0].species, "Tilia cordata");
     EXPECT_EQ(trees_[0].crownSource, TreeSource::measured);
-    expectPlace(0, 13.393, 52.518, 0.01);
+    expectPlace(0, 13.39354, 52.51920, 1e-5);
     const double crownM = 1 / std::numbers::pi * crownPerStem;
     expectSize(1, crownM * heightPerCrown, crownM);
 }
@@ -242,13 +242,13 @@ TEST_F(TreeInventories, ATableInMetresOfASystemNeedsItsName) {
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().text(), HasSubstr("--crs"));
     read("trees.csv", table, {.crs = "EPSG:25833"});
-    expectPlace(0, 13.393, 52.518, 0.01);
+    expectPlace(0, 13.39354, 52.51920, 1e-5);
 }
 
 TEST_F(TreeInventories, PointsOfPostgisNameTheirSystem) {
     read("trees.csv", "dbh_cm,species,geom\n30,Tilia,\"SRID=25833;POINT(391000 5820000)\"\n");
     ASSERT_EQ(trees_.size(), 1U);
-    expectPlace(0, 13.393, 52.518, 0.01);
+    expectPlace(0, 13.39354, 52.51920, 1e-5);
 }
 
 TEST_F(TreeInventories, ZurichStatesCrownsAndTypes) {
