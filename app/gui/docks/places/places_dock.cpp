@@ -147,7 +147,8 @@ void PlacesDock::placeFields() {
     column->setContentsMargins(4, 4, 4, 4);
     column->addWidget(makeAside());
     column->addLayout(lowRow({{count_, 1}, {onlyBelow_, 0}}));
-    column->addLayout(lowRow({{shown_, 1}, {trees_, 1}, {makeThreshold(), 1}}));
+    column->addLayout(lowRow({{shown_, 1}, {makeThreshold(), 1}}));
+    column->addWidget(trees_);
     trees_->hide();
     column->addWidget(makeFilters());
     column->addWidget(table_, 1);
