@@ -318,7 +318,7 @@ Result<TreesRead> readAllTrees(std::vector<InputFile>& files, const ReadSettings
     for (InputFile& file : files) std::ranges::move(file.piece.trees, std::back_inserter(all.trees));
     for (const std::string& file : settings.treeFiles) {
         NoProgress quiet;
-        auto read = readTrees(file, settings.crs, quiet, stop);
+        auto read = readTrees(file, {.crs = settings.crs}, quiet, stop);
         if (!read) return tl::make_unexpected(read.error());
         std::ranges::move(read->trees, std::back_inserter(all.trees));
         std::ranges::move(read->warnings, std::back_inserter(all.warnings));

@@ -29,9 +29,9 @@ constexpr FieldColumn columns[] = {
     {"ground_elevation", OFTReal}, {"height_source", OFTString}, {"hangs", OFTInteger},
 };
 
-using Figures = std::vector<BuildingColumn>;
+using BuildingColumns = std::vector<BuildingColumn>;
 
-OGRLayer* createLayer(GDALDataset& dataset, const Figures& figures) {
+OGRLayer* createLayer(GDALDataset& dataset, const BuildingColumns& figures) {
     OGRSpatialReference wgs84;
     wgs84.importFromEPSG(4326);
     wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -70,7 +70,7 @@ OGRPolygon polygonOf(const Footprint& footprint, const Frame& frame) {
 // Writes the buildings one by one and collects what cannot be written unchanged.
 class PartWriter {
 public:
-    PartWriter(OGRLayer& layer, const City& city, const Figures& figures)
+    PartWriter(OGRLayer& layer, const City& city, const BuildingColumns& figures)
         : layer_(layer), city_(city), figures_(figures) {}
 
     bool write(const Building& building, std::size_t index) {
@@ -123,13 +123,13 @@ private:
 
     OGRLayer& layer_;
     const City& city_;
-    const Figures& figures_;
+    const BuildingColumns& figures_;
     std::size_t index_ = 0;  // index of the current building
     double dropM_ = 0;       // of the earth's surface at it
     std::unordered_set<std::string> ids_;
 };
 
-std::optional<Warnings> writeAll(GDALDataset& dataset, const City& city, const Figures& figures,
+std::optional<Warnings> writeAll(GDALDataset& dataset, const City& city, const BuildingColumns& figures,
                                  const LayerStyle& style) {
     if (dataset.StartTransaction() != OGRERR_NONE)
         return std::nullopt;  // a single transaction: 40,000 parts in under a second

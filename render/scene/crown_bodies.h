@@ -29,7 +29,7 @@ std::optional<TreeHit> pickTree(const std::vector<Tree>& trees, const ViewRay& r
 /// Crowns as rays towards the sun meet them, for the shade of a moment.
 struct CrownRays {
     std::shared_ptr<const Trees> trees;             ///< of which they are; not null
-    std::vector<RayScene> evergreen, losingLeaves;  ///< at most one each
+    std::vector<RayScene> evergreen, losingLeaves;  ///< any number: their shade is one
 };
 /// About 1 s for 100,000 trees. Error if memory runs out; cancelled() soon after a stop request.
 Result<std::shared_ptr<const CrownRays>> makeCrownRays(std::shared_ptr<const Trees> trees,

@@ -16,6 +16,7 @@
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
+#include "app/input/import_trees.h"
 #include "core/base/safe_text.h"
 #include "core/city/trees/tree_facts.h"
 #include "core/io/read_region.h"
@@ -33,7 +34,7 @@ struct TreeImportOptions {
     ChangeOptions change;
     std::vector<std::string> files;
     std::string crs;
-    double farAwayM = ReadSettings{}.farAwayM;
+    std::vector<std::string> fields;  // ROLE=FIELD:UNIT
 };
 
 // Trees of the scenario's city, by id or inside a region.
@@ -66,40 +67,31 @@ struct TreeReplaceOptions : TreesOptions {
     TreeFacts facts;
 };
 
-Result<std::string> importTrees(const TreeImportOptions& options, Project& project) {
+Result<TreeReading> makeTreeReading(const TreeImportOptions& options) {
+    TreeReading how;
+    if (!options.crs.empty()) how.crs = options.crs;
+    for (const std::string& text : options.fields) {
+        auto choice = parseTreeFieldChoice(text);
+        if (!choice) return tl::make_unexpected(choice.error());
+        how.fields.push_back(*std::move(choice));
+    }
+    return how;
+}
+
+Result<std::string> importTreeFiles(const TreeImportOptions& options, Project& project) {
     const Interrupt interrupt;
     NoProgress progress;
-    const std::optional<std::string> crs =
-        options.crs.empty() ? std::nullopt : std::optional<std::string>(options.crs);
-    City city = *project.city;
-    const std::size_t before = city.trees ? city.trees->trees.size() : 0;
-    Warnings warnings;
-    for (const std::string& file : options.files) {
-        auto read = readTrees(file, crs, progress, interrupt.token());
-        if (!read) return tl::make_unexpected(read.error());
-        std::ranges::move(read->warnings, std::back_inserter(warnings));
-        city.trees = joinTrees(read->trees, city, options.farAwayM, warnings);
-        const auto inputs = describeInputFiles(file);
-        if (!inputs) return tl::make_unexpected(inputs.error());
-        for (const InputFile& input : *inputs) {  // one that was read before may have changed since
-            std::erase_if(project.inputs, [&](const InputFile& known) { return known.path == input.path; });
-            project.inputs.push_back(input);
-        }
-    }
-    project.city = std::make_shared<const City>(makeIdsUnique(std::move(city)));
+    const auto how = makeTreeReading(options);
+    if (!how) return tl::make_unexpected(how.error());
+    auto imported =
+        importTrees(project, {options.files.begin(), options.files.end()}, *how, progress, interrupt.token());
+    if (!imported) return tl::make_unexpected(imported.error());
+    project = std::move(imported->project);
     std::ostringstream words;
     const auto& trees = project.city->trees;
-    words << fmt::format("{} read; the project has {}\n",
-                         countOf((trees ? trees->trees.size() : 0) - before, "tree"),
+    words << fmt::format("{} read; the project has {}\n", countOf(imported->added, "tree"),
                          trees ? describeTrees(*trees) : "none");
-    printWarnings(words, warnings);
-    CityReading reading = *project.reading;
-    if (reading.settings)
-        for (const std::string& file : options.files)
-            if (std::ranges::find(reading.settings->treeFiles, file) == reading.settings->treeFiles.end())
-                reading.settings->treeFiles.push_back(file);
-    std::ranges::move(warnings, std::back_inserter(reading.warnings));
-    project.reading = std::make_shared<const CityReading>(std::move(reading));
+    printWarnings(words, imported->warnings);
     return words.str();
 }
 
@@ -302,11 +294,17 @@ void addTreeImport(CLI::App& group, Run& run) {
     const auto options = std::make_shared<TreeImportOptions>();
     CLI::App* read = addChangeCommand(
         group, "import", "Add trees of inventories, OpenStreetMap or canopy rasters to the existing city",
-        options, importTrees, run);
+        options, importTreeFiles, run);
     read->add_option("files", options->files, "The files")->required()->type_name("FILE");
     read->add_option("--crs", options->crs,
                      "Coordinate reference system of files that do not state it: EPSG:2263")
         ->type_name("CRS");
+    read->add_option("--field", options->fields,
+                     "Field of a measure or name in place of that found by its name, and its unit: "
+                     "height=HOEHE, stem=DBH:in, crown= (none); of a canopy raster its unit: height=:ft; "
+                     "may be repeated")
+        ->allow_extra_args(false)
+        ->type_name("ROLE=FIELD:UNIT");
 }
 
 void addTreeLeaves(CLI::App& group, Run& run) {

@@ -109,6 +109,7 @@ MainWindow::MainWindow(QSettings& settings, std::shared_ptr<Workbench> workbench
       region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
       places_(workbench_, opening_, tools_, *panel_, *docks_.project, *this),
       photograph_(workbench_, panel_->messages(), *this),
+      trees_(workbench_, panel_->messages(), *this),
       reviews_(review_, glazingReview_, *docks_.review, tools_.context().preview, places_, *panel_),
       answers_({workbench_, review_, glazingReview_, docks_.weights->model()}, docks_.scenarios->table()),
       scenarios_(workbench_, answers_, *docks_.project, *docks_.scenarios),
@@ -228,9 +229,10 @@ void MainWindow::connectJobs() {
     progress_->follow(workbench_.opening());
     // Not cancellable: the view would show a scenario other than the one selected in the tree.
     progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
-    for (JobSlot* slot : {&comparing_.other().preparing(), &workbench_.reading(), &workbench_.writing(),
-                          &saving_.writing(), &places_.reading(), &photograph_.reading(), &movies_.writing(),
-                          &answers_.scoring(), &review_.runningAll(), &glazingReview_.runningAll()})
+    for (JobSlot* slot :
+         {&comparing_.other().preparing(), &workbench_.reading(), &workbench_.writing(), &saving_.writing(),
+          &places_.reading(), &photograph_.reading(), &trees_.reading(), &movies_.writing(),
+          &answers_.scoring(), &review_.runningAll(), &glazingReview_.runningAll()})
         progress_->follow(*slot);
     saving_.watch(workbench_.running(), [this] { return workbench_.isAwaited(); });
     for (JobSlot* slot : {&workbench_.writing(), &movies_.writing(), &answers_.scoring(),
@@ -239,6 +241,8 @@ void MainWindow::connectJobs() {
     connect(&places_, &PlaceActions::photographDropped, &photograph_, [this](const QString& file) {
         photograph_.set(GroundPictureFile{file.toStdString(), {}, {}});
     });
+    connect(&places_, &PlaceActions::treesFound, &trees_, &TreeActions::ask);
+    connect(&tools_, &EditTools::inventoryRequested, &trees_, &TreeActions::askForFile);
     connect(&reviews_, &ReviewActions::exportRequested, &results_, &ResultActions::askForExport);
     connect(&tools_.building(), &BuildingEditing::selectionChanged, docks_.review, [this] {
         const BuildingEditing& building = tools_.building();

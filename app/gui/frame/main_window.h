@@ -30,6 +30,7 @@
 #include "app/gui/frame/actions/scenario_actions.h"
 #include "app/gui/frame/actions/search_actions.h"
 #include "app/gui/frame/actions/study_actions.h"
+#include "app/gui/frame/actions/tree_actions.h"
 #include "app/gui/frame/actions/view_actions.h"
 #include "app/gui/frame/help/help_actions.h"
 #include "app/gui/frame/preferences/preferences_dialog.h"
@@ -80,6 +81,7 @@ public:
     [[nodiscard]] ContributionLinks& contributions() { return contributions_; }
     [[nodiscard]] PlaceActions& places() { return places_; }
     [[nodiscard]] PhotographActions& photograph() { return photograph_; }
+    [[nodiscard]] TreeActions& trees() { return trees_; }
     [[nodiscard]] ResultActions& results() { return results_; }
     [[nodiscard]] CopyActions& copying() { return copying_; }
     [[nodiscard]] MovieActions& movies() { return movies_; }
@@ -170,6 +172,7 @@ private:
     RegionActions region_;
     PlaceActions places_;
     PhotographActions photograph_;
+    TreeActions trees_;
     ReviewActions reviews_;
     LatestAnswers answers_;
     ScenarioActions scenarios_;

@@ -11,6 +11,7 @@
 #include "core/io/files/plain_file.h"
 #include "core/io/files/readable_text.h"
 #include "core/io/footprints/building_layers.h"
+#include "core/io/footprints/point_layers.h"
 #include "core/io/heights/height_text.h"
 
 namespace noonmark {
@@ -120,6 +121,38 @@ void sampleFields(OGRLayer& layer, ListedLayer& listed, const std::stop_token& s
     layer.ResetReading();
 }
 
+bool isPointOrNone(OGRwkbGeometryType type) {
+    return type == wkbNone || type == wkbPoint || type == wkbMultiPoint;
+}
+
+// A table's geometry is known by its first row.
+bool mayHavePoints(OGRLayer& layer) {
+    const auto stated = wkbFlatten(layer.GetGeomType());
+    if (stated != wkbUnknown) return isPointOrNone(stated);
+    layer.ResetReading();
+    const OGRFeatureUniquePtr first(layer.GetNextFeature());
+    layer.ResetReading();
+    if (!first) return false;
+    const OGRGeometry* geometry = first->GetGeometryRef();
+    return geometry == nullptr || isPointOrNone(wkbFlatten(geometry->getGeometryType()));
+}
+
+// `wants` and `isRead`: of a layer.
+template <class Wants, class IsRead>
+Result<std::vector<ListedLayer>> listWanted(GDALDataset& dataset, Wants&& wants, IsRead&& isRead,
+                                            const std::stop_token& stop) {
+    std::vector<ListedLayer> layers;
+    for (OGRLayer* layer : dataset.GetLayers()) {
+        if (!wants(*layer)) continue;
+        ListedLayer listed = listFieldsOf(dataset, *layer);
+        listed.isRead = isRead(layer);
+        sampleFields(*layer, listed, stop);
+        if (stop.stop_requested()) return cancelled();
+        layers.push_back(std::move(listed));
+    }
+    return layers;
+}
+
 }  // namespace
 
 Result<std::vector<ListedLayer>> listMapLayers(const std::filesystem::path& file, std::stop_token stop) {
@@ -129,16 +162,17 @@ Result<std::vector<ListedLayer>> listMapLayers(const std::filesystem::path& file
     if (!dataset) return tl::make_unexpected(dataset.error());
     Warnings unheard;  // reading the file says which layers it leaves out
     const auto read = chooseBuildingLayers(**dataset, unheard);
-    std::vector<ListedLayer> layers;
-    for (OGRLayer* layer : (*dataset)->GetLayers()) {
-        if (!mayHavePolygons(*layer)) continue;
-        ListedLayer listed = listFieldsOf(**dataset, *layer);
-        listed.isRead = std::ranges::find(read, layer) != read.end();
-        sampleFields(*layer, listed, stop);
-        if (stop.stop_requested()) return cancelled();
-        layers.push_back(std::move(listed));
-    }
-    return layers;
+    const auto isRead = [&](OGRLayer* layer) { return std::ranges::find(read, layer) != read.end(); };
+    return listWanted(**dataset, mayHavePolygons, isRead, stop);
+}
+
+Result<std::vector<ListedLayer>> listPointLayers(const std::filesystem::path& file, std::stop_token stop) {
+    if (auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
+    const GdalCalls calls(stop);
+    const auto dataset = openDataset(file, DatasetContent::vectors);
+    if (!dataset) return tl::make_unexpected(dataset.error());
+    return listWanted(
+        **dataset, mayHavePoints, [](OGRLayer*) { return true; }, stop);
 }
 
 }  // namespace noonmark

@@ -20,6 +20,7 @@
 #include "core/io/footprints/footprint_scan.h"
 #include "core/io/formats/format.h"
 #include "core/io/layers/feature_stream.h"
+#include "core/io/layers/written_crs.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/settings/read_settings.h"
 
@@ -145,6 +146,19 @@ bool holdsDegrees(OGRLayer& layer) {
            std::max(std::abs(extent.MinY), std::abs(extent.MaxY)) <= 90;
 }
 
+// INSPIRE nests a height two elements below its name, and GDAL names a field after the innermost one:
+// "value", whose unit of length stands beside it. Areas are nested likewise, in square metres.
+std::optional<LengthUnit> findNestedHeight(OGRLayer& layer) {
+    const int value = layer.FindFieldIndex("value", 1), unit = layer.FindFieldIndex("value_uom", 1);
+    if (value < 0 || unit < 0) return std::nullopt;
+    layer.ResetReading();
+    const OGRFeatureUniquePtr first(layer.GetNextFeature());
+    layer.ResetReading();
+    const std::string written = first ? first->GetFieldAsString(unit) : "";
+    if (written == "m" || written.ends_with("#m")) return LengthUnit::metres;
+    return written == "ft" ? std::optional(LengthUnit::feet) : std::nullopt;
+}
+
 using OgrFeatures = std::vector<OGRFeatureUniquePtr>;
 
 // Reads all layers. While one thread reads the next chunk of features from the file, another one interprets
@@ -185,7 +199,11 @@ public:
 private:
     void interpret(const OgrFeatures& chunk, FootprintLayer& reader) {
         const StopScope scope(stop_);
-        for (const OGRFeatureUniquePtr& feature : chunk) reader.read(*feature, warnings);
+        for (const OGRFeatureUniquePtr& feature : chunk) {
+            if (open_.driver == "CSV" && feature->GetGeometryRef() == nullptr)
+                feature->SetGeometryDirectly(readWrittenGeometry(*feature).release());
+            reader.read(*feature, warnings);
+        }
         features += chunk.size();
         reader.moveStored(found_, warnings);
         if (scan_ != nullptr) takeScanned();
@@ -211,13 +229,27 @@ private:
         return finishLayer(*reader);
     }
 
+    void takeNestedHeights(OGRLayer& layer, ReadSettings& settings) {
+        if (open_.driver != "GML" || !settings.heightField.empty()) return;
+        const auto unit = findNestedHeight(layer);
+        if (!unit) return;
+        settings.heightField = "value";
+        if (!settings.heightUnit) settings.heightUnit = unit;
+        warnings.push_back({WarningKind::assumed,
+                            "lengths that are nested in its buildings are taken for their heights above the "
+                            "ground, as in INSPIRE",
+                            fmt::format("{}: value ({})", file_.filename().string(), entryOf(*unit).name)});
+    }
+
     ReadSettings settingsFor(OGRLayer& layer) {
         ReadSettings settings = settings_;
+        takeNestedHeights(layer, settings);
         crsSource_ = settings_.crs ? CrsSource::user : CrsSource::file;
         // FlatGeobuf states one, but programs of browsers leave it out.
         constexpr std::array statingNone{"CSV", "TopoJSON", "FlatGeobuf"};
         const bool statesNone = std::ranges::find(statingNone, open_.driver) != statingNone.end();
-        if (!statesNone || settings.crs || !holdsDegrees(layer)) return settings;
+        if (!statesNone || settings.crs) return settings;
+        if (settings.crs = findWrittenCrs(layer); settings.crs || !holdsDegrees(layer)) return settings;
         settings.crs = "EPSG:4326";
         crsSource_ = CrsSource::guessed;
         warnings.push_back(

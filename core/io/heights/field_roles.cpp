@@ -296,11 +296,14 @@ void settleUnit(KnownField& field, bool mapInFeet, bool inNewYork, const std::st
                fmt::format("no unit is stated; feet are assumed, as in {}'s building footprints", city));
     else if (!city.empty())
         assume(LengthUnit::metres,
-               fmt::format("no unit is stated; metres are assumed, though {}'s field of this name is in feet",
-                           city));
+               fmt::format("no unit is stated; metres are assumed, though {}'s field of this name is in feet "
+                           "(if these are: {})",
+                           city, readOption("height_unit", entryOf(LengthUnit::feet).key)));
     else if (mapInFeet && (field.meaning.role == height || field.meaning.role == topElevation))
-        assume(LengthUnit::metres,
-               "the map is in feet, but metres are assumed for its heights: state the unit if that is wrong");
+        assume(
+            LengthUnit::metres,
+            fmt::format("the map is in feet, but metres are assumed for its heights (if they are feet: {})",
+                        readOption("height_unit", entryOf(LengthUnit::feet).key)));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/base/warnings.h"
 #include "core/city/trees/tree_facts.h"
 #include "core/io/settings/read_settings.h"
@@ -24,9 +25,34 @@ enum class TreeRole {
     epithet,    ///< the second word of a name: follows the genus
     leafCycle,  ///< "evergreen", "deciduous"
     leafType,   ///< "needleleaved", "broadleaved"
+    status,     ///< "Alive", "Stump"
     longitude,
     latitude,
+    latLon,    ///< both in one field, latitude first: "48.85, 2.35"
+    easting,   ///< in the file's system, or degrees
+    northing,  ///< likewise
 };
+
+/// A role that a user may state a field for.
+struct TreeRoleEntry {
+    TreeRole role;
+    std::string_view key;    ///< as options take it: "stem"
+    std::string_view label;  ///< translatable
+    bool isLength = false;   ///< its numbers have a unit
+};
+std::span<const TreeRoleEntry> listTreeRoles();
+
+/// What a user states of an inventory in place of what the names of its fields say.
+struct TreeFieldChoice {
+    TreeRole role = TreeRole::height;
+    std::string field;                              ///< empty: none has this role
+    std::optional<LengthUnit> unit = std::nullopt;  ///< of numbers; nothing: as the name says, else metres
+};
+using TreeFieldChoices = std::vector<TreeFieldChoice>;
+
+/// "height=HOEHE", "stem=DBH:in", "height=" for none. Error: neither; an unknown role or unit, which lists
+/// them.
+Result<TreeFieldChoice> parseTreeFieldChoice(std::string_view text);
 
 /// A field name that published inventories use.
 struct TreeFieldName {
@@ -47,19 +73,24 @@ std::span<const TreeFieldName> listTreeFieldNames();
 struct KnownTreeField {
     std::string field;      ///< its name in the file
     std::size_t index = 0;  ///< among the names given
-    const TreeFieldName* meaning = nullptr;
+    TreeFieldName meaning;
 };
 
-/// The fields that are known, one of each role.
-std::vector<KnownTreeField> findTreeFields(std::span<const std::string> names);
+/// The fields that are known, one of each role; those that the user chose first. Names of ten letters may be
+/// the beginning of a listed one: Shapefiles cut them there.
+std::vector<KnownTreeField> findTreeFields(std::span<const std::string> names,
+                                           const TreeFieldChoices& choices = {});
 
 /// The field of a role; null: none.
 const KnownTreeField* findRole(std::span<const KnownTreeField> fields, TreeRole role);
 
 /// The facts of a tree in its values, which stand as the names given to findTreeFields(). What cannot be read
-/// or is not plausible is left out, with a warning at `where`. Zero is not stated.
+/// or is not plausible is left out, with a warning at `where`; so is zero, which many write for unknown.
 TreeFacts collectTreeFacts(std::span<const KnownTreeField> fields, std::span<const std::string> values,
                            const std::string& where, Warnings& warnings);
+
+/// Whether the values say that no tree stands there: a stump, an empty pit, a dead, felled or planned tree.
+bool saysNoTree(std::span<const KnownTreeField> fields, std::span<const std::string> values);
 
 /// Metres of a height or width as inventories write it: "12.5", "40 ft", a class "6-10 m" (its middle), "> 35
 /// m" (its limit). Nothing for other texts.

@@ -21,6 +21,7 @@
 #include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/mesh_placement.h"
 #include "core/io/meshes/mesh_reader_process.h"
+#include "core/io/meshes/ply_offset.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/settings/read_settings.h"
@@ -344,6 +345,20 @@ std::optional<IfcPlace> ownPlace(const std::filesystem::path& file, const ReadSe
     return isFar ? std::nullopt : std::move(place);
 }
 
+constexpr std::string_view plyFormat = "PLY";
+
+void addOffset(MeshScene& scene, glm::dvec3 offset) {
+    for (MeshObject& object : scene)
+        for (MeshPiece& piece : object.pieces) piece.origin += offset;
+}
+
+Warning describeOffset(glm::dvec3 offset, const std::filesystem::path& file) {
+    return {WarningKind::assumed,
+            fmt::format("its points count from the offset in a comment of the file, {:.10g} {:.10g} {:.10g}",
+                        offset.x, offset.y, offset.z),
+            file.filename().string()};
+}
+
 Warning describePlace(const IfcPlace& place, const std::filesystem::path& file) {
     return {WarningKind::assumed,
             fmt::format("it stands where it states ({}): {} {:.6f},{:.6f}, {} {:.4g}", place.words,
@@ -370,10 +385,14 @@ Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings
         return failure("The file cannot be opened", file.string(),
                        "Check that it is a plain file, and that you have permission to read it");
     progress.report(0, "reading the mesh");
-    const auto scene = readMeshScene(file, meshReaderLimits(bytes), stop);
+    auto scene = readMeshScene(file, meshReaderLimits(bytes), stop);
     if (!scene) return tl::make_unexpected(scene.error());
+    std::optional<glm::dvec3> offset;
+    if (settings.crs && !settings.meshAnchor && formatOf(file) == plyFormat) offset = readPlyOffset(file);
+    if (offset) addOffset(*scene, *offset);
     auto piece = describeScenePiece(*scene, file, settings, progress, stop);
     if (piece && own) piece->warnings.push_back(describePlace(*own, file));
+    if (piece && offset) piece->warnings.push_back(describeOffset(*offset, file));
     return piece;
 } catch (const std::exception& exception) {
     return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),

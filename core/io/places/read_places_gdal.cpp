@@ -4,12 +4,14 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 
 #include "core/base/gdal_calls.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
+#include "core/io/formats/format.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/io/osm/osm_layers.h"
 #include "core/io/osm/read_osm_buildings.h"
@@ -216,6 +218,13 @@ Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, c
 
 namespace {
 
+// Formats that hold no second layer need not be opened, which reads all of a text file.
+bool hasOneLayer(const Path& file) {
+    constexpr std::array<std::string_view, 4> formats{"GeoJSON", "GeoJSONSeq", "CSV", "FlatGeobuf"};
+    const auto format = detectFormat(file);
+    return format && std::ranges::find(formats, (*format)->driver) != formats.end();
+}
+
 UnknownLayer describeLayer(OGRLayer& layer) {
     UnknownLayer made{layer.GetName(), std::size_t(std::max<GIntBig>(0, layer.GetFeatureCount())), {}};
     const OGRFeatureDefn& fields = *layer.GetLayerDefn();
@@ -229,6 +238,7 @@ UnknownLayer describeLayer(OGRLayer& layer) {
 
 std::vector<UnknownLayer> listUnknownLayers(const Path& file, const PlaceSettings& settings) {
     if (!settings.layer.empty() || !checkPlainFile(file) || findOsmFormat(file)) return {};
+    if (hasOneLayer(file)) return {};
     const auto dataset = openDataset(file, DatasetContent::vectors);
     if (!dataset) return {};
     std::vector<OGRLayer*> layers;

@@ -192,6 +192,10 @@ std::optional<float> roofOverGround(const Building& building, const RoofElevatio
     return heightM <= tallestBuildingM ? std::optional(float(heightM)) : std::nullopt;
 }
 
+std::string quoteField(const std::string& field) {
+    return field.find(' ') == field.npos ? field : "'" + field + "'";
+}
+
 void warnOfRoofs(const GroundFile& file, const std::string& field, std::size_t count, bool chosen) {
     const std::string where = fmt::format("{}: {} ({})", file.name, field, countOf(count, "building"));
     if (chosen)
@@ -202,8 +206,10 @@ void warnOfRoofs(const GroundFile& file, const std::string& field, std::size_t c
     else
         file.piece->warnings.push_back(
             {WarningKind::leftOut,
-             "the roof's elevation, which gives no height without the ground's: add "
-             "a terrain",
+             fmt::format(
+                 "the roof's elevation, which gives no height without the ground's: add a terrain, or "
+                 "where it counts from the ground, {}",
+                 readOption("height_field", quoteField(field))),
              where});
 }
 

@@ -62,8 +62,14 @@ std::shared_ptr<const Trees> joinTrees(const std::vector<ReadTree>& read, const 
     for (const ReadTree& one : read) {
         const glm::dvec2 place = city.frame.localFromLonLat(one.place);
         if (!(glm::distance(place, middle) <= farAwayM)) {
+            const LonLat swapped{one.place.latDeg, one.place.lonDeg};
+            const bool areSwapped = std::abs(swapped.latDeg) <= 90 &&
+                                    glm::distance(city.frame.localFromLonLat(swapped), middle) <= farAwayM;
             warnings.push_back(
-                {WarningKind::leftOut, NM_TEXT("a tree far from the buildings"), one.facts.sourceId});
+                {WarningKind::leftOut,
+                 areSwapped ? NM_TEXT("a tree far from the buildings: its longitude and latitude are swapped")
+                            : NM_TEXT("a tree far from the buildings"),
+                 one.facts.sourceId});
             continue;
         }
         if (one.facts.canopyCellM2 ? canopy.isPlanted(place) : !planted.plant(place)) {

@@ -15,6 +15,7 @@
 #include "core/base/result.h"
 #include "core/base/warnings.h"
 #include "core/city/city.h"
+#include "core/io/heights/tree_fields.h"
 #include "core/io/pieces/read_part.h"
 
 namespace noonmark {
@@ -26,12 +27,19 @@ struct TreesRead {
     std::string attribution;
 };
 
-/// Reads an inventory of trees: a vector file of points, or a table with columns of longitude and latitude,
-/// or an OpenStreetMap file, or a raster of canopy heights (read_trees_gdal.cpp). `crs`: of files that state
-/// none. A feature that cannot be used is left out with a warning. Error: the file cannot be read, holds no
-/// points, or more than 5 million trees; cancelled(). Some 10 us a tree. Backend: read_trees_gdal.cpp.
-Result<TreesRead> readTrees(const std::filesystem::path& file, const std::optional<std::string>& crs,
-                            Progress& progress, const std::stop_token& stop);
+/// What an inventory does not state itself.
+struct TreeReading {
+    std::optional<std::string> crs = std::nullopt;  ///< of files that state none
+    TreeFieldChoices fields = {};  ///< of a raster, whose cells are heights, the unit of `height`
+};
+
+/// Reads an inventory of trees: a vector file of points, or a table with columns of longitude and latitude
+/// (or easting and northing in `crs`), or an OpenStreetMap file, or a raster of canopy heights
+/// (read_trees_gdal.cpp). A feature that cannot be used is left out with a warning. Error: the file cannot be
+/// read, holds no points, or more than 5 million trees; cancelled(). Some 10 us a tree. Backend:
+/// read_trees_gdal.cpp.
+Result<TreesRead> readTrees(const std::filesystem::path& file, const TreeReading& how, Progress& progress,
+                            const std::stop_token& stop);
 
 /// The trees that a city has and those of these files, on its ground and complete (completeTree); null where
 /// there are none. Of trees that stand within half a metre of each other the first stays, with a warning for

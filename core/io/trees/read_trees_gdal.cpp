@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -15,6 +16,7 @@
 #include "core/io/heights/height_text.h"
 #include "core/io/heights/tree_fields.h"
 #include "core/io/layers/feature_stream.h"
+#include "core/io/layers/written_crs.h"
 #include "core/io/osm/osm_layers.h"
 #include "core/io/osm/read_osm_buildings.h"
 #include "core/io/settings/read_settings.h"
@@ -41,8 +43,9 @@ struct CanopyCells {
     std::vector<float> heightsM;
 };
 
-Result<CanopyCells> readCells(GDALRasterBand& band, const Placing& placing, const std::string& file,
-                              Progress& progress, const std::stop_token& stop) {
+// A number of the raster is `unitM` metres.
+Result<CanopyCells> readCells(GDALRasterBand& band, const Placing& placing, float unitM,
+                              const std::string& file, Progress& progress, const std::stop_token& stop) {
     CanopyCells cells;
     std::vector<float> row(std::size_t(band.GetXSize()));
     for (int y = 0; y < band.GetYSize(); ++y) {
@@ -51,9 +54,10 @@ Result<CanopyCells> readCells(GDALRasterBand& band, const Placing& placing, cons
                           0) != CE_None)
             return failure("It is incomplete or damaged", file, "Download or export it again");
         for (std::size_t x = 0; x < row.size(); ++x) {
-            if (!(row[x] >= minCanopyM && row[x] <= highestCanopyM)) continue;
+            const float heightM = row[x] * unitM;
+            if (!(heightM >= minCanopyM && heightM <= highestCanopyM)) continue;
             cells.places.push_back(placeInRaster(placing, double(x) + 0.5, y + 0.5));
-            cells.heightsM.push_back(row[x]);
+            cells.heightsM.push_back(heightM);
         }
         if (cells.places.size() > maxCanopyCells)
             return limitReached(fmt::format("It holds more than {} cells of canopy", maxCanopyCells), file,
@@ -74,12 +78,19 @@ double computeCellArea(const CrsToLonLat& toLonLat, const Placing& placing, doub
     return std::abs(along.x * up.y - along.y * up.x);
 }
 
-/// The cells of a raster of canopy heights above the ground, metres, as trees of their own: cylinders of the
+// The unit of a raster, whose cells are its only field.
+LengthUnit findCanopyUnit(const TreeFieldChoices& choices) {
+    for (const TreeFieldChoice& choice : choices)
+        if (choice.role == TreeRole::height && choice.unit) return *choice.unit;
+    return LengthUnit::metres;
+}
+
+/// The cells of a raster of canopy heights above the ground as trees of their own: cylinders of the
 /// cell's area (TreeFacts::canopyCellM2). Cells below 2 m are no canopy. Hold a GdalCalls. Error: no place or
 /// no system, cells of more than 20 m, no canopy, or more than 2 million cells of it; cancelled(). Backend:
 /// read_trees_gdal.cpp.
 Result<TreesRead> readCanopy(GDALDataset& dataset, const std::string& file,
-                             const std::optional<std::string>& crs, Progress& progress,
+                             const std::optional<std::string>& crs, LengthUnit unit, Progress& progress,
                              const std::stop_token& stop) {
     Placing placing{};
     if (dataset.GetRasterCount() < 1 || dataset.GetGeoTransform(placing.data()) != CE_None)
@@ -93,7 +104,7 @@ Result<TreesRead> readCanopy(GDALDataset& dataset, const std::string& file,
     if (!(cellM2 > 0.01 && cellM2 < 400))
         return failure("Its cells are smaller than 0.1 m or larger than 20 m", file,
                        "Give canopy heights in cells of about a metre");
-    const auto cells = readCells(band, placing, file, progress, stop);
+    const auto cells = readCells(band, placing, float(metresPer(unit)), file, progress, stop);
     if (!cells) return tl::make_unexpected(cells.error());
     const std::vector<LonLat> places = toLonLat->lonLat(cells->places);
     TreesRead read;
@@ -132,7 +143,8 @@ std::vector<std::string> listTreeValues(const OGRFeature& feature) {
 
 // Of a multipoint its first.
 std::optional<glm::dvec2> findTreePoint(const OGRFeature& feature) {
-    const OGRGeometry* geometry = feature.GetGeometryRef();
+    const auto written = feature.GetGeometryRef() == nullptr ? readWrittenGeometry(feature) : nullptr;
+    const OGRGeometry* geometry = written ? written.get() : feature.GetGeometryRef();
     if (geometry == nullptr || geometry->IsEmpty()) return std::nullopt;
     const auto type = wkbFlatten(geometry->getGeometryType());
     if (type == wkbMultiPoint) geometry = geometry->toMultiPoint()->getGeometryRef(0);
@@ -141,41 +153,62 @@ std::optional<glm::dvec2> findTreePoint(const OGRFeature& feature) {
     return glm::dvec2(point.getX(), point.getY());
 }
 
-/// Reads one layer of points, or a table with places in two of its columns.
+/// Where the places of a layer are.
+enum class PlaceSource { geometry, lonLat, latLon, plane };
+
+std::optional<double> parseNumber(const std::string& text) {
+    char* end = nullptr;
+    const double number = CPLStrtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
+/// Reads one layer of points, or a table with places in its columns.
 class TreeLayer {
 public:
-    TreeLayer(OGRLayer& layer, std::string file, TreesRead& read)
-        : file_(std::move(file)), read_(read), fields_(findTreeFields(listFieldNames(layer))) {
-        inColumns_ = wkbFlatten(layer.GetGeomType()) == wkbNone && findRole(fields_, TreeRole::longitude) &&
-                     findRole(fields_, TreeRole::latitude);
+    TreeLayer(OGRLayer& layer, std::string file, const TreeFieldChoices& choices, TreesRead& read)
+        : file_(std::move(file)), read_(read), fields_(findTreeFields(listFieldNames(layer), choices)) {
+        if (wkbFlatten(layer.GetGeomType()) == wkbNone) source_ = findColumns();
         for (const KnownTreeField& field : fields_)
-            if (field.meaning->unsure)
+            if (field.meaning.unsure)
                 read.warnings.push_back({WarningKind::assumed,
                                          "numbers of a tree's stem are taken as centimetres",
                                          file_ + ": " + field.field});
     }
 
-    [[nodiscard]] bool isInColumns() const { return inColumns_; }
-    [[nodiscard]] static bool mayHoldTrees(OGRLayer& layer) {
+    [[nodiscard]] bool mayHoldTrees(OGRLayer& layer) const {
         const auto type = wkbFlatten(layer.GetGeomType());
+        if (type == wkbNone) return source_ != PlaceSource::geometry;
         return type == wkbPoint || type == wkbMultiPoint || type == wkbUnknown;
     }
 
     void read(const OGRFeature& feature) {
         const std::vector<std::string> values = listTreeValues(feature);
         const std::string where = fmt::format("{}, feature {}", file_, feature.GetFID());
-        const auto point = inColumns_ ? findPlaceInColumns(values) : findTreePoint(feature);
-        if (!point) {
-            read_.warnings.push_back({WarningKind::leftOut, "a tree without a place", where});
-            return;
-        }
+        if (saysNoTree(fields_, values))
+            return read_.warnings.push_back(
+                {WarningKind::leftOut, "a stump, an empty pit or a tree that is dead, felled or planned",
+                 where});
+        const auto point =
+            source_ == PlaceSource::geometry ? findTreePoint(feature) : findPlaceInColumns(values);
+        if (!point) return read_.warnings.push_back({WarningKind::leftOut, "a tree without a place", where});
         points_.push_back(*point);
         TreeFacts facts = collectTreeFacts(fields_, values, where, read_.warnings);
         facts.species = cleanText(facts.species);
+        if (facts.species.empty()) ++unknownSpecies_;
         facts_.push_back(std::move(facts));
     }
 
-    /// Moves what was read to the trees of the file.
+    /// Whether all places could be longitudes and latitudes.
+    [[nodiscard]] bool holdsDegrees() const {
+        return std::ranges::all_of(
+            points_, [](glm::dvec2 point) { return std::abs(point.x) <= 180 && std::abs(point.y) <= 90; });
+    }
+    [[nodiscard]] bool statesDegrees() const {
+        return source_ == PlaceSource::lonLat || source_ == PlaceSource::latLon;
+    }
+
+    /// Moves what was read to the trees of the file. `toLonLat`: null where the places are degrees.
     void place(const CrsToLonLat* toLonLat) {
         std::vector<LonLat> places;
         if (toLonLat != nullptr)
@@ -191,28 +224,46 @@ public:
                 read_.warnings.push_back(
                     {WarningKind::leftOut, "a tree at a place that is not on earth", facts_[i].sourceId});
         }
+        if (unknownSpecies_ > 0)
+            read_.warnings.push_back({WarningKind::assumed, "the species of trees is not known",
+                                      fmt::format("{}: {}", file_, countOf(unknownSpecies_, "tree"))});
     }
 
     [[nodiscard]] std::size_t count() const { return points_.size(); }
 
 private:
+    [[nodiscard]] PlaceSource findColumns() const {
+        const auto has = [&](TreeRole role) { return findRole(fields_, role) != nullptr; };
+        if (has(TreeRole::longitude) && has(TreeRole::latitude)) return PlaceSource::lonLat;
+        if (has(TreeRole::latLon)) return PlaceSource::latLon;
+        const bool isPlane = has(TreeRole::easting) && has(TreeRole::northing);
+        return isPlane ? PlaceSource::plane : PlaceSource::geometry;
+    }
+
     [[nodiscard]] std::optional<glm::dvec2> findPlaceInColumns(const std::vector<std::string>& values) const {
-        const auto read = [&](TreeRole role) -> std::optional<double> {
-            const std::string& text = values[findRole(fields_, role)->index];
-            char* end = nullptr;
-            const double number = CPLStrtod(text.c_str(), &end);
-            if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
-            return number;
-        };
-        const auto lon = read(TreeRole::longitude), lat = read(TreeRole::latitude);
-        if (!lon || !lat || (*lon == 0 && *lat == 0)) return std::nullopt;
-        return glm::dvec2(*lon, *lat);
+        const auto text = [&](TreeRole role) { return values[findRole(fields_, role)->index]; };
+        if (source_ == PlaceSource::latLon) return splitLatLon(text(TreeRole::latLon));
+        const bool isPlane = source_ == PlaceSource::plane;
+        return joinPlace(text(isPlane ? TreeRole::easting : TreeRole::longitude),
+                         text(isPlane ? TreeRole::northing : TreeRole::latitude));
+    }
+    static std::optional<glm::dvec2> splitLatLon(const std::string& text) {
+        const auto comma = text.find(',');
+        if (comma == text.npos) return std::nullopt;
+        return joinPlace(trimmed(text.substr(comma + 1)), trimmed(text.substr(0, comma)));
+    }
+    // Zero and zero is what programs write for nothing.
+    static std::optional<glm::dvec2> joinPlace(const std::string& east, const std::string& north) {
+        const auto x = parseNumber(east), y = parseNumber(north);
+        if (!x || !y || (*x == 0 && *y == 0)) return std::nullopt;
+        return glm::dvec2(*x, *y);
     }
 
     std::string file_;
     TreesRead& read_;
     std::vector<KnownTreeField> fields_;
-    bool inColumns_ = false;
+    PlaceSource source_ = PlaceSource::geometry;
+    std::size_t unknownSpecies_ = 0;
     std::vector<glm::dvec2> points_;
     std::vector<TreeFacts> facts_;
 };
@@ -222,18 +273,32 @@ tl::unexpected<Error> holdsNoTrees(const Path& file) {
                    "Give points, or a table with columns named longitude and latitude");
 }
 
-Result<void> readTreeLayer(OGRLayer& layer, const Path& file, const std::optional<std::string>& crs,
-                           const GdalCalls& calls, TreesRead& read, Progress& progress,
-                           const std::stop_token& stop) {
-    const std::string name = file.filename().string();
-    TreeLayer trees(layer, name, read);
-    if (!trees.isInColumns() && !TreeLayer::mayHoldTrees(layer)) return {};
-    std::optional<CrsToLonLat> toLonLat;
-    if (!trees.isInColumns()) {
-        auto found = findLayerCrs(layer, crs, file.string());
-        if (!found) return tl::make_unexpected(found.error());
-        toLonLat.emplace(*std::move(found));
+// The system of a layer that was read; none where its places are degrees. Tables name no system: numbers that
+// could all be degrees are taken for them.
+Result<std::optional<CrsToLonLat>> findSystem(OGRLayer& layer, const TreeLayer& trees, const Path& file,
+                                              const std::optional<std::string>& crs, Warnings& warnings) {
+    if (trees.statesDegrees()) return std::optional<CrsToLonLat>();
+    const bool statesNone = layer.GetSpatialRef() == nullptr && !crs;
+    if (const auto written = statesNone ? findWrittenCrs(layer) : std::nullopt)
+        return CrsToLonLat::of(*written).map(
+            [](CrsToLonLat found) { return std::optional(std::move(found)); });
+    if (statesNone && trees.holdsDegrees()) {
+        warnings.push_back(
+            {WarningKind::assumed,
+             "the file names no coordinate reference system; its numbers are taken for degrees",
+             file.filename().string()});
+        return std::optional<CrsToLonLat>();
     }
+    return findLayerCrs(layer, crs, file.string()).map([](CrsToLonLat found) {
+        return std::optional(std::move(found));
+    });
+}
+
+Result<void> readTreeLayer(OGRLayer& layer, const Path& file, const TreeReading& how, const GdalCalls& calls,
+                           TreesRead& read, Progress& progress, const std::stop_token& stop) {
+    const std::string name = file.filename().string();
+    TreeLayer trees(layer, name, how.fields, read);
+    if (!trees.mayHoldTrees(layer)) return {};
     const auto take = [&](std::size_t, const OGRFeature& feature) -> Result<void> {
         trees.read(feature);
         if (trees.count() <= maxTrees) return {};
@@ -242,7 +307,10 @@ Result<void> readTreeLayer(OGRLayer& layer, const Path& file, const std::optiona
     };
     auto done = readFeatures({&layer}, {file.string(), "trees of " + name}, calls, take, progress, stop);
     if (!done) return tl::make_unexpected(done.error());
-    trees.place(toLonLat ? &*toLonLat : nullptr);
+    if (trees.count() == 0) return {};
+    const auto toLonLat = findSystem(layer, trees, file, how.crs, read.warnings);
+    if (!toLonLat) return tl::make_unexpected(toLonLat.error());
+    trees.place(*toLonLat ? &**toLonLat : nullptr);
     return {};
 }
 
@@ -266,7 +334,7 @@ Result<TreesRead> readTreesOfMap(const Path& file, OsmFormat format, Progress& p
 
 }  // namespace
 
-Result<TreesRead> readTrees(const Path& file, const std::optional<std::string>& crs, Progress& progress,
+Result<TreesRead> readTrees(const Path& file, const TreeReading& how, Progress& progress,
                             const std::stop_token& stop) try {
     const GdalCalls calls(stop);
     if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
@@ -274,12 +342,14 @@ Result<TreesRead> readTrees(const Path& file, const std::optional<std::string>& 
     const auto dataset = openDataset(file, DatasetContent::vectors);
     if (!dataset && isUnknownFormat(dataset.error())) {
         const auto raster = openDataset(file, DatasetContent::elevations);
-        if (raster) return readCanopy(**raster, file.filename().string(), crs, progress, stop);
+        if (raster)
+            return readCanopy(**raster, file.filename().string(), how.crs, findCanopyUnit(how.fields),
+                              progress, stop);
     }
     if (!dataset) return tl::make_unexpected(dataset.error());
     TreesRead read;
     for (OGRLayer* layer : (*dataset)->GetLayers())
-        if (auto done = readTreeLayer(*layer, file, crs, calls, read, progress, stop); !done)
+        if (auto done = readTreeLayer(*layer, file, how, calls, read, progress, stop); !done)
             return tl::make_unexpected(done.error());
     if (read.trees.empty()) return holdsNoTrees(file);
     return read;

@@ -29,6 +29,7 @@
 #include "app/gui/docks/study_form/study_dock.h"
 #include "app/gui/session/answers/answer_viewer.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "core/city/trees/tree_facts.h"
 #include "tests/gui/answers_window.h"
 
 namespace noonmark {
@@ -727,6 +728,40 @@ TEST_F(SunByPlaceWindow, AnEditMarksTheAnswerAsOutdated) {
     ASSERT_TRUE(waitFor([&] { return !workbench().following().busy(); }));
     ASSERT_TRUE(dock().view());
     EXPECT_TRUE(dock().view()->marked);
+}
+
+TEST_F(SunByPlaceWindow, HeadlineTableAndMapCountTreesByChoice) {
+    auto& trees = field<QComboBox>("placesTrees");
+    measure();
+    EXPECT_TRUE(trees.isHidden()) << "the city has none";
+    EXPECT_FALSE(count().contains(QStringLiteral("trees")));
+    Project next = session().project();
+    City city = *next.city;
+    Tree oak = completeTree({.sourceId = "oak", .species = "Quercus", .heightM = 20, .crownDiameterM = 20});
+    oak.place = {-10, 60};
+    city.trees = std::make_shared<const Trees>(Trees{.trees = {oak}, .leafDays = {300, 301}});
+    next.city = std::make_shared<const City>(std::move(city));
+    ASSERT_TRUE(session().change(std::move(next), QStringLiteral("trees")));
+    ASSERT_TRUE(waitFor([&] { return workbench().city()->city().trees != nullptr; }));
+    measure();
+    ASSERT_EQ(trees.count(), 3);
+    EXPECT_FALSE(trees.isHidden());
+    const double open = sun()->baseline.sun[0].meanHours;
+    EXPECT_TRUE(count().endsWith(QStringLiteral(", without trees"))) << count().toStdString();
+    const auto before = dock().view();
+    trees.setCurrentIndex(1);
+    const double inLeaf = sun()->baseline.sun[0].meanHours;
+    EXPECT_LT(inLeaf, open);
+    EXPECT_TRUE(count().endsWith(QStringLiteral(", trees as evergreens"))) << count().toStdString();
+    EXPECT_NE(dock().view(), before);
+    trees.setCurrentIndex(2);
+    EXPECT_GT(sun()->baseline.sun[0].meanHours, inLeaf) << "bare all year but a day";
+    EXPECT_LT(sun()->baseline.sun[0].meanHours, open);
+    field<QDoubleSpinBox>("placesThreshold").setValue(7);
+    ASSERT_TRUE(waitFor([&] { return sun()->baseline.settings.enoughHours == 7; }));
+    EXPECT_EQ(trees.currentIndex(), 2) << "the answer that follows the threshold keeps the column";
+    trees.setCurrentIndex(0);
+    EXPECT_EQ(sun()->baseline.sun[0].meanHours, open);
 }
 
 }  // namespace

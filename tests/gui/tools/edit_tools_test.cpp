@@ -3,13 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <glm/geometric.hpp>
 
 #include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/tools/massing/massing_panel.h"
+#include "scenarios/edits/placed_building.h"
 #include "tests/gui/edit_tools_fixture.h"
 #include "tests/gui/wait_for.h"
 
@@ -176,6 +180,63 @@ TEST_F(EditToolsTest, AMeshStandsUprightWithTheStatedAxisAndUnit) {
     ASSERT_TRUE(waitFor([&] { return std::abs(shownHeight() - 30.48) < 1e-3; }, 10000));
     tools.mesh().build();
     EXPECT_NEAR(double(topM(*lastEdit<ImportMesh>().shape)), 30.48, 1e-3);
+}
+
+void writeBox(const QString& file, double sideM, double heightM) {
+    std::ofstream box(file.toStdString());
+    for (const double z : {0.0, heightM})
+        for (const auto& [x, y] : {std::pair(0.0, 0.0), std::pair(sideM, 0.0), std::pair(sideM, sideM / 4),
+                                   std::pair(0.0, sideM / 4)})
+            box << "v " << x << ' ' << y << ' ' << z << '\n';
+    box << "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+}
+
+// The corner at the model's zero stays where it was, whatever the middle of the new edition is.
+TEST_F(EditToolsTest, AnotherEditionStandsWhereTheEarlierOneStood) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("proposal.obj"));
+    writeBox(file, 20, 60);
+    tools.mesh().begin(file);
+    ASSERT_TRUE(waitFor([this] { return tools.mesh().active(); }, 10000));
+    number("meshTurn").setValue(30);
+    number("meshLongitude").setValue(city->city().frame.lonLatFromLocal({0, 200}).lonDeg);
+    number("meshLatitude").setValue(city->city().frame.lonLatFromLocal({0, 200}).latDeg);
+    tools.mesh().build();
+    const ImportMesh first = lastEdit<ImportMesh>();
+    EXPECT_NEAR(findMiddle(*city->city().buildings.back()).y, 200, 0.05) << "typed";
+    tools.setProposals({first});
+    std::optional<ImportMesh> edition;
+    QObject::connect(&tools, &EditTools::editionRead, [&](const ImportMesh& read) { edition = read; });
+    writeBox(file, 40, 90);
+    tools.mesh().begin(file);
+    ASSERT_TRUE(waitFor([this] { return tools.mesh().active() && tools.context().preview.shown(); }, 10000));
+    EXPECT_EQ(number("meshTurn").value(), 30);
+    EXPECT_FALSE(field<QPushButton>(tools.dock(), "reloadMesh").isHidden());
+    tools.mesh().reload();
+    ASSERT_TRUE(edition);
+    EXPECT_EQ(edition->shape->sourceId, first.shape->sourceId);
+    EXPECT_NEAR(double(topM(*edition->shape)), 90, 1e-3);
+    const auto cornerOf = [](const ImportMesh& mesh) {
+        const Building placed = placeBuilding(*mesh.shape, mesh.placement);
+        glm::dvec2 west(1e9, 0);
+        for (const glm::vec2 point : placed.parts.front().footprint.outer)
+            if (double(point.x) < west.x) west = point;
+        for (const glm::vec3& vertex :
+             placed.parts.front().mesh ? placed.parts.front().mesh->vertices : std::vector<glm::vec3>{})
+            if (double(vertex.x) < west.x) west = glm::vec2(vertex);
+        return west;
+    };
+    EXPECT_NEAR(glm::distance(cornerOf(*edition), cornerOf(first)), 0, 0.02);
+    EXPECT_FALSE(tools.mesh().active());
+}
+
+TEST_F(EditToolsTest, AnIfcIsTurnedByItsTrueNorth) {
+    const std::filesystem::path house = "../shared/data/world/FZK.ifc";
+    if (!std::filesystem::exists(house)) GTEST_SKIP() << "shared data is missing";
+    tools.mesh().begin(QString::fromStdString(house.string()));
+    ASSERT_TRUE(waitFor([this] { return tools.mesh().active(); }, 20000));
+    EXPECT_NEAR(number("meshTurn").value(), -50, 0.1) << "true north is 50 degrees clockwise of its y";
+    EXPECT_FALSE(tools.context().preview.shown()) << "it states a place in Karlsruhe";
 }
 
 }  // namespace

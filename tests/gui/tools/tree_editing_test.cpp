@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
@@ -16,6 +18,7 @@
 namespace noonmark {
 namespace {
 
+using test::smallProject;
 using test::waitFor;
 
 Tree treeAt(double x, double y, CrownShape shape = CrownShape::ellipsoid) {
@@ -141,6 +144,84 @@ TEST_F(TreeWindow, ADragMovesTheChosenTree) {
     ASSERT_TRUE(waitFor([&] { return trees()[0].place != from; }));
     EXPECT_NEAR(trees()[0].place.x - from.x, 10, 0.5);
     EXPECT_NEAR(trees()[0].place.y - from.y, 5, 0.5);
+}
+
+/// The small project and files of trees in its city.
+struct TreeFiles : TreeWindow {
+    QString write(const char* name, const QByteArray& text) {
+        const QString path = folder.filePath(QString::fromLatin1(name));
+        QFile written(path);
+        EXPECT_TRUE(written.open(QIODevice::WriteOnly));
+        written.write(text);
+        return path;
+    }
+    QString inventory() {
+        QByteArray rows = "species,Hoehe,tree_dbh,latitude,longitude\n";
+        for (int i = 0; i < 5; ++i) rows += "Tilia cordata,40,10,40.76" + QByteArray::number(i) + ",-73.98\n";
+        return write("trees.csv", rows);
+    }
+    TreeImportDialog* dialog() { return window->findChild<TreeImportDialog*>(); }
+    QString outcome() { return dialog()->findChild<QLabel*>(QStringLiteral("treeOutcome"))->text(); }
+    bool isRead() {
+        return dialog() != nullptr &&
+               dialog()->findChild<QPushButton*>(QStringLiteral("addTrees"))->isEnabled();
+    }
+    void choose(const char* list, const QString& text) {
+        auto& box = *dialog()->findChild<QComboBox*>(QString::fromLatin1(list));
+        box.setCurrentIndex(box.findText(text, Qt::MatchStartsWith));
+    }
+    void accept() {
+        dialog()->findChild<QPushButton*>(QStringLiteral("addTrees"))->click();
+        ASSERT_TRUE(waitFor([&] { return !trees().empty(); })) << message().toStdString();
+    }
+};
+
+TEST_F(TreeFiles, AnInventoryIsAddedWithItsFieldsAndUndone) {
+    window->places().addFiles({inventory()});
+    ASSERT_TRUE(waitFor([&] { return isRead(); })) << message().toStdString();
+    EXPECT_TRUE(outcome().contains(QStringLiteral("40"))) << outcome().toStdString();
+    EXPECT_TRUE(outcome().contains(QStringLiteral("5 measured"))) << outcome().toStdString();
+    accept();
+    ASSERT_EQ(trees().size(), 5U);
+    EXPECT_EQ(trees()[0].heightM, 40);
+    EXPECT_NEAR(trees()[0].crownDiameterM, 10 * 0.0254 * 25.5, 1e-4);
+    EXPECT_EQ(session().scenario(), existingCity) << "they are there already";
+    EXPECT_EQ(session().project().inputs.size(), smallProject().inputs.size() + 1);
+    workbench().document().undoStack().undo();
+    ASSERT_TRUE(waitFor([&] { return trees().empty(); }));
+    workbench().document().undoStack().redo();
+    ASSERT_TRUE(waitFor([&] { return trees().size() == 5; }));
+    save();
+    makeWindow();
+    open(file);
+    EXPECT_EQ(trees().size(), 5U) << "saved with the project";
+    EXPECT_EQ(trees()[0].heightM, 40);
+}
+
+TEST_F(TreeFiles, FieldsAndUnitsCanBeChosen) {
+    window->places().takeDropped({inventory()});
+    ASSERT_TRUE(waitFor([&] { return isRead(); })) << message().toStdString();
+    const auto says = [&](const char* text) {
+        return isRead() && outcome().contains(QString::fromLatin1(text));
+    };
+    choose("treeUnit-height", QStringLiteral("ft"));
+    ASSERT_TRUE(waitFor([&] { return says("12.2"); })) << outcome().toStdString();
+    choose("treeField-stem", QStringLiteral("None"));
+    ASSERT_TRUE(waitFor([&] { return says("8.7"); })) << outcome().toStdString();
+    EXPECT_EQ(dialog()->reading().fields.size(), 2U);
+    accept();
+    EXPECT_NEAR(trees()[0].heightM, 40 * 0.3048, 1e-4);
+    EXPECT_NEAR(trees()[0].crownDiameterM, 40 * 0.3048 / 1.4, 1e-4) << "of the height";
+}
+
+TEST_F(TreeFiles, FilesWithoutTreesAreRefused) {
+    window->trees().ask(write("table.csv", "a,b\n1,2\n"));
+    ASSERT_TRUE(waitFor([&] { return dialog() != nullptr || !message().isEmpty(); }));
+    if (dialog() != nullptr) {
+        ASSERT_TRUE(waitFor([&] { return outcome().contains(QStringLiteral("no trees")); }))
+            << outcome().toStdString();
+    }
+    EXPECT_FALSE(isRead());
 }
 
 }  // namespace

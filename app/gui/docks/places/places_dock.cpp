@@ -22,6 +22,7 @@
 
 #include "app/gui/base/layers/field_picture.h"
 #include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/result_rows.h"
@@ -31,6 +32,9 @@
 #include "core/describe/field_values.h"
 #include "core/describe/shown_as.h"
 #include "core/describe/text.h"
+#include "core/engines/api/tree_shade.h"
+#include "core/measures/shadow_figures.h"
+#include "core/study/by_place/sun_in_column.h"
 
 namespace noonmark {
 
@@ -69,6 +73,12 @@ QHBoxLayout* lowRow(std::initializer_list<std::pair<QWidget*, int>> widgets) {
     return row;
 }
 
+// "Without trees", "Trees as evergreens".
+QString nameOfColumn(TreeColumns column) {
+    constexpr Choice<TreeColumns> without = treeColumnChoices[1];
+    return translatedSentence(column == without.value ? without.label : describeTrees(column));
+}
+
 // Grey without a cell.
 QColor colourOf(const ColourScale& scale, double hours) {
     constexpr QColor withoutCell{0xa8, 0xa8, 0xa8};
@@ -102,6 +112,8 @@ PlacesDock::PlacesDock(QWidget* parent)
       count_(new QLabel),
       shown_(listField("placesShown", tr("What colours the places: the whole period, one of the dates, or "
                                          "the change against the baseline"))),
+      trees_(listField("placesTrees", tr("Whether trees take their share of the sun of table, map and "
+                                         "headline"))),
       slider_(new QSlider(Qt::Horizontal)),
       threshold_(numberField(0, maxThreshold, 1, 0.5, tr(" h"))),
       text_(new QLineEdit),
@@ -136,6 +148,8 @@ void PlacesDock::placeFields() {
     column->addWidget(makeAside());
     column->addLayout(lowRow({{count_, 1}, {onlyBelow_, 0}}));
     column->addLayout(lowRow({{shown_, 1}, {makeThreshold(), 1}}));
+    column->addWidget(trees_);
+    trees_->hide();
     column->addWidget(makeFilters());
     column->addWidget(table_, 1);
     column->addLayout(lowRow({{listed_, 1}, {contributors_, 0}}));
@@ -218,6 +232,7 @@ void PlacesDock::connectFields() {
         limitRows();
         emitDate();
     });
+    connect(trees_, &QComboBox::currentIndexChanged, this, &PlacesDock::chooseTrees);
     connect(onlyBelow_, &QCheckBox::toggled, this, &PlacesDock::limitRows);
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { follow(double(tick) / ticksOfHour); });
     connect(threshold_, &QDoubleSpinBox::valueChanged, this, &PlacesDock::follow);
@@ -266,22 +281,56 @@ bool PlacesDock::hasSun(std::optional<std::size_t> place) const {
 }
 
 void PlacesDock::show(std::shared_ptr<const SunOfCities> sun, const QString& note, bool outdated) {
-    if (sun == model_->sun() && note == note_ && outdated == outdated_) return;
+    if (sun == answer_ && note == note_ && outdated == outdated_) return;
     note_ = note;
     outdated_ = outdated;
-    if (sun && model_->sun() && sun != model_->sun() && haveSameShadow(*sun, *model_->sun())) {
-        model_->restate(std::move(sun));
-        showThreshold();
-        if (!restored_.empty()) applyRestored();
-    } else if (sun != model_->sun()) {
-        rest_->stop();
-        if (model_->sun() && restored_.empty()) restored_ = describeListing({});
-        picture_ = sun ? PlacePicture(sun->baseline.places) : PlacePicture();
-        model_->show(std::move(sun));
-        fillLists();
+    if (sun != answer_) {
+        answer_ = std::move(sun);
+        fillTrees();
+        take(inChosenColumn(), true);
     }
     colour();
     listed();
+}
+
+// The same choice as before, if the answer has that column.
+void PlacesDock::fillTrees() {
+    const QSignalBlocker quiet(trees_);
+    const QVariant before = trees_->currentData();
+    trees_->clear();
+    if (answer_)
+        for (const TreeColumns column : listSunColumns(*answer_))
+            trees_->addItem(nameOfColumn(column), int(column));
+    trees_->setCurrentIndex(std::max(0, trees_->findData(before)));
+    trees_->setVisible(trees_->count() > 1);
+}
+
+std::shared_ptr<const SunOfCities> PlacesDock::inChosenColumn() const {
+    if (!answer_) return nullptr;
+    auto made = inColumn(*answer_, TreeColumns(trees_->currentData().toInt()));
+    return made ? std::make_shared<const SunOfCities>(*std::move(made)) : answer_;
+}
+
+void PlacesDock::chooseTrees() {
+    if (!answer_) return;
+    take(inChosenColumn(), false);
+    colour();
+    listed();
+}
+
+// `mayRestate`: an answer of the same shadow keeps its rows.
+void PlacesDock::take(std::shared_ptr<const SunOfCities> sun, bool mayRestate) {
+    if (mayRestate && sun && model_->sun() && haveSameShadow(*sun, *model_->sun())) {
+        model_->restate(std::move(sun));
+        showThreshold();
+        if (!restored_.empty()) applyRestored();
+        return;
+    }
+    rest_->stop();
+    if (model_->sun() && restored_.empty()) restored_ = describeListing({});
+    picture_ = sun ? PlacePicture(sun->baseline.places) : PlacePicture();
+    model_->show(std::move(sun));
+    fillLists();
 }
 
 // The hours that are enough in the answer; while the threshold moves, the answer follows later.
@@ -642,7 +691,7 @@ void PlacesDock::describeCount() {
         counts = tr("%1: %2 of %3").arg(describeKinds(*kind), formatCount(below), formatCount(measured));
     QString counted = describeLimit(counts, what);
     if (model_->showsSunOnly(what)) counted = tr("%1. A saved answer states its dates as sun").arg(counted);
-    if (!sun->baseline.withTrees.empty()) counted = tr("%1, without trees").arg(counted);
+    if (trees_->count() > 1) counted = tr("%1, %2").arg(counted, trees_->currentText().toLower());
     const double enough = sun->baseline.settings.enoughHours;
     const bool isOfAnother =
         what.what != ShownSun::What::change && !knowsCells(sun->baseline) && threshold_->value() != enough;

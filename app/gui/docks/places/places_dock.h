@@ -65,6 +65,10 @@ private:
     void makeTable();
     void connectFields();
     void connectTable();
+    void fillTrees();
+    void chooseTrees();
+    [[nodiscard]] std::shared_ptr<const SunOfCities> inChosenColumn() const;
+    void take(std::shared_ptr<const SunOfCities> sun, bool mayRestate);
     void fillLists();
     void applyRestored();
     void fitColumns();
@@ -99,6 +103,7 @@ private:
     PlaceSunFilter* filter_;
     QLabel* count_;
     QComboBox* shown_;
+    QComboBox* trees_;  ///< which column is stated; hidden where there is one only
     QSlider* slider_;
     QDoubleSpinBox* threshold_;
     QLineEdit* text_;
@@ -108,6 +113,7 @@ private:
     QTreeView* table_;
     QLabel* listed_;
     QPushButton* contributors_;
+    std::shared_ptr<const SunOfCities> answer_;  ///< of which the model has one column
     PlacePicture picture_;
     std::shared_ptr<const PlaceView> view_;
     QString note_;

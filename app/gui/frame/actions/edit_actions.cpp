@@ -33,6 +33,7 @@ EditActions::EditActions(Workbench& workbench, EditTools& tools, const ModeSwitc
     undo_->setIcon(makeIcon(QStringLiteral("undo")));
     redo_->setIcon(makeIcon(QStringLiteral("redo")));
     connectTools();
+    connect(&workbench_, &Workbench::answered, this, [this] { tools_.setStudy(workbench_.study()); });
     connect(&mode_, &ModeSwitch::changed, this, &EditActions::askLive);
     connect(&workbench_.document(), &StudyDocument::changed, this, &EditActions::askLive);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &EditActions::askLive);
@@ -43,11 +44,24 @@ void EditActions::connectTools() {
             [this](const std::vector<Edit>& edits, const QString& what) {
                 if (!workbench_.session().addEdits(edits, what)) tools_.revert();
             });
+    connect(&tools_, &EditTools::editionRead, this, &EditActions::reload);
     connect(&tools_, &EditTools::lotDrawn, this,
             [this](const NamedLot& lot) { workbench_.session().addLot(lot); });
     connect(&tools_, &EditTools::lotChanged, this, &EditActions::changeLot);
     connect(&workbench_.session(), &ProjectSession::changed, this, &EditActions::showProject);
     connect(&tools_, &EditTools::failed, &panel_.messages(), &MessageBar::showError);
+}
+
+// Where its earlier edition stands among the edits of a scenario: those that follow apply to the new one.
+void EditActions::reload(const ImportMesh& edition) {
+    Project next = workbench_.session().project();
+    for (Scenario& scenario : next.scenarios)
+        for (Edit& edit : scenario.edits)
+            if (auto* mesh = std::get_if<ImportMesh>(&edit);
+                mesh != nullptr && mesh->shape->sourceId == edition.shape->sourceId)
+                *mesh = edition;
+    const QString what = tr("reload %1").arg(QString::fromStdString(edition.file));
+    if (!workbench_.session().change(std::move(next), what)) tools_.revert();
 }
 
 // A refused outline goes back to that of the project.
@@ -62,6 +76,11 @@ void EditActions::showProject() {
     tools_.setLots(session.project().lots);
     const auto edits = collectEdits(session.project().scenarios, session.scenario());
     tools_.setTowers(edits ? findProposedTowers(*edits) : std::map<std::string, ProposedTower>());
+    std::vector<ImportMesh> proposals;
+    if (edits)
+        for (const Edit& edit : *edits)
+            if (const auto* mesh = std::get_if<ImportMesh>(&edit)) proposals.push_back(*mesh);
+    tools_.setProposals(std::move(proposals));
     askLive();
 }
 
@@ -78,6 +97,7 @@ QList<QAction*> EditActions::toolActions() const {
 
 void EditActions::showCity() {
     tools_.setCity(workbench_.city());
+    tools_.setStudy(workbench_.study());
     askLive();
 }
 

@@ -12,6 +12,8 @@ class QWidget;
 
 namespace noonmark {
 
+struct ImportMesh;
+
 class EditTools;
 class ModeSwitch;
 class ProjectDock;
@@ -37,6 +39,7 @@ public:
 private:
     void connectTools();
     void showProject();
+    void reload(const ImportMesh& edition);
     void changeLot(const NamedLot& lot, const QString& what);
     void askLive();
     void setBaseline();

@@ -27,6 +27,7 @@
 #include "app/report/sheets/study_text.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/formats/format.h"
+#include "core/io/trees/list_trees.h"
 #include "core/receivers/place_names.h"
 #include "scenarios/massing/lot_edits.h"
 
@@ -56,6 +57,24 @@ PlaceActions::Dropped askByMenu() {
     const QAction* chosen = menu.exec(QCursor::pos());
     if (chosen == places) return PlaceActions::Dropped::readPlaces;
     return chosen == city ? PlaceActions::Dropped::open : PlaceActions::Dropped::nothing;
+}
+
+PlaceActions::Added askWhatIsAdded(PlaceActions::Added other) {
+    QMenu menu;
+    const QAction* trees =
+        menu.addAction(other == PlaceActions::Added::terrain ? QObject::tr("&Heights of the trees' canopy")
+                                                             : QObject::tr("&Trees"));
+    const QAction* first = menu.addAction(other == PlaceActions::Added::terrain ? QObject::tr("T&errain")
+                                                                                : QObject::tr("&Places"));
+    const QAction* chosen = menu.exec(QCursor::pos());
+    if (chosen == trees) return PlaceActions::Added::trees;
+    return chosen == first ? other : PlaceActions::Added::nothing;
+}
+
+TreeContent findTreeContent(const QStringList& files) {
+    if (files.size() != 1) return TreeContent::none;
+    const auto listed = listTrees(files.front().toStdString(), {});
+    return listed ? listed->content : TreeContent::none;
 }
 
 QComboBox* layerField(QFormLayout& form, const QString& label, const char* name) {
@@ -167,7 +186,8 @@ PlaceActions::PlaceActions(Workbench& workbench, OpeningActions& opening, EditTo
       window_(window),
       add_(makeAction(
           this, tr("Add to the &city..."), {},
-          tr("A terrain, an aerial photograph, or parks and other places; what the city has stays"))),
+          tr("A terrain, an aerial photograph, trees, or parks and other places; what the city has "
+             "stays"))),
       read_(makeAction(this, tr("Read &places..."), {},
                        tr("Parks, playgrounds, school grounds... from OpenStreetMap or any file of polygons"),
                        "place")),
@@ -183,7 +203,8 @@ PlaceActions::PlaceActions(Workbench& workbench, OpeningActions& opening, EditTo
       outlines_(makeAction(this, tr("Outlines of all places"), {},
                            tr("Without it, the outline of the chosen place is shown, and of the one under "
                               "the cursor"))),
-      ask_(askByMenu) {
+      ask_(askByMenu),
+      askAdded_(askWhatIsAdded) {
     makeActions();
     connectTree(tree);
     connect(&workbench_.session(), &ProjectSession::changed, this, &PlaceActions::follow);
@@ -326,6 +347,7 @@ void PlaceActions::takeDropped(const QStringList& files, std::optional<QPointF> 
         return tools_.placeMesh(files.front(), ground ? std::optional(glm::dvec2(*ground)) : std::nullopt);
     }
     if (workbench_.city() && isPhotograph(files)) return Q_EMIT photographDropped(files.front());
+    if (workbench_.city() && mayOnlyBeTrees(files)) return Q_EMIT treesFound(files.front());
     const Dropped wanted = workbench_.city() && mayHoldPlaces(files) ? ask_() : Dropped::open;
     if (wanted == Dropped::open) opening_.open(files);
     if (wanted == Dropped::readPlaces) read(files);
@@ -335,11 +357,30 @@ void PlaceActions::addFiles(const QStringList& files) {
     if (!workbench_.city())
         return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
     if (isPhotograph(files)) return addPhotograph(files.front());
+    const Added content = chooseContent(files);
+    if (content == Added::trees) Q_EMIT treesFound(files.front());
+    if (content == Added::terrain) opening_.addTerrain(files);
+    if (content == Added::places) read(files, {}, EarlierPlaces::stay);
+}
+
+// A second raster of elevations is that of crowns, if it looks like one.
+bool PlaceActions::mayOnlyBeTrees(const QStringList& files) const {
+    const TreeContent trees = findTreeContent(files);
+    return trees == TreeContent::inventory ||
+           (trees == TreeContent::canopy && workbench_.city()->city().terrain);
+}
+
+// A raster of elevations may be that of crowns, and a map has places and trees.
+PlaceActions::Added PlaceActions::chooseContent(const QStringList& files) const {
+    if (mayOnlyBeTrees(files)) return Added::trees;
+    const TreeContent trees = findTreeContent(files);
+    if (trees == TreeContent::canopy) return askAdded_(Added::terrain);
+    if (trees == TreeContent::map) return askAdded_(Added::places);
     const bool areTerrain = std::ranges::all_of(files, [](const QString& file) {
         const auto kind = detectFileKind(file.toStdString());
         return kind && *kind == FileKind::terrain;
     });
-    areTerrain ? opening_.addTerrain(files) : read(files, {}, EarlierPlaces::stay);
+    return areTerrain ? Added::terrain : Added::places;
 }
 
 void PlaceActions::addPhotograph(const QString& file) {

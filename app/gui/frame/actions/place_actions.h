@@ -48,25 +48,33 @@ public:
     /// under `pixel` or there on the ground. Other files are opened, or, if a city is open and they may hold
     /// places, as the user chooses.
     void takeDropped(const QStringList& files, std::optional<QPointF> pixel = {});
-    /// Adds terrain, an aerial photograph or places to the open city; never replaces what it has.
+    /// Adds terrain, an aerial photograph, trees or places to the open city; never replaces what it has.
     void addFiles(const QStringList& files);
     void draw();
     void makeFromBuilding();
     void zoomTo(const std::string& place);
 
     enum class Dropped { open, readPlaces, nothing };
+    /// What a file that is added to the city may be.
+    enum class Added { places, terrain, trees, nothing };
     /// Replaces the menu that asks what to do with dropped files.
     void setDropQuestion(std::function<Dropped()> ask) { ask_ = std::move(ask); }
+    /// Replaces the menu that asks what an added file is, where its content may be trees or `other`.
+    using AddQuestion = std::function<Added(Added other)>;
+    void setAddQuestion(AddQuestion ask) { askAdded_ = std::move(ask); }
 
     [[nodiscard]] JobSlot& reading() { return reading_; }
 
 Q_SIGNALS:
     void photographDropped(QString file);  ///< on an open city
+    void treesFound(QString file);         ///< a file to be added holds trees
 
 private:
     void makeActions();
     void connectTree(ProjectDock& tree);
     void askForFiles();
+    [[nodiscard]] Added chooseContent(const QStringList& files) const;
+    [[nodiscard]] bool mayOnlyBeTrees(const QStringList& files) const;
     [[nodiscard]] QString folderOfCity() const;
     void addPhotograph(const QString& file);
     void askForLayer(const QString& file, const std::vector<UnknownLayer>& layers,
@@ -91,6 +99,7 @@ private:
     QAction* show_;
     QAction* outlines_;
     std::function<Dropped()> ask_;
+    AddQuestion askAdded_;
     JobSlot reading_;
 };
 

@@ -163,6 +163,7 @@ void EditTools::connectTools() {
     connect(&tower_, &TowerEditing::began, &mesh_, &MeshPlacing::cancel);
     connect(&tower_, &TowerEditing::ended, &building_, &BuildingEditing::show);
     connect(&mesh_, &MeshPlacing::editsMade, this, made);
+    connect(&mesh_, &MeshPlacing::editionRead, this, &EditTools::editionRead);
     connect(&mesh_, &MeshPlacing::failed, this, &EditTools::failed);
     connect(&mesh_, &MeshPlacing::began, &tower_, &TowerEditing::cancel);
     const auto place = [this](bool placing) {
@@ -174,9 +175,15 @@ void EditTools::connectTools() {
     connect(&mesh_, &MeshPlacing::ended, this, [place] { place(false); });
 }
 
+void EditTools::setProposals(std::vector<ImportMesh> proposals) { context_.proposals = std::move(proposals); }
+
+void EditTools::setStudy(std::shared_ptr<const Study> study) { context_.study = std::move(study); }
+
 void EditTools::connectTrees() {
+    connect(&trees_, &TreeEditing::hinted, this, &EditTools::hinted);
     connect(&trees_, &TreeEditing::editsMade, this, &EditTools::editsMade);
     connect(&trees_, &TreeEditing::failed, this, &EditTools::failed);
+    connect(treePanel_, &TreePanel::inventoryRequested, this, &EditTools::inventoryRequested);
     connect(&trees_, &TreeEditing::chosen, this, [this] {
         building_.select(std::nullopt);
         Q_EMIT treesChosen();

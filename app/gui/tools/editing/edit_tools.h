@@ -39,9 +39,12 @@ public:
     /// the displayed city; call it after the view shows it
     void setCity(std::shared_ptr<const OpenCity> city);
     void setLots(const std::vector<NamedLot>& lots);
+    /// The latest study of the displayed city, whose map follows dragged trees; null: none.
+    void setStudy(std::shared_ptr<const Study> study);
     /// The towers of the shown scenario, with their designs and storeys.
     void setTowers(std::map<std::string, ProposedTower> towers);
-    void setQuestion(const LiveQuestion& question);  ///< settings of the live shadow
+    void setProposals(std::vector<ImportMesh> proposals);  ///< read from files, of the shown scenario
+    void setQuestion(const LiveQuestion& question);        ///< settings of the live shadow
     void setStoreyLines(bool on);                    ///< lines at the floors of proposed towers; on at first
     void heightReferenceChanged();                   ///< shows heights again (looks/units.h)
     void setFacades(const FacadeSettings& facades);  ///< bays and storeys of the live facades
@@ -83,6 +86,8 @@ public:
 
 Q_SIGNALS:
     void editsMade(std::vector<noonmark::Edit> edits, QString what);  ///< one undo step
+    /// Another edition of a proposal's file: it takes the place of the one with its id.
+    void editionRead(noonmark::ImportMesh edition);
     void lotDrawn(noonmark::NamedLot lot);
     void lotChanged(noonmark::NamedLot lot, QString what);  ///< another outline of this name: one undo step
     /// How to use the tool that has started.
@@ -91,6 +96,7 @@ Q_SIGNALS:
     void designBegan();
     /// Trees were chosen, or are to be planted: their dock should be visible.
     void treesChosen();
+    void inventoryRequested();  ///< trees of a file
     /// A building was selected: its dock should be visible.
     void selectionMade();
     void failed(noonmark::Error error);

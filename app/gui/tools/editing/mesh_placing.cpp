@@ -6,14 +6,22 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
 #include <utility>
 
+#include "app/gui/base/widgets/buttons.h"
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/field_rows.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "core/city/terrain/building_ground.h"
+#include "core/io/files/plain_file.h"
+#include "core/io/formats/format.h"
+#include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/settings/read_settings.h"
 #include "scenarios/edits/read_shape.h"
@@ -25,6 +33,11 @@ namespace {
 
 constexpr int wordLines = 4;  // room for a long file name and the instruction
 
+bool findIfc(const std::filesystem::path& file) {
+    const auto format = detectFormat(file);
+    return format && (*format)->name.starts_with("IFC");
+}
+
 }  // namespace
 
 PlacingPanel::PlacingPanel(QWidget* parent)
@@ -35,7 +48,12 @@ PlacingPanel::PlacingPanel(QWidget* parent)
       scale_(numberField(0.001, 1000, 3, 0.1, {})),
       turn_(numberField(-360, 360, 1, 5, QStringLiteral("°"))),
       storeyHeight_(lengthField(0, 10, 2, 0.1)),
-      apply_(new QPushButton(tr("Build"))) {
+      longitude_(numberField(-180, 180, 7, 0.0001, tr("° east"))),
+      latitude_(numberField(-90, 90, 7, 0.0001, tr("° north"))),
+      apply_(new QPushButton(tr("Build"))),
+      reload_(
+          pushButton(tr("Reload"), "reloadMesh",
+                     tr("Puts the file in the place of its earlier edition; the edits that follow stay"))) {
     for (QLabel* words : {what_, warnings_}) {
         words->setWordWrap(true);
         words->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -43,7 +61,14 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     // A fixed height: the fields must not move under the cursor while the mesh is placed.
     what_->setFixedHeight(wordLines * what_->fontMetrics().lineSpacing());
     scale_->setToolTip(tr("Scale of all three axes"));
-    turn_->setToolTip(tr("Clockwise, seen from above"));
+    turn_->setToolTip(tr("Clockwise, seen from above. Of an IFC that states its true north, preset from it"));
+    for (const auto& [field, name] :
+         {std::pair(scale_, "meshScale"), std::pair(turn_, "meshTurn"),
+          std::pair(longitude_, "meshLongitude"), std::pair(latitude_, "meshLatitude")})
+        field->setObjectName(QString::fromLatin1(name));
+    for (QDoubleSpinBox* field : {longitude_, latitude_})
+        field->setToolTip(tr("Where its middle stands; a click on the ground sets it, too"));
+    reload_->hide();
     storeyHeight_->setObjectName(QStringLiteral("meshStoreyHeight"));
     storeyHeight_->setToolTip(tr("Floor to floor, %1 to %2, for lines at its floors; 0: not known")
                                   .arg(describeLength(2, 0), describeLength(10, 0)));
@@ -54,28 +79,35 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     cancel->setObjectName(QStringLiteral("cancelPlacing"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(apply_);
+    buttons->addWidget(reload_);
     buttons->addWidget(cancel);
     auto* form = new QFormLayout(this);
     form->addRow(what_);
     axes_->addRows(*form, {"--up", "--mesh-unit"});
     form->addRow(tr("Scale"), scale_);
     form->addRow(tr("Rotation"), turn_);
+    form->addRow(tr("Middle"), longitude_);
+    form->addRow(QString(), latitude_);
     form->addRow(tr("Storey height"), storeyHeight_);
     form->addRow(buttons);
     form->addRow(warnings_);  // below the fields, since their number varies
     connect(axes_, &FieldRows::edited, this, &PlacingPanel::readingEdited);
     for (QDoubleSpinBox* field : {scale_, turn_, storeyHeight_})
         connect(field, &QDoubleSpinBox::valueChanged, this, &PlacingPanel::edited);
+    for (QDoubleSpinBox* field : {longitude_, latitude_})
+        connect(field, &QDoubleSpinBox::valueChanged, this, [this] {
+            Q_EMIT placeTyped({longitude_->value(), latitude_->value()});
+        });
     connect(apply_, &QPushButton::clicked, this, &PlacingPanel::applyRequested);
+    connect(reload_, &QPushButton::clicked, this, &PlacingPanel::reloadRequested);
     connect(cancel, &QPushButton::clicked, this, &PlacingPanel::cancelled);
 }
 
 void PlacingPanel::begin(const QString& file) {
     file_ = file;
-    scale_->setValue(1);
-    turn_->setValue(0);
-    storeyHeight_->setValue(0);
+    preset(1, 0, 0);
     apply_->setEnabled(false);
+    reload_->setEnabled(false);
     what_->setText(tr("%1: click the place on the ground for its middle.").arg(file));
 }
 
@@ -86,8 +118,32 @@ void PlacingPanel::setStated(bool axes, bool unit) {
 
 void PlacingPanel::showPlaced(double heightM, double groundElevationM) {
     apply_->setEnabled(true);
+    reload_->setEnabled(true);
+    if (!reload_->isHidden()) return;  // what it says of the earlier edition stays
     what_->setText(
         tr("%1, top %2. Another click moves it.").arg(file_, describeHeight(heightM, groundElevationM)));
+}
+
+void PlacingPanel::preset(double scale, double clockwiseDeg, double storeyHeightM) {
+    const QSignalBlocker quietScale(scale_), quietTurn(turn_), quietStoreys(storeyHeight_);
+    scale_->setValue(scale);
+    turn_->setValue(clockwiseDeg);
+    storeyHeight_->setValue(storeyHeightM);
+}
+
+void PlacingPanel::showMiddle(LonLat middle) {
+    const QSignalBlocker quietLongitude(longitude_), quietLatitude(latitude_);
+    longitude_->setValue(middle.lonDeg);
+    latitude_->setValue(middle.latDeg);
+}
+
+void PlacingPanel::setEarlier(const QString& building) {
+    reload_->setVisible(!building.isEmpty());
+    if (!building.isEmpty())
+        what_->setText(
+            tr("%1: an earlier edition stands as %2. Reload replaces it where it stands; Build adds "
+               "another.")
+                .arg(file_, building));
 }
 
 void PlacingPanel::showWarnings(const Warnings& warnings) {
@@ -129,6 +185,10 @@ MeshPlacing::MeshPlacing(EditContext& context, PlacingPanel& panel, QObject* par
     : QObject(parent), context_(context), panel_(panel) {
     connect(&panel_, &PlacingPanel::edited, this, &MeshPlacing::show);
     connect(&panel_, &PlacingPanel::readingEdited, this, &MeshPlacing::read);
+    connect(&panel_, &PlacingPanel::placeTyped, this, [this](LonLat middle) {
+        if (context_.city) placeAt(context_.city->city().frame.localFromLonLat(middle));
+    });
+    connect(&panel_, &PlacingPanel::reloadRequested, this, &MeshPlacing::reload);
     connect(&panel_, &PlacingPanel::applyRequested, this, &MeshPlacing::build);
     connect(&panel_, &PlacingPanel::cancelled, this, &MeshPlacing::cancel);
 }
@@ -150,9 +210,16 @@ void MeshPlacing::read() {
         [file = file_.toStdString(), id, settings = panel_.reading(), frame = context_.city->city().frame](
             Progress& progress, std::stop_token stop) {
             Warnings warnings;
+            const bool isIfc = findStatedAxes(file) && findIfc(file);
+            const IfcSite site = isIfc ? readIfcSite(file, stop) : IfcSite{};
+            const auto own = findPlace(site);
             return readShape(file, id, settings, frame, warnings, progress, std::move(stop))
                 .map([&](ImportMesh mesh) {
-                    return Read{std::move(mesh), warnings};
+                    Read read{std::move(mesh), warnings, {}, {}};
+                    if (site.trueNorthDeg) read.northDeg = -*site.trueNorthDeg;
+                    if (own) read.northDeg = own->northDeg;
+                    if (own) read.origin = own->origin;
+                    return read;
                 });
         },
         [this](Result<Read> read) { take(std::move(read)); });
@@ -163,9 +230,49 @@ void MeshPlacing::take(Result<Read> read) {
     const bool first = !mesh_.has_value();
     mesh_ = std::move(read->mesh);
     if (first) Q_EMIT began();
-    if (first) panel_.begin(QString::fromStdString(mesh_->file));
+    if (first) {
+        panel_.begin(QString::fromStdString(mesh_->file));
+        preset({*mesh_, {}, read->northDeg, read->origin});
+    }
     panel_.showWarnings(read->warnings);
     show();
+}
+
+const ImportMesh* MeshPlacing::findEarlier() const {
+    const auto found = std::ranges::find(context_.proposals, mesh_->file, &ImportMesh::file);
+    return found == context_.proposals.end() ? nullptr : &*found;
+}
+
+namespace {
+
+// Where a placement puts a point of the mesh.
+glm::dvec2 placed(const Placement& placement, glm::dvec2 point) {
+    const double turn = placement.clockwiseDeg * std::numbers::pi / 180;
+    const glm::dvec2 from = (point - placement.about) * placement.scale;
+    return placement.about + placement.byM +
+           glm::dvec2(from.x * std::cos(turn) + from.y * std::sin(turn),
+                      from.y * std::cos(turn) - from.x * std::sin(turn));
+}
+
+}  // namespace
+
+// As the earlier edition stands, else as an IFC states: its true north, and its place where it is near.
+void MeshPlacing::preset(const Read& read) {
+    const ImportMesh* earlier = findEarlier();
+    panel_.setEarlier(earlier ? QString::fromStdString(earlier->shape->sourceId) : QString());
+    const glm::dvec2 middle = findMiddle(*mesh_->shape);
+    if (earlier) {
+        panel_.preset(earlier->placement.scale, earlier->placement.clockwiseDeg, earlier->storeyHeightM);
+        if (!place_) place_ = placed(earlier->placement, middle);
+        return;
+    }
+    if (!read.northDeg) return;
+    panel_.preset(1, *read.northDeg, 0);
+    const Frame& frame = context_.city->city().frame;
+    const auto origin = read.origin ? std::optional(frame.localFromLonLat(*read.origin)) : std::nullopt;
+    constexpr double nearM = 20'000;
+    if (!place_ && origin && glm::length(*origin) < nearM)
+        place_ = *origin + placed({.clockwiseDeg = *read.northDeg}, middle);
 }
 
 void MeshPlacing::placeAt(glm::dvec2 ground) {
@@ -181,6 +288,7 @@ void MeshPlacing::show() {
                         .clockwiseDeg = panel_.clockwiseDeg(),
                         .byM = *place_ - middle};
     mesh_->storeyHeightM = panel_.storeyHeightM();
+    panel_.showMiddle(context_.city->city().frame.lonLatFromLocal(*place_));
     if (const auto shown = context_.preview.show({*mesh_}); !shown) return Q_EMIT failed(shown.error());
     const City& city = context_.city->city();
     const double groundM = double(findGroundUnder(*context_.preview.changes().added.back(), city));
@@ -197,6 +305,19 @@ void MeshPlacing::build() {
     const ImportMesh done = *std::exchange(mesh_, std::nullopt);
     Q_EMIT ended();
     Q_EMIT editsMade({done}, tr("Import %1").arg(QString::fromStdString(done.file)), done.shape->sourceId);
+}
+
+void MeshPlacing::reload() {
+    const ImportMesh* earlier = mesh_ && place_ ? findEarlier() : nullptr;
+    if (earlier == nullptr) return;
+    ImportMesh edition = *std::exchange(mesh_, std::nullopt);
+    Building shape = *edition.shape;
+    shape.sourceId = earlier->shape->sourceId;
+    shape.name = earlier->shape->name;
+    edition.shape = std::make_shared<const Building>(std::move(shape));
+    context_.preview.clear();
+    Q_EMIT ended();
+    Q_EMIT editionRead(std::move(edition));
 }
 
 void MeshPlacing::cancel() {

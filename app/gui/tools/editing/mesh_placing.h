@@ -27,6 +27,11 @@ public:
     void setStated(bool axes, bool unit);
     /// The mesh has a place, so it can be built. `groundElevationM`: of the ground under it, above the datum.
     void showPlaced(double heightM, double groundElevationM);
+    void showMiddle(LonLat middle);  ///< its place, without placeTyped()
+    /// Scale, rotation and storeys of an earlier edition, or those that the file states, without edited().
+    void preset(double scale, double clockwiseDeg, double storeyHeightM);
+    /// An earlier edition of the file can be replaced; empty: there is none.
+    void setEarlier(const QString& building);
     void showWarnings(const Warnings& warnings);  ///< of reading the file
     [[nodiscard]] ReadSettings reading() const;
     [[nodiscard]] double scale() const;
@@ -35,8 +40,10 @@ public:
 
 Q_SIGNALS:
     void edited();
+    void placeTyped(noonmark::LonLat middle);
     void readingEdited();
     void applyRequested();
+    void reloadRequested();
     void cancelled();
 
 private:
@@ -46,7 +53,8 @@ private:
     QDoubleSpinBox* scale_;
     QDoubleSpinBox* turn_;
     QDoubleSpinBox* storeyHeight_;
-    QPushButton* apply_;
+    QDoubleSpinBox *longitude_, *latitude_;
+    QPushButton *apply_, *reload_;
     QString file_;
 };
 
@@ -62,12 +70,15 @@ public:
     void cancel();
     [[nodiscard]] bool active() const { return mesh_.has_value(); }
     void placeAt(glm::dvec2 ground);
-    void build();                                               ///< does nothing before the mesh is placed
+    void build();  ///< does nothing before the mesh is placed
+    /// The file takes the place of its earlier edition; the edits that follow it stay.
+    void reload();
     [[nodiscard]] std::optional<double> storeyHeightM() const;  ///< as entered; nothing: not known
 
 Q_SIGNALS:
     void began();
     void editsMade(std::vector<noonmark::Edit> edits, QString what, std::string building);
+    void editionRead(noonmark::ImportMesh edition);
     void ended();
     void failed(noonmark::Error error);
 
@@ -75,7 +86,12 @@ private:
     struct Read {
         ImportMesh mesh;
         Warnings warnings;
+        /// Of an IFC: azimuth of the model's y axis, and where the model's origin lies.
+        std::optional<double> northDeg;
+        std::optional<LonLat> origin;
     };
+    void preset(const Read& read);
+    [[nodiscard]] const ImportMesh* findEarlier() const;  ///< edition of the file; null: none
     void read();
     void take(Result<Read> read);
 

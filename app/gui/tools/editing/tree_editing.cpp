@@ -11,9 +11,12 @@
 #include <utility>
 
 #include "app/gui/base/widgets/buttons.h"
+#include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/field_rows.h"
 #include "app/gui/base/widgets/number_fields.h"
 #include "app/gui/base/widgets/number_text.h"
+#include "core/engines/api/tree_shade.h"
+#include "render/scene/crown_bodies.h"
 #include "scenarios/edits/tree_edits.h"
 
 namespace noonmark {
@@ -54,7 +57,10 @@ TreePanel::TreePanel(QWidget* parent)
                           tr("Puts trees with the measures above in place of the chosen ones"))),
       fell_(pushButton(tr("Fell"), "fellTrees", tr("Removes the chosen trees (Delete)"))),
       grow_(pushButton(tr("Let grow"), "growTrees",
-                       tr("The chosen trees after these years; all of the city if none is chosen"))) {
+                       tr("The chosen trees after these years; all of the city if none is chosen"))),
+      read_(pushButton(tr("Read trees of a file..."), "readTrees",
+                       tr("Adds an inventory, OpenStreetMap or a raster of canopy heights to the existing "
+                          "city"))) {
     chosen_->setObjectName(QStringLiteral("chosenTrees"));
     chosen_->setWordWrap(true);
     for (QPushButton* button : {plant_, row_}) button->setCheckable(true);
@@ -73,6 +79,7 @@ TreePanel::TreePanel(QWidget* parent)
     connect(replace_, &QPushButton::clicked, this, &TreePanel::replaceRequested);
     connect(fell_, &QPushButton::clicked, this, &TreePanel::fellRequested);
     connect(grow_, &QPushButton::clicked, this, &TreePanel::growRequested);
+    connect(read_, &QPushButton::clicked, this, &TreePanel::inventoryRequested);
     showChosen({}, 0);
 }
 
@@ -87,13 +94,13 @@ void TreePanel::placeFields() {
     column->addWidget(widgetRow({plant_, row_}));
     column->addWidget(widgetRow({replace_, fell_}));
     column->addWidget(widgetRow({years_, grow_}));
+    column->addWidget(read_, 0, Qt::AlignLeft);
     column->addStretch(1);
 }
 
 void TreePanel::showChosen(const std::vector<Tree>& chosen, std::size_t all) {
     const QString count =
-        all == 0 ? tr("The city has no trees yet. Plant some, or read an inventory: "
-                      "noonmark-cli project tree import")
+        all == 0 ? tr("The city has no trees yet. Plant some, or read those of a file")
                  : tr("%1 tree(s) in the city. Click one to choose it, Ctrl adds more", "", pluralNumber(all))
                        .arg(formatCount(all));
     if (chosen.size() == 1) {
@@ -129,6 +136,10 @@ TreeEditing::TreeEditing(EditContext& context, TreePanel& panel, QObject* parent
       claim_(context.panel.view(), [this](int key) { return key == Qt::Key_Delete && !ids_.empty(); }) {
     context_.panel.navigator().addTarget(*this);
     connect(&context_.panel.navigator(), &ViewNavigator::doubleClicked, this, [this] { finishRow(); });
+    connect(&live_, &LiveTrees::changed, this, &TreeEditing::showLive);
+    connect(&live_, &LiveTrees::failed, this, [this](const Error& error) {
+        if (!isCancelled(error)) Q_EMIT hinted(describeError(error));
+    });
     connect(&panel_, &TreePanel::plantingChosen, this, &TreeEditing::plant);
     connect(&panel_, &TreePanel::replaceRequested, this, &TreeEditing::replace);
     connect(&panel_, &TreePanel::fellRequested, this, &TreeEditing::fell);
@@ -145,7 +156,7 @@ void TreeEditing::cityChanged() {
     std::set<std::string> there;
     for (const Tree& tree : chosenTrees()) there.insert(tree.sourceId);
     ids_ = std::move(there);
-    grabbed_.reset();
+    if (std::exchange(grabbed_, std::nullopt)) endDrag();
     movedM_ = {0, 0};
     show();
 }
@@ -244,7 +255,65 @@ bool TreeEditing::grab(QPointF pixel) {
     const auto tree = treeAt(pixel);
     if (!tree || !ids_.contains(trees()->trees[*tree].sourceId)) return false;
     grabbed_ = groundAt(pixel);
+    if (grabbed_) beginDrag();
     return grabbed_.has_value();
+}
+
+// A map of minutes follows where that of a study is shown, the shade of a moment where rays draw the view.
+void TreeEditing::beginDrag() {
+    const bool isStudyShown = context_.study && context_.panel.results().showsAnswer();
+    if (isStudyShown && context_.study->field.trees) live_.begin(context_.study, ids_);
+    if (!context_.city->crowns) return;
+    Trees others = *trees();
+    std::erase_if(others.trees, [this](const Tree& tree) { return ids_.contains(tree.sourceId); });
+    finding_.start<std::shared_ptr<const CrownRays>>(
+        tr("Crowns of the other trees"),
+        [others = std::make_shared<const Trees>(std::move(others))](Progress&, const std::stop_token& stop) {
+            return makeCrownRays(others, stop);
+        },
+        [this](Result<std::shared_ptr<const CrownRays>> rays) {
+            others_ = rays.value_or(nullptr);
+            showDraggedShade();
+        });
+}
+
+void TreeEditing::showDraggedShade() {
+    if (!others_ || !grabbed_) return;
+    Trees dragged{.trees = chosenTrees(), .leafDays = trees()->leafDays};
+    for (Tree& tree : dragged.trees) {
+        tree.place += movedM_;
+        tree.groundM = float(noonmark::groundAt(context_.city->city(), tree.place));
+    }
+    const auto rays = makeCrownRays(std::make_shared<const Trees>(std::move(dragged)), {});
+    if (!rays) return;
+    CrownRays all = *others_;
+    const auto join = [](std::vector<RayScene>& to, const std::vector<RayScene>& more) {
+        to.insert(to.end(), more.begin(), more.end());
+    };
+    join(all.evergreen, (*rays)->evergreen);
+    join(all.losingLeaves, (*rays)->losingLeaves);
+    context_.panel.view().showTrees(others_->trees, std::make_shared<const CrownRays>(std::move(all)));
+}
+
+void TreeEditing::showLive() {
+    if (!grabbed_ || !live_.field()) return;
+    const std::shared_ptr<const Study> study = live_.study();
+    const QString columns = study->field.trees->seasonal ? tr("With trees and their seasons, while they move")
+                                                         : tr("With trees as evergreens, while they move");
+    context_.panel.results().setLive(
+        GroundAnswer{.map = live_.field(),
+                     .receivers = std::shared_ptr<const Receivers>(study, &study->receivers),
+                     .note = columns,
+                     .grossOnly = true});
+}
+
+// The city with the trees where they were dropped follows; where it does not, they are where they were.
+void TreeEditing::endDrag() {
+    live_.end();
+    finding_.drop();
+    context_.panel.results().setLive(std::nullopt);
+    if (std::exchange(others_, nullptr))
+        context_.panel.view().showTrees(context_.city->city().trees, context_.city->crowns);
 }
 
 void TreeEditing::dragTo(QPointF pixel) {
@@ -252,9 +321,12 @@ void TreeEditing::dragTo(QPointF pixel) {
     if (!grabbed_ || !ground) return;
     movedM_ = *ground - *grabbed_;
     show();
+    live_.follow(movedM_);
+    showDraggedShade();
 }
 
 void TreeEditing::drop() {
+    endDrag();
     grabbed_.reset();
     const glm::dvec2 by = std::exchange(movedM_, {0, 0});
     if (by == glm::dvec2(0)) return;

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <set>
 
+#include "app/gui/tools/live/live_trees.h"
 #include "app/gui/tools/preview/edit_context.h"
 #include "core/city/trees/tree_facts.h"
 #include "scenarios/edits/edit.h"
@@ -34,6 +35,7 @@ Q_SIGNALS:
     void replaceRequested();
     void fellRequested();
     void growRequested();
+    void inventoryRequested();  ///< trees of a file
 
 private:
     void placeFields();
@@ -42,7 +44,7 @@ private:
     FieldRows* fields_;
     QDoubleSpinBox* spacing_;
     QDoubleSpinBox* years_;
-    QPushButton *plant_, *row_, *replace_, *fell_, *grow_;
+    QPushButton *plant_, *row_, *replace_, *fell_, *grow_, *read_;
 };
 
 /// Plants, chooses, moves, replaces and fells trees in the view: a click chooses a tree, Ctrl adds more, a
@@ -71,8 +73,16 @@ Q_SIGNALS:
     void editsMade(std::vector<noonmark::Edit> edits, QString what);
     void chosen();  ///< trees were chosen, or planting began
     void failed(noonmark::Error error);
+    void hinted(QString text);  ///< why no shadow follows the trees
+
+public:
+    [[nodiscard]] LiveTrees& live() { return live_; }
 
 private:
+    void beginDrag();
+    void endDrag();
+    void showDraggedShade();
+    void showLive();
     [[nodiscard]] const Trees* trees() const;
     [[nodiscard]] std::optional<std::size_t> treeAt(QPointF pixel) const;
     [[nodiscard]] std::vector<Tree> chosenTrees() const;
@@ -96,6 +106,9 @@ private:
     std::optional<glm::dvec2> cursor_;
     std::optional<glm::dvec2> grabbed_;
     glm::dvec2 movedM_{0};
+    LiveTrees live_;                           ///< on the map of the study
+    std::shared_ptr<const CrownRays> others_;  ///< for the shade of a moment, without the dragged trees
+    JobSlot finding_;
 };
 
 }  // namespace noonmark

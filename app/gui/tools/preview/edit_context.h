@@ -12,6 +12,7 @@
 #include "core/city/building_heights.h"
 #include "render/view/camera_pose.h"
 #include "render/view/view_navigator.h"
+#include "scenarios/edits/edit.h"
 #include "scenarios/massing/tower_design.h"
 #include "scenarios/project/project.h"
 
@@ -82,6 +83,8 @@ private:
     ShortcutClaim claim_;
 };
 
+struct Study;
+
 /// State shared by the edit tools: the view, its city, the preview and the drag handle.
 struct EditContext {
     EditContext(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizons)
@@ -91,8 +94,10 @@ struct EditContext {
     EditPreview preview;
     ExtrudeHandle handle;
     std::shared_ptr<const OpenCity> city;  ///< null before the first city
+    std::shared_ptr<const Study> study;    ///< the latest of that city; null: none
     std::vector<NamedLot> lots;
     std::map<std::string, ProposedTower> towers;  ///< of the shown scenario
+    std::vector<ImportMesh> proposals;            ///< read from files, of the same
 
     /// Null: it was not designed here.
     [[nodiscard]] const ProposedTower* findTower(const Building& building) const {

@@ -36,6 +36,19 @@ TEST_F(CsvMaps, SemicolonsAndDecimalCommasAreRead) {
     EXPECT_EQ(city->crs, "WGS 84, guessed from the numbers");
 }
 
+// PostGIS writes the number of the system before the outline.
+TEST_F(CsvMaps, TheSystemOfOutlinesOfPostgisIsTheirNumber) {
+    const auto city = readTable(
+        "id,height,geom\n1,20,\"SRID=25833;POLYGON((390000 5819000,390020 5819000,390020 5819020,390000 "
+        "5819020,390000 5819000))\"\n");
+    ASSERT_TRUE(city) << city.error().text();
+    ASSERT_EQ(city->city.buildings.size(), 1U);
+    EXPECT_NEAR(topM(*city->city.buildings[0]), 20, 1e-4);
+    EXPECT_NEAR(city->city.frame.origin().lonDeg, 13.37929, 0.0001);
+    EXPECT_NEAR(city->city.frame.origin().latDeg, 52.51010, 0.0001);
+    EXPECT_THAT(city->crs, HasSubstr("UTM zone 33N"));
+}
+
 TEST_F(CsvMaps, OutlinesMayBeCalledGeometry) {
     for (const char* name : {"geom", "geometry", "the_geom", "WKT"}) {
         const auto city = readTable(std::string("id,height,") + name + "\n1,8," + outlineText);

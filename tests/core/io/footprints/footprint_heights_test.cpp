@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,6 +7,7 @@
 #include <functional>
 #include <tuple>
 
+#include "core/io/read_city.h"
 #include "core/study/provenance/provenance.h"
 #include "tests/core/io/footprint_files.h"
 
@@ -36,6 +38,32 @@ TEST_F(ReadFootprints, FrenchHeightsAreRead) {
     EXPECT_EQ(hauteur, (HeightField{"a.geojson", "HAUTEUR", "base of the roof", "m", 1}));
     EXPECT_EQ(piece.heights.fields[2].field, "Z_MIN_TOIT - Z_MIN_SOL");
     EXPECT_TRUE(piece.heights.unknown.empty());
+}
+
+// As a WFS 2.0 writes buildings of INSPIRE: latitude first, the height two elements below its name.
+TEST(InspireBuildings, StateTheirHeightsAsNestedLengths) {
+    const auto building = [](int number, const char* heightM, double south) {
+        return fmt::format(
+            R"(<wfs:member><bu-core2d:Building gml:id="B{0}"><bu-base:heightAboveGround><bu-base:HeightAboveGround>
+<bu-base:status>measured</bu-base:status><bu-base:value uom="m">{1}</bu-base:value></bu-base:HeightAboveGround></bu-base:heightAboveGround>
+<bu-base:numberOfFloorsAboveGround>2</bu-base:numberOfFloorsAboveGround><bu-core2d:geometry2D><gml:Polygon gml:id="P{0}"
+srsName="http://www.opengis.net/def/crs/EPSG/0/4258"><gml:exterior><gml:LinearRing><gml:posList>{2} -3.7 {2} -3.6997 {3} -3.6997 {3} -3.7 {2} -3.7</gml:posList>
+</gml:LinearRing></gml:exterior></gml:Polygon></bu-core2d:geometry2D></bu-core2d:Building></wfs:member>)",
+            number, heightM, south, south + 0.0002);
+    };
+    const TemporaryFolder folder;
+    const auto file = folder.file(
+        "buildings.gml",
+        R"(<?xml version="1.0"?><wfs:FeatureCollection xmlns:wfs="http://www.opengis.net/wfs/2.0" xmlns:gml="http://www.opengis.net/gml/3.2"
+xmlns:bu-core2d="http://inspire.ec.europa.eu/schemas/bu-core2d/4.0" xmlns:bu-base="http://inspire.ec.europa.eu/schemas/bu-base/4.0">)" +
+            building(1, "17.5", 40.4) + building(2, "9.25", 40.401) + "</wfs:FeatureCollection>");
+    NoProgress quiet;
+    const auto read = readCity({file}, {}, quiet, {});
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->city.buildings.size(), 2U);
+    EXPECT_NEAR(heightOf(*read->city.buildings[0]), 17.5, 1e-3);
+    EXPECT_NEAR(heightOf(*read->city.buildings[1]), 9.25, 1e-3);
+    EXPECT_THAT(whats(read->warnings), testing::Contains(HasSubstr("as in INSPIRE")));
 }
 
 TEST_F(ReadFootprints, BostonsHeightsAreFeet) {

@@ -106,7 +106,7 @@ class ReadTreesTest : public testing::Test {
 protected:
     Result<TreesRead> tryRead(const std::filesystem::path& file) {
         NoProgress quiet;
-        return readTrees(file, std::nullopt, quiet, {});
+        return readTrees(file, {}, quiet, {});
     }
     TemporaryFolder folder_;
 };

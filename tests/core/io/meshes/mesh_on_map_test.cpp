@@ -252,5 +252,17 @@ TEST(MeshOnMap, BrokenNumbersEndInAWarningOrAnError) {
     EXPECT_FALSE(cut);
 }
 
+// For which PLY has no field: the points are those of a box at the model's zero.
+TEST(MeshOnMap, TheOffsetInACommentOfAPlyCounts) {
+    std::string ply = plyOf(cornersAt({0.123, 0.456, 1.25}));
+    ply.replace(ply.find("element vertex"), 0, "comment offset 121687 487484 0\n");
+    const auto piece = readMapMesh("tower.ply", ply, onMap("EPSG:28992"));
+    ASSERT_TRUE(piece) << piece.error().text();
+    expectAt(piece, "EPSG:28992", glm::dvec2(rdPlace), boxSize, 0.02);
+    EXPECT_TRUE(warns(*piece, "offset in a comment"));
+    ply.replace(ply.find("comment offset"), 14, "comment colour");
+    EXPECT_FALSE(readMapMesh("tower.ply", ply, onMap("EPSG:28992"))) << "near its own origin";
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -7,6 +7,7 @@
 
 #include "core/city/trees/tree.h"
 #include "core/io/places/read_places.h"
+#include "core/study/by_place/sun_in_column.h"
 #include "core/study/elements/element_tables.h"
 #include "tests/core/study/by_place/place_scenes.h"
 
@@ -67,6 +68,29 @@ TEST(SunByPlace, UnderLeavesIsWhatTheyLetThrough) {
     EXPECT_TRUE(std::ranges::any_of(sun.errors, [](const ShownError& error) {
         return error.facts.key == "place_mean" && error.of == "trees as evergreens" && error.largest < 0.05;
     }));
+}
+
+TEST(SunInColumn, StatesTheSunWithTreesInPlaceOfThatWithout) {
+    SunByPlaceSettings settings = settingsOfDays(5);
+    settings.dates = {std::chrono::year(2026) / 12 / 21};
+    SunOfCities sun;
+    sun.baseline = measureByPlace(underLeaves(), {namedPlace("Street", -10, -10, 10, 10)}, settings);
+    EXPECT_EQ(listSunColumns(sun),
+              (std::vector{TreeColumns::without, TreeColumns::evergreen, TreeColumns::seasonal}));
+    EXPECT_FALSE(inColumn(sun, TreeColumns::without));
+    const auto shaded = inColumn(sun, TreeColumns::seasonal);
+    ASSERT_TRUE(shaded);
+    EXPECT_EQ(shaded->baseline.sun[0].meanHours, sun.baseline.withTrees[1].sun[0].meanHours);
+    EXPECT_EQ(shaded->baseline.sun[0].dateHours, sun.baseline.withTrees[1].sun[0].dateHours);
+    EXPECT_EQ(listSunColumns(*shaded), std::vector{TreeColumns::without});
+    const auto errorsOf = [](const SunByPlace& all, std::string_view of) {
+        return std::ranges::count_if(all.errors, [&](const ShownError& error) {
+            return error.facts.key == "place_mean" && error.of == of;
+        });
+    };
+    EXPECT_EQ(errorsOf(sun.baseline, "trees with their seasons"), 1);
+    EXPECT_EQ(errorsOf(shaded->baseline, ""), 1);
+    EXPECT_EQ(errorsOf(shaded->baseline, "trees with their seasons"), 0);
 }
 
 City avenue() {

@@ -1,0 +1,340 @@
+#include "app/gui/tools/live/live_trees.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+
+#include "core/city/terrain/building_ground.h"
+#include "core/engines/api/tree_shade.h"
+#include "core/engines/common/shadow_reach.h"
+#include "core/engines/ray/ray_reference.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double crownSquareM = 16;
+constexpr std::uint8_t unknownPass = 255;  // else 254ths of the sun
+constexpr double passSteps = 254;
+constexpr std::size_t maxPassBytes = std::size_t{1} << 29U;
+
+int dayOfYearOf(const CivilDate& date) {
+    using namespace std::chrono;
+    return int((sys_days(date) - sys_days(date.year() / January / 1)).count()) + 1;
+}
+
+std::vector<std::uint8_t> findLeafySteps(const SunSteps& sun, const LeafDays* leaves) {
+    std::vector<std::uint8_t> inLeaf(sun.steps.size(), 1);
+    if (leaves == nullptr) return inLeaf;
+    for (const SunDay& day : sun.days)
+        if (!leaves->inLeafOn(dayOfYearOf(day.date)))
+            std::fill_n(inLeaf.begin() + day.first, day.count, std::uint8_t{0});
+    return inLeaf;
+}
+
+std::vector<SunPatch> gatherPatches(const SunSteps& sun, const std::vector<std::uint8_t>& inLeaf,
+                                    double sideDeg) {
+    const double perRadian = 180 / std::numbers::pi / sideDeg;
+    const double minutes = sun.stepMinutes / double(std::max<std::size_t>(1, sun.dayCount()));
+    std::unordered_map<std::int64_t, std::size_t> known;
+    std::vector<SunPatch> patches;
+    for (std::size_t k = 0; k < sun.steps.size(); ++k) {
+        const auto direction = glm::normalize(glm::dvec3(sun.steps[k].direction));
+        const double azimuth = std::atan2(direction.x, direction.y) * std::cos(std::asin(direction.z));
+        const auto key = std::int64_t(std::floor(azimuth * perRadian)) * 100'000 +
+                         std::int64_t(std::floor(std::asin(direction.z) * perRadian)) * 2 + inLeaf[k];
+        const auto [found, isNew] = known.try_emplace(key, patches.size());
+        if (isNew) patches.push_back({glm::dvec3(0), inLeaf[k] != 0, 0});
+        SunPatch& patch = patches[found->second];
+        patch.direction += direction;
+        patch.minutesPerDay += minutes;
+    }
+    for (SunPatch& patch : patches) patch.direction = glm::normalize(patch.direction);
+    return patches;
+}
+
+}  // namespace
+
+std::vector<SunPatch> findSunPatches(const SunSteps& sun, const LeafDays* leaves, std::size_t maximum) {
+    constexpr double firstDeg = 0.5, widerTimes = 1.25, widestDeg = 20;
+    const std::vector<std::uint8_t> inLeaf = findLeafySteps(sun, leaves);
+    double sideDeg = firstDeg;
+    std::vector<SunPatch> patches = gatherPatches(sun, inLeaf, sideDeg);
+    while (patches.size() > maximum && sideDeg < widestDeg)
+        patches = gatherPatches(sun, inLeaf, sideDeg *= widerTimes);
+    return patches;
+}
+
+StandingCrowns::Square StandingCrowns::squareOf(glm::dvec2 place) {
+    return {int(std::floor(place.x / crownSquareM)), int(std::floor(place.y / crownSquareM))};
+}
+
+StandingCrowns::StandingCrowns(const std::vector<Crown>& crowns) {
+    highestM_ = -std::numeric_limits<double>::max();
+    for (const Crown& crown : crowns) {
+        squares_[squareOf({crown.x, crown.y})].push_back(crown);
+        highestM_ = std::max(highestM_, crown.topM);
+        widestM_ = std::max(widestM_, crown.radiusM);
+    }
+}
+
+// Each square once: column by column along the ray, with those beside it as far as the widest crown reaches.
+double StandingCrowns::depth(glm::dvec3 origin, glm::dvec3 direction, bool inLeaf) const {
+    if (origin.z >= highestM_ || direction.z <= 0) return 0;
+    const glm::dvec2 end =
+        glm::dvec2(origin) + glm::dvec2(direction) * ((highestM_ - origin.z) / direction.z);
+    const bool isFlipped = std::abs(direction.y) > std::abs(direction.x);
+    const auto along = [&](glm::dvec2 place) { return isFlipped ? place.y : place.x; };
+    const auto across = [&](glm::dvec2 place) { return isFlipped ? place.x : place.y; };
+    const glm::dvec2 start(origin);
+    const double low = std::min(along(start), along(end)) - widestM_,
+                 high = std::max(along(start), along(end)) + widestM_;
+    const double slope =
+        along(end) == along(start) ? 0 : (across(end) - across(start)) / (along(end) - along(start));
+    double sum = 0;
+    for (int column = int(std::floor(low / crownSquareM)); column <= int(std::floor(high / crownSquareM));
+         ++column) {
+        const double from = std::clamp(column * crownSquareM, low, high),
+                     to = std::clamp((column + 1) * crownSquareM, low, high);
+        const double a = across(start) + slope * (from - along(start)),
+                     b = across(start) + slope * (to - along(start));
+        const double reach = 2 * widestM_;  // beside the ray and before and behind it
+        const int first = int(std::floor((std::min(a, b) - reach) / crownSquareM)),
+                  last = int(std::floor((std::max(a, b) + reach) / crownSquareM));
+        for (int row = first; row <= last; ++row) {
+            const auto found = squares_.find(isFlipped ? Square{row, column} : Square{column, row});
+            if (found == squares_.end()) continue;
+            for (const Crown& crown : found->second)
+                sum +=
+                    computeChord(crown, origin, direction) * (inLeaf ? crown.leafOnPerM : crown.leafOffPerM);
+        }
+    }
+    return sum;
+}
+
+namespace {
+
+const ShadowField* findFieldWithTrees(const Study& study) {
+    const auto& trees = study.field.trees;
+    if (!trees) return nullptr;
+    return trees->seasonal ? &*trees->seasonal : trees->evergreen ? &*trees->evergreen : nullptr;
+}
+
+Error noLiveTrees(const char* why) { return {"Dragged trees are not followed by their shadow", {}, why}; }
+
+}  // namespace
+
+LiveTreeShade::LiveTreeShade(std::shared_ptr<const Study> study, RayScene scene,
+                             const std::vector<Crown>& others)
+    : study_(std::move(study)),
+      before_(findFieldWithTrees(*study_)),
+      scene_(std::move(scene)),
+      others_(others) {}
+
+Result<std::shared_ptr<LiveTreeShade>> LiveTreeShade::of(std::shared_ptr<const Study> study,
+                                                         const std::set<std::string>& moved,
+                                                         const std::stop_token& stop) {
+    if (moved.size() > maxMoved)
+        return tl::make_unexpected(noLiveTrees("Drag up to 20 trees, or measure again when they stand"));
+    if (findFieldWithTrees(*study) == nullptr)
+        return tl::make_unexpected(noLiveTrees("Measure a study with trees first"));
+    const City& city = study->city;
+    std::vector<Crown> others;
+    std::vector<Tree> chosen;
+    for (const Tree& tree : city.trees->trees)
+        if (moved.contains(tree.sourceId))
+            chosen.push_back(tree);
+        else
+            others.push_back(makeCrown(tree));
+    if (chosen.empty()) return tl::make_unexpected(noLiveTrees("The trees are not those of the study"));
+    const Receivers& receivers = study->receivers;
+    auto scene = RayScene::over(city, findBuildingsInReach(city, receivers, study->sun), stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    std::shared_ptr<LiveTreeShade> live(new LiveTreeShade(study, *std::move(scene), others));
+    live->moved_ = std::move(chosen);
+    const bool seasons = study->field.trees->seasonal.has_value();
+    const std::size_t maximum =
+        std::min(maxPatches, maxPassBytes / std::max<std::size_t>(1, receivers.grid.size()));
+    live->patches_ = findSunPatches(study->sun, seasons ? &city.trees->leafDays : nullptr, maximum);
+    if (live->patches_.size() > maximum)
+        return tl::make_unexpected(noLiveTrees("Measure a smaller region, or larger cells"));
+    live->passed_.assign(live->patches_.size() * receivers.grid.size(), unknownPass);
+    live->lowestM_ = std::numeric_limits<float>::max();
+    live->highestM_ = std::numeric_limits<float>::lowest();
+    for (const std::uint32_t cell : receivers.cells) {
+        const float z = receivers.position(cell).z;
+        live->lowestM_ = std::min(live->lowestM_, z);
+        live->highestM_ = std::max(live->highestM_, z);
+    }
+    live->takenBefore_ = live->measure(live->crownsAt({0, 0}));
+    return live;
+}
+
+std::vector<Crown> LiveTreeShade::crownsAt(glm::dvec2 byM) const {
+    std::vector<Crown> crowns;
+    for (Tree tree : moved_) {
+        tree.place += byM;
+        if (byM != glm::dvec2(0)) tree.groundM = float(groundAt(study_->city, tree.place));
+        crowns.push_back(makeCrown(tree));
+    }
+    return crowns;
+}
+
+// Each task has sums of its own, which are joined in their order: the same on any number of cores.
+std::vector<float> LiveTreeShade::measure(const std::vector<Crown>& crowns) {
+    const Grid& grid = study_->receivers.grid;
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, tasks, 1),
+        [&](const auto& range) {
+            for (std::size_t task = range.begin(); task < range.end(); ++task) {
+                Sums& sums = sums_[task];
+                sums.minutes.resize(grid.size(), 0);
+                sums.firstRow = grid.rows;
+                sums.lastRow = -1;
+                for (std::size_t k = task; k < patches_.size(); k += tasks)
+                    shade(patches_[k], passed_.data() + k * grid.size(), crowns, sums);
+            }
+        },
+        tbb::simple_partitioner());
+    std::vector<float> all(grid.size(), 0);
+    for (Sums& sums : sums_)
+        for (int row = sums.firstRow; row <= sums.lastRow; ++row)
+            for (std::size_t cell = grid.index(0, row); cell < grid.index(0, row + 1); ++cell)
+                all[cell] += std::exchange(sums.minutes[cell], 0.0F);
+    return all;
+}
+
+// Of crowns that overlap on a ray the depths add up: later ones count what earlier ones leave.
+void LiveTreeShade::shade(const SunPatch& patch, std::uint8_t* passed, const std::vector<Crown>& crowns,
+                          Sums& sums) const {
+    for (std::size_t i = 0; i < crowns.size(); ++i)
+        visitShadow(crowns[i], patch.direction, [&](std::uint32_t cell) {
+            const glm::dvec3 origin(placeRayOrigin(study_->receivers.position(cell)));
+            const auto depthOf = [&](const Crown& crown) {
+                return computeChord(crown, origin, patch.direction) *
+                       (patch.inLeaf ? crown.leafOnPerM : crown.leafOffPerM);
+            };
+            const double depth = depthOf(crowns[i]);
+            if (depth <= 0) return;
+            double earlier = 0;
+            for (std::size_t k = 0; k < i; ++k) earlier += depthOf(crowns[k]);
+            const int row = int(cell) / study_->receivers.grid.columns;
+            sums.firstRow = std::min(sums.firstRow, row);
+            sums.lastRow = std::max(sums.lastRow, row);
+            sums.minutes[cell] += float(patch.minutesPerDay * passOf(cell, patch, passed[cell]) *
+                                        std::exp(-earlier) * -std::expm1(-depth));
+        });
+}
+
+// The receivers in a strip of the ground from below the crown's lower end to where its top casts its shadow.
+template <class Visit>
+void LiveTreeShade::visitShadow(const Crown& crown, glm::dvec3 direction, Visit&& visit) const {
+    const Receivers& receivers = study_->receivers;
+    const Grid& grid = receivers.grid;
+    const glm::dvec2 flat(-direction.x, -direction.y);
+    const double perMetre = glm::length(flat) / direction.z;  // of height
+    const glm::dvec2 away = glm::length(flat) > 0 ? flat / glm::length(flat) : glm::dvec2(1, 0);
+    const double from = std::max(0.0, crown.bottomM - double(highestM_)) * perMetre,
+                 to = std::max(0.0, crown.topM - double(lowestM_)) * perMetre;
+    const glm::dvec2 axis(crown.x, crown.y), a = axis + away * from, b = axis + away * to;
+    const double reach = crown.radiusM + grid.cellM;
+    const auto rowOf = [&](double y) { return int(std::floor((y - grid.southM) / grid.cellM)); };
+    const auto columnOf = [&](double x) { return int(std::floor((x - grid.westM) / grid.cellM)); };
+    const int firstRow = std::max(0, rowOf(std::min(a.y, b.y) - reach)),
+              lastRow = std::min(grid.rows - 1, rowOf(std::max(a.y, b.y) + reach));
+    for (int row = firstRow; row <= lastRow; ++row) {
+        const double y = grid.centre(0, row).y;
+        double low = from, high = to;  // the part of the strip's middle that is near this row
+        if (std::abs(away.y) > 1e-9) {
+            const double s = (y - reach - axis.y) / away.y, t = (y + reach - axis.y) / away.y;
+            low = std::max(low, std::min(s, t));
+            high = std::min(high, std::max(s, t));
+        }
+        if (low > high) continue;
+        const double west = axis.x + std::min(away.x * low, away.x * high) - reach,
+                     east = axis.x + std::max(away.x * low, away.x * high) + reach;
+        const int firstColumn = std::max(0, columnOf(west)),
+                  lastColumn = std::min(grid.columns - 1, columnOf(east));
+        for (int column = firstColumn; column <= lastColumn; ++column) {
+            const auto cell = std::uint32_t(grid.index(column, row));
+            if (isReceiver(receivers.kind[cell])) visit(cell);
+        }
+    }
+}
+
+double LiveTreeShade::passOf(std::uint32_t cell, const SunPatch& patch, std::uint8_t& known) const {
+    if (known == unknownPass) {
+        const glm::vec3 origin = placeRayOrigin(study_->receivers.position(cell));
+        const bool blocked = scene_.occluded(origin, glm::vec3(patch.direction));
+        const double passes =
+            blocked ? 0 : std::exp(-others_.depth(glm::dvec3(origin), patch.direction, patch.inLeaf));
+        known = std::uint8_t(std::lround(passes * passSteps));
+    }
+    return double(known) / passSteps;
+}
+
+ShadowField LiveTreeShade::with(glm::dvec2 byM) {
+    const std::vector<float> taken = measure(crownsAt(byM));
+    ShadowField field = *before_;
+    for (const std::uint32_t cell : study_->receivers.cells)
+        field.grossMin[cell] = std::clamp(field.grossMin[cell] + taken[cell] - takenBefore_[cell], 0.0F,
+                                          float(field.sunlitMinutesPerDay));
+    std::ranges::fill(field.continuousMin, std::numeric_limits<float>::quiet_NaN());
+    return field;
+}
+
+void LiveTrees::begin(std::shared_ptr<const Study> study, const std::set<std::string>& moved) {
+    end();
+    study_ = std::move(study);
+    moved_ = moved;
+    if (study_) ask();
+}
+
+void LiveTrees::end() {
+    slot_.drop();
+    study_.reset();
+    shade_.reset();
+    field_.reset();
+    byM_ = {0, 0};
+    newer_ = false;
+}
+
+void LiveTrees::follow(glm::dvec2 byM) {
+    if (!study_) return;
+    byM_ = byM;
+    newer_ = true;
+    if (!slot_.busy()) ask();
+}
+
+void LiveTrees::ask() {
+    newer_ = false;
+    slot_.start<Followed>(
+        tr("Live shade of trees"),
+        [study = study_, shade = shade_, moved = moved_, byM = byM_](
+            Progress&, const std::stop_token& stop) -> Result<Followed> {
+            auto live =
+                shade ? Result<std::shared_ptr<LiveTreeShade>>(shade) : LiveTreeShade::of(study, moved, stop);
+            if (!live) return tl::make_unexpected(live.error());
+            return Followed{*live, std::make_shared<const ShadowField>((*live)->with(byM))};
+        },
+        [this](Result<Followed> followed) { take(std::move(followed)); });
+}
+
+void LiveTrees::take(Result<Followed> followed) {
+    if (!followed) {
+        end();
+        return Q_EMIT failed(followed.error());
+    }
+    shade_ = std::move(followed->shade);
+    field_ = std::move(followed->field);
+    if (newer_) ask();
+    Q_EMIT changed();
+}
+
+}  // namespace noonmark

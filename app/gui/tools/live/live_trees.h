@@ -1,0 +1,131 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/gui/base/jobs/job.h"
+#include "core/engines/ray/ray_scene.h"
+#include "core/study/study.h"
+
+// The shade of trees while they are dragged, on the cells of a study: what it measured with trees, less what
+// the dragged ones took where they stood, and what they take where they are.
+namespace noonmark {
+
+/// The crowns that stay, in squares of the ground: those that a ray meets are found along it.
+class StandingCrowns {
+public:
+    explicit StandingCrowns(const std::vector<Crown>& crowns);
+    /// What a ray's paths through them add up to, by metre and optical depth of a metre.
+    [[nodiscard]] double depth(glm::dvec3 origin, glm::dvec3 direction, bool inLeaf) const;
+
+private:
+    using Square = std::pair<int, int>;
+    static Square squareOf(glm::dvec2 place);
+    std::map<Square, std::vector<Crown>> squares_;  // by the middle of each crown
+    double highestM_ = 0, widestM_ = 0;
+};
+
+/// Suns of a period that crowns take for one, and how many minutes a day they count in the mean.
+struct SunPatch {
+    glm::dvec3 direction{0, 0, 1};
+    bool inLeaf = true;
+    double minutesPerDay = 0;
+};
+/// At most `maximum` patches of 0.5 deg a side or of as little more as that takes; `leaves`: null: trees are
+/// in leaf all year.
+std::vector<SunPatch> findSunPatches(const SunSteps& sun, const LeafDays* leaves, std::size_t maximum);
+
+/// Not thread-safe.
+class LiveTreeShade {
+public:
+    /// Patches of the sun up to which a tree moved follows a hand.
+    static constexpr std::size_t maxPatches = 600;
+    static constexpr std::size_t maxMoved = 20;
+
+    /// `study`: of a city with trees that reach its receivers. `moved`: ids of the trees that are dragged.
+    /// Error: none or too many of them, the study has no figures with trees, too little memory; cancelled().
+    /// Some 0.1 s for Midtown.
+    static Result<std::shared_ptr<LiveTreeShade>> of(std::shared_ptr<const Study> study,
+                                                     const std::set<std::string>& moved,
+                                                     const std::stop_token& stop);
+
+    /// Gross shadow with trees by their seasons (or as evergreens, as the study has it) where the trees stand
+    /// `byM` from their places. What was asked of the rest of the city is known the next time.
+    [[nodiscard]] ShadowField with(glm::dvec2 byM);
+
+    [[nodiscard]] std::size_t patches() const { return patches_.size(); }
+
+private:
+    LiveTreeShade(std::shared_ptr<const Study> study, RayScene scene, const std::vector<Crown>& others);
+    [[nodiscard]] std::vector<Crown> crownsAt(glm::dvec2 byM) const;
+    /// Minutes a day by cell, of some of the patches; the others of its rows are 0.
+    struct Sums {
+        std::vector<float> minutes;
+        int firstRow = 0, lastRow = -1;
+    };
+    static constexpr std::size_t tasks = 4;
+    [[nodiscard]] std::vector<float> measure(const std::vector<Crown>& crowns);
+    void shade(const SunPatch& patch, std::uint8_t* passed, const std::vector<Crown>& crowns,
+               Sums& sums) const;
+    template <class Visit>
+    void visitShadow(const Crown& crown, glm::dvec3 direction, Visit&& visit) const;
+    [[nodiscard]] double passOf(std::uint32_t cell, const SunPatch& patch, std::uint8_t& known) const;
+
+    std::shared_ptr<const Study> study_;
+    const ShadowField* before_;  // of the study, with trees
+    RayScene scene_;             // buildings and terrain
+    StandingCrowns others_;
+    std::vector<Tree> moved_;
+    std::vector<SunPatch> patches_;
+    float lowestM_ = 0, highestM_ = 0;  // of the receivers
+    std::vector<std::uint8_t> passed_;  // by patch and cell: share of the sun that the rest lets through
+    std::array<Sums, tasks> sums_;      // 0 between calls
+    std::vector<float> takenBefore_;    // by the moved trees where they stood, minutes a day
+};
+
+/// Keeps that shade up to date while trees are dragged: one place is computed at a time, in a job; of those
+/// that arrive meanwhile the newest is next.
+class LiveTrees final : public QObject {
+    Q_OBJECT
+public:
+    explicit LiveTrees(QObject* parent = nullptr) : QObject(parent) {}
+
+    void begin(std::shared_ptr<const Study> study, const std::set<std::string>& moved);
+    void follow(glm::dvec2 byM);  ///< does nothing before begin()
+    void end();
+
+    [[nodiscard]] std::shared_ptr<const ShadowField> field() const { return field_; }  ///< null: none yet
+    [[nodiscard]] std::shared_ptr<const Study> study() const { return study_; }
+    [[nodiscard]] JobSlot& working() { return slot_; }
+
+Q_SIGNALS:
+    void changed();
+    void failed(noonmark::Error error);
+
+private:
+    struct Followed {
+        std::shared_ptr<LiveTreeShade> shade;
+        std::shared_ptr<const ShadowField> field;
+    };
+    void ask();
+    void take(Result<Followed> followed);
+
+    std::shared_ptr<const Study> study_;
+    std::set<std::string> moved_;
+    std::shared_ptr<LiveTreeShade> shade_;
+    std::shared_ptr<const ShadowField> field_;
+    glm::dvec2 byM_{0};
+    bool newer_ = false;  // the place has changed since the running job began
+    JobSlot slot_;
+};
+
+}  // namespace noonmark

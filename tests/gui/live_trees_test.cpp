@@ -1,0 +1,129 @@
+#include "app/gui/tools/live/live_trees.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <cmath>
+
+#include "core/city/trees/tree_facts.h"
+#include "core/engines/api/tree_shade.h"
+#include "tests/gui/live_scene.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark::test {
+namespace {
+
+Tree planeAt(glm::dvec2 place, const char* id) {
+    Tree tree = completeTree({.sourceId = id, .species = "Platanus", .heightM = 14, .crownDiameterM = 10});
+    tree.place = place;
+    return tree;
+}
+
+City cityWithTrees(glm::dvec2 dragged) {
+    City city = smallCity();
+    Trees trees{.trees = {planeAt(dragged, "dragged"), planeAt({-30, 25}, "a"), planeAt({-22, 25}, "b")},
+                .leafDays = {100, 300}};
+    city.trees = std::make_shared<const Trees>(std::move(trees));
+    return city;
+}
+
+StudySettings settingsOf(const Period& period) {
+    StudySettings settings;
+    settings.region = makeRegionFromLocalBox({{-60, -60}, {60, 60}});
+    settings.receivers.cellM = 2;
+    settings.period = period;
+    settings.engine = "ray";
+    settings.errorSample.receivers = 0;
+    return settings;
+}
+
+std::shared_ptr<const Study> studyOf(const City& city, const StudySettings& settings) {
+    NoProgress quiet;
+    return std::make_shared<const Study>(runStudy(city, settings, quiet, {}).value());
+}
+
+struct Off {
+    double mean = 0, max = 0;
+};
+
+Off compare(const ShadowField& a, const ShadowField& b, const Receivers& receivers) {
+    Off off;
+    for (const std::uint32_t cell : receivers.cells) {
+        const double difference = std::abs(double(a.grossMin[cell]) - double(b.grossMin[cell]));
+        off.mean += difference / double(receivers.cells.size());
+        off.max = std::max(off.max, difference);
+    }
+    return off;
+}
+
+TEST(SunPatches, CountTheMinutesOfThePeriodInFewPatches) {
+    const SunSteps sun = computeSunSteps(spring(365, 10), sunOf(spring(365, 10)).observer).value();
+    const LeafDays leaves{100, 300};
+    const auto patches = findSunPatches(sun, &leaves, 300);
+    EXPECT_LE(patches.size(), 300U);
+    double minutes = 0, leafy = 0;
+    for (const SunPatch& patch : patches) {
+        minutes += patch.minutesPerDay;
+        if (patch.inLeaf) leafy += patch.minutesPerDay;
+        EXPECT_NEAR(glm::length(patch.direction), 1, 1e-9);
+    }
+    EXPECT_NEAR(minutes, sun.sunlitMinutes() / 365, 1e-6);
+    EXPECT_GT(leafy, 0.4 * minutes);
+    EXPECT_LT(leafy, 0.7 * minutes);
+}
+
+TEST(LiveTreeShade, IsThatOfAStudyOfTheMovedTree) {
+    const StudySettings settings = settingsOf(spring(1, 4));
+    const auto study = studyOf(cityWithTrees({-40, -20}), settings);
+    ASSERT_TRUE(study->field.trees && study->field.trees->seasonal);
+    const auto live = LiveTreeShade::of(study, {"dragged"}, {});
+    ASSERT_TRUE(live) << live.error().text();
+    EXPECT_EQ(compare((*live)->with({0, 0}), *study->field.trees->seasonal, study->receivers).max, 0);
+    // In the shade of the two others, and in that of the buildings.
+    for (const glm::dvec2 byM : {glm::dvec2(16, 40), glm::dvec2(45, 20)}) {
+        const auto moved = studyOf(cityWithTrees(glm::dvec2(-40, -20) + byM), settings);
+        const Off off = compare((*live)->with(byM), *moved->field.trees->seasonal, study->receivers);
+        EXPECT_GT(compare(*study->field.trees->seasonal, *moved->field.trees->seasonal, study->receivers).max,
+                  10);
+        EXPECT_LT(off.mean, 0.05) << "minutes";
+        EXPECT_LT(off.max, 4.5) << "a step at the edge of a crown";
+    }
+}
+
+TEST(LiveTreeShade, OfAYearIsNearThatOfItsSteps) {
+    const StudySettings settings = settingsOf(spring(365, 20));
+    const auto study = studyOf(cityWithTrees({-40, -20}), settings);
+    const auto live = LiveTreeShade::of(study, {"dragged"}, {});
+    ASSERT_TRUE(live) << live.error().text();
+    EXPECT_LE((*live)->patches(), LiveTreeShade::maxPatches);
+    const auto moved = studyOf(cityWithTrees({-24, 0}), settings);
+    const Off off = compare((*live)->with({16, 20}), *moved->field.trees->seasonal, study->receivers);
+    EXPECT_LT(off.mean, 0.5) << "minutes";
+    EXPECT_LT(off.max, 12);
+}
+
+TEST(LiveTreeShade, SaysWhyNothingFollows) {
+    const auto study = studyOf(cityWithTrees({-40, -20}), settingsOf(spring(1, 20)));
+    EXPECT_FALSE(LiveTreeShade::of(study, {"another"}, {}));
+    StudySettings without = settingsOf(spring(1, 20));
+    without.trees = TreeColumns::without;
+    EXPECT_FALSE(LiveTreeShade::of(studyOf(cityWithTrees({-40, -20}), without), {"dragged"}, {}));
+}
+
+TEST(LiveTrees, FollowTheNewestPlace) {
+    const StudySettings settings = settingsOf(spring(1, 10));
+    const auto study = studyOf(cityWithTrees({-40, -20}), settings);
+    LiveTrees live;
+    live.begin(study, {"dragged"});
+    for (int step = 1; step <= 20; ++step) live.follow({step, 0});
+    const auto expected = LiveTreeShade::of(study, {"dragged"}, {}).value()->with({20, 0});
+    ASSERT_TRUE(waitFor([&] {
+        return live.field() && !live.working().busy() &&
+               compare(*live.field(), expected, study->receivers).max == 0;
+    }));
+    live.end();
+    EXPECT_FALSE(live.field());
+}
+
+}  // namespace
+}  // namespace noonmark::test
