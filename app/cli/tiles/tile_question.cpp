@@ -60,6 +60,7 @@ void addByPlaceOptions(CLI::App& command, TileStudyOptions& options) {
 void addTileStudyOptions(CLI::App& command, TileStudyOptions& options) {
     addStudyOptions(command, options.study);
     addMonthOption(command, options.study.settings);
+    addFieldOptions(command, treeFields().of(options.study.settings));
     CLI::Option* baseline =
         command
             .add_option("--baseline", options.baseline,
