@@ -25,6 +25,7 @@ struct SavedFigures {
     ScoreTotals score;
     std::vector<MonthFigures> scoreMonths;  ///< of it; empty in results of versions that did not save them
     std::vector<ShownError> scoreErrors{};  ///< likewise
+    std::vector<ShadedScore> scoreWithTrees{};  ///< without their maps
     std::string settings;  ///< JSON: period, engine, cells and region's name, where there is no question
     Grid grid;             ///< likewise
 };
