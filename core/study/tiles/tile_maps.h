@@ -43,7 +43,7 @@ struct TileMap {
     std::string title;              ///< for people
     std::vector<RasterBand> bands;  ///< names and units; no values
     std::size_t firstBand = 0;      ///< place of its first band in the files of tiles
-    std::size_t runBands = 0;  ///< how many of its last bands hold continuous shadow, or its change
+    std::size_t runBands = 0;       ///< how many of its last bands hold continuous shadow, or its change
     std::optional<ColourScale> colours{};  ///< none: those of shadow, see makeShadowScale()
     /// Of a map with trees: its first band in the files of tiles that no tree reaches, those without trees.
     std::optional<std::size_t> withoutTrees{};
