@@ -11,6 +11,7 @@
 #include "core/receivers/place_names.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/study_hash.h"
+#include "core/study/study_fields.h"
 #include "scenarios/project/project_file.h"
 #include "scenarios/tile_subjects.h"
 
