@@ -4,14 +4,121 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
+#include <memory>
+#include <numeric>
 #include <set>
+#include <utility>
 
+#include "core/base/safe_text.h"
+
+#include "core/engines/ray/ray_reference.h"
 #include "core/receivers/parcels/parcel_lines.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/review/rule/rule_names.h"
 #include "core/study/elements/element_fields.h"
 
 namespace noonmark {
+
+namespace {
+
+/// Trees that are joined one by one to groups.
+class TreeGroups {
+public:
+    explicit TreeGroups(std::size_t trees) : parent_(trees) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
+    std::size_t find(std::size_t tree) {
+        while (parent_[tree] != tree) tree = parent_[tree] = parent_[parent_[tree]];
+        return tree;
+    }
+    void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
+
+private:
+    std::vector<std::size_t> parent_;
+};
+
+bool isDenseEvergreen(const Tree& tree) {
+    return tree.evergreen && tree.leafOnTransmissivity <= maxBeltTransmissivity;
+}
+
+bool areInOneBelt(const Tree& a, const Tree& b) {
+    const double radii = double(a.crownDiameterM + b.crownDiameterM) / 2;
+    return glm::distance(a.place, b.place) <= radii + maxBeltGapM;
+}
+
+/// Where trees stand. A tree that the scenario grows is an existing one, one that it moves is not.
+std::set<std::pair<double, double>> listPlaces(const City& city) {
+    std::set<std::pair<double, double>> places;
+    if (!city.trees) return places;
+    for (const Tree& tree : city.trees->trees) places.emplace(tree.place.x, tree.place.y);
+    return places;
+}
+
+std::vector<std::uint8_t> listCounted(RuleTrees counted, const City& city, const City& existing) {
+    const std::vector<Tree>& trees = city.trees->trees;
+    if (counted == RuleTrees::evergreenBelts) return findEvergreenBelts(trees);
+    std::vector<std::uint8_t> all(trees.size(), counted == RuleTrees::without ? 0 : 1);
+    const bool leavesSomeOut =
+        counted == RuleTrees::evergreens || counted == RuleTrees::existingAndEvergreens;
+    if (!leavesSomeOut) return all;
+    const auto places =
+        counted == RuleTrees::evergreens ? std::set<std::pair<double, double>>() : listPlaces(existing);
+    for (std::size_t i = 0; i < trees.size(); ++i)
+        all[i] = trees[i].evergreen || places.contains({trees[i].place.x, trees[i].place.y}) ? 1 : 0;
+    return all;
+}
+
+}  // namespace
+
+City keepCountedTrees(RuleTrees counted, City city, const City& existing) {
+    if (!city.trees) return city;
+    const std::vector<std::uint8_t> isCounted = listCounted(counted, city, existing);
+    Trees trees{.leafDays = city.trees->leafDays, .weighed = true};
+    if (counted == RuleTrees::asEvergreens) trees.leafDays = {};
+    for (std::size_t i = 0; i < isCounted.size(); ++i)
+        if (isCounted[i] != 0) trees.trees.push_back(city.trees->trees[i]);
+    city.trees = trees.trees.empty() ? nullptr : std::make_shared<const Trees>(std::move(trees));
+    return city;
+}
+
+bool haveSameTrees(const City& one, const City& other) {
+    return one.trees == other.trees || (one.trees && other.trees && *one.trees == *other.trees);
+}
+
+std::string describeCountedTrees(RuleTrees counted) { return fmt::format("Trees: {}", describe(counted)); }
+
+std::string describeCountedTrees(RuleTrees counted, const City& city, const City& existing) {
+    const std::size_t all = city.trees ? city.trees->trees.size() : 0;
+    const std::string what = describeCountedTrees(counted);
+    if (all == 0) return what + "; the city has no trees";
+    if (counted == RuleTrees::without) return fmt::format("{}; the city has {}", what, countOf(all, "tree"));
+    const City kept = keepCountedTrees(counted, city, existing);
+    return fmt::format("{}; {} of the city's {} count", what, kept.trees ? kept.trees->trees.size() : 0,
+                       countOf(all, "tree"));
+}
+
+std::vector<std::uint8_t> findEvergreenBelts(const std::vector<Tree>& trees) {
+    std::vector<std::size_t> west;  // dense evergreens, from west to east
+    float widestM = 0;
+    for (std::size_t i = 0; i < trees.size(); ++i)
+        if (isDenseEvergreen(trees[i]))
+            west.push_back(i), widestM = std::max(widestM, trees[i].crownDiameterM);
+    std::ranges::sort(west, {}, [&](std::size_t i) { return trees[i].place.x; });
+    TreeGroups groups(trees.size());
+    for (std::size_t a = 0; a < west.size(); ++a)
+        for (std::size_t b = a + 1; b < west.size(); ++b) {
+            const Tree &one = trees[west[a]], &other = trees[west[b]];
+            if (other.place.x - one.place.x > double(widestM) + maxBeltGapM) break;
+            if (areInOneBelt(one, other)) groups.join(west[a], west[b]);
+        }
+    std::vector<std::size_t> sizes(trees.size());
+    for (const std::size_t tree : west) ++sizes[groups.find(tree)];
+    std::vector<std::uint8_t> isInBelt(trees.size());
+    for (const std::size_t tree : west) isInBelt[tree] = sizes[groups.find(tree)] >= minBeltTrees ? 1 : 0;
+    return isInBelt;
+}
 
 namespace {
 
@@ -84,6 +191,25 @@ Result<RuleScene> makeRuleScene(const Rule& rule, City before, City after, const
     return scene;
 }
 
+void addCrowns(const PreparedReview& prepared, const CrownMasks& crowns, const SunDay& day,
+               StepMasks& masks) {
+    const std::span<const SunStep> steps(prepared.days.sun.steps);
+    crowns.addTo(masks, day.date, steps.subspan(day.first, day.count), prepared.scene.origins);
+}
+
+void findCountedCrowns(RuleScene& scene, const SunSteps& sun) {
+    const Receivers& receivers = scene.receivers.receivers;
+    if ((!scene.before.trees && !scene.after.trees) || receivers.cells.empty()) return;
+    Box2 box;
+    for (const std::uint32_t cell : receivers.cells) {
+        scene.origins.push_back(placeRayOrigin(receivers.position(cell)));
+        box.add(glm::vec2(scene.origins.back()));
+    }
+    const auto lowestM = float(lowestGroundM(receivers));
+    scene.crownsBefore = CrownMasks(scene.before, box, lowestM, sun);
+    scene.crownsAfter = CrownMasks(scene.after, box, lowestM, sun);
+}
+
 }  // namespace
 
 Result<void> shadeScene(const Engine& engine, const PreparedReview& prepared, const TakePlaces& take,
@@ -92,7 +218,9 @@ Result<void> shadeScene(const Engine& engine, const PreparedReview& prepared, co
     std::vector<const City*> cities{&scene.before};
     if (scene.bare) cities.push_back(&*scene.bare);
     cities.push_back(&scene.after);
-    const auto join = [](std::span<StepMasks> masks) {
+    const auto join = [&](const SunDay& day, std::span<StepMasks> masks) {
+        addCrowns(prepared, scene.crownsBefore, day, masks.front());
+        addCrowns(prepared, scene.crownsAfter, day, masks.back());
         if (masks.size() < 3) return;
         removeShadow(masks.front(), masks[1]);
         removeShadow(masks.back(), masks[1]);
@@ -105,7 +233,12 @@ Result<void> shadeWithout(const Engine& engine, const PreparedReview& prepared, 
                           const TakePlaces& take, Progress& progress, std::stop_token stop) {
     const RuleScene& scene = prepared.scene;
     const std::vector<const City*> cities{&without, &scene.before, &scene.after};
-    const auto join = [](std::span<StepMasks> masks) { addShadow(masks.front(), masks[1]); };
+    const auto join = [&](const SunDay& day, std::span<StepMasks> masks) {
+        addCrowns(prepared, scene.crownsAfter, day, masks.front());
+        addCrowns(prepared, scene.crownsBefore, day, masks[1]);
+        addCrowns(prepared, scene.crownsAfter, day, masks.back());
+        addShadow(masks.front(), masks[1]);
+    };
     return shadePlaces(engine, cities, join, scene.receivers, prepared.days.sun, take, progress,
                        std::move(stop));
 }
@@ -128,8 +261,10 @@ City keepOwnBuildings(const City& city, const City& other) {
 }
 
 CastingCities chooseCasters(const Rule& rule, const City& baseline, const City& scenario) {
-    if (rule.occluders.casters == RuleCasters::everything) return {baseline, scenario};
-    CastingCities casting{keepOwnBuildings(baseline, scenario), keepOwnBuildings(scenario, baseline)};
+    const City before = keepCountedTrees(rule.occluders.trees, baseline, baseline);
+    const City after = keepCountedTrees(rule.occluders.trees, scenario, baseline);
+    if (rule.occluders.casters == RuleCasters::everything) return {before, after};
+    CastingCities casting{keepOwnBuildings(before, after), keepOwnBuildings(after, before)};
     if (rule.baseline.kind != BaselineKind::referenceBody) casting.before.buildings.clear();
     return casting;
 }
@@ -150,6 +285,7 @@ Result<PreparedReview> prepareReview(const Rule& rule, const City& baseline, con
     auto scene = makeRuleScene(rule, std::move(casting.before), std::move(casting.after), measured->places,
                                settings.cellM, stop);
     if (!scene) return tl::make_unexpected(scene.error());
+    findCountedCrowns(*scene, days->sun);
     return PreparedReview{*std::move(days), *std::move(measured), *std::move(scene)};
 }
 

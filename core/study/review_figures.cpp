@@ -34,7 +34,7 @@ Sentence chooseHeadline(const Headlines& headlines, const VerdictCounts& counts,
     return say(counts.pass > 0 ? headlines.pass : headlines.none, counts.pass);
 }
 
-Figure countFigure(double (*get)(const VerdictChanges&), const FigureFacts& facts) {
+Figure figureOfCount(double (*get)(const VerdictChanges&), const FigureFacts& facts) {
     Figure row = derivedFigure(get, facts);
     row.isCount = true;
     return row;
@@ -68,35 +68,36 @@ const Figures<VerdictCounts>& placeVerdictFigures() {
 const Figures<VerdictChanges>& glazingVerdictFigures() {
     using Changes = VerdictChanges;
     static const Figures<Changes> figures{
-        countFigure(
+        figureOfCount(
             [](const Changes& all) { return double(all.after.fail); },
             {.key = "windows_failing",
              .label = NM_TEXT("Windows that fail"),
              .definition = NM_TEXT("in the scenario; rooms or dwellings where the rule judges those")}),
-        countFigure([](const Changes& all) { return double(all.after.borderline); },
-                    {.key = "windows_borderline",
-                     .label = NM_TEXT("Borderline windows"),
-                     .definition = NM_TEXT("within the error of a limit of the rule")}),
-        countFigure([](const Changes& all) { return double(all.after.pass); },
-                    {.key = "windows_passing",
-                     .label = NM_TEXT("Windows that pass"),
-                     .definition = NM_TEXT("they keep all limits of the rule")}),
-        countFigure([](const Changes& all) { return double(all.after.notJudged()); },
-                    {.key = "windows_not_judged",
-                     .label = NM_TEXT("Windows not judged"),
-                     .definition = NM_TEXT("the rule does not apply to them, or they were not checked")}),
-        countFigure([](const Changes& all) { return double(all.before.fail); },
-                    {.key = "windows_failing_before",
-                     .label = NM_TEXT("Windows that failed before"),
-                     .definition = NM_TEXT("in the baseline, of those that stand in both")}),
-        countFigure([](const Changes& all) { return double(all.worse); },
-                    {.key = "windows_worse",
-                     .label = NM_TEXT("Windows that get worse"),
-                     .definition = NM_TEXT("from pass to borderline or fail, or from borderline to fail")}),
-        countFigure([](const Changes& all) { return double(all.better); },
-                    {.key = "windows_better",
-                     .label = NM_TEXT("Windows that get better"),
-                     .definition = NM_TEXT("from fail to borderline or pass, or from borderline to pass")})};
+        figureOfCount([](const Changes& all) { return double(all.after.borderline); },
+                      {.key = "windows_borderline",
+                       .label = NM_TEXT("Borderline windows"),
+                       .definition = NM_TEXT("within the error of a limit of the rule")}),
+        figureOfCount([](const Changes& all) { return double(all.after.pass); },
+                      {.key = "windows_passing",
+                       .label = NM_TEXT("Windows that pass"),
+                       .definition = NM_TEXT("they keep all limits of the rule")}),
+        figureOfCount([](const Changes& all) { return double(all.after.notJudged()); },
+                      {.key = "windows_not_judged",
+                       .label = NM_TEXT("Windows not judged"),
+                       .definition = NM_TEXT("the rule does not apply to them, or they were not checked")}),
+        figureOfCount([](const Changes& all) { return double(all.before.fail); },
+                      {.key = "windows_failing_before",
+                       .label = NM_TEXT("Windows that failed before"),
+                       .definition = NM_TEXT("in the baseline, of those that stand in both")}),
+        figureOfCount([](const Changes& all) { return double(all.worse); },
+                      {.key = "windows_worse",
+                       .label = NM_TEXT("Windows that get worse"),
+                       .definition = NM_TEXT("from pass to borderline or fail, or from borderline to fail")}),
+        figureOfCount(
+            [](const Changes& all) { return double(all.better); },
+            {.key = "windows_better",
+             .label = NM_TEXT("Windows that get better"),
+             .definition = NM_TEXT("from fail to borderline or pass, or from borderline to pass")})};
     return figures;
 }
 

@@ -20,12 +20,6 @@ std::vector<std::string> listUnchecked(const Rule& rule, const City& city) {
     if (!city.terrain) all.emplace_back("Slopes: there is no terrain, so the ground is taken as flat");
     if (!rule.occluders.terrain && city.terrain)
         all.emplace_back("The rule leaves terrain out; here terrain casts shadow");
-    const std::size_t trees = city.trees ? city.trees->trees.size() : 0;
-    if (rule.occluders.trees)
-        all.emplace_back("The rule counts shadow of trees; the figures are those without trees");
-    if (trees > 0)
-        all.push_back(fmt::format("Trees: the figures are those without trees; the city has {}",
-                                  countOf(trees, "tree")));
     return all;
 }
 
@@ -44,7 +38,10 @@ DayTimeline thinned(DayTimeline day, double stepMinutes, std::size_t days) {
 }
 
 // A scenario that changes nothing passes, which says nothing about a proposal.
-bool areSame(const City& baseline, const City& scenario) { return baseline.buildings == scenario.buildings; }
+bool areSame(const Rule& rule, const City& baseline, const City& scenario) {
+    return baseline.buildings == scenario.buildings &&
+           (rule.occluders.trees == RuleTrees::without || haveSameTrees(baseline, scenario));
+}
 
 std::vector<std::string> notCheckedIn(const Rule& rule, const City& city) {
     std::vector<std::string> all = listUnchecked(rule, city);
@@ -199,9 +196,9 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
         settings.refinesSpots ? std::optional(spotDistanceCells * settings.cellM) : std::nullopt,
         notCheckedIn(rule, baseline),
         {}};
+    study.trees = describeCountedTrees(rule.occluders.trees, scenario, baseline);
     study.warnings = days.warnings;
-    std::ranges::move(warnOfTrees(scenario.trees), std::back_inserter(study.warnings));
-    if (areSame(baseline, scenario))
+    if (areSame(rule, baseline, scenario))
         study.warnings.push_back({WarningKind::assumed,
                                   "the scenario changes nothing: it has the buildings of the baseline",
                                   rule.key});

@@ -63,6 +63,7 @@ struct ReviewStudy {
     std::optional<double> spotDistanceM;
     std::vector<std::string> notChecked;  ///< of the rule, and what this run adds to it
     Warnings warnings;
+    std::string trees{};  ///< which trees count, and how many those are: a sentence without a full stop
 };
 
 /// Evaluates a rule on places. The baseline and the scenario are whole cities; where the rule says that only

@@ -48,6 +48,12 @@ struct ShadedScore : ScoreTotals {
     std::vector<IntervalFigures> intervals;      ///< likewise
 };
 
+/// The same for tables, which hold no map.
+inline std::vector<ShadedScore> withoutMaps(std::vector<ShadedScore> scores) {
+    for (ShadedScore& score : scores) score.score.clear();
+    return scores;
+}
+
 /// Shadow score (paper, section 5.4). At a receiver: the sum over intervals of weight x share of the
 /// interval's sunlit time in shadow. Over a region: the sum over receivers of that x cell area. Positive
 /// where wanted shade outweighs unwanted shadow. An interval that is cut in two counts twice, as each share

@@ -12,6 +12,7 @@ namespace {
 
 using noonmark::tests::feature;
 using noonmark::tests::sizedRectangle;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -138,8 +139,27 @@ protected:
 };
 
 TEST_F(TreesLeftOut, QuestionsThatMeasureNoneSaySo) {
-    expectSaid(over({"city-study", town.string(), "--region", region}), notMeasured);
     expectSaid({"point", town.string(), "--at", "-73.9800,40.7504"}, notMeasured);
+}
+
+TEST_F(TreesLeftOut, StudiesInTilesCountThem) {
+    auto question =
+        over({"city-study", town.string(), "--trees", inventory, "--region", region, "--by", "month"});
+    const CommandOutput printed = noonmarkCli(question);
+    ASSERT_EQ(printed.code, exitOk) << printed.err;
+    EXPECT_THAT(printed.out, AllOf(HasSubstr("trees with their seasons"), HasSubstr("2 can reach a receiver"),
+                                   HasSubstr("shadow_evergreen.tif"), HasSubstr("by_month_seasonal.tif")));
+    for (const char* file : {"shadow_seasonal.tif", "shadow_seasonal.qml", "by_month_evergreen.tif"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path("city-study") / file)) << file;
+    question.emplace_back("--json");
+    const nlohmann::json json = noonmarkCli(question).json();
+    EXPECT_EQ(json.at("trees").at("used"), 2);
+    EXPECT_GT(json.at("mean_gross_min_seasonal").get<double>(), json.at("mean_gross_min").get<double>());
+    EXPECT_TRUE(json.at("by_month").at(0).contains("shadow_area_m2_evergreen"));
+    question.insert(question.end(), {"--tree-shade", "without"});
+    const nlohmann::json without = noonmarkCli(question).json();
+    EXPECT_FALSE(without.contains("mean_gross_min_seasonal"));
+    EXPECT_EQ(without.at("mean_gross_min"), json.at("mean_gross_min"));
 }
 
 // A tree before the southern facade of the building, whose corner is at 40.75 N 73.98 W.

@@ -11,6 +11,7 @@
 #include "core/study/text/error_text.h"
 #include "core/study/text/height_facts_text.h"
 #include "core/study/text/terrain_text.h"
+#include "core/study/tiles/tiled_study.h"
 
 namespace noonmark::cli {
 
@@ -79,9 +80,14 @@ void addCost(Table& table, const Study& study) {
     table.add("time", secondsText(study));
 }
 
-}  // namespace
+/// What is printed of a study's trees.
+struct PrintedTrees {
+    std::size_t used = 0;
+    std::vector<std::pair<TreeColumns, ShadowStatistics>> columns{};
+};
 
-void printStudy(const Study& study, const std::vector<std::filesystem::path>& files, std::ostream& out) {
+void print(const Study& study, const PrintedTrees& trees, const std::vector<std::filesystem::path>& files,
+           std::ostream& out) {
     Table table;
     if (const auto headline = makeAssumedHeadline(countHeights(study.city))) table.add("heights", *headline);
     if (const auto headline = makeDoubtHeadline(study.heights)) table.add("unit of heights", *headline);
@@ -97,13 +103,11 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
     addFigures(table, listLines(shadowFigures().of(study.statistics),
                                 {study.statistics.receiverAreaM2, study.field.sunlitMinutesPerDay,
                                  isInstant(study.field)}));
-    for (const ShadeColumn& shade : listShadeColumns(study.field)) {
-        const ShadowStatistics statistics = computeStatistics(*shade.field);
-        addFigures(table, listLines({treeFigures(shade.column), &statistics},
+    for (const auto& [column, statistics] : trees.columns)
+        addFigures(table, listLines({treeFigures(column), &statistics},
                                     {statistics.receiverAreaM2, study.field.sunlitMinutesPerDay,
                                      isInstant(study.field)}));
-    }
-    if (study.city.trees) table.add("trees", describeTrees(*study.city.trees, study.field));
+    if (study.city.trees) table.add("trees", describeTrees(*study.city.trees, trees.used));
     if (study.city.terrain) table.add("terrain", formatText(*study.city.terrain));
     for (const ErrorLine& line : makeErrorLines(study)) table.add(line.name, line.value);
     if (study.monthError) addErrors(table, std::span(&*study.monthError, 1));
@@ -112,6 +116,21 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
     out << "\nFiles\n";
     for (const auto& file : files) out << "  " << file.string() << '\n';
     printWarnings(out, study.warnings);
+}
+
+}  // namespace
+
+void printStudy(const Study& study, const std::vector<std::filesystem::path>& files, std::ostream& out) {
+    PrintedTrees trees{study.field.trees ? study.field.trees->treesUsed : 0};
+    for (const ShadeColumn& shade : listShadeColumns(study.field))
+        trees.columns.emplace_back(shade.column, computeStatistics(*shade.field));
+    print(study, trees, files, out);
+}
+
+void printStudy(const TiledStudy& tiled, const std::vector<std::filesystem::path>& files, std::ostream& out) {
+    PrintedTrees trees{tiled.treesUsed};
+    for (const ShadedTiles& with : tiled.withTrees) trees.columns.emplace_back(with.column, with.statistics);
+    print(tiled.study, trees, files, out);
 }
 
 namespace {

@@ -17,6 +17,10 @@
 #include "core/measures/shown_error.h"
 #include "core/study/study.h"
 
+namespace noonmark {
+struct TiledStudy;  // core/study/tiles/tiled_study.h
+}
+
 namespace noonmark::cli {
 
 /// Lines of "label  value" with aligned values.
@@ -45,6 +49,7 @@ void printWarnings(std::ostream& out, const Warnings& warnings);
 
 /// Prints a study as text: figures, cost, files written and warnings.
 void printStudy(const Study& study, const std::vector<std::filesystem::path>& files, std::ostream& out);
+void printStudy(const TiledStudy& tiled, const std::vector<std::filesystem::path>& files, std::ostream& out);
 
 /// Shows progress on one line that is rewritten in place if `err` is a terminal, otherwise nothing. The line
 /// is cleared at the end.

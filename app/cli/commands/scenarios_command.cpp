@@ -67,9 +67,9 @@ Result<void> addScore(ScenarioStudy& scenario, const ScenariosQuestion& question
     auto score = runScore(scenario.study->city, settings, *question.weights, progress, stop,
                           enginesWith(settings.engine));
     if (!score) return tl::make_unexpected(score.error());
-    for (ShadedScore& with : score->withTrees) with.score = {};
-    scenario.answers.score = ScenarioScore{question.weights->name, *score, std::move(score->months),
-                                           std::move(score->errors), std::move(score->withTrees)};
+    scenario.answers.score =
+        ScenarioScore{question.weights->name, *score, std::move(score->months), std::move(score->errors),
+                      withoutMaps(std::move(score->withTrees))};
     return {};
 }
 

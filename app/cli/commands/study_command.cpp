@@ -9,6 +9,7 @@
 #include "app/cli/base/interrupt.h"
 #include "app/cli/base/offscreen_qt.h"
 #include "app/cli/base/terminal_text.h"
+#include "app/cli/options/field_options.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/options/sheet_options.h"
 #include "app/cli/options/study_options.h"
@@ -22,6 +23,7 @@
 #include "core/study/elements/element_tables.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/repeat_command.h"
+#include "core/study/study_fields.h"
 #include "core/study/text/breakdown_text.h"
 #include "core/study/text/height_facts_text.h"
 #include "core/study/text/region_text.h"
@@ -236,9 +238,19 @@ struct CityStudyOptions {
     int tileCells = TiledStudySettings::defaultTileCells;
 };
 
+// The maps with trees of these columns, without ending.
+std::vector<std::string> namesOfTreeMaps(const StudySettings& settings, TreeColumns columns) {
+    std::vector<std::string> names;
+    for (const TileMap& map : listTileMaps(settings, {}, columns))
+        if (map.withoutTrees) names.push_back(map.name);
+    return names;
+}
+
 std::vector<std::string> namesOf(const StudySettings& settings) {
     std::vector<std::string> names{mapName, styleName, jsonName};
     if (settings.byMonth) names.insert(names.end(), {monthMapName, monthStyleName, monthTableName});
+    for (const std::string& map : namesOfTreeMaps(settings, settings.trees))
+        names.insert(names.end(), {map + ".tif", map + ".qml"});
     return names;
 }
 
@@ -268,8 +280,13 @@ Result<std::vector<std::filesystem::path>> writeTexts(const TiledStudy& tiled, c
     files.add(jsonName, textContent(json));
     if (study.settings.byMonth) {
         files.add(monthStyleName, textContent(rasterStyle(makeMonthScale(study.sun, options.legend))));
-        files.add(monthTableName, textContent(monthsCsv(tiled.months, study.provenance)));
+        files.add(monthTableName, textContent(monthsCsv(tiled.months, study.provenance,
+                                                        listMonthsWithTrees(tiled.withTrees))));
     }
+    for (const std::string& map : namesOfTreeMaps(study.settings, tiled.treeColumns))
+        files.add(map + ".qml", textContent(map.starts_with(monthMap)
+                                                ? rasterStyle(makeMonthScale(study.sun, options.legend))
+                                                : style));
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     return std::move(files).result();
@@ -285,10 +302,12 @@ int runCityStudy(const CityStudyOptions& options, const Console& console) {
     if (!files) return fail(console, files.error(), exitFailed);
     files->insert(files->begin(), folder / mapName);
     if (tiled->study.settings.byMonth) files->insert(files->begin() + 1, folder / monthMapName);
+    for (const std::string& map : namesOfTreeMaps(tiled->study.settings, tiled->treeColumns))
+        files->push_back(folder / (map + ".tif"));
     if (options.study.json)
         console.out << json << '\n';
     else
-        printStudy(tiled->study, *files, console.out);
+        printStudy(*tiled, *files, console.out);
     return exitOk;
 }
 
@@ -300,6 +319,7 @@ void addCityStudyCommand(CLI::App& app, Run& run) {
         "city-study", "Run a study over a region of any size, tile by tile; resume it after an interruption");
     addStudyOptions(*command, options->study);
     addMonthOption(*command, options->study.settings);
+    addFieldOptions(*command, treeFields().of(options->study.settings));
     addLegendOptions(*command, options->study.legend);
     command->add_option(flags::tile, options->tileCells, "Cells per side of a tile")
         ->capture_default_str()

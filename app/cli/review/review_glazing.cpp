@@ -135,6 +135,7 @@ void printGlazing(const GlazingAnswer& answer, const ReviewSource& source,
     table.add("clock", fmt::format("{}, {}", study.clock.text(), study.year));
     table.add("engine", fmt::format("{}, {} steps of {:g} min", study.engine, withCommas(study.steps),
                                     study.stepMinutes));
+    table.add("shade", study.trees);
     addChanges(table, "windows", study.windowChanges);
     addChanges(table, "buildings", study.buildingChanges);
     table.add("time", fmt::format("{:.2f} s", study.seconds.at("total")));

@@ -146,6 +146,7 @@ void printReview(const ReviewAnswer& answer, const ReviewSource& source, std::os
     heading.add("clock", fmt::format("{}, {}", study.clock, study.year));
     heading.add("engine", fmt::format("{}, every {:g} min, cells of {:g} m", study.engine, study.stepMinutes,
                                       study.settings.cellM));
+    heading.add("shade", study.trees);
     heading.print(out);
     out << '\n';
     printTable(study, out);

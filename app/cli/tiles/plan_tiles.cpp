@@ -127,6 +127,7 @@ Result<TaskPlan> makePlan(const PlanOptions& options, std::vector<std::string> a
     std::vector<std::string> read = *files;
     const std::string& places = options.question.placesFile();
     if (!places.empty() && std::ranges::find(read, places) == read.end()) read.push_back(places);
+    for (const std::string& trees : study.read.settings.treeFiles) read.push_back(absolutePath(trees));
     auto inputs = describeInputs(read);
     if (!inputs) return tl::make_unexpected(inputs.error());
     plan->inputs = *std::move(inputs);

@@ -11,6 +11,7 @@
 #include "core/receivers/place_names.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/provenance/study_hash.h"
+#include "core/study/study_fields.h"
 #include "scenarios/project/project_file.h"
 #include "scenarios/tile_subjects.h"
 
@@ -60,6 +61,7 @@ void addByPlaceOptions(CLI::App& command, TileStudyOptions& options) {
 void addTileStudyOptions(CLI::App& command, TileStudyOptions& options) {
     addStudyOptions(command, options.study);
     addMonthOption(command, options.study.settings);
+    addFieldOptions(command, treeFields().of(options.study.settings));
     CLI::Option* baseline =
         command
             .add_option("--baseline", options.baseline,

@@ -226,7 +226,7 @@ Book beginAnswerBook(const BookSettings& settings, const Sheet& sheet, const std
 Book makeStudyBook(const Study& study, const BookSettings& settings) {
     const Sheet sheet = makeSheet(study, settings.legend);
     Book book = beginAnswerBook(settings, sheet, study.provenance.attribution);
-    if (const Bars months = makeMonthBars(study); !months.groups.empty())
+    if (const Bars months = makeMonthBarsWithTrees(study); !months.groups.empty())
         book.pages.push_back(sunByMonthPage(months, settings));
     addText(book, sheet, sheet.sections,
             repeatBlocks(makeRepeatCommand(study, bookCharacters), needsRegionFile(study.provenance),

@@ -77,7 +77,7 @@ Result<void> addScoring(std::vector<CommandOption>& options, const ScenarioStudi
     if (!scenarios.front().withTrees.empty() && weights->withTrees.empty())
         return failure(
             "No command can repeat this result: its shadow is measured with trees, its scores without",
-            scenarios.front().name, "Choose Trees: without, press Measure all, then export again");
+            scenarios.front().name, "Compute the scores again, then export again");
     options.push_back({flags::weights, {weights->weights}});
     return {};
 }

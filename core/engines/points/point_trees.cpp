@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
 
 #include "core/engines/common/run_counter.h"
 #include "core/engines/points/point_sunlight.h"
@@ -30,46 +29,6 @@ struct PointColumn {
     }
 };
 
-/// What crowns let through to one point, found where it is asked for. Reuses its memory; for one thread.
-class CrownsOverPoint {
-public:
-    CrownsOverPoint(const CrownScene& crowns, const SunPatches& patches)
-        : crowns_(crowns), patches_(patches), all_(crowns.crowns.size()), depths_(patches.count()) {
-        std::iota(all_.begin(), all_.end(), 0U);
-    }
-
-    // False: none can shade it.
-    bool begin(glm::dvec3 origin) {
-        origin_ = origin;
-        std::ranges::fill(depths_, Depth{});
-        return around_.gather(crowns_.crowns, all_, origin, patches_.lowestTan());
-    }
-
-    struct Depth {
-        double inLeaf = -1, bare = 0;  // optical depths; inLeaf < 0: not found yet
-    };
-    const Depth& at(std::uint32_t patch) {
-        Depth& depth = depths_[patch];
-        if (depth.inLeaf >= 0) return depth;
-        depth = {0, 0};
-        for (const std::uint32_t index : around_.at(patches_.slot(patch))) {
-            const Crown& crown = crowns_.crowns[index];
-            const double chord = computeChord(crown, origin_, patches_.direction(patch));
-            depth.inLeaf += chord * crown.leafOnPerM;
-            depth.bare += chord * crown.leafOffPerM;
-        }
-        return depth;
-    }
-
-private:
-    const CrownScene& crowns_;
-    const SunPatches& patches_;
-    std::vector<std::uint32_t> all_;
-    std::vector<Depth> depths_;
-    CrownsAround around_;
-    glm::dvec3 origin_{};
-};
-
 class PointShading {
 public:
     PointShading(const ShadedStepFinder& finder, const CrownScene& crowns, const SurfacePoints& points,
@@ -80,7 +39,7 @@ public:
         std::atomic<std::size_t> done{0};
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.size(), 16), [&](const auto& range) {
             const FlushDenormals flush;
-            CrownsOverPoint crowns(crowns_, patches_);
+            CrownsOverPoint crowns(crowns_.crowns, patches_);
             for (std::size_t i = range.begin(); i < range.end() && !stop.stop_requested(); ++i)
                 shade(i, crowns);
             progress.report(double(done += range.size()) / double(points_.size()),

@@ -5,7 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <span>
+
+#include "core/engines/ray/surface_rays.h"
+#include "core/engines/trees/crowns_around.h"
 
 namespace noonmark {
 
@@ -153,6 +157,103 @@ SkyFactors computeSkyFactors(const Skyline& skyline) {
     const double openOvercast =
         7 * std::numbers::pi / 9;  // of a level surface, in units of the zenith's brightness
     return {sum.even / std::numbers::pi, 100 * sum.overcast / openOvercast};
+}
+
+namespace {
+
+constexpr int skyAzimuths = 2 * CrownsAround::slots, skyAltitudes = 180;  // of half a degree each
+constexpr double columnWidth = 2 * std::numbers::pi / skyAzimuths,
+                 altitudeStep = std::numbers::pi / 2 / skyAltitudes;
+constexpr double lowestCrownTan = 0.004;  // of crowns that are looked at: half of the lowest direction
+
+struct SkyDepth {
+    double inLeaf = 0, bare = 0;  // optical depths
+};
+
+/// The directions of one azimuth.
+struct SkyColumn {
+    double sine, cosine;  // of the azimuth
+    std::array<SkyDepth, skyAltitudes> depths{};
+    int first = skyAltitudes, end = 0;  // those that crowns are in
+
+    void add(const Crown& crown, glm::dvec3 origin) {
+        const double distance = std::hypot(crown.x - origin.x, crown.y - origin.y);
+        const double near = std::max(0.0, distance - crown.radiusM), far = distance + crown.radiusM;
+        const auto altitudeOf = [&](double upM, double awayM) {
+            return int(std::atan2(upM, awayM) / altitudeStep);
+        };
+        const double top = crown.topM - origin.z, bottom = crown.bottomM - origin.z;
+        const int from = std::clamp(altitudeOf(bottom, bottom > 0 ? far : near), 0, skyAltitudes - 1);
+        const int to = std::clamp(altitudeOf(top, near), 0, skyAltitudes - 1);
+        for (int i = from; i <= to; ++i) addChord(crown, origin, i);
+        first = std::min(first, from);
+        end = std::max(end, to + 1);
+    }
+
+private:
+    void addChord(const Crown& crown, glm::dvec3 origin, int i) {
+        const double altitude = (i + 0.5) * altitudeStep, level = std::cos(altitude);
+        const double chord = computeChord(crown, origin, {level * sine, level * cosine, std::sin(altitude)});
+        depths[std::size_t(i)].inLeaf += chord * crown.leafOnPerM;
+        depths[std::size_t(i)].bare += chord * crown.leafOffPerM;
+    }
+};
+
+// The share of a direction's altitudes that nothing hides.
+double visibleShare(const std::vector<HiddenAltitudes>& hidden, int i) {
+    const double low = i * altitudeStep, top = low + altitudeStep;
+    double visible = 1;
+    for (const HiddenAltitudes& part : hidden) {
+        const double from = std::max(low, std::atan(double(part.lowTan)));
+        const double to = std::min(top, std::atan(double(part.highTan)));
+        if (to > from) visible -= (to - from) / altitudeStep;
+    }
+    return std::max(0.0, visible);
+}
+
+// What a surface receives from the half degrees around a direction under an overcast sky (CIE), in units of
+// the zenith's brightness.
+double computeLight(const SkyColumn& column, glm::dvec3 normal, int i) {
+    const double altitude = (i + 0.5) * altitudeStep, sine = std::sin(altitude), cosine = std::cos(altitude);
+    const double towards = normal.x * column.sine + normal.y * column.cosine;
+    const double facing = normal.z * sine + towards * cosine;
+    return facing <= 0 ? 0 : (1 + 2 * sine) / 3 * facing * cosine * columnWidth * altitudeStep;
+}
+
+}  // namespace
+
+SkyCrowns::SkyCrowns(const City& city) {
+    if (!city.trees) return;
+    for (const Tree& tree : city.trees->trees) crowns_.push_back(makeCrown(tree));
+    constexpr int days = 365;
+    int inLeaf = 0;
+    for (int day = 1; day <= days; ++day) inLeaf += city.trees->leafDays.inLeafOn(day) ? 1 : 0;
+    shareInLeaf_ = double(inLeaf) / days;
+}
+
+double SkyCrowns::takenPct(const SkyPoint& point, const Skyline& skyline) const {
+    const glm::dvec3 origin(placeSurfaceRayOrigin(point.position, point.normal));
+    std::vector<std::uint32_t> all(crowns_.size());
+    std::iota(all.begin(), all.end(), 0U);
+    CrownsAround around;
+    if (!around.gather(crowns_, all, origin, lowestCrownTan)) return 0;
+    const auto taken = [&](const SkyDepth& depth) {
+        return -shareInLeaf_ * std::expm1(-depth.inLeaf) - (1 - shareInLeaf_) * std::expm1(-depth.bare);
+    };
+    double sum = 0;
+    for (int i = 0; i < skyAzimuths; ++i) {
+        const double azimuth = (i + 0.5) * columnWidth;
+        SkyColumn column{std::sin(azimuth), std::cos(azimuth)};
+        const auto crowns = around.at(CrownsAround::slotOf({column.sine, column.cosine, 0}));
+        if (crowns.empty()) continue;
+        for (const std::uint32_t crown : crowns) column.add(crowns_[crown], origin);
+        const auto hidden = skyline.hiddenAt(azimuth);
+        for (int k = column.first; k < column.end; ++k)
+            sum += computeLight(column, glm::dvec3(point.normal), k) * visibleShare(hidden, k) *
+                   taken(column.depths[std::size_t(k)]);
+    }
+    const double openOvercast = 7 * std::numbers::pi / 9;  // of a level surface
+    return 100 * sum / openOvercast;
 }
 
 }  // namespace noonmark

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <vector>
+
+#include "core/city/city.h"
+#include "core/city/trees/tree.h"
 #include "core/engines/points/skyline.h"
 
 namespace noonmark {
@@ -19,5 +23,23 @@ struct SkyFactors {
 /// 2e-5, that of a court to 5e-4 and that below a balcony to 3e-4: where an overhang's edge crosses another
 /// edge between two breaks, the rule is less exact.
 SkyFactors computeSkyFactors(const Skyline& skyline);
+
+/// What the crowns of a city's trees take of the sky's light. Trees that lose their leaves take the mean of
+/// the days of a year with leaves and without.
+class SkyCrowns {
+public:
+    /// All trees of the city, also those to the north. O(trees)
+    explicit SkyCrowns(const City& city);
+
+    /// Of the sky component of a point (SkyFactors::skyComponentPct), percent of the sky: what crowns take
+    /// in the part that nothing solid hides. By half degrees of azimuth and altitude: crowns of 10 deg to
+    /// 0.02 % of the sky. Some ns for each crown of the city, and 20 ns for each crown and direction through
+    /// it.
+    [[nodiscard]] double takenPct(const SkyPoint& point, const Skyline& skyline) const;
+
+private:
+    std::vector<Crown> crowns_;
+    double shareInLeaf_ = 1;  // of the days of a year
+};
 
 }  // namespace noonmark

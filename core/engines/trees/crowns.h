@@ -1,17 +1,20 @@
 #pragma once
 
-// The folder core/engines/trees has what engines that weigh crowns share: the crowns in reach of receivers
-// and the steps in leaf (this file), and those around one receiver and the
+// The folder core/engines/trees has what engines that weigh crowns share: the crowns in reach of receivers,
+// the steps in leaf and the shadow of crowns as bits (this file), and those around one receiver and the
 // patches of the sun (crowns_around.h).
 // core/engines/ray/tree_rays.h weighs them exactly.
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/city/city.h"
 #include "core/city/trees/tree.h"
+#include "core/engines/api/step_sets.h"
 #include "core/engines/api/tree_shade.h"
 #include "core/receivers/point_receivers.h"
 #include "core/receivers/receivers.h"
@@ -38,6 +41,9 @@ struct TakenBySet {
     }
 };
 
+/// Whether trees that lose their leaves have them on that day.
+bool isInLeaf(const LeafDays& leafDays, CivilDate date);
+
 /// O(cells + trees + steps).
 CrownScene findCrowns(const City& city, const Receivers& receivers, const SunSteps& sun);
 /// Of points on any surface, likewise.
@@ -45,5 +51,26 @@ CrownScene findCrowns(const City& city, const SurfacePoints& points, const SunSt
 
 /// Both columns as the field without trees, without its cost and warnings.
 TreeShade makeTreeShade(const ShadowField& without, std::size_t treesUsed);
+
+/// Adds the shade of a city's trees to masks, which know lit and shaded only.
+class CrownMasks {
+public:
+    CrownMasks() = default;
+    /// Of receivers in a box, none of which is lower than `lowestM`. Without crowns where the city's trees
+    /// are not weighed. O(trees)
+    CrownMasks(const City& city, const Box2& receivers, float lowestM, const SunSteps& sun);
+
+    [[nodiscard]] bool empty() const { return crowns_.empty(); }
+    /// Puts into shadow, of what is lit at the steps of a day, those receivers from which crowns take at
+    /// least TreeShade::defaultShadedFrom of the sun. `origins`: of the receivers' rays. By the exact path
+    /// through each crown, of suns within half a degree once. Uses all cores; some 10 ns for each crown near
+    /// the azimuth of each half degree, and some ns for each crown and 64 receivers.
+    void addTo(StepMasks& masks, CivilDate day, std::span<const SunStep> steps,
+               std::span<const glm::vec3> origins) const;
+
+private:
+    std::vector<Crown> crowns_;
+    LeafDays leafDays_;
+};
 
 }  // namespace noonmark

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -65,10 +66,11 @@ private:
 /// patch are one.
 class SunPatches {
 public:
-    explicit SunPatches(const SunSteps& sun) {
+    explicit SunPatches(const SunSteps& sun) : SunPatches(std::span(sun.steps)) {}
+    explicit SunPatches(std::span<const SunStep> steps) {
         std::unordered_map<std::int64_t, std::uint32_t> known;
         std::vector<glm::dvec3> sums;
-        for (const SunStep& step : sun.steps) {
+        for (const SunStep& step : steps) {
             const glm::dvec3 direction = glm::normalize(glm::dvec3(step.direction));
             lowestTan_ = std::min(lowestTan_, direction.z / std::hypot(direction.x, direction.y));
             const auto [found, isNew] = known.try_emplace(keyOf(direction), std::uint32_t(sums.size()));
@@ -102,6 +104,52 @@ private:
     std::vector<glm::dvec3> directions_;  // the mean of each patch
     std::vector<std::uint16_t> slots_;    // of azimuth
     double lowestTan_ = 1e9;
+};
+
+/// What crowns let through to one point, found where it is asked for. Reuses its memory; for one thread.
+/// Crowns and patches must outlive it.
+class CrownsOverPoint {
+public:
+    CrownsOverPoint(const std::vector<Crown>& crowns, const SunPatches& patches)
+        : crowns_(crowns), patches_(patches), all_(crowns.size()), depths_(patches.count()) {
+        std::iota(all_.begin(), all_.end(), 0U);
+    }
+
+    /// False: none can shade it. `some`: indices of the crowns that come into question.
+    bool begin(glm::dvec3 origin) { return begin(origin, all_); }
+    bool begin(glm::dvec3 origin, std::span<const std::uint32_t> some) {
+        origin_ = origin;
+        std::ranges::fill(depths_, Depth{});
+        return around_.gather(crowns_, some, origin, patches_.lowestTan());
+    }
+
+    struct Depth {
+        double inLeaf = -1, bare = 0;  ///< optical depths; inLeaf < 0: not found yet
+        /// Share of the sun that is taken.
+        [[nodiscard]] double takenShare(bool isInLeaf) const {
+            return -std::expm1(-(isInLeaf ? inLeaf : bare));
+        }
+    };
+    const Depth& at(std::uint32_t patch) {
+        Depth& depth = depths_[patch];
+        if (depth.inLeaf >= 0) return depth;
+        depth = {0, 0};
+        for (const std::uint32_t index : around_.at(patches_.slot(patch))) {
+            const Crown& crown = crowns_[index];
+            const double chord = computeChord(crown, origin_, patches_.direction(patch));
+            depth.inLeaf += chord * crown.leafOnPerM;
+            depth.bare += chord * crown.leafOffPerM;
+        }
+        return depth;
+    }
+
+private:
+    const std::vector<Crown>& crowns_;
+    const SunPatches& patches_;
+    std::vector<std::uint32_t> all_;
+    std::vector<Depth> depths_;
+    CrownsAround around_;
+    glm::dvec3 origin_{};
 };
 
 }  // namespace noonmark

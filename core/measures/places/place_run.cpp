@@ -22,7 +22,8 @@ Result<void> shadePlaces(const Engine& engine, const City& baseline, const City*
     std::vector<const City*> cities{&baseline};
     if (scenario != nullptr) cities.push_back(scenario);
     return shadePlaces(
-        engine, cities, [](std::span<StepMasks>) {}, places, sun, take, progress, std::move(stop));
+        engine, cities, [](const SunDay&, std::span<StepMasks>) {}, places, sun, take, progress,
+        std::move(stop));
 }
 
 Result<void> shadePlaces(const Engine& engine, std::span<const City* const> cities, const JoinMasks& join,
@@ -31,7 +32,7 @@ Result<void> shadePlaces(const Engine& engine, std::span<const City* const> citi
     std::vector<PlaceShadow> shadows(places.cellsOf.size());
     const auto takeDay = [&](std::size_t day, std::span<StepMasks> masks) -> Result<void> {
         const SunDay& at = sun.days[day];
-        join(masks);
+        join(at, masks);
         tbb::parallel_for(std::size_t{0}, shadows.size(), [&](std::size_t i) {
             PlaceShadow& shadow = shadows[i];
             shadow.day = at.date;

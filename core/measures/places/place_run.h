@@ -60,8 +60,9 @@ Result<void> shadePlaces(const Engine& engine, const City& baseline, const City*
                          const PlaceReceivers& places, const SunSteps& sun, const TakePlaces& take,
                          Progress& progress, std::stop_token stop);
 
-/// Makes two masks of those of several cities: the first becomes the baseline's, the last the scenario's.
-using JoinMasks = std::function<void(std::span<StepMasks> ofCities)>;
+/// Makes two masks of those of several cities on a day: the first becomes the baseline's, the last the
+/// scenario's.
+using JoinMasks = std::function<void(const SunDay& day, std::span<StepMasks> ofCities)>;
 
 /// The same with several cities, whose masks are joined first: shadow that is already cast by
 /// one of two, or by the bare ground.

@@ -80,6 +80,7 @@ Result<PlacePoints> PlacePoints::over(std::span<const City* const> cities, std::
         auto scene = RayScene::over(*city, findInReach(*city, places, lowest, sun), stop);
         if (!scene) return tl::make_unexpected(scene.error());
         points.scenes_.push_back(*std::move(scene));
+        points.crowns_.emplace_back(*city, bounds(places), float(lowest), sun);
     }
     return points;
 }
@@ -125,6 +126,8 @@ PlaceShadow PlacePoints::shade(std::span<const glm::dvec2> points, const PlaceSh
     PlaceShadow shadow{.day = day.day, .steps = day.steps, .cellAreaM2 = 0, .stepMinutes = day.stepMinutes};
     shadow.baseline = traceMasks(scenes_.front(), origins, packets, day.steps.size());
     shadow.scenario = traceMasks(scenes_[1], origins, packets, day.steps.size());
+    crowns_.front().addTo(shadow.baseline, day.day, day.steps, origins);
+    crowns_[1].addTo(shadow.scenario, day.day, day.steps, origins);
     if (scenes_.size() == 2) return shadow;
     const StepMasks bare = traceMasks(scenes_[2], origins, packets, day.steps.size());
     removeShadow(shadow.baseline, bare);

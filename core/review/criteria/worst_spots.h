@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/engines/ray/ray_scene.h"
+#include "core/engines/trees/crowns.h"
 #include "core/measures/places/place_cells.h"
 #include "core/measures/places/place_receivers.h"
 #include "core/review/criteria/spot_runs.h"
@@ -29,8 +30,9 @@ class PlacePoints {
 public:
     /// `cities`: baseline, scenario, and, if there is a third, the bare ground whose own shadow does not
     /// count. `places` and `receivers` as of placeReceiversOnPlaces() for these cities; `planeZ`: local z of
-    /// all points where they are measured on a plane, else they are on the ground. A scene for each city, of
-    /// the buildings in reach: some 0.5 s for Midtown. Error: memory, or cancelled().
+    /// all points where they are measured on a plane, else they are on the ground. Trees that are weighed
+    /// count from half of the sun on. A scene for each city, of the buildings in reach: some 0.5 s for
+    /// Midtown. Error: memory, or cancelled().
     static Result<PlacePoints> over(std::span<const City* const> cities, std::span<const Place> places,
                                     const PlaceReceivers& receivers, std::optional<float> planeZ,
                                     const SunSteps& sun, const std::stop_token& stop = {});
@@ -55,6 +57,7 @@ private:
     std::optional<float> planeZ_;
     std::vector<std::vector<Footprint>> built_;  // by place: findBuiltGround()
     std::vector<RayScene> scenes_;               // by city
+    std::vector<CrownMasks> crowns_;             // by city
 };
 
 /// A figure of single spots whose worst is wanted: most shadow, or least sun.

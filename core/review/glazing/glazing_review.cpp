@@ -94,12 +94,26 @@ StepRange clipToHours(const Criterion& criterion, const RuleSun& sun, const SunD
     return range;
 }
 
+/// Lengths of the times in the sun of one day, in steps, and what sun through crowns adds to their sum.
+struct LitRuns {
+    std::vector<std::uint32_t> lengths;
+    double moreSteps = 0;  // lit steps count as whole ones in the lengths, shaded ones as none
+
+    void find(const ShadedSteps& shaded, const SunShares& shares, const SunSteps& sun, StepRange range) {
+        findLitRuns(shaded, sun, range, lengths);
+        moreSteps = 0;
+        if (shares.empty()) return;
+        for (std::uint32_t i = range.first; i < range.end; ++i)
+            moreSteps += double(shares[i]) - (shaded[i] == 0 ? 1 : 0);
+    }
+};
+
 /// The runs of one day, before and after.
 struct DayRuns {
-    std::vector<std::uint32_t> before, after;
+    LitRuns before, after;
     void find(const GlazingSunlight& light, const SunSteps& sun, StepRange range) {
-        findLitRuns(light.after, sun, range, after);
-        if (light.before) findLitRuns(*light.before, sun, range, before);
+        after.find(light.after, light.shares, sun, range);
+        if (light.before) before.find(*light.before, light.formerShares, sun, range);
     }
 };
 
@@ -115,14 +129,14 @@ Measured measureRuns(const Criterion& criterion, const std::vector<std::uint32_t
 struct ProbableSun {
     Measured sun;         // minutes, weighted by probability
     double possible = 0;  // of the whole year
-    void add(const Criterion& criterion, const std::vector<std::uint32_t>& lengths, const RunError& error,
-             double weight) {
+    void add(const Criterion& criterion, const LitRuns& runs, const RunError& error, double weight) {
         Criterion total = criterion;
         total.measure = Measure::spotTotal;
-        const Measured minutes = measureSpot(total, countRuns(total, lengths, error.stepMin), error);
-        sun.value += weight * minutes.value;
-        sun.low += weight * minutes.low;
-        sun.high += weight * minutes.high;
+        const Measured minutes = measureSpot(total, countRuns(total, runs.lengths, error.stepMin), error);
+        const double more = runs.moreSteps * error.stepMin;
+        sun.value += weight * std::max(0.0, minutes.value + more);
+        sun.low += weight * std::max(0.0, minutes.low + more);
+        sun.high += weight * std::max(0.0, minutes.high + more);
     }
     [[nodiscard]] Measured percent() const {
         if (possible <= 0) return {};
@@ -172,9 +186,9 @@ private:
         if (criterion_.measure == Measure::probableSun)
             return addProbable(day, weight, sunUpMin, runs, error);
         if (!isInSeason(criterion_, day)) return;
-        const Measured value = measureRuns(criterion_, runs.after, error);
+        const Measured value = measureRuns(criterion_, runs.after.lengths, error);
         if (!hasFormer) return days_.add(day, value, std::nullopt, weight);
-        const Measured former = measureRuns(criterion_, runs.before, error);
+        const Measured former = measureRuns(criterion_, runs.before.lengths, error);
         days_.add(day, value, former, weight, isUnchanged_);
         formerDays_.add(day, former, former, weight, true);
     }

@@ -54,10 +54,15 @@ struct ReviewedGlazing {
     int windows = 1;                   ///< how many are judged together
 };
 
+/// The share of the sun that crowns let through to a window at each step, 0 where something solid hides it.
+/// Empty: no crown can take any, and what is lit has all of it.
+using SunShares = std::vector<float>;
+
 /// The sun of one window, or of the windows of a room, at the steps of a rule, and its sky.
 struct GlazingSunlight {
     ShadedSteps after;                  ///< in the scenario; by step of RuleSun
     std::optional<ShadedSteps> before;  ///< in the baseline; none: its building is not there
+    SunShares shares, formerShares;     ///< the same by what crowns leave; read for Measure::probableSun
     double skyComponentPct = 0;         ///< read only if a criterion asks for it
     double formerSkyComponentPct = 0;
 };

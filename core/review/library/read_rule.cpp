@@ -154,6 +154,9 @@ void readParts(RuleFields& fields, Rule& rule) {
 }
 
 void checkRule(RuleFields& fields, const Rule& rule) {
+    if (rule.occluders.trees != RuleTrees::without && rule.receivers.surface == RuleSurface::plane)
+        fields.addProblem("occluders.trees", "The shade of trees is measured on the ground and at windows",
+                          "Write without");
     for (const Criterion& criterion : rule.criteria)
         if (criterion.belt != LineBelt::none && !rule.receivers.hasLines())
             fields.addProblem("criteria", "The criterion '" + criterion.key + "' needs receivers.lines_m");

@@ -218,13 +218,32 @@ RuleReceivers readReceivers(RuleFields& rule, const std::string& ruleSource) {
     return receivers;
 }
 
+namespace {
+
+// A name; an object with a name, status and source; or, in rules of the first releases, true or false.
+void readRuleTrees(RuleFields& fields, const std::string& ruleSource, RuleOccluders& occluders) {
+    occluders.treesEvidence = occluders.evidence;
+    if (fields.isFlag("trees")) {
+        occluders.trees = fields.flagOr("trees", false) ? RuleTrees::seasonal : RuleTrees::without;
+    } else if (fields.isObject("trees")) {
+        RuleFields trees = fields.object("trees");
+        occluders.trees = trees.name("count", ruleTreesNames());
+        occluders.treesEvidence = readEvidence(trees, ruleSource);
+        trees.finish();
+    } else {
+        occluders.trees = fields.nameOr("trees", ruleTreesNames(), RuleTrees::without);
+    }
+}
+
+}  // namespace
+
 RuleOccluders readOccluders(RuleFields& rule, const std::string& ruleSource) {
     RuleFields fields = rule.object("occluders");
     RuleOccluders occluders;
     occluders.casters = fields.name("casters", casterNames());
     occluders.terrain = fields.flagOr("terrain", true);
-    occluders.trees = fields.flagOr("trees", false);
     occluders.evidence = readEvidence(fields, ruleSource);
+    readRuleTrees(fields, ruleSource, occluders);
     fields.finish();
     return occluders;
 }

@@ -118,6 +118,10 @@ bool RuleFields::flagOr(const char* key, bool otherwise) {
     return otherwise;
 }
 
+bool RuleFields::isFlag(const char* key) const { return has(key) && json_.at(key).is_boolean(); }
+
+bool RuleFields::isObject(const char* key) const { return has(key) && json_.at(key).is_object(); }
+
 std::vector<RuleJson> RuleFields::elements(const char* key) {
     const RuleJson* found = find(key);
     if (!found) return {};

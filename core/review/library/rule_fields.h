@@ -44,7 +44,9 @@ public:
     double numberOr(const char* key, double lowest, double highest, double otherwise);
     int wholeOr(const char* key, int lowest, int highest, int otherwise);
     bool flagOr(const char* key, bool otherwise);
-    std::vector<std::string> texts(const char* key);  ///< empty if there is no such field
+    [[nodiscard]] bool isFlag(const char* key) const;    ///< whether it is true or false
+    [[nodiscard]] bool isObject(const char* key) const;  ///< whether it has fields of its own
+    std::vector<std::string> texts(const char* key);     ///< empty if there is no such field
     /// The object of that name; an empty object, and a problem, if it is missing.
     RuleFields object(const char* key);
     /// The elements of an array of at most 400; empty if there is no such field.

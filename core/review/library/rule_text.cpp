@@ -131,8 +131,7 @@ std::string partsText(const Rule& rule) {
     text += line("receivers", receiversText(rule.receivers), rule.receivers.evidence);
     text += line("casters", std::string(ruleNameOf(casterNames(), rule.occluders.casters)),
                  rule.occluders.evidence);
-    text += line("trees", rule.occluders.trees ? "counted by the rule, not measured here" : "without",
-                 rule.occluders.evidence);
+    text += line("trees", std::string(describe(rule.occluders.trees)), rule.occluders.treesEvidence);
     text += line("baseline", std::string(ruleNameOf(baselineNames(), rule.baseline.kind)),
                  rule.baseline.evidence);
     for (const Criterion& criterion : rule.criteria)

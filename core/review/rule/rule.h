@@ -101,10 +101,21 @@ enum class RuleCasters {
     proposal,    ///< only the buildings that the scenario adds or changes
 };
 
+/// The trees whose shade counts.
+enum class RuleTrees {
+    without,                ///< none
+    evergreens,             ///< those that keep their leaves; all others are left out
+    evergreenBelts,         ///< dense belts of those (findEvergreenBelts())
+    asEvergreens,           ///< every tree, in leaf all year
+    seasonal,               ///< every tree, by its season
+    existingAndEvergreens,  ///< those of the baseline, by their season, and evergreens that the scenario adds
+};
+
 struct RuleOccluders {
     RuleCasters casters = RuleCasters::everything;
     bool terrain = true;
-    bool trees = false;
+    RuleTrees trees = RuleTrees::without;
+    Evidence treesEvidence;
     Evidence evidence;
 };
 

@@ -54,6 +54,18 @@ RuleNames<RuleCasters> casterNames() {
     return names;
 }
 
+RuleNames<RuleTrees> ruleTreesNames() {
+    using enum RuleTrees;
+    static constexpr std::array names{
+        std::pair{without, std::string_view{"without"}},
+        std::pair{evergreens, std::string_view{"evergreens"}},
+        std::pair{evergreenBelts, std::string_view{"evergreen belts"}},
+        std::pair{asEvergreens, std::string_view{"as evergreens"}},
+        std::pair{seasonal, std::string_view{"seasonal"}},
+        std::pair{existingAndEvergreens, std::string_view{"existing and evergreens"}}};
+    return names;
+}
+
 RuleNames<BaselineKind> baselineNames() {
     using enum BaselineKind;
     static constexpr std::array names{std::pair{existing, std::string_view{"existing"}},
@@ -133,6 +145,24 @@ std::string_view meaningOf(FigureStatus status) {
             return "reported by practice";
         case FigureStatus::unconfirmed:
             return "not checked against the rule's text";
+    }
+    return {};
+}
+
+std::string_view describe(RuleTrees counted) {
+    switch (counted) {
+        case RuleTrees::without:
+            return "none counted";
+        case RuleTrees::evergreens:
+            return "evergreen trees only";
+        case RuleTrees::evergreenBelts:
+            return "dense belts of evergreen trees only";
+        case RuleTrees::asEvergreens:
+            return "all, as evergreens";
+        case RuleTrees::seasonal:
+            return "all, with their seasons";
+        case RuleTrees::existingAndEvergreens:
+            return "existing trees with their seasons, and new evergreens";
     }
     return {};
 }

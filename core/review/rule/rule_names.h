@@ -22,6 +22,7 @@ RuleNames<ClockKind> clockNames();             ///< "civil", "standard", "fixed"
 RuleNames<SunriseRule> sunriseNames();         ///< "upper limb", "centre"
 RuleNames<RuleSurface> surfaceNames();         ///< "ground", "plane", "windows"
 RuleNames<RuleCasters> casterNames();          ///< "everything", "proposal"
+RuleNames<RuleTrees> ruleTreesNames();         ///< "without", "evergreens", "evergreen belts", ...
 RuleNames<BaselineKind> baselineNames();       ///< "existing", "no action", "reference body"
 RuleNames<Quantity> quantityNames();           ///< "shadow", "incremental", "sun"
 RuleNames<Measure> measureNames();             ///< "spot total", "share", ...
@@ -40,6 +41,9 @@ std::string_view ruleNameOf(RuleNames<E> names, E value) {
 
 /// "read in the rule's text", "reported by practice", "not checked against the rule's text"
 std::string_view meaningOf(FigureStatus status);
+
+/// "evergreen trees only": the column of figures with trees that a rule counts.
+std::string_view describe(RuleTrees counted);
 
 /// "min", "m2", "m2 h", "%" of windows' measures, or nothing for shares.
 std::string_view unitOf(Measure measure);

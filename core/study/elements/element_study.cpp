@@ -92,6 +92,30 @@ PointCost costOf(const PointMonths& probe, const char* stage, std::size_t points
             probe.cost.seconds.at(stage) / double(std::max<std::size_t>(points, 1))};
 }
 
+/// What trees take on top, of measured points.
+struct TreeCost {
+    PointCost cost;
+    std::size_t trees = 0;
+};
+
+Result<TreeCost> measureTrees(const City& city, const StudySettings& settings, const SurfacePoints& points,
+                              const SunSteps& sun, const PointMonths& without, ShadedStepFinder::By by,
+                              Progress& progress, const std::stop_token& stop) {
+    const City weighed = withTreesFor(city, settings.trees);
+    if (!weighed.trees) return TreeCost{};
+    const Stopwatch ofScene;
+    if (const auto finder = ShadedStepFinder::over(weighed, sun, by, stop); !finder)
+        return tl::make_unexpected(finder.error());
+    const double once = ofScene.seconds();
+    const Stopwatch watch;
+    const auto shaded = shadeTreesAtPoints(weighed, points, sun, without, settings.trees, by, progress, stop);
+    if (!shaded) return tl::make_unexpected(shaded.error());
+    if (!*shaded) return TreeCost{};
+    const double each =
+        std::max(0.0, watch.seconds() - once) / double(std::max<std::size_t>(points.size(), 1));
+    return TreeCost{{once, each}, (*shaded)->treesUsed};
+}
+
 SurfacePoints chooseProbes(const SurfacePoints& all, std::size_t count) {
     return pointsAt(all, choosePoints(all.size(), count, 0));
 }
@@ -115,12 +139,19 @@ Result<ElementForecast> forecastElementStudy(const City& city, const StudySettin
     if (!horizons) return tl::make_unexpected(horizons.error());
     const auto rays = tracePoints(city, traced, *sun, progress, stop, *scene);
     if (!rays) return tl::make_unexpected(rays.error());
+    const auto sweptTrees =
+        measureTrees(city, settings, swept, *sun, *horizons, ShadedStepFinder::By::horizons, progress, stop);
+    if (!sweptTrees) return tl::make_unexpected(sweptTrees.error());
+    const auto tracedTrees =
+        measureTrees(city, settings, traced, *sun, *rays, ShadedStepFinder::By::rays, progress, stop);
+    if (!tracedTrees) return tl::make_unexpected(tracedTrees.error());
     const PointCost ofSweep = costOf(*horizons, "sweep", swept.size());
     const PointCost ofRays = costOf(*rays, "trace", traced.size());
     const std::size_t sample = std::min(all.size(), sampleSize(settings.errorSample, sun->steps.size()));
-    return ElementForecast{all.size(), sun->steps.size(),
-                           prepared + ofSweep.of(all.size()) + (sample > 0 ? ofRays.of(sample) : 0),
-                           prepared + ofRays.of(all.size())};
+    return ElementForecast{all.size(), sun->steps.size(), sweptTrees->trees,
+                           prepared + ofSweep.of(all.size()) + sweptTrees->cost.of(all.size()) +
+                               (sample > 0 ? ofRays.of(sample) : 0),
+                           prepared + ofRays.of(all.size()) + tracedTrees->cost.of(all.size())};
 }
 
 namespace {

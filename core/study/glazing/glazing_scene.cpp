@@ -12,7 +12,9 @@
 #include "core/base/progress.h"
 #include "core/base/safe_text.h"
 #include "core/describe/command_options.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/engines/points/sky_factors.h"
+#include "core/engines/ray/surface_rays.h"
 #include "core/measures/places/place_run.h"
 #include "core/review/glazing/glazing_review.h"
 #include "core/study/elements/element_map.h"
@@ -61,8 +63,10 @@ std::string describe(const GlazingSample& sample) {
                        sample.offPct);
 }
 
-bool isSameCity(const City& a, const City& b) {
-    return &a == &b || (a.buildings == b.buildings && a.terrain == b.terrain);
+// Trees that the rule does not count are no difference.
+bool isSameCity(const City& a, const City& b, const CastingCities& casting) {
+    return &a == &b || (a.buildings == b.buildings && a.terrain == b.terrain &&
+                        haveSameTrees(casting.before, casting.after));
 }
 
 /// Steps at which the sun does not come through the window at that point, whatever is outside.
@@ -77,8 +81,57 @@ void shadeToo(ShadedSteps& shaded, const ShadedSteps& other) {
     for (std::size_t i = 0; i < shaded.size(); ++i) shaded[i] |= other[i];
 }
 
+/// Of both ends of a sill: what the darker one has.
+void takeLess(SunShares& shares, const SunShares& other) {
+    for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = std::min(shares[i], other[i]);
+}
+
+/// Of the windows of a room: what the brighter one has.
+void takeMore(SunShares& shares, const SunShares& other) {
+    for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = std::max(shares[i], other[i]);
+}
+
+/// Of a point that something solid hides from the sun at `shaded`.
+SunShares findSunShares(const GlazingScene& scene, const CrownScene& crowns, const SkyPoint& point,
+                        const ShadedSteps& shaded) {
+    SunShares shares(shaded.size());
+    CrownsOverPoint over(crowns.crowns, *scene.patches);
+    const bool any = over.begin(glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal)));
+    for (std::size_t i = 0; i < shaded.size(); ++i) {
+        if (shaded[i] != 0) continue;
+        shares[i] = any ? float(1 - over.at(scene.patches->ofStep(i)).takenShare(crowns.inLeaf[i] != 0)) : 1;
+    }
+    return shares;
+}
+
+/// Puts into shadow the steps at which crowns take as much as counts as shadow.
+void shadeByCrowns(ShadedSteps& shaded, const SunShares& shares) {
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        if (1 - shares[i] >= float(TreeShade::defaultShadedFrom)) shaded[i] = 1;
+}
+
 void lightToo(ShadedSteps& shaded, const ShadedSteps& other) {
     for (std::size_t i = 0; i < shaded.size(); ++i) shaded[i] &= other[i];
+}
+
+/// One of the two cities that windows are measured in.
+struct GlazingCity {
+    const ShadedStepFinder& finder;
+    const std::optional<GlazingCrowns>& crowns;
+};
+
+/// Adds what a point of a window has to that of its other points.
+void addPoint(const GlazingScene& scene, const GlazingCity& city, const SkyPoint& point,
+              const ShadedSteps& away, ShadedSteps& shaded, SunShares& shares) {
+    ShadedSteps here = city.finder.find(point);
+    shadeToo(here, away);
+    if (city.crowns && !city.crowns->sunward.empty()) {
+        SunShares ofPoint = findSunShares(scene, city.crowns->sunward, point, here);
+        shadeByCrowns(here, ofPoint);
+        if (!shares.empty()) takeLess(ofPoint, shares);
+        shares = std::move(ofPoint);
+    }
+    shadeToo(shaded, here);
 }
 
 /// The sun of one window: of both ends of a sill, where both are lit.
@@ -94,14 +147,23 @@ GlazingSunlight measureWindow(const GlazingScene& scene, std::uint32_t window) {
     if (!scene.fresh.contains(building)) light.before = light.after;
     for (const PanePoint& point : placePanePoints(rule, middle, pane)) {
         const ShadedSteps away = findTurnedAway(PaneLimits(rule, point, pane), sun);
-        shadeToo(light.after, away);
-        shadeToo(light.after, scene.after->find(point.point));
+        addPoint(scene, {*scene.after, scene.crowns}, point.point, away, light.after, light.shares);
         if (!light.before || !scene.before) continue;
-        shadeToo(*light.before, away);
-        shadeToo(*light.before, scene.before->find(point.point));
+        addPoint(scene, {*scene.before, scene.formerCrowns}, point.point, away, *light.before,
+                 light.formerShares);
     }
-    if (light.before && !scene.before) light.before = light.after;
+    if (light.before && !scene.before) {
+        light.before = light.after;
+        light.formerShares = light.shares;
+    }
     return light;
+}
+
+double computeSkyComponent(const SkyPoint& point, const SkyTrees& sky,
+                           const std::optional<GlazingCrowns>& crowns) {
+    const Skyline skyline = Skyline::at(point, sky);
+    const double without = computeSkyFactors(skyline).skyComponentPct;
+    return crowns ? std::max(0.0, without - crowns->sky.takenPct(point, skyline)) : without;
 }
 
 void measureSky(const GlazingScene& scene, std::uint32_t window, GlazingSunlight& light) {
@@ -110,11 +172,10 @@ void measureSky(const GlazingScene& scene, std::uint32_t window, GlazingSunlight
     const SkyPoint middle{points.positions[window], points.normals[window]};
     const auto point =
         placePanePoints(scene.rule.receivers.glazing, middle, scene.paneOf(window)).front().point;
-    light.skyComponentPct = computeSkyFactors(Skyline::at(point, *scene.sky)).skyComponentPct;
-    light.formerSkyComponentPct =
-        scene.formerSky && light.before
-            ? computeSkyFactors(Skyline::at(point, *scene.formerSky)).skyComponentPct
-            : light.skyComponentPct;
+    light.skyComponentPct = computeSkyComponent(point, *scene.sky, scene.crowns);
+    light.formerSkyComponentPct = scene.formerSky && light.before
+                                      ? computeSkyComponent(point, *scene.formerSky, scene.formerCrowns)
+                                      : light.skyComponentPct;
 }
 
 /// The sun of the windows of a group: where one of them is lit.
@@ -123,7 +184,10 @@ GlazingSunlight measureGroup(const GlazingScene& scene, const GlazingGroup& grou
     for (std::size_t i = 1; i < group.size(); ++i) {
         const GlazingSunlight other = measureWindow(scene, group[i]);
         lightToo(light.after, other.after);
-        if (light.before && other.before) lightToo(*light.before, *other.before);
+        takeMore(light.shares, other.shares);
+        if (!light.before || !other.before) continue;
+        lightToo(*light.before, *other.before);
+        takeMore(light.formerShares, other.formerShares);
     }
     measureSky(scene, group.front(), light);
     return light;
@@ -218,10 +282,20 @@ Result<std::optional<ShadedStepFinder>> makeFinder(const GlazingScene& scene, co
     });
 }
 
+void findGlazingCrowns(GlazingScene& scene, const CastingCities& casting, bool same) {
+    if (!casting.before.trees && !casting.after.trees) return;
+    const SurfacePoints& windows = scene.placed.receivers.points;
+    scene.patches.emplace(scene.days.sun);
+    if (casting.after.trees) scene.crowns.emplace(casting.after, windows, scene.days.sun);
+    if (casting.before.trees && !same) scene.formerCrowns.emplace(casting.before, windows, scene.days.sun);
+}
+
 Result<void> buildScene(GlazingScene& scene, const City& baseline, const std::stop_token& stop) {
     const Stopwatch watch;
-    const bool same = isSameCity(baseline, scene.city);
     const CastingCities casting = chooseCasters(scene.rule, baseline, scene.city);
+    const bool same = isSameCity(baseline, scene.city, casting);
+    scene.trees = describeCountedTrees(scene.rule.occluders.trees, scene.city, baseline);
+    findGlazingCrowns(scene, casting, same);
     auto after = makeFinder(scene, casting.after, stop);
     if (!after) return tl::make_unexpected(after.error());
     scene.after = *std::move(after);

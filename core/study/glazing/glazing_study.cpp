@@ -108,7 +108,7 @@ GlazingStudy beginStudy(const GlazingScene& scene, const GlazingReviewSettings& 
     study.seconds["build"] = scene.buildSeconds;
     addAssumptions(study, scene.placed, study.warnings);
     for (const Warning& warning : scene.days.warnings) study.warnings.push_back(warning);
-    std::ranges::move(warnOfTrees(scene.city.trees), std::back_inserter(study.warnings));
+    study.trees = scene.trees;
     return study;
 }
 

@@ -14,7 +14,10 @@
 #include <vector>
 
 #include "core/engines/points/point_sunlight.h"
+#include "core/engines/points/sky_factors.h"
 #include "core/engines/points/sky_obstacles.h"
+#include "core/engines/trees/crowns.h"
+#include "core/engines/trees/crowns_around.h"
 #include "core/receivers/points/facade_elevations.h"
 #include "core/review/glazing/building_review.h"
 #include "core/study/elements/place_elements.h"
@@ -58,6 +61,7 @@ struct GlazingStudy {
     std::vector<std::string> notChecked;    ///< of the rule, and what this run adds to it
     std::map<std::string, double> seconds;  ///< by stage, and "total"
     Warnings warnings;
+    std::string trees{};  ///< which trees count, and how many those are: a sentence without a full stop
     std::optional<InputFile> glazingInput{};  ///< set by the caller
 };
 
@@ -88,6 +92,14 @@ Result<GlazingStudy> runGlazingReview(const Rule& rule, const City& baseline, co
 /// The windows that are judged together, as indices of receivers.
 using GlazingGroup = std::vector<std::uint32_t>;
 
+/// The crowns that a rule counts, as windows of one city see them.
+struct GlazingCrowns {
+    GlazingCrowns(const City& city, const SurfacePoints& windows, const SunSteps& sun)
+        : sunward(findCrowns(city, windows, sun)), sky(city) {}
+    CrownScene sunward;  ///< that can shade a window
+    SkyCrowns sky;
+};
+
 /// What a review of windows evaluates: everything that does not depend on a single window.
 struct GlazingScene {
     Rule rule;         ///< its opening is no wider than a bay
@@ -95,11 +107,14 @@ struct GlazingScene {
     PlacedElements placed;
     RuleSun days;
     ShadedStepFinder::By by = ShadedStepFinder::By::rays;
+    std::string trees;   ///< as of GlazingStudy
     std::string engine;  ///< in words, with why it was chosen where a sample decided it
     std::optional<ShadedStepFinder> after;
-    std::optional<ShadedStepFinder> before;  ///< none: the baseline is the scenario
-    std::optional<SkyTrees> sky, formerSky;  ///< where the rule asks for the sky component
-    std::set<std::uint32_t> fresh;           ///< buildings without former values, by index
+    std::optional<ShadedStepFinder> before;             ///< none: the baseline is the scenario
+    std::optional<SkyTrees> sky, formerSky;             ///< where the rule asks for the sky component
+    std::optional<SunPatches> patches;                  ///< where the rule counts trees, and there are some
+    std::optional<GlazingCrowns> crowns, formerCrowns;  ///< likewise; former as `before`
+    std::set<std::uint32_t> fresh;                      ///< buildings without former values, by index
     std::vector<GlazingGroup> groups;
     double prepareSeconds = 0, buildSeconds = 0;
 

@@ -259,6 +259,7 @@ Json glazingReviewJson(const GlazingStudy& study, const ReviewLabels& labels) {
          {{"windows", changesJson(study.windowChanges)}, {"buildings", changesJson(study.buildingChanges)}}},
         {"buildings", buildings},
         {"windows", windows},
+        {"trees_counted", study.trees},
         {"not_checked", study.notChecked},
         {"program", std::string("Noonmark ") + std::string(version())}};
     json.update(ruleJson(study.rule));

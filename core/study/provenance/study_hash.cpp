@@ -66,18 +66,20 @@ void addWater(Sha256& sum, const MapContext& map) {
     }
 }
 
+void addTree(Sha256& sum, const Tree& tree) {
+    sum.add(tree.place.x);
+    sum.add(tree.place.y);
+    for (const float number : {tree.groundM, tree.heightM, tree.crownBaseM, tree.crownDiameterM,
+                               tree.leafOnTransmissivity, tree.leafOffTransmissivity})
+        sum.add(number);
+    sum.add(int(tree.shape));
+    sum.add(tree.evergreen);
+}
+
 void addTrees(Sha256& sum, const Trees& trees) {
     sum.add(trees.leafDays.on);
     sum.add(trees.leafDays.off);
-    for (const Tree& tree : trees.trees) {
-        sum.add(tree.place.x);
-        sum.add(tree.place.y);
-        for (const float number : {tree.groundM, tree.heightM, tree.crownBaseM, tree.crownDiameterM,
-                                   tree.leafOnTransmissivity, tree.leafOffTransmissivity})
-            sum.add(number);
-        sum.add(int(tree.shape));
-        sum.add(tree.evergreen);
-    }
+    for (const Tree& tree : trees.trees) addTree(sum, tree);
 }
 
 void addCity(Sha256& sum, const City& city) {
@@ -154,6 +156,14 @@ std::string hashSettings(const StudySettings& settings) {
 std::string hashBuilding(const Building& building) {
     Sha256 sum;
     for (const Part& part : building.parts) addPart(sum, part);
+    return sum.hex();
+}
+
+std::string hashTree(const Tree& tree, const LeafDays& leafDays) {
+    Sha256 sum;
+    sum.add(leafDays.on);
+    sum.add(leafDays.off);
+    addTree(sum, tree);
     return sum.hex();
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/city/trees/tree.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -36,5 +37,7 @@ QuestionHashes listHashes(const StudySettings& settings);
 
 /// SHA-256 of what shades and stands: a building's geometry, without names and sources.
 std::string hashBuilding(const Building& building);
+/// The same of a tree.
+std::string hashTree(const Tree& tree, const LeafDays& leafDays);
 
 }  // namespace noonmark

@@ -94,6 +94,20 @@ Bars makeMonthBars(const Study& study) {
     return makeMonthBars(*study.breakdown, study.sun);
 }
 
+Bars makeMonthBarsWithTrees(const Study& study) {
+    Bars bars = makeMonthBars(study);
+    const std::vector<MonthsWithTrees> columns = listMonthsWithTrees(study);
+    if (bars.groups.empty() || columns.empty()) return bars;
+    bars.series = {"without trees"};
+    for (const MonthsWithTrees& with : columns) {
+        bars.series.emplace_back(describeTrees(with.column));
+        const Bars own = makeMonthBars(with.months, study.sun.days.front().date, int(study.sun.days.size()));
+        for (std::size_t i = 0; i < bars.groups.size(); ++i)
+            bars.groups[i].values.push_back(own.groups.at(i).values.front());
+    }
+    return bars;
+}
+
 AnswerPage withMonths(AnswerPage page, Bars months) {
     if (!months.groups.empty()) page.charts.insert(page.charts.begin(), std::move(months));
     return page;

@@ -49,6 +49,8 @@ std::vector<BuildingShadow> sortContributions(const ShadowBreakdown& breakdown);
 /// study without months.
 Bars makeMonthBars(const std::vector<MonthShadow>& months, CivilDate start, int days);
 Bars makeMonthBars(const Study& study);
+/// The same with a bar for each column of trees that the study has.
+Bars makeMonthBarsWithTrees(const Study& study);
 /// The bars of a breakdown by month of the period with this sun.
 Bars makeMonthBars(const ShadowBreakdown& breakdown, const SunSteps& sun);
 /// The page with these bars before its other charts; as it is where they have no groups.

@@ -70,7 +70,7 @@ Json ruleJson(const Rule& rule) {
             {"choices", chosen},
             {"status", ruleNameOf(figureStatusNames(), findLeastCertain(rule))},
             {"readings", rule.readings},
-            {"trees", keyOf<TreeColumns>(treeColumnChoices, TreeColumns::without)},
+            {"trees", ruleNameOf(ruleTreesNames(), rule.occluders.trees)},
             {"figures", figures}};
 }
 
@@ -188,6 +188,7 @@ Json reviewJson(const ReviewStudy& study, const ReviewLabels& labels) {
               {"from", labels.from},
               {"to", labels.to},
               {"places", places},
+              {"trees_counted", study.trees},
               {"not_checked", study.notChecked},
               {"program", std::string("Noonmark ") + std::string(version())}};
     json.update(ruleJson(study.rule));

@@ -282,9 +282,13 @@ std::string describeTrees(const Trees& trees) {
                        describeSources(trees, &Tree::crownSource));
 }
 
+std::string describeTrees(const Trees& trees, std::size_t used) {
+    return fmt::format("{} can reach a receiver, of {}; trunks are left out", formatThousands(used),
+                       describeTrees(trees));
+}
+
 std::string describeTrees(const Trees& trees, const ShadowField& field) {
-    return fmt::format("{} can reach a receiver, of {}; trunks are left out",
-                       formatThousands(field.trees ? field.trees->treesUsed : 0), describeTrees(trees));
+    return describeTrees(trees, field.trees ? field.trees->treesUsed : 0);
 }
 
 }  // namespace noonmark

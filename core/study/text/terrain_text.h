@@ -38,6 +38,7 @@ nlohmann::ordered_json treesJson(const Trees& trees, const ShadowField& field);
 /// "1,204; heights: 1,000 measured, 204 estimated; crowns: 1,204 estimated"
 std::string describeTrees(const Trees& trees);
 /// "300 can reach a receiver, of 1,204; heights: ...; trunks are left out"
+std::string describeTrees(const Trees& trees, std::size_t used);
 std::string describeTrees(const Trees& trees, const ShadowField& field);
 
 }  // namespace noonmark

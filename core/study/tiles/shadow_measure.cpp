@@ -3,6 +3,7 @@
 #include "core/base/progress.h"
 #include "core/city/trees/tree.h"
 #include "core/engines/api/shadow_field.h"
+#include "core/engines/shade_trees.h"
 #include "core/measures/error_sample.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/text/breakdown_text.h"
@@ -14,12 +15,28 @@ namespace {
 // Some 40 to 80 % of a city's box are receivers: twice as many sample points as receivers wanted.
 constexpr std::size_t placesAReceiver = 2;
 
+// Adds a band for each month; returns the sums of their minutes.
+std::vector<double> addMonths(const ShadowBreakdown& months, std::vector<std::vector<float>>& bands) {
+    std::vector<double> minutes;
+    for (std::size_t month = 0; month < months.minutes.size(); ++month) {
+        minutes.push_back(sumOf(months.minutes[month]));
+        bands.push_back(spreadOverGrid(months, month));
+    }
+    return minutes;
+}
+
 }  // namespace
 
 ShadowMeasure::ShadowMeasure(const City& city, const TileQuestion& question)
-    : city_(city), question_(question) {}
+    : city_(withTreesFor(city, question.settings.trees)), question_(question) {}
 
-std::vector<TileMap> ShadowMeasure::maps() const { return listTileMaps(question_.settings, question_.sun); }
+TreeColumns ShadowMeasure::columns() const {
+    return city_.trees && !city_.trees->trees.empty() ? question_.settings.trees : TreeColumns::without;
+}
+
+std::vector<TileMap> ShadowMeasure::maps() const {
+    return listTileMaps(question_.settings, question_.sun, columns());
+}
 
 Result<TileAnswer> ShadowMeasure::measure(const Grid& tile, Progress& progress, const std::stop_token& stop) {
     return placeReceiversInPart(city_, question_.settings.region, tile, stop)
@@ -32,7 +49,6 @@ Result<TileAnswer> ShadowMeasure::measure(const Grid& tile, Progress& progress, 
 Result<TileAnswer> ShadowMeasure::computed(const Receivers& receivers, Progress& progress,
                                            const std::stop_token& stop) {
     TileAnswer answer;
-    answer.result.hasTrees = !warnOfTrees(city_.trees).empty();
     if (receivers.cells.empty()) {
         answer.result.cost = makeBlankField(receivers, question_.sun).cost;
         return answer;
@@ -41,9 +57,13 @@ Result<TileAnswer> ShadowMeasure::computed(const Receivers& receivers, Progress&
     EngineInUse engine(question_.engine, cities, receivers, question_.sun);
     auto field = accumulate(answer.result, engine, receivers, progress, stop);
     if (!field) return tl::make_unexpected(field.error());
-    answer.bands.push_back(std::move(field->grossMin));
-    answer.bands.push_back(std::move(field->continuousMin));
-    return addMonths(answer, engine, progress, stop).map([&] { return std::move(answer); });
+    const auto months = breakDown(engine, progress, stop);
+    if (!months) return tl::make_unexpected(months.error());
+    answer.bands = {field->grossMin, field->continuousMin};
+    if (*months) answer.result.monthMinutes = addMonths(**months, answer.bands);
+    return addTrees(answer, *field, *months, receivers, progress, stop).map([&] {
+        return std::move(answer);
+    });
 }
 
 Result<ShadowField> ShadowMeasure::accumulate(TileResult& result, EngineInUse& engine,
@@ -81,14 +101,37 @@ Result<SampledDeviation> ShadowMeasure::findOff(const TileResult& result, const 
         });
 }
 
-Result<void> ShadowMeasure::addMonths(TileAnswer& answer, const EngineInUse& engine, Progress& progress,
-                                      const std::stop_token& stop) const {
-    if (!question_.settings.byMonth) return {};
-    auto months = engine.breakDown(city_, monthsOf(question_.sun), false, progress, stop);
-    if (!months) return tl::make_unexpected(months.error());
-    for (std::size_t month = 0; month < months->minutes.size(); ++month) {
-        answer.result.monthMinutes.push_back(sumOf(months->minutes[month]));
-        answer.bands.push_back(spreadOverGrid(*months, month));
+Result<std::optional<ShadowBreakdown>> ShadowMeasure::breakDown(const EngineInUse& engine, Progress& progress,
+                                                                const std::stop_token& stop) const {
+    if (!question_.settings.byMonth) return std::nullopt;
+    return engine.breakDown(city_, monthsOf(question_.sun), false, progress, stop)
+        .map([](ShadowBreakdown months) { return std::optional(std::move(months)); });
+}
+
+Result<void> ShadowMeasure::addTrees(TileAnswer& answer, ShadowField& field,
+                                     const std::optional<ShadowBreakdown>& months, const Receivers& receivers,
+                                     Progress& progress, const std::stop_token& stop) const {
+    if (columns() == TreeColumns::without) return {};
+    auto shade = shadeTrees(city_, receivers, question_.sun, field, columns(), progress, stop);
+    if (!shade) return tl::make_unexpected(shade.error());
+    field.trees = *std::move(shade);
+    if (!field.trees) return {};
+    std::optional<ShadedSets> shadedMonths;
+    if (months) {
+        auto shaded = shadeTreeSets(city_, receivers, question_.sun, *months, columns(), progress, stop);
+        if (!shaded) return tl::make_unexpected(shaded.error());
+        shadedMonths = *std::move(shaded);
+    }
+    answer.result.treesHow = field.trees->how;
+    for (const ShadeColumn& column : listShadeColumns(field)) {
+        ShadedTile tile{column.column, computeSums(*column.field)};
+        answer.bands.push_back(column.field->grossMin);
+        answer.bands.push_back(column.field->continuousMin);
+        if (months) {
+            const auto& with = shadedMonths ? shadedMonths->of(column.column) : months;
+            tile.monthMinutes = addMonths(with ? *with : *months, answer.bands);
+        }
+        answer.result.withTrees.push_back(std::move(tile));
     }
     return {};
 }

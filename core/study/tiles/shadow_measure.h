@@ -8,8 +8,8 @@
 
 namespace noonmark {
 
-/// Gross and continuous shadow of a city, its months if the settings ask for them, and the error on a sample
-/// of receivers. Holds a reference to the city.
+/// Gross and continuous shadow of a city, its months if the settings ask for them, both with the trees that
+/// they ask for, and the error on a sample of receivers.
 class ShadowMeasure : public TileMeasure {
 public:
     ShadowMeasure(const City& city, const TileQuestion& question);
@@ -24,12 +24,17 @@ private:
     Result<SampledDeviation> findOff(const TileResult& result, const EngineInUse& engine,
                                      const Receivers& receivers, const ShadowField& field, Progress& progress,
                                      const std::stop_token& stop) const;
-    Result<void> addMonths(TileAnswer& answer, const EngineInUse& engine, Progress& progress,
-                           const std::stop_token& stop) const;
+    Result<std::optional<ShadowBreakdown>> breakDown(const EngineInUse& engine, Progress& progress,
+                                                     const std::stop_token& stop) const;
+    /// Adds what trees make of the field and of its months, if they reach a receiver.
+    Result<void> addTrees(TileAnswer& answer, ShadowField& field,
+                          const std::optional<ShadowBreakdown>& months, const Receivers& receivers,
+                          Progress& progress, const std::stop_token& stop) const;
+    [[nodiscard]] TreeColumns columns() const;
     Result<void> compare(TileResult& result, const Receivers& receivers, const ShadowField& field,
                          Progress& progress, const std::stop_token& stop);
 
-    const City& city_;
+    City city_;  ///< with its trees weighed, if they are wanted
     TileQuestion question_;
     std::optional<RayScene> scene_;  ///< of the whole city; made when the first tile is compared
 };

@@ -1,6 +1,7 @@
 #include "core/study/tiles/tile_journal.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -28,15 +29,40 @@ ComparedCell comparedCellFrom(const nlohmann::json& json) {
     return {{json.at(0), json.at(1)}, json.at(2), json.at(3), minutesFrom(json.at(4)), json.at(5)};
 }
 
+nlohmann::json toJson(const ShadowSums& sums) {
+    return {sums.receivers, sums.grossMin, sums.continuousMin, sums.maxGrossMin, sums.maxContinuousMin};
+}
+
+ShadowSums sumsFrom(const nlohmann::json& json) {
+    return {wholeNumberFrom<std::size_t>(json.at(0)), minutesFrom(json.at(1)), minutesFrom(json.at(2)),
+            json.at(3), json.at(4)};
+}
+
+nlohmann::json toJson(const ShadedTile& tile) {
+    return {{"column", keyOf<TreeColumns>(treeColumnChoices, tile.column)},
+            {"sums", toJson(tile.sums)},
+            {"months", tile.monthMinutes}};
+}
+
+ShadedTile shadedTileFrom(const nlohmann::json& json) {
+    const bool isEvergreen =
+        json.at("column") == keyOf<TreeColumns>(treeColumnChoices, TreeColumns::evergreen);
+    return {isEvergreen ? TreeColumns::evergreen : TreeColumns::seasonal, sumsFrom(json.at("sums")),
+            json.at("months").get<std::vector<double>>()};
+}
+
 TileResult resultFrom(const nlohmann::json& json) {
-    const nlohmann::json& sums = json.at("sums");
     TileResult result{.number = wholeNumberFrom<std::size_t>(json.at("tile")),
-                      .sums = {wholeNumberFrom<std::size_t>(sums.at(0)), minutesFrom(sums.at(1)),
-                               minutesFrom(sums.at(2)), sums.at(3), sums.at(4)}};
+                      .sums = sumsFrom(json.at("sums"))};
     if (json.contains("months")) result.monthMinutes = json.at("months").get<std::vector<double>>();
     if (json.contains("figures")) result.figures = json.at("figures").get<std::map<std::string, double>>();
     if (json.contains("lines")) result.lines = wholeNumberFrom<std::size_t>(json.at("lines"));
     if (json.contains("has_trees")) result.hasTrees = json.at("has_trees");
+    if (json.contains("with_trees")) {
+        for (const nlohmann::json& tile : json.at("with_trees"))
+            result.withTrees.push_back(shadedTileFrom(tile));
+        result.treesHow = json.at("trees_how");
+    }
     result.cost.rays = wholeNumberFrom<std::uint64_t>(json.at("rays"));
     for (const auto& [reason, count] : json.at("skipped").items())
         result.cost.skipped[reason] = wholeNumberFrom<std::uint64_t>(count);
@@ -55,26 +81,35 @@ TileResult resultFrom(const nlohmann::json& json) {
 
 }  // namespace
 
+const ShadowSums& TileResult::sumsOf(TreeColumns column) const {
+    const auto found = std::ranges::find(withTrees, column, &ShadedTile::column);
+    return found == withTrees.end() ? sums : found->sums;
+}
+
+const std::vector<double>& TileResult::monthMinutesOf(TreeColumns column) const {
+    const auto found = std::ranges::find(withTrees, column, &ShadedTile::column);
+    return found == withTrees.end() ? monthMinutes : found->monthMinutes;
+}
+
 nlohmann::json toJson(const TileResult& result) {
-    const ShadowSums& sums = result.sums;
     nlohmann::json compared = nlohmann::json::array();
     for (const ComparedCell& cell : result.compared) compared.push_back(toJson(cell));
-    nlohmann::json json{
-        {"tile", result.number},
-        {"sums",
-         {sums.receivers, sums.grossMin, sums.continuousMin, sums.maxGrossMin, sums.maxContinuousMin}},
-        {"rays", result.cost.rays},
-        {"skipped", result.cost.skipped},
-        {"stages", result.cost.seconds},
-        {"engine", result.engineKey},
-        {"engine_settings", result.engine},
-        {"compared", compared},
-        {"seconds", result.seconds},
-        {"error_seconds", result.errorSeconds}};
+    nlohmann::json json{{"tile", result.number},
+                        {"sums", toJson(result.sums)},
+                        {"rays", result.cost.rays},
+                        {"skipped", result.cost.skipped},
+                        {"stages", result.cost.seconds},
+                        {"engine", result.engineKey},
+                        {"engine_settings", result.engine},
+                        {"compared", compared},
+                        {"seconds", result.seconds},
+                        {"error_seconds", result.errorSeconds}};
     if (!result.monthMinutes.empty()) json["months"] = result.monthMinutes;
     if (!result.figures.empty()) json["figures"] = result.figures;
     if (result.lines > 0) json["lines"] = result.lines;
     if (result.hasTrees) json["has_trees"] = true;
+    for (const ShadedTile& tile : result.withTrees) json["with_trees"].push_back(toJson(tile));
+    if (!result.withTrees.empty()) json["trees_how"] = result.treesHow;
     if (result.contentHash.empty()) return json;
     json["content"] = result.contentHash;
     json["file_bytes"] = result.fileBytes;

@@ -9,11 +9,19 @@
 #include <vector>
 
 #include "core/base/working_files.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/measures/error_sample.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/tile_plan.h"
 
 namespace noonmark {
+
+/// What one tile has with trees of one column.
+struct ShadedTile {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+    ShadowSums sums;
+    std::vector<double> monthMinutes{};  ///< as TileResult::monthMinutes
+};
 
 /// The stored result of one tile of a study, except for its cells, which are in a raster file, or its lines
 /// of JSON.
@@ -25,6 +33,10 @@ struct TileResult {
     std::map<std::string, double> figures{};
     std::size_t lines = 0;  ///< of JSON in the tile's file; 0: the file is a raster
     bool hasTrees = false;  ///< the city that it read has some, which are not measured
+    /// Evergreens first; empty: no tree reaches the tile, or none is wanted. Its file has the bands of the
+    /// maps with trees then.
+    std::vector<ShadedTile> withTrees{};
+    std::string treesHow{};  ///< in words
     Cost cost;
     std::string engineKey;  ///< key of the engine that computed it; empty if there was nothing to do
     std::string engine;     ///< its name for display
@@ -36,6 +48,10 @@ struct TileResult {
     std::string contentHash{};
     std::uintmax_t fileBytes = 0;  ///< size of the tile's file; 0: not known
     std::string fileSha256{};      ///< of the tile's file; empty: not known
+
+    /// The sums with trees of a column, which are those without where no tree reaches the tile.
+    [[nodiscard]] const ShadowSums& sumsOf(TreeColumns column) const;
+    [[nodiscard]] const std::vector<double>& monthMinutesOf(TreeColumns column) const;
 
     /// Without a file.
     [[nodiscard]] bool empty() const { return sums.receivers == 0 && lines == 0; }

@@ -1,7 +1,12 @@
 #include "core/study/tiles/tile_maps.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
+#include <utility>
+
+#include "core/engines/shade_trees.h"
 
 namespace noonmark {
 
@@ -36,36 +41,55 @@ ColourScale makeMonthScale(const SunSteps& sun, const LegendChoice& legend) {
     return makeColourScale(ofMonths, {}, sunlit.empty() ? 0 : std::ranges::max(sunlit), {});
 }
 
-std::vector<TileMap> listTileMaps(const StudySettings& settings, const SunSteps& sun) {
+namespace {
+
+// A map with trees of a column, whose bands follow the others in the files of tiles.
+TileMap mapWithTrees(TileMap map, TreeColumns column, std::size_t firstBand) {
+    map.withoutTrees = std::exchange(map.firstBand, firstBand);
+    map.name += suffixOf(column);
+    map.title += fmt::format(", {}", describeTrees(column));
+    for (RasterBand& band : map.bands) band.name += fmt::format(", {}", describeTrees(column));
+    return map;
+}
+
+}  // namespace
+
+std::vector<TileMap> listTileMaps(const StudySettings& settings, const SunSteps& sun, TreeColumns columns) {
     const ShadowField names;
     std::vector<TileMap> maps{
         {.name = "shadow", .title = "Shadow", .bands = makeMapBands(names, true), .runBands = 1}};
     for (RasterBand& band : maps.front().bands) band.values = nullptr;
     if (settings.byMonth) maps.push_back(mapOfMonths(sun, maps.front().bands.size()));
+    const std::vector<TileMap> without = maps;
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        for (const TileMap& map : without)
+            if (isAmong(columns, column))
+                maps.push_back(mapWithTrees(map, column, maps.back().firstBand + maps.back().bands.size()));
     return maps;
 }
 
-std::vector<TileMap> listWrittenMaps(std::vector<TileMap> maps, bool runs) {
+std::vector<TileMap> listWrittenMaps(std::vector<TileMap> maps, bool runs, bool runsWithTrees) {
     for (TileMap& map : maps)
-        if (!runs) map.bands.resize(map.bands.size() - map.runBands);
+        if (!(map.withoutTrees ? runsWithTrees : runs)) map.bands.resize(map.bands.size() - map.runBands);
     return maps;
 }
 
 namespace {
 
-Result<void> copyTile(GeoTiffWriter& writer, const Grid& tile,
-                      const std::optional<std::filesystem::path>& file, const TileMap& map) {
+Result<void> copyTile(GeoTiffWriter& writer, const Grid& tile, const std::optional<TileFile>& file,
+                      const TileMap& map) {
     const std::size_t bandCount = map.bands.size();
     if (!file) {
         const std::vector<float> nothing(tile.size(), std::numeric_limits<float>::quiet_NaN());
         return writer.write(tile, std::vector<const std::vector<float>*>(bandCount, &nothing));
     }
-    return readGeoTiff(*file, tile).and_then([&](const std::vector<std::vector<float>>& bands) {
-        if (bands.size() < map.firstBand + bandCount)
-            return Result<void>(failure("A tile has too few bands", file->string(),
+    return readGeoTiff(file->path, tile).and_then([&](const std::vector<std::vector<float>>& bands) {
+        const std::size_t first = file->firstBandOf(map);
+        if (bands.size() < first + bandCount)
+            return Result<void>(failure("A tile has too few bands", file->path.string(),
                                         "Remove this file, and run the study again"));
         std::vector<const std::vector<float>*> copied;
-        for (std::size_t band = 0; band < bandCount; ++band) copied.push_back(&bands[map.firstBand + band]);
+        for (std::size_t band = 0; band < bandCount; ++band) copied.push_back(&bands[first + band]);
         return writer.write(tile, copied);
     });
 }
@@ -75,7 +99,9 @@ Result<void> copyTile(GeoTiffWriter& writer, const Grid& tile,
 TileFiles listFiles(const TileJournal& journal) {
     TileFiles files;
     for (const auto& [number, result] : journal.finished())
-        files[number] = result.empty() ? std::nullopt : std::optional(journal.fileOf(result));
+        files[number] = result.empty()
+                            ? std::nullopt
+                            : std::optional(TileFile{journal.fileOf(result), !result.withTrees.empty()});
     return files;
 }
 

@@ -45,6 +45,8 @@ struct TileMap {
     std::size_t firstBand = 0;      ///< place of its first band in the files of tiles
     std::size_t runBands = 0;       ///< how many of its last bands hold continuous shadow, or its change
     std::optional<ColourScale> colours{};  ///< none: those of shadow, see makeShadowScale()
+    /// Of a map with trees: its first band in the files of tiles that no tree reaches, those without trees.
+    std::optional<std::size_t> withoutTrees{};
 };
 
 /// The colours of maps of shadow whose cells are never together in memory. Quantiles, which need them, become
@@ -61,12 +63,12 @@ LegendChoice withoutQuantiles(LegendChoice legend);
 inline constexpr std::string_view monthMap = "by_month";  ///< the name of that of months
 
 /// The maps that the settings of a study ask for: `shadow` (gross and continuous), and `by_month`, with a
-/// band for each month of the sun.
-std::vector<TileMap> listTileMaps(const StudySettings& settings, const SunSteps& sun);
+/// band for each month of the sun; then each of them with trees of these columns, `shadow_evergreen`.
+std::vector<TileMap> listTileMaps(const StudySettings& settings, const SunSteps& sun, TreeColumns columns);
 
-/// The maps to be written: without the bands of continuous shadow unless `runs`. Tiles always have them,
-/// since whether runs were counted is decided for all tiles together.
-std::vector<TileMap> listWrittenMaps(std::vector<TileMap> maps, bool runs);
+/// The maps to be written: without the bands of continuous shadow unless `runs`, and `runsWithTrees` of maps
+/// with trees. Tiles always have them, since whether runs were counted is decided for all tiles together.
+std::vector<TileMap> listWrittenMaps(std::vector<TileMap> maps, bool runs, bool runsWithTrees);
 
 /// The map of a tiled study.
 struct MapFile {
@@ -75,8 +77,17 @@ struct MapFile {
     bool overviews = true;
 };
 
-/// The raster files of finished tiles by tile number; no path for a tile without a receiver.
-using TileFiles = std::map<std::size_t, std::optional<std::filesystem::path>>;
+/// The raster file of a finished tile.
+struct TileFile {
+    std::filesystem::path path;
+    bool hasTrees = false;  ///< it has the bands of the maps with trees
+    /// The place of a map's first band in it.
+    [[nodiscard]] std::size_t firstBandOf(const TileMap& map) const {
+        return hasTrees ? map.firstBand : map.withoutTrees.value_or(map.firstBand);
+    }
+};
+/// By tile number; no file for a tile without a receiver.
+using TileFiles = std::map<std::size_t, std::optional<TileFile>>;
 TileFiles listFiles(const TileJournal& journal);
 
 /// Writes the bands of one map into a GeoTIFF, from the files of finished tiles, NaN in empty and missing

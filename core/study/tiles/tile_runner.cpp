@@ -58,7 +58,9 @@ Result<void> TileRunner::write(const TileAnswer& answer) const {
 
 Result<void> TileRunner::writeMaps(const std::filesystem::path& file, const TileAnswer& answer) const {
     const Grid grid = plan_.tile(answer.result.number);
-    auto writer = GeoTiffWriter::create(file, frame_, grid, bands_);
+    std::vector<RasterBand> bands = bands_;
+    bands.resize(answer.bands.size());  // a tile that no tree reaches has none with trees
+    auto writer = GeoTiffWriter::create(file, frame_, grid, bands);
     if (!writer) return tl::make_unexpected(writer.error());
     std::vector<const std::vector<float>*> pointers;
     for (const std::vector<float>& band : answer.bands) pointers.push_back(&band);

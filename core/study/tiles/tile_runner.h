@@ -14,7 +14,8 @@ namespace noonmark {
 /// The answer for one tile.
 struct TileAnswer {
     TileResult result;  ///< without its number and its time
-    /// The values of the bands of all maps, each in grid order; none if the tile has no receiver
+    /// The values of the bands of all maps, each in grid order; none if the tile has no receiver, and none of
+    /// the maps with trees if no tree reaches it
     std::vector<std::vector<float>> bands{};
     /// Lines of JSON instead, of a measure without maps: TileResult::lines of them
     std::string lines{};

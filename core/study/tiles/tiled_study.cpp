@@ -10,8 +10,10 @@
 #include "core/base/safe_text.h"
 #include "core/city/trees/tree.h"
 #include "core/describe/command_options.h"
+#include "core/describe/figure_text.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/common/shadow_reach.h"
+#include "core/engines/shade_trees.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/provenance_texts.h"
 #include "core/study/provenance/repeat_command.h"
@@ -24,10 +26,46 @@
 
 namespace noonmark {
 
-void MonthSums::add(const TileResult& tile) {
+void MonthSums::add(const TileResult& tile, const std::vector<double>& minutes) {
     receivers_ += tile.sums.receivers;
-    minutes_.resize(std::max(minutes_.size(), tile.monthMinutes.size()));
-    for (std::size_t i = 0; i < tile.monthMinutes.size(); ++i) minutes_[i] += tile.monthMinutes[i];
+    minutes_.resize(std::max(minutes_.size(), minutes.size()));
+    for (std::size_t i = 0; i < minutes.size(); ++i) minutes_[i] += minutes[i];
+}
+
+TreeColumns findColumns(std::span<const TileResult* const> tiles) {
+    const auto reached =
+        std::ranges::find_if(tiles, [](const TileResult* tile) { return !tile->withTrees.empty(); });
+    if (reached == tiles.end()) return TreeColumns::without;
+    const std::vector<ShadedTile>& columns = (*reached)->withTrees;
+    return columns.size() > 1 ? TreeColumns::all : columns.front().column;
+}
+
+std::vector<ShadedTiles> sumWithTrees(std::span<const TileResult* const> tiles, TreeColumns columns,
+                                      const StudySettings& settings, const SunSteps& sun, double cellAreaM2) {
+    const double sunlit = sun.sunlitMinutes() / double(std::max<std::size_t>(1, sun.dayCount()));
+    std::vector<ShadedTiles> all;
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal}) {
+        if (!isAmong(columns, column)) continue;
+        ShadowSums sums;
+        MonthSums months;
+        for (const TileResult* tile : tiles) {
+            sums.add(tile->sumsOf(column));
+            months.add(*tile, tile->monthMinutesOf(column));
+        }
+        all.push_back(
+            {column, computeStatistics(sums, sunlit, cellAreaM2), months.months(settings, sun, cellAreaM2)});
+    }
+    return all;
+}
+
+bool haveRuns(std::span<const ShadedTiles> withTrees) {
+    return std::ranges::all_of(withTrees, [](const ShadedTiles& with) { return hasRuns(with.statistics); });
+}
+
+std::vector<MonthsWithTrees> listMonthsWithTrees(std::span<const ShadedTiles> withTrees) {
+    std::vector<MonthsWithTrees> months;
+    for (const ShadedTiles& with : withTrees) months.push_back({with.column, with.months});
+    return months;
 }
 
 std::vector<MonthShadow> MonthSums::months(const StudySettings& settings, const SunSteps& sun,
@@ -61,7 +99,9 @@ Result<SunSteps> computeSunOver(const Study& study, const std::stop_token& stop)
 TilesLeft findLeft(const TilePlan& plan, const TileJournal& journal) {
     TilesLeft left;
     for (std::size_t tile = 0; tile < plan.count(); ++tile) {
-        if (journal.finished().contains(tile))
+        const auto found = journal.finished().find(tile);
+        // A version that measured no trees left this mark.
+        if (found != journal.finished().end() && !found->second.hasTrees)
             left.done.add(plan.tile(tile));
         else
             left.missing.push_back({tile});
@@ -81,6 +121,13 @@ std::uint32_t buildingsUsed(const City& city, const Region& region, const SunSte
     return std::uint32_t(std::ranges::count_if(city.buildings, [&](const auto& building) {
         return reach.touches(bounds(*building), double(topM(*building) - lowest), bounds(region));
     }));
+}
+
+// Trees whose shadow can fall on the region.
+std::size_t countTrees(const Study& study) {
+    const City& city = study.city;
+    const float lowest = city.terrain ? *std::ranges::min_element(city.terrain->elevationM) : 0;
+    return findTreesInReach(city, bounds(study.settings.region), lowest, study.sun).size();
 }
 
 // Every tile skipped other buildings: only those that no tile needed count as skipped.
@@ -104,6 +151,20 @@ std::vector<MonthShadow> sumMonths(const Study& study, const std::map<std::size_
     return sums.months(study.settings, study.sun, study.field.grid.cellAreaM2());
 }
 
+void addTrees(TiledStudy& tiled, const std::map<std::size_t, TileResult>& finished) {
+    std::vector<const TileResult*> tiles;
+    for (const auto& [number, result] : finished) {
+        tiles.push_back(&result);
+        if (tiled.treesHow.empty()) tiled.treesHow = result.treesHow;
+    }
+    tiled.treeColumns = findColumns(tiles);
+    if (tiled.treeColumns == TreeColumns::without) return;
+    const Study& study = tiled.study;
+    tiled.treesUsed = countTrees(study);
+    tiled.withTrees =
+        sumWithTrees(tiles, tiled.treeColumns, study.settings, study.sun, study.field.grid.cellAreaM2());
+}
+
 void addTiles(TiledStudy& tiled, const TileJournal& journal) {
     Study& study = tiled.study;
     ShadowSums sums;
@@ -122,6 +183,7 @@ void addTiles(TiledStudy& tiled, const TileJournal& journal) {
     }
     countBuildings(study);
     tiled.months = sumMonths(study, journal.finished());
+    addTrees(tiled, journal.finished());
     const ShadowField& field = study.field;
     study.statistics = computeStatistics(sums, field.sunlitMinutesPerDay, field.grid.cellAreaM2());
     study.statistics.waterM2 = findWaterM2(field);
@@ -155,8 +217,8 @@ Result<void> writeMaps(const TiledStudy& tiled, const TileJournal& journal, cons
     const Study& study = tiled.study;
     const TileFiles tiles = listFiles(journal);
     MapFile own = file;
-    for (const TileMap& map :
-         listWrittenMaps(listTileMaps(study.settings, study.sun), hasRuns(study.statistics))) {
+    for (const TileMap& map : listWrittenMaps(listTileMaps(study.settings, study.sun, tiled.treeColumns),
+                                              hasRuns(study.statistics), haveRuns(tiled.withTrees))) {
         if (map.firstBand > 0) own.path = file.path.parent_path() / (map.name + ".tif");
         auto made = assembleMap(tiled.plan, tiles, study.city.frame, own, map, progress, stop);
         if (!made) return made;
@@ -177,7 +239,6 @@ Result<TiledStudy> computeTiles(TiledStudy tiled, const Engine& engine, const Ma
     if (auto covered = checkCoverage(study.terrainCoverage, study.settings.region.name); !covered)
         return tl::make_unexpected(covered.error());
     study.warnings = makeWarnings(study.terrainCoverage);
-    std::ranges::move(warnOfTrees(study.city.trees), std::back_inserter(study.warnings));
     auto journal =
         TileJournal::open(file.path.string() + ".tiles", hashStudy(study.city, study.settings), tiled.plan);
     if (!journal) return tl::make_unexpected(journal.error());
@@ -212,8 +273,9 @@ Result<TiledStudy> checkAndCompute(const City& city, const TiledStudySettings& s
     const TilePlan plan{*grid, settings.tileCells};
     if (auto fits = checkTileMemory(city, plan, question, engines); !fits)
         return tl::make_unexpected(fits.error());
-    return computeTiles({.study = {.city = city, .settings = question}, .plan = plan}, **engine,
-                        {file, settings.tags}, progress, stop);
+    return computeTiles(
+        {.study = {.city = withTreesFor(city, question.trees), .settings = question}, .plan = plan}, **engine,
+        {file, settings.tags}, progress, stop);
 }
 
 }  // namespace
@@ -227,9 +289,29 @@ Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& set
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+void addTrees(Json& json, const TiledStudy& tiled) {
+    json["trees"]["used"] = tiled.treesUsed;
+    json["trees"]["shaded_from"] = TreeShade::defaultShadedFrom;
+    json["trees"]["how"] = tiled.treesHow;
+    const double bareMin = tiled.study.statistics.meanGrossMin;
+    for (const ShadedTiles& with : tiled.withTrees) {
+        json.update(figuresJson({treeFigures(with.column), &with.statistics}));
+        json["definitions"].update(definitionsJson(treeFigures(with.column)));
+        const double allMin = with.statistics.meanGrossMin;
+        json["trees"]["share_of_shade" + suffixOf(with.column)] =
+            allMin > 0 ? Json(1 - bareMin / allMin) : Json();
+    }
+}
+
+}  // namespace
+
 std::string tiledStudyJson(const TiledStudy& tiled) {
     Json json = Json::parse(studyJson(tiled.study));
-    if (tiled.study.settings.byMonth) json["by_month"] = monthsJson(tiled.months);
+    if (tiled.study.settings.byMonth)
+        json["by_month"] = monthsJson(tiled.months, listMonthsWithTrees(tiled.withTrees));
+    if (!tiled.withTrees.empty()) addTrees(json, tiled);
     json["tiles"] = {{"side_cells", tiled.plan.side},
                      {"count", tiled.plan.count()},
                      {"empty", tiled.emptyTiles},

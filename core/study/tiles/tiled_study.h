@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <stop_token>
 #include <string>
 
@@ -23,7 +24,9 @@ namespace noonmark {
 /// The shadow of the months of a study, added up over its tiles.
 class MonthSums {
 public:
-    void add(const TileResult& tile);
+    void add(const TileResult& tile) { add(tile, tile.monthMinutes); }
+    /// The same with trees: TileResult::monthMinutesOf().
+    void add(const TileResult& tile, const std::vector<double>& minutes);
 
     /// Nothing unless the settings ask for months. `sun`: of the study.
     [[nodiscard]] std::vector<MonthShadow> months(const StudySettings& settings, const SunSteps& sun,
@@ -33,6 +36,21 @@ private:
     std::vector<double> minutes_;
     std::size_t receivers_ = 0;
 };
+
+/// All tiles together with trees of one column.
+struct ShadedTiles {
+    TreeColumns column = TreeColumns::seasonal;  ///< or evergreen
+    ShadowStatistics statistics;
+    std::vector<MonthShadow> months;  ///< if the settings ask for them
+};
+/// The columns that tiles have which trees reach; without, if none is reached.
+TreeColumns findColumns(std::span<const TileResult* const> tiles);
+/// These columns, evergreens first; tiles that no tree reaches count as they are.
+std::vector<ShadedTiles> sumWithTrees(std::span<const TileResult* const> tiles, TreeColumns columns,
+                                      const StudySettings& settings, const SunSteps& sun, double cellAreaM2);
+/// Whether longest runs were counted in all columns.
+bool haveRuns(std::span<const ShadedTiles> withTrees);
+std::vector<MonthsWithTrees> listMonthsWithTrees(std::span<const ShadedTiles> withTrees);
 
 struct TiledStudySettings {
     /// As many cells as the horizon sweep computes in one piece for a year, and whole blocks of the file.
@@ -53,9 +71,13 @@ struct TiledStudy {
     TilePlan plan;
     /// Number of tiles by the key of the engine that computed them
     std::map<std::string, std::size_t> tilesByEngine;
-    std::vector<MonthShadow> months;  ///< if the settings ask for them
-    std::size_t emptyTiles = 0;       ///< tiles without a receiver
-    std::size_t resumedTiles = 0;     ///< tiles that an earlier run had finished
+    std::vector<MonthShadow> months;                 ///< if the settings ask for them
+    TreeColumns treeColumns = TreeColumns::without;  ///< that trees reach tiles in
+    std::vector<ShadedTiles> withTrees{};            ///< these columns
+    std::size_t treesUsed = 0;                       ///< trees whose shadow can reach the region
+    std::string treesHow{};                          ///< how they were weighed, in words
+    std::size_t emptyTiles = 0;                      ///< tiles without a receiver
+    std::size_t resumedTiles = 0;                    ///< tiles that an earlier run had finished
 };
 
 /// Computes the shadow over a region of any size, tile after tile, into one GeoTIFF with overviews: gross
@@ -63,7 +85,8 @@ struct TiledStudy {
 /// do not depend on their surroundings, cells and statistics equal those of runStudy over the whole region
 /// (sums are added in another order: 1e-12).
 ///
-/// If the settings ask for months, `by_month.tif` is written into the same folder.
+/// If the settings ask for months, `by_month.tif` is written into the same folder; where trees reach a tile,
+/// `shadow_evergreen.tif` and `shadow_seasonal.tif`, and their months.
 ///
 /// Finished tiles are stored in the folder `file` + ".tiles" until all are done (TileJournal): running the
 /// same study again after a kill resumes there. The engine `auto` may pick a different engine for each tile;

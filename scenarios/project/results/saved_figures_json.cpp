@@ -127,6 +127,14 @@ ShadedScore shadedScore(const Json& json, TreeColumns column, const Score& witho
 
 }  // namespace
 
+std::vector<ShadedScore> parseShadedScores(const Json& json, const Score& without) {
+    std::vector<ShadedScore> all;
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (json.contains(scoreFiguresWithTrees(column).front().key))
+            all.push_back(shadedScore(json, column, without));
+    return all;
+}
+
 Score parseScore(const Json& json) {
     Score score;
     static_cast<ScoreTotals&>(score) = readFigures(scoreFigures(), json);
@@ -136,9 +144,7 @@ Score parseScore(const Json& json) {
             score.intervals.emplace_back(readFigures(scoreIntervalFigures(), interval));
         figures.name = interval.at("name");
     }
-    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
-        if (json.contains(scoreFiguresWithTrees(column).front().key))
-            score.withTrees.push_back(shadedScore(json, column, score));
+    score.withTrees = parseShadedScores(json, score);
     score.treesHow = json.value("engine_trees", std::string());
     score.engine = json.at("engine_settings");
     score.errors = savedErrors(json);

@@ -25,6 +25,8 @@ ShadowStatistics parseStatistics(const nlohmann::ordered_json& study);
 ImpactFigures parseImpactFigures(const nlohmann::ordered_json& figures);  ///< as of figuresJson()
 ComparisonFigures parseComparison(const nlohmann::ordered_json& impact);
 std::vector<MonthFigures> parseScoreMonths(const nlohmann::ordered_json& months);  ///< as of monthsJson()
+/// What is there with trees, evergreens first; months and intervals as of `without`.
+std::vector<ShadedScore> parseShadedScores(const nlohmann::ordered_json& score, const Score& without);
 Score parseScore(const nlohmann::ordered_json& score);  ///< without grid, cells and warnings
 
 /// Reads the values of these rows, which are of a table of R, into `read`. Throws likewise.

@@ -237,6 +237,27 @@ TEST_F(BreGlazing, AskNorthernWindowsForTheSkyOnly) {
     EXPECT_EQ(review({}, year(20, 40), {.isNew = true}).formerVerdict, notApplicable);
 }
 
+// Crowns let 60 % of the sun through in 40 min of 60, 30 % in 10, and all in 10: 24 + 3 + 10 = 37 of 100 min
+// in winter, and nothing in summer: 18.5 % of the year. The 10 min with less than half count as shadow in
+// runs.
+TEST_F(BreGlazing, CountSunThroughCrownsByItsShare) {
+    const PaperDays days{.dates = {on(2026, 1, 10), on(2026, 6, 10)}};
+    const std::string sun = lit(40) + shaded(10) + lit(10) + shaded(40) + shaded(100);
+    const RuleSun steps = paperSun(days, 100);
+    GlazingSunlight light{.after = stepsOf(sun)};
+    light.shares.assign(40, 0.6F);
+    light.shares.insert(light.shares.end(), 10, 0.3F);
+    light.shares.insert(light.shares.end(), 10, 1);
+    light.shares.resize(200);
+    const Rule rule = shippedRule("bre-209-windows");
+    const GlazingReview review = reviewGlazing(rule, steps, {.id = "w", .azimuthDeg = 180.0}, light);
+    EXPECT_NEAR(review.results[1].value->value, 18.5, 1e-5) << "annual";
+    EXPECT_NEAR(review.results[2].value->value, 18.5, 1e-5) << "winter";
+    light.shares.clear();
+    EXPECT_NEAR(reviewGlazing(rule, steps, {.id = "w", .azimuthDeg = 180.0}, light).results[1].value->value,
+                25, 1e-9);
+}
+
 TEST_F(BreGlazing, WeighMonthsByTheirSunshine) {
     Rule rule = shippedRule("bre-209-windows");
     rule.sunshine.emplace();

@@ -53,6 +53,45 @@ TEST(RuleLibrary, EveryShippedRuleSaysWhatItDoesNotCheck) {
     }
 }
 
+TEST(RuleLibrary, EveryShippedRuleSaysWhichTreesItCounts) {
+    const auto library = RuleLibrary::load().value();
+    for (const Rule& rule : library.rules()) {
+        const bool isOfBre = rule.key.starts_with("bre-209");
+        EXPECT_EQ(rule.occluders.trees != RuleTrees::without, isOfBre) << rule.key;
+        EXPECT_FALSE(rule.occluders.treesEvidence.source.empty()) << rule.key;
+        EXPECT_THAT(library.textOf(rule.key).value(), HasSubstr("\"trees\"")) << rule.key << " is silent";
+    }
+    const Rule windows = library.find("bre-209-windows").value();
+    EXPECT_EQ(windows.occluders.trees, RuleTrees::evergreens);
+    EXPECT_EQ(windows.occluders.treesEvidence.status, FigureStatus::reported);
+    EXPECT_EQ(library.find("bre-209-windows", {{"windows of", "own scheme"}}).value().occluders.trees,
+              RuleTrees::existingAndEvergreens);
+    EXPECT_EQ(library.find("bre-209-amenity").value().occluders.trees, RuleTrees::evergreenBelts);
+}
+
+TEST(ReadRule, TreesAreANameOrTrueOrFalse) {
+    const auto treesOf = [](const std::string& text) {
+        return parseRule(changed("\"trees\": \"without\"", "\"trees\": " + text), "mine.json")
+            .value()
+            .occluders.trees;
+    };
+    EXPECT_EQ(treesOf("false"), RuleTrees::without);
+    EXPECT_EQ(treesOf("true"), RuleTrees::seasonal);
+    EXPECT_EQ(treesOf("\"as evergreens\""), RuleTrees::asEvergreens);
+    EXPECT_EQ(treesOf(R"({"count": "evergreens", "status": "R"})"), RuleTrees::evergreens);
+    EXPECT_THAT(errorOf(changed("\"trees\": \"without\"", "\"trees\": \"oaks\"")),
+                AllOf(HasSubstr("occluders.trees"), HasSubstr("'oaks' is not known")));
+    EXPECT_THAT(errorOf(changed("\"trees\": \"without\"", "\"trees\": 3")), HasSubstr("occluders.trees"));
+}
+
+TEST(ReadRule, NoTreesShadeAPlaneAboveTheGround) {
+    std::string text = changed("\"trees\": \"without\"", "\"trees\": \"seasonal\"");
+    const std::string ground = "\"surface\": \"ground\"";
+    text.replace(text.find(ground), ground.size(), "\"surface\": \"plane\", \"plane_m\": 4");
+    EXPECT_THAT(errorOf(text),
+                AllOf(HasSubstr("occluders.trees"), HasSubstr("on the ground and at windows")));
+}
+
 TEST(RuleLibrary, NamesSimilarRules) {
     const auto library = RuleLibrary::load();
     const auto rule = library->find("ceqrr");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/city/trees/tree.h"
 #include "tests/core/engines/scenes.h"
 
 namespace noonmark {
@@ -30,6 +31,22 @@ TEST(ElementForecast, CountsThePointsAndStepsThatTheStudyMeasures) {
     EXPECT_EQ(forecast->steps, study->sun.steps.size());
     EXPECT_GT(forecast->horizonSeconds, 0);
     EXPECT_GT(forecast->raySeconds, 0);
+}
+
+TEST(ElementForecast, MeasuresTheTreesThatAreWanted) {
+    City city = cityOf(std::vector<Box3>{{{0, 0, 0}, {30, 30, 60}}});
+    city.trees = std::make_shared<const Trees>(Trees{{{.place = {36, 15},
+                                                       .heightM = 12,
+                                                       .crownBaseM = 3,
+                                                       .crownDiameterM = 8,
+                                                       .leafOnTransmissivity = 0.1F,
+                                                       .leafOffTransmissivity = 0.7F}},
+                                                     {106, 320}});
+    NoProgress quiet;
+    StudySettings settings = fewHours(city);
+    EXPECT_EQ(forecastElementStudy(city, settings, {}, quiet, {})->trees, 1);
+    settings.trees = TreeColumns::without;
+    EXPECT_EQ(forecastElementStudy(city, settings, {}, quiet, {})->trees, 0);
 }
 
 TEST(ElementForecast, IsRefusedAsTheStudyIs) {

@@ -32,6 +32,9 @@ protected:
         result.cost.skipped["cells under buildings"] = 5;
         result.cost.seconds["trace"] = 0.7;
         result.compared = {{{1.5, 2.5}, 0.1F, 0.2F, 3, 4}};
+        result.withTrees = {{TreeColumns::evergreen, {7, 0.3, std::nan(""), 2.5, 0}, {1.0 / 7, 2}},
+                            {TreeColumns::seasonal, {7, 0.2, 0.4, 2.5, 3}, {}}};
+        result.treesHow = "rays";
         ASSERT_TRUE(journal.add(result));
     }
 
@@ -53,6 +56,13 @@ TEST_F(TileJournalTest, WhatWasFinishedComesBackToTheLastBit) {
     const TileResult& result = again->finished().at(3);
     EXPECT_EQ(result.sums.continuousMin, 1.0 / 3);
     EXPECT_EQ(result.sums.receivers, 7U);
+    ASSERT_EQ(result.withTrees.size(), 2);
+    EXPECT_EQ(result.withTrees[1].column, TreeColumns::seasonal);
+    EXPECT_EQ(result.sumsOf(TreeColumns::evergreen).grossMin, 0.3);
+    EXPECT_TRUE(std::isnan(result.sumsOf(TreeColumns::evergreen).continuousMin));
+    EXPECT_THAT(result.monthMinutesOf(TreeColumns::evergreen), ElementsAre(1.0 / 7, 2));
+    EXPECT_EQ(result.treesHow, "rays");
+    EXPECT_EQ(again->finished().at(5).sumsOf(TreeColumns::seasonal).receivers, 0U) << "those without trees";
     EXPECT_EQ(result.compared.at(0).referenceGrossMin, double(0.2F));
     EXPECT_EQ(result.compared.at(0).centreM, glm::dvec2(1.5, 2.5));
     EXPECT_EQ(result.cost.skipped.at("cells under buildings"), 5U);

@@ -9,6 +9,8 @@
 #include <random>
 
 #include "core/city/map_context.h"
+#include "core/city/trees/tree.h"
+#include "core/engines/shade_trees.h"
 #include "core/io/write_raster.h"
 #include "core/lab/lab_engines.h"
 #include "core/measures/shadow_figures.h"
@@ -106,6 +108,99 @@ TEST_F(TiledStudyTest, LeavesTheSameWaterOut) {
     EXPECT_EQ(tiled->study.statistics.waterM2, whole.statistics.waterM2);
     EXPECT_EQ(tiled->study.statistics.receivers, whole.statistics.receivers);
     EXPECT_EQ(differences(bands(whole.field.grid).at(0), whole.field.grossMin), 0U);
+}
+
+// Two trees in the south-west: few of the twenty tiles are in their reach.
+std::shared_ptr<const Trees> plantTwo() {
+    const auto treeAt = [](double x, double y, bool evergreen) {
+        return Tree{.place = {x, y},
+                    .heightM = 9,
+                    .crownBaseM = 2,
+                    .crownDiameterM = 8,
+                    .evergreen = evergreen,
+                    .leafOnTransmissivity = 0.1F,
+                    .leafOffTransmissivity = evergreen ? 0.1F : 0.7F};
+    };
+    return std::make_shared<const Trees>(Trees{{treeAt(5, 0, false), treeAt(30, 20, true)}, {106, 320}});
+}
+
+TEST_F(TiledStudyTest, TreesCountAsInOnePiece) {
+    city.trees = plantTwo();
+    const Study whole = inOnePiece(city, question("ray"));
+    ASSERT_TRUE(whole.field.trees);
+    const auto tiled = run(question("ray"));
+    ASSERT_TRUE(tiled) << tiled.error().text();
+    EXPECT_EQ(folder.names(),
+              (std::vector<std::string>{"shadow.tif", "shadow_evergreen.tif", "shadow_seasonal.tif"}));
+    EXPECT_EQ(differences(bands(whole.field.grid).at(0), whole.field.grossMin), 0U) << "without trees";
+    ASSERT_EQ(tiled->withTrees.size(), 2);
+    for (const ShadedTiles& with : tiled->withTrees) {
+        const ShadowField& field = fieldOfColumn(whole.field, with.column);
+        expectSame(with.statistics, computeStatistics(field), 1e-12);
+        EXPECT_GT(with.statistics.meanGrossMin, whole.statistics.meanGrossMin);
+        const auto cells =
+            readGeoTiff(folder.path("shadow" + suffixOf(with.column) + ".tif"), whole.field.grid).value();
+        EXPECT_EQ(differences(cells.at(0), field.grossMin), 0U);
+        EXPECT_EQ(differences(cells.at(1), field.continuousMin), 0U);
+    }
+    const auto json = nlohmann::json::parse(tiledStudyJson(*tiled));
+    const auto ofWhole = nlohmann::json::parse(studyJson(whole));
+    for (const char* key : {"mean_gross_min_evergreen", "mean_gross_min_seasonal", "max_gross_min_seasonal"})
+        EXPECT_EQ(json.at(key), ofWhole.at(key)) << key;
+    for (const char* key : {"count", "used", "how", "shaded_from"})
+        EXPECT_EQ(json.at("trees").at(key), ofWhole.at("trees").at(key)) << key;
+    for (const auto& warning : json.at("warnings"))
+        EXPECT_THAT(warning.at("what").get<std::string>(), testing::Not(testing::StartsWith("trees:")));
+}
+
+TEST_F(TiledStudyTest, MonthsCountTrees) {
+    city = cityOf({{{0, 0, 0}, {90, 40, 60}}, {{130, 90, 0}, {190, 150, 45}}});
+    city.frame = Frame({-73.98, 40.75});
+    city.trees = plantTwo();
+    StudySettings settings = question("projected");
+    settings.byMonth = true;
+    settings.period.start = {std::chrono::year(2026), std::chrono::January, std::chrono::day(1)};
+    settings.period.days = 40;
+    const Study whole = inOnePiece(city, settings);
+    const auto tiled = run(settings);
+    ASSERT_TRUE(tiled) << tiled.error().text();
+    const auto ofTiles = listMonthsWithTrees(tiled->withTrees), ofWhole = listMonthsWithTrees(whole);
+    ASSERT_EQ(ofTiles.size(), 2);
+    ASSERT_EQ(ofWhole.size(), 2);
+    for (std::size_t column = 0; column < 2; ++column) {
+        ASSERT_EQ(ofTiles[column].months.size(), 2);
+        for (std::size_t month = 0; month < 2; ++month)
+            EXPECT_NEAR(ofTiles[column].months[month].meanMinutes / ofWhole[column].months[month].meanMinutes,
+                        1, 1e-4);
+        EXPECT_EQ(
+            readGeoTiff(folder.path("by_month" + suffixOf(ofTiles[column].column) + ".tif"), whole.field.grid)
+                .value()
+                .size(),
+            2);
+    }
+    EXPECT_LT(ofTiles[1].months[0].meanMinutes, ofTiles[0].months[0].meanMinutes) << "bare";
+    // The sheet of the whole shows all three, hours of sun a day.
+    const Bars bars = makeMonthBarsWithTrees(whole);
+    ASSERT_EQ(bars.series.size(), 3);
+    EXPECT_EQ(bars.series[2], "trees with their seasons");
+    const std::vector<double>& january = bars.groups.at(0).values;
+    ASSERT_EQ(january.size(), 3);
+    EXPECT_GT(january[0], january[2]);
+    EXPECT_GT(january[2], january[1]) << "bare in January";
+}
+
+TEST_F(TiledStudyTest, TreesOutOfReachOrUnwantedGiveNoColumns) {
+    Trees trees = *plantTwo();
+    for (Tree& tree : trees.trees) tree.place.x -= 5000;
+    city.trees = std::make_shared<const Trees>(trees);
+    const auto tiled = run(question("ray"));
+    ASSERT_TRUE(tiled) << tiled.error().text();
+    EXPECT_TRUE(tiled->withTrees.empty());
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"shadow.tif"});
+    city.trees = plantTwo();
+    StudySettings without = question("ray");
+    without.trees = TreeColumns::without;
+    EXPECT_TRUE(run(without)->withTrees.empty());
 }
 
 TEST_F(TiledStudyTest, ProjectedShadowsAndTheSweepTooButForCellsAtAnEdge) {

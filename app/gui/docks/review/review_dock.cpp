@@ -29,6 +29,7 @@
 #include "app/gui/session/project/project_session.h"
 #include "core/review/library/rule_text.h"
 #include "core/review/places/verdict_text.h"
+#include "core/study/prepare_review.h"
 
 namespace noonmark {
 
@@ -395,6 +396,10 @@ void ReviewDock::showRule() {
                                       : ofGlazing ? glazingAnswer_->study.notChecked
                                                   : rule->notChecked);
     html += listOf(tr("How Noonmark reads what the rule leaves open"), rule->readings);
+    const std::string trees = same        ? answer_->study.trees
+                              : ofGlazing ? glazingAnswer_->study.trees
+                                          : describeCountedTrees(rule->occluders.trees);
+    html += QStringLiteral("<p>%1</p>").arg(QString::fromStdString(trees).toHtmlEscaped());
     if (same)
         html += tr("<p>%1, steps of %2 min, cells of %3 m, %4, %5</p>")
                     .arg(QString::fromStdString(answer_->study.engine))

@@ -58,11 +58,9 @@ void LatestAnswers::scoreAll() {
     scoring_.start<Made>(
         tr("All scores"),
         [lacking, settings, weights](Progress& progress, const std::stop_token& stop) -> Result<Made> {
-            StudySettings measured = settings;
-            measured.trees = TreeColumns::without;  // the table has no columns with trees
             const auto compute = [&](const CityPointer& city, Progress& share,
                                      const std::stop_token& stopped) -> Result<Score> {
-                auto score = runScore(*city, measured, weights, share, stopped, enginesWith(settings.engine));
+                auto score = runScore(*city, settings, weights, share, stopped, enginesWith(settings.engine));
                 if (score) score->score.clear();  // of each cell: only its sums are shown
                 return score;
             };
@@ -79,7 +77,8 @@ void LatestAnswers::scoreAll() {
                           .weights = weights,
                           .score = score,
                           .scoreMonths = std::move(score.months),
-                          .scoreErrors = std::move(score.errors)}});
+                          .scoreErrors = std::move(score.errors),
+                          .scoreWithTrees = withoutMaps(std::move(score.withTrees))}});
                 });
             if (errors.size() < all) from_.workbench.session().noteAnswer();
             update();

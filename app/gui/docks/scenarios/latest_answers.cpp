@@ -145,7 +145,8 @@ std::optional<ScenarioScore> LatestAnswers::scoreOf(const CityPointer& city) con
         return one.city == city && one.figures.weights && one.figures.weights->intervals == weights.intervals;
     });
     if (!found) return std::nullopt;
-    return ScenarioScore{weights.name, found->score, found->scoreMonths, found->scoreErrors};
+    return ScenarioScore{weights.name, found->score, found->scoreMonths, found->scoreErrors,
+                         found->scoreWithTrees};
 }
 
 std::optional<ShadowStatistics> LatestAnswers::measuredOf(const CityPointer& city) const {
@@ -189,7 +190,8 @@ void LatestAnswers::adoptAnswer() {
               .weights = score->weights,
               .score = score->score,
               .scoreMonths = score->score.months,
-              .scoreErrors = score->score.errors}});
+              .scoreErrors = score->score.errors,
+              .scoreWithTrees = withoutMaps(score->score.withTrees)}});
     adoptSun();
     update();
 }

@@ -25,7 +25,8 @@ struct SavedFigures {
     ScoreTotals score;
     std::vector<MonthFigures> scoreMonths;  ///< of it; empty in results of versions that did not save them
     std::vector<ShownError> scoreErrors{};  ///< likewise
-    std::optional<ScenarioSun> sun{};       ///< of places; `question` is that of their study
+    std::vector<ShadedScore> scoreWithTrees{};  ///< without their maps
+    std::optional<ScenarioSun> sun{};           ///< of places; `question` is that of their study
     std::string settings;  ///< JSON: period, engine, cells and region's name, where there is no question
     Grid grid;             ///< likewise
 };

@@ -66,7 +66,10 @@ Json viewJson(const ViewFigures& saved) {
     json["score"] = {{"table", figures.weights->name},
                      {"weights", Json::parse(weightsJson(*figures.weights))}};
     json["score"].update(figuresJson(scoreFigures().of(figures.score)));
-    json["score"]["months"] = monthsJson(figures.scoreMonths);
+    for (const ShadedScore& with : figures.scoreWithTrees)
+        json["score"].update(
+            figuresJson({scoreFiguresWithTrees(with.column), static_cast<const ScoreTotals*>(&with)}));
+    json["score"]["months"] = monthsJson(figures.scoreMonths, figures.scoreWithTrees);
     json["score"]["errors"] = errorsJson(figures.scoreErrors);
     return json;
 }
@@ -89,6 +92,10 @@ std::optional<ViewFigures> viewFiguresFrom(const Json& json) try {
         figures.score = readFigures(scoreFigures(), json.at("score"));
         figures.scoreMonths = parseScoreMonths(json.at("score").value("months", Json::array()));
         figures.scoreErrors = parseErrors(json.at("score").value("errors", Json::array()));
+        Score without;
+        static_cast<ScoreTotals&>(without) = figures.score;
+        without.months = figures.scoreMonths;
+        figures.scoreWithTrees = parseShadedScores(json.at("score"), without);
     }
     return saved;
 } catch (const std::exception&) {  // JSON of another shape
@@ -101,6 +108,7 @@ void take(const SavedScore& score, SavedFigures& figures) {
     figures.score = score.score;
     figures.scoreMonths = score.score.months;
     figures.scoreErrors = score.score.errors;
+    figures.scoreWithTrees = score.score.withTrees;
 }
 
 void take(const SavedImpact& impact, SavedFigures& figures) { figures.impact = impact.figures.all.front(); }

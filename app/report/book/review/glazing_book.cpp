@@ -41,6 +41,7 @@ TextBlocks summaryOf(const GlazingBookSource& source) {
     blocks.push_back(
         body(QStringLiteral("The least sure figure that a verdict rests on was %1 (%2).")
                  .arg(plainText(meaningOf(status)), plainText(ruleNameOf(figureStatusNames(), status)))));
+    blocks.push_back(body(plainText(study.trees) + u'.'));
     blocks.push_back(heading(QStringLiteral("Not checked")));
     for (const std::string& text : study.notChecked) blocks.push_back(body(plainText(text)));
     return blocks;

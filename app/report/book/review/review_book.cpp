@@ -115,8 +115,8 @@ TextBlocks methodOf(const ReviewScene& scene) {
         QStringLiteral("The outlines in diagrams are exact unions of projected buildings where the ground is "
                        "level; the figures come from the cells."));
     blocks.push_back(heading(QStringLiteral("Not modelled")));
-    add(QStringLiteral(
-        "Trees, small structures and penumbra; the sun is a point at the centre of its disc."));
+    add(QStringLiteral("Small structures and penumbra; the sun is a point at the centre of its disc."));
+    add(plainText(study.trees) + QStringLiteral(". Diagrams show the shadows of buildings and terrain."));
     for (const std::string& text : study.notChecked) add(plainText(text));
     return blocks;
 }

@@ -61,11 +61,11 @@ TextBlocks introduction(const ReviewScene& scene) {
     blocks.push_back(body(plainText(study.rule.summary)));
     blocks.push_back(body(QStringLiteral("Proposal: %1. Baseline: %2.")
                               .arg(plainText(scene.source.labels.to), plainText(scene.source.labels.from))));
-    blocks.push_back(body(QStringLiteral("Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m.")
+    blocks.push_back(body(QStringLiteral("Clock: %1, year %2. Engine: %3, every %4 min, cells of %5 m. %6.")
                               .arg(plainText(study.clock))
                               .arg(study.year)
                               .arg(plainText(study.engine), describeAmount(study.stepMinutes, 2),
-                                   describeAmount(study.settings.cellM, 2))));
+                                   describeAmount(study.settings.cellM, 2), plainText(study.trees))));
     const FigureStatus status = findLeastCertain(study.rule);
     blocks.push_back(
         body(QStringLiteral("The least sure figure that a verdict rests on was %1 (%2).")

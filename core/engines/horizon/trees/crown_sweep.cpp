@@ -90,7 +90,7 @@ LevelsOfGroup splitIntoLevels(std::size_t group, std::vector<LeafySun> suns) {
 // Of each bin: neighbours whose mean azimuths lie within `widestDeg` of the first of them. Bins of no more
 // suns than levels, as those of single days, stay alone: each of their suns sees crowns from its own azimuth.
 std::vector<std::uint32_t> groupBins(const BinnedSun& binned, double widestDeg) {
-    constexpr std::size_t maxInGroup = 4;
+    constexpr std::size_t maxInGroup = 5;
     const double minCosine = std::cos(widestDeg * std::numbers::pi / 180);
     std::vector<std::uint32_t> groupOfBin;
     std::uint32_t group = 0;

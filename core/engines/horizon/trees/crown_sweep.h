@@ -138,7 +138,7 @@ public:
     static_assert(maxLevels <= CrownLevels::maximum);
     /// A group's width, from its first sun to its last, unless a bin is wider. Longest runs begin and end at
     /// the azimuth of their group.
-    static constexpr double widestGroupDeg = 1.5, widestGroupOfRunsDeg = 0.5;
+    static constexpr double widestGroupDeg = 2, widestGroupOfRunsDeg = 0.5;
 
     /// `scene`, `binned` and `sets` are of the same steps; `datumM`: local z from which heights count.
     CrownSweep(const CrownScene& scene, const BinnedSun& binned, const StepSets& sets, const Grid& grid,

@@ -126,8 +126,8 @@ std::string makeMosaic(const TilePlan& plan, const TileFiles& tiles, const Frame
             ++number, band.name, band.unit);
         for (const auto& [tile, file] : tiles)
             if (file)
-                text += sourceOf(plan, tile, std::filesystem::relative(*file, folder).string(),
-                                 map.firstBand + number);
+                text += sourceOf(plan, tile, std::filesystem::relative(file->path, folder).string(),
+                                 file->firstBandOf(map) + number);
         text += "  </VRTRasterBand>\n";
     }
     return text + "</VRTDataset>\n";

@@ -44,7 +44,7 @@ using PlaceShadows = std::map<std::string, TiledPlace>;  ///< by name
 struct PlaceTiles {
     const TilePlan& plan;
     const TileFiles& files;
-    std::size_t firstBand = 0;  ///< of gross shadow; the next is continuous shadow
+    const TileMap& map;  ///< its first band is gross shadow; the next is continuous shadow
     double sunlitMinutesPerDay = 0;
 };
 
@@ -85,14 +85,14 @@ Result<void> addPlaces(PlaceShadows& shadows, const std::vector<Place>& places, 
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (!overlaps(boxes[i], tile)) continue;
             if (bands.empty()) {
-                auto read = readGeoTiff(*file, tile);
+                auto read = readGeoTiff(file->path, tile);
                 if (!read) return tl::make_unexpected(read.error());
                 bands = *std::move(read);
             }
             TiledPlace& shadow = shadows[places[i].name];
             shadow.cellAreaM2 = tile.cellAreaM2();
             for (const Footprint& polygon : places[i].polygons) {
-                const ShadowSums sums = sumOver(polygon, tile, bands, tiles.firstBand);
+                const ShadowSums sums = sumOver(polygon, tile, bands, file->firstBandOf(tiles.map));
                 shadow.sums.add(sums);
                 shadow.sunlitMinutes += double(sums.receivers) * tiles.sunlitMinutesPerDay;
             }
@@ -142,6 +142,7 @@ public:
         if (!status) return tl::make_unexpected(status.error());
         status_ = *std::move(status);
         report_.missingTiles = status_.allTiles - status_.doneTiles;
+        treeColumns_ = findTreeColumns();
         const auto merged = makeMergedFolder(folder_);
         if (!merged) return tl::make_unexpected(merged.error());
         merged_ = *merged;
@@ -160,7 +161,9 @@ private:
         MonthSums months;
         std::map<std::string, double> ownFigures;
         double waterM2 = 0;
+        std::vector<const TileResult*> results;
         for (const auto& [tile, done] : finished) {
+            results.push_back(&done.result);
             sums.add(done.result.sums);
             if (done.result.hasTrees) ++tilesWithTrees_;
             waterM2 += findWaterM2(done.result.cost, district.tiles.whole);
@@ -169,7 +172,8 @@ private:
             files[tile] =
                 done.result.empty()
                     ? std::nullopt
-                    : std::optional(TileJournal::fileIn(taskFolder(folder_, done.task), done.result));
+                    : std::optional(TileFile{TileJournal::fileIn(taskFolder(folder_, done.task), done.result),
+                                             !done.result.withTrees.empty()});
         }
         StudySettings own = settings_;
         own.region = district.region;
@@ -180,18 +184,22 @@ private:
         const double sunlit = sun->sunlitMinutes() / double(std::max<std::size_t>(1, sun->dayCount()));
         ShadowStatistics figures = computeStatistics(sums, sunlit, district.tiles.whole.cellAreaM2());
         figures.waterM2 = waterM2;
+        const double cellAreaM2 = district.tiles.whole.cellAreaM2();
+        const std::vector<ShadedTiles> withTrees = sumWithTrees(results, treeColumns_, own, *sun, cellAreaM2);
         addStatistics(district, figures, finished.size());
+        addTrees(withTrees);
         addFigures(ownFigures);
         std::vector<TileMap> maps =
-            listWrittenMaps(merge_.maps.empty() ? listTileMaps(own, *sun) : merge_.maps, hasRuns(figures));
+            listWrittenMaps(merge_.maps.empty() ? listTileMaps(own, *sun, treeColumns_) : merge_.maps,
+                            hasRuns(figures), haveRuns(withTrees));
         for (TileMap& map : maps)
-            if (map.name == monthMap) map.colours = makeMonthScale(*sun, merge_.legend);
+            if (map.name.starts_with(monthMap)) map.colours = makeMonthScale(*sun, merge_.legend);
         return writeMaps(district, files, maps, makeShadowScale(figures, sunlit, merge_.legend))
             .and_then([&]() -> Result<void> {
                 if (!own.byMonth) return {};
                 return writeFile(district.name + "by_month.csv",
-                                 monthsCsv(months.months(own, *sun, district.tiles.whole.cellAreaM2()),
-                                           merge_.provenance));
+                                 monthsCsv(months.months(own, *sun, cellAreaM2), merge_.provenance,
+                                           listMonthsWithTrees(withTrees)));
             })
             .and_then([&] {
                 return writeFile(district.name + "item.json",
@@ -235,7 +243,7 @@ private:
         for (const TileMap& map : maps) {
             if (map.runBands == 0) continue;
             PlaceShadows& places = places_[map.firstBand == 0 ? "" : map.name + "_"];
-            const PlaceTiles tiles{district.tiles, files, map.firstBand, sunlit};
+            const PlaceTiles tiles{district.tiles, files, map, sunlit};
             if (auto added = addPlaces(places, read->places, tiles, progress_, stop_); !added) return added;
         }
         if (!places_.empty()) return {};
@@ -256,9 +264,28 @@ private:
         addPiece(shadowFigures().rows(), &all, before, &figures, more);
     }
 
+    // Districts that no tree reaches count as they are.
+    [[nodiscard]] TreeColumns findTreeColumns() const {
+        std::vector<const TileResult*> results;
+        for (const auto& finished : status_.finished)
+            for (const auto& [tile, done] : finished) results.push_back(&done.result);
+        return findColumns(results);
+    }
+
+    void addTrees(const std::vector<ShadedTiles>& withTrees) {
+        for (const ShadedTiles& with : withTrees) {
+            districts_.back().update(figuresJson({treeFigures(with.column), &with.statistics}));
+            const auto [all, isNew] = withTrees_.try_emplace(with.column);
+            addPiece(shadowFigures().rows(), &all->second, double(isNew ? 0 : all->second.receivers),
+                     &with.statistics, double(with.statistics.receivers));
+        }
+    }
+
     Result<void> writeSummaries() {
         Json json{{"tiles", status_.doneTiles}, {"tiles_missing", report_.missingTiles}};
         json.update(figuresJson(shadowFigures().of(report_.statistics)));
+        for (const auto& [column, statistics] : withTrees_)
+            json.update(figuresJson({treeFigures(column), &statistics}));
         json["compute_seconds"] = status_.doneSeconds;
         json["districts"] = districts_;
         if (!report_.figures.empty()) json["figures"] = report_.figures;
@@ -285,7 +312,9 @@ private:
     MergeReport report_;
     std::map<std::string, PlaceShadows> places_;  ///< by the beginning of their file's name
     Json districts_ = Json::array();
-    std::size_t tilesWithTrees_ = 0;
+    std::size_t tilesWithTrees_ = 0;                     ///< that are not measured
+    TreeColumns treeColumns_ = TreeColumns::without;     ///< that trees reach tiles in
+    std::map<TreeColumns, ShadowStatistics> withTrees_;  ///< of these columns
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <set>
 #include <span>
 #include <unordered_set>
 
@@ -215,9 +216,22 @@ Result<SurveyedDistrict> surveyExtents(District& district, const TaskPlanRequest
     });
 }
 
+// The trees of cities of one project; those of cities that share all of them once.
+std::shared_ptr<const Trees> unionOfTrees(std::span<const City* const> cities) {
+    std::set<std::shared_ptr<const Trees>> known;
+    Trees all;
+    for (const City* city : cities) {
+        if (!city->trees || !known.insert(city->trees).second) continue;
+        all.leafDays = city->trees->leafDays;
+        all.trees.insert(all.trees.end(), city->trees->trees.begin(), city->trees->trees.end());
+    }
+    return all.trees.empty() ? nullptr : std::make_shared<const Trees>(std::move(all));
+}
+
 // The buildings of cities of one project, those that they share once.
 City unionOf(std::span<const City* const> cities) {
     City all;
+    all.trees = unionOfTrees(cities);
     std::unordered_set<const Building*> known;
     for (const City* city : cities)
         for (const auto& building : city->buildings)

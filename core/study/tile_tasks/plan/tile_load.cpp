@@ -124,6 +124,11 @@ std::uint64_t numberFrom(std::string_view hex) {
     return number;
 }
 
+void addHash(OccluderSurvey::Cell& cell, std::string_view hash) {
+    cell.hashSum[0] += numberFrom(hash.substr(0, 16));
+    cell.hashSum[1] += numberFrom(hash.substr(16, 16));
+}
+
 void count(OccluderSurvey::Cell& cell, const Building& building) {
     ++cell.buildings;
     for (const Part& part : building.parts) {
@@ -132,9 +137,7 @@ void count(OccluderSurvey::Cell& cell, const Building& building) {
         cell.points += std::uint32_t(points);
         if (part.isOverhanging) cell.overhangTriangles += std::uint32_t(4 * points);
     }
-    const std::string hash = hashBuilding(building);
-    cell.hashSum[0] += numberFrom(std::string_view(hash).substr(0, 16));
-    cell.hashSum[1] += numberFrom(std::string_view(hash).substr(16, 16));
+    addHash(cell, hashBuilding(building));
 }
 
 bool holds(const Box2& box, glm::vec2 point) {
@@ -161,6 +164,22 @@ void OccluderSurvey::add(const City& city, const Box2& counted) {
         if (!holds(counted, box.low)) continue;
         buildingsBox_.add(box);
         count(cells_[grid_.index(range.firstColumn, range.firstRow)], *building);
+    }
+    if (city.trees) addTrees(*city.trees, counted);
+}
+
+void OccluderSurvey::addTrees(const Trees& trees, const Box2& counted) {
+    for (const Tree& tree : trees.trees) {
+        const glm::vec2 place(tree.place);
+        if (!holds(counted, place)) continue;
+        const Range range = cellsIn({place - tree.crownDiameterM / 2, place + tree.crownDiameterM / 2});
+        for (int row = range.firstRow; row < range.endRow; ++row)
+            for (int column = range.firstColumn; column < range.endColumn; ++column) {
+                Cell& cell = cells_[grid_.index(column, row)];
+                cell.highestM = std::max(cell.highestM, tree.groundM + tree.heightM);
+                cell.longestM = std::max(cell.longestM, tree.crownDiameterM);
+            }
+        addHash(cells_[grid_.index(range.firstColumn, range.firstRow)], hashTree(tree, trees.leafDays));
     }
 }
 

@@ -16,9 +16,9 @@
 
 namespace noonmark {
 
-/// The buildings of a district in coarse cells: enough to tell how far a tile's occluders are, and small for
-/// a whole country. A cell counts every building that touches it in `highestM` and `longestM`, and those
-/// whose box has its south-west corner in it in the rest.
+/// The buildings and trees of a district in coarse cells: enough to tell how far a tile's occluders are, and
+/// small for a whole country. A cell counts every building that touches it in `highestM` and `longestM`, and
+/// those whose box has its south-west corner in it in the rest.
 class OccluderSurvey {
 public:
     static constexpr double defaultCellM = 200;
@@ -26,19 +26,20 @@ public:
     struct Cell {
         static constexpr float nothing = -std::numeric_limits<float>::infinity();
         float highestM = nothing;  ///< local z of the highest point
-        float longestM = 0;        ///< longest side of a building's box
+        float longestM = 0;        ///< longest side of a building's box, widest crown
         float lowestGroundM = 0;   ///< local z; of the terrain's posts in and next to the cell
         std::uint32_t buildings = 0;
         std::uint32_t points = 0;                ///< of their footprints and meshes
         std::uint32_t overhangTriangles = 0;     ///< about
-        std::array<std::uint64_t, 2> hashSum{};  ///< of the buildings, in any order
+        std::array<std::uint64_t, 2> hashSum{};  ///< of the buildings and trees, in any order
     };
 
     /// Covers `box`; what lies outside is counted in the nearest cell.
     explicit OccluderSurvey(const Box2& box, double cellM = defaultCellM);
 
-    /// Counts the buildings of `city`; `counted`: those with their south-west corner in this half-open box
-    /// are counted once and for all, the others only as occluders.
+    /// Counts the buildings and trees of `city`; `counted`: buildings with their south-west corner in this
+    /// half-open box, and trees that stand in it, are counted once and for all, other buildings only as
+    /// occluders.
     void add(const City& city, const Box2& counted);
     void addTerrain(const Terrain& terrain);
 
@@ -55,6 +56,8 @@ public:
     [[nodiscard]] Range cellsIn(const Box2& box) const;
 
 private:
+    void addTrees(const Trees& trees, const Box2& counted);
+
     Grid grid_;
     std::vector<Cell> cells_;
     Box2 buildingsBox_;

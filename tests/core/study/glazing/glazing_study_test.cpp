@@ -2,6 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/city/trees/tree.h"
 #include "core/measures/places/place_run.h"
 #include "core/review/library/rule_library.h"
 #include "core/samples/sample_city.h"
@@ -217,6 +222,138 @@ TEST(GlazingStudy, IsForecastWithTheWindowsAndStepsThatItMeasures) {
     ASSERT_EQ(announced.size(), 1U);
     EXPECT_EQ(announced[0].windows, forecast->windows);
     EXPECT_FALSE(forecastGlazingReview(glazingRule("own"), city, city, settings, quiet, {})) << "of places";
+}
+
+// A house whose southern facade has twelve windows, an endless wall 30 m before it, and a round crown that
+// lets nothing pass between them, above the wall as the windows see it.
+class GlazingTrees : public testing::Test {
+protected:
+    static constexpr glm::dvec3 middle{6, -12, 15};
+    static constexpr double radiusM = 4;
+    static constexpr double wallM = 12;
+
+    static City cityWith(const std::vector<Tree>& trees) {
+        City city = cityOf({{{0, 0, 0}, {12, 12, 9}}, {{-4000, -42, 0}, {4000, -30, wallM}}});
+        city.frame = Frame({-0.1, 51.5});
+        Building house = *city.buildings[0];
+        house.sourceId = "house";
+        city.buildings[0] = std::make_shared<const Building>(house);
+        if (!trees.empty()) city.trees = std::make_shared<const Trees>(Trees{trees, {106, 320}});
+        return city;
+    }
+    static Tree round(bool evergreen, float bare) {
+        return {.place = {middle.x, middle.y},
+                .heightM = float(middle.z + radiusM),
+                .crownBaseM = float(middle.z - radiusM),
+                .crownDiameterM = float(2 * radiusM),
+                .evergreen = evergreen,
+                .leafOnTransmissivity = 1e-9F,
+                .leafOffTransmissivity = bare};
+    }
+
+    static Rule ruleOf(const RuleChoices& choices) {
+        return RuleLibrary::load().value().find("bre-209-windows", choices).value();
+    }
+    static GlazingStudy review(const City& baseline, const City& scenario, const RuleChoices& choices = {}) {
+        NoProgress quiet;
+        const GlazingReviewSettings settings{{.buildings = {"house"}, .facades = {.storeyM = 3}},
+                                             makeRegionFromLocalBox({{-50, -50}, {80, 80}}),
+                                             "Europe/London",
+                                             2026};
+        return runGlazingReview(ruleOf(choices), baseline, scenario, settings, quiet, {}).value();
+    }
+    static GlazingStudy review(const std::vector<Tree>& trees, const RuleChoices& choices = {}) {
+        return review(cityWith(trees), cityWith(trees), choices);
+    }
+    static bool facesSouth(const GlazingReview& window) {
+        return std::abs(*window.window.azimuthDeg - 180) < 1;
+    }
+
+    // Vertical sky component of a round patch of the sky of the angular radius r about the unit vector c,
+    // which lies in the sky as a whole, of a wall that faces n, under (1 + 2 z)/3 of the zenith's brightness.
+    // Over the patch the mean of w is pi sin^2 r c, that of w w^T is A (I - c c^T) + B c c^T.
+    static double skyOfPatchPct(glm::dvec3 eye) {
+        const glm::dvec3 towards = middle - eye, c = glm::normalize(towards), n{0, -1, 0}, z{0, 0, 1};
+        const double cosine = std::sqrt(1 - std::pow(radiusM / glm::length(towards), 2));
+        const double along = 2 * std::numbers::pi * (1 - cosine * cosine * cosine) / 3;
+        const double across = (2 * std::numbers::pi * (1 - cosine) - along) / 2;
+        const double plain = std::numbers::pi * (1 - cosine * cosine) * glm::dot(n, c);
+        const double steep = (along - across) * glm::dot(z, c) * glm::dot(n, c);  // n and z are square
+        return 100 * (plain + 2 * steep) / 3 / (7 * std::numbers::pi / 9);
+    }
+};
+
+TEST_F(GlazingTrees, AnEvergreenTakesItsPatchOfTheSky) {
+    const GlazingStudy without = review({}), with = review({round(true, 1e-9F)});
+    EXPECT_EQ(with.trees, "Trees: evergreen trees only; 1 of the city's 1 tree count");
+    int seen = 0;
+    for (std::size_t i = 0; i < with.windows.size(); ++i) {
+        const double sky = with.windows[i].results[0].value->value;
+        const double open = without.windows[i].results[0].value->value;
+        if (!facesSouth(with.windows[i])) continue;
+        const double patch = skyOfPatchPct(glm::dvec3(with.panes[i].pane.middle));
+        EXPECT_GT(patch, 3);
+        EXPECT_NEAR(open - sky, patch, 0.03) << with.windows[i].window.id;
+        EXPECT_NEAR(with.windows[i].results[0].former->value, sky, 1e-12) << "the tree stands in both";
+        ++seen;
+    }
+    EXPECT_EQ(seen, 12);
+}
+
+TEST_F(GlazingTrees, AnEvergreenTakesTheSunBehindIt) {
+    const GlazingStudy with = review({round(true, 1e-9F)});
+    const City city = cityWith({});
+    const auto days = computeRuleSun(ruleOf({}), {observerOfPlaces(city), "Europe/London", 2026}).value();
+    for (std::size_t i = 0; i < with.windows.size(); ++i) {
+        if (!facesSouth(with.windows[i])) continue;
+        const glm::dvec3 eye(with.panes[i].pane.middle);
+        double lit = 0;
+        for (const SunStep& step : days.sun.steps) {
+            const glm::dvec3 sun(step.direction);
+            if (sun.y >= 0 || -sun.z / sun.y < (wallM - eye.z) / (eye.y + 30)) continue;
+            const glm::dvec3 towards = middle - eye;
+            const double along = glm::dot(towards, sun);
+            if (glm::dot(towards, towards) - along * along > radiusM * radiusM) ++lit;
+        }
+        const double annual = 100 * lit / double(days.sun.steps.size());
+        EXPECT_NEAR(with.windows[i].results[1].value->value, annual, 0.15) << with.windows[i].window.id;
+    }
+}
+
+TEST_F(GlazingTrees, DeciduousTreesBeforeNeighboursAreLeftOut) {
+    const GlazingStudy without = review({}), with = review({round(false, 1)});
+    EXPECT_EQ(with.trees, "Trees: evergreen trees only; 0 of the city's 1 tree count");
+    for (std::size_t i = 0; i < with.windows.size(); ++i)
+        for (std::size_t k = 0; k < with.windows[i].results.size(); ++k)
+            EXPECT_EQ(with.windows[i].results[k].value->value, without.windows[i].results[k].value->value);
+}
+
+// Of the year it has leaves on 214 days, and takes nothing without.
+TEST_F(GlazingTrees, BeforeOnesOwnSchemeExistingTreesCountByTheirSeason) {
+    const RuleChoices own{{"windows of", "own scheme"}};
+    const GlazingStudy without = review({}), with = review({round(false, 1)}, own);
+    // A tree that the scenario plants is no existing one.
+    const GlazingStudy planted = review(cityWith({}), cityWith({round(false, 1)}), own);
+    for (std::size_t i = 0; i < with.windows.size(); ++i) {
+        if (!facesSouth(with.windows[i])) continue;
+        const double patch = skyOfPatchPct(glm::dvec3(with.panes[i].pane.middle));
+        EXPECT_NEAR(without.windows[i].results[0].value->value - with.windows[i].results[0].value->value,
+                    patch * 214 / 365, 0.03);
+        EXPECT_EQ(planted.windows[i].results[0].value->value, without.windows[i].results[0].value->value);
+        EXPECT_LT(with.windows[i].results[1].value->value, without.windows[i].results[1].value->value)
+            << "sun of the year";
+    }
+}
+
+TEST_F(GlazingTrees, APlantedEvergreenIsALoss) {
+    const GlazingStudy study = review(cityWith({}), cityWith({round(true, 1e-9F)}));
+    const GlazingStudy without = review({});
+    for (std::size_t i = 0; i < study.windows.size(); ++i) {
+        if (!facesSouth(study.windows[i])) continue;
+        EXPECT_NEAR(study.windows[i].results[0].former->value, without.windows[i].results[0].value->value,
+                    1e-9);
+        EXPECT_LT(study.windows[i].results[0].value->value, study.windows[i].results[0].former->value - 3);
+    }
 }
 
 }  // namespace

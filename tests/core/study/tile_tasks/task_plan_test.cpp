@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -220,6 +221,53 @@ TEST_F(TaskPlanTest, MonthsEqualThoseOfOneMachineToTheLastBit) {
     EXPECT_THAT(textOf("plan/merged/by_month.vrt"), HasSubstr("<SourceBand>4</SourceBand>"));
     EXPECT_THAT(textOf("plan/merged/by_month.vrt"), Not(HasSubstr("<SourceBand>1</SourceBand>")));
     EXPECT_THAT(textOf("plan/merged/item.json"), HasSubstr("./by_month.tif"));
+}
+
+// An inventory beside the town, with trees before some of its tiles only.
+class TaskPlanTrees : public TaskPlanTest {
+protected:
+    TaskPlanTrees() { plant("Pinus nigra"); }
+    void plant(const std::string& species) {
+        const Frame frame({-73.98, 40.75});
+        std::string trees = "tree_dbh,spc_latin,latitude,longitude\n";
+        for (double x = 20; x < 70; x += 12) {
+            const LonLat at = frame.lonLatFromLocal({x, 30});
+            trees += fmt::format("20,{},{:.7f},{:.7f}\n", species, at.latDeg, at.lonDeg);
+        }
+        request.reading.treeFiles = {folder.file("trees.csv", trees).string()};
+    }
+};
+
+TEST_F(TaskPlanTrees, CountAsOnOneMachineToTheLastBit) {
+    const TaskPlan made = plan();
+    const auto merged = runAndMerge(made);
+    ASSERT_TRUE(merged) << merged.error().text();
+    EXPECT_TRUE(merged->warnings.empty());
+    const TiledStudy whole = onOneMachine();
+    ASSERT_EQ(whole.withTrees.size(), 2U);
+    for (const ShadedTiles& with : whole.withTrees) {
+        const std::string name = "shadow" + suffixOf(with.column);
+        expectEqualMaps(made, ("plan/merged/" + name + ".tif").c_str(), (name + ".tif").c_str(), 2);
+        EXPECT_GT(with.statistics.meanGrossMin, whole.study.statistics.meanGrossMin);
+        const std::string key = fmt::format("mean_gross_min{}", suffixOf(with.column));
+        const auto json = nlohmann::json::parse(textOf("plan/merged/statistics.json"));
+        EXPECT_NEAR(json.at(key).get<double>(), with.statistics.meanGrossMin, 1e-3);
+    }
+    // Tiles that no tree reaches show their bands without trees.
+    const std::string mosaic = textOf("plan/merged/shadow_seasonal.vrt");
+    EXPECT_THAT(mosaic, HasSubstr("<SourceBand>1</SourceBand>"));
+    EXPECT_THAT(mosaic, HasSubstr("<SourceBand>5</SourceBand>"));
+}
+
+TEST_F(TaskPlanTrees, AnotherTreeIsAnotherContent) {
+    const TaskPlan before = plan();
+    plant("Betula pendula");
+    const TaskPlan after = plan();
+    ASSERT_EQ(before.tiles.size(), after.tiles.size());
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < before.tiles.size(); ++i)
+        changed += before.tiles[i].contentHash == after.tiles[i].contentHash ? 0 : 1;
+    EXPECT_GT(changed, 0U);
 }
 
 }  // namespace
