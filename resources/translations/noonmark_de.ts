@@ -48,14 +48,6 @@
         <translation>Die Änderung speichern oder zurücknehmen und die Datei erneut öffnen</translation>
     </message>
     <message>
-        <source>The file holds no places</source>
-        <translation>Die Datei enthält keine Orte</translation>
-    </message>
-    <message>
-        <source>Choose a map with parks, or a file of polygons</source>
-        <translation>Eine Karte mit Parks oder eine Datei mit Polygonen wählen</translation>
-    </message>
-    <message>
         <source>The picture could not be written</source>
         <translation>Das Bild konnte nicht geschrieben werden</translation>
     </message>
@@ -234,6 +226,22 @@
     <message>
         <source>Remove it first: File &gt; Aerial photograph</source>
         <translation>Es zuerst entfernen: Datei &gt; Luftbild</translation>
+    </message>
+    <message>
+        <source>The file holds no such places near the city</source>
+        <translation>Die Datei enthält keine solchen Orte bei der Stadt</translation>
+    </message>
+    <message>
+        <source>Choose a map of this city with parks or streets, or a file of polygons</source>
+        <translation>Wählen Sie eine Karte dieser Stadt mit Parks oder Straßen oder eine Datei mit Polygonen</translation>
+    </message>
+    <message>
+        <source>The project has no place of this name any more</source>
+        <translation>Das Projekt hat keinen Ort dieses Namens mehr</translation>
+    </message>
+    <message>
+        <source>Run again, so that the table lists the places as they are</source>
+        <translation>Rechnen Sie neu, damit die Tabelle die Orte zeigt, wie sie sind</translation>
     </message>
 </context>
 <context>
@@ -456,6 +464,13 @@
     <message>
         <source>Backspace; Esc</source>
         <translation>Rücktaste; Esc</translation>
+    </message>
+</context>
+<context>
+    <name>LiveTrees</name>
+    <message>
+        <source>Live shade of trees</source>
+        <translation>Schatten der Bäume beim Ziehen</translation>
     </message>
 </context>
 <context>
@@ -1051,10 +1066,6 @@ mit %2</translation>
     <message>
         <source>Mean minutes a day with the sun above the horizon: 100 % of the time</source>
         <translation>Mittlere Minuten am Tag mit Sonne über dem Horizont: 100 % der Zeit</translation>
-    </message>
-    <message>
-        <source>score %1%2 m² a m²</source>
-        <translation>Bewertung %1%2 m² je m²</translation>
     </message>
     <message>
         <source>Scored</source>
@@ -2395,6 +2406,72 @@ Opens the panel Review.</source>
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>score %1 m² a m²</source>
+        <translation>Bewertung %1 m² je m²</translation>
+    </message>
+    <message>
+        <source>&amp;Heights of the trees&apos; canopy</source>
+        <translation>&amp;Höhen des Kronendachs</translation>
+    </message>
+    <message>
+        <source>&amp;Trees</source>
+        <translation>&amp;Bäume</translation>
+    </message>
+    <message>
+        <source>T&amp;errain</source>
+        <translation>&amp;Gelände</translation>
+    </message>
+    <message>
+        <source>&amp;Places</source>
+        <translation>&amp;Orte</translation>
+    </message>
+    <message>
+        <source>%1: OpenStreetMap, whose tags are known.</source>
+        <translation>%1: OpenStreetMap, dessen Attribute bekannt sind.</translation>
+    </message>
+    <message>
+        <source>%1: a raster. Its cells are taken for heights of the canopy above the ground.</source>
+        <translation>%1: ein Raster. Seine Zellen gelten als Höhen des Kronendachs über dem Boden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 feature(s) in layer %3.</source>
+        <translation>
+            <numerusform>%1: %2 Objekt in der Ebene %3.</numerusform>
+            <numerusform>%1: %2 Objekte in der Ebene %3.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 measured</source>
+        <translation>%1 gemessen</translation>
+    </message>
+    <message>
+        <source>%1 estimated</source>
+        <translation>%1 geschätzt</translation>
+    </message>
+    <message>
+        <source>%1 assumed</source>
+        <translation>%1 angenommen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tree(s) are added.</source>
+        <translation>
+            <numerusform>%1 Baum kommt hinzu.</numerusform>
+            <numerusform>%1 Bäume kommen hinzu.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Heights: %1 (%2)</source>
+        <translation>Höhen: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Crowns: %1 (%2)</source>
+        <translation>Kronen: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>not counted: no storey stands on the ground</source>
+        <translation>nicht gezählt: kein Geschoss steht auf dem Boden</translation>
     </message>
 </context>
 <context>
@@ -4865,6 +4942,10 @@ Opens the panel Review.</source>
         <source>minutes of shadow a day, mean over the days, at the cell that has least</source>
         <translation>Schattenminuten am Tag, Mittel über die Tage, an der Zelle mit den wenigsten</translation>
     </message>
+    <message>
+        <source>a tree far from the buildings: its longitude and latitude are swapped</source>
+        <translation>ein Baum weit von den Gebäuden: seine Länge und Breite sind vertauscht</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5324,6 +5405,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>%1 is not a building of the displayed city</source>
         <translation>%1 ist kein Gebäude der angezeigten Stadt</translation>
+    </message>
+    <message>
+        <source>reload %1</source>
+        <translation>%1 neu laden</translation>
     </message>
 </context>
 <context>
@@ -5792,6 +5877,10 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <message>
         <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
         <translation>Ein Ergebnis lässt sich nur mit dem Projekt prüfen, aus dem es stammt, und dieses Projekt ist nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>A saved answer has figures and tables, but not all that sheets show: run it again to print it</source>
+        <translation>Eine gespeicherte Antwort hat Zahlen und Tabellen, aber nicht alles, was Blätter zeigen: rechnen Sie neu, um sie zu drucken</translation>
     </message>
 </context>
 <context>
@@ -6721,6 +6810,10 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
         <source>Use %1</source>
         <translation>%1 nehmen</translation>
     </message>
+    <message>
+        <source>Draw a lot on the ground, or click a building and make a lot from its footprint. Ctrl+T replaces the building that is selected by a tower.</source>
+        <translation>Zeichnen Sie ein Grundstück auf den Boden, oder klicken Sie auf ein Gebäude und machen Sie aus seinem Grundriss ein Grundstück. Strg+T ersetzt das gewählte Gebäude durch ein Hochhaus.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MassingPreview</name>
@@ -7286,10 +7379,6 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Zur Stadt &amp;hinzufügen ...</translation>
     </message>
     <message>
-        <source>A terrain, an aerial photograph, or parks and other places; what the city has stays</source>
-        <translation>Ein Gelände, ein Luftbild oder Parks und andere Orte; was die Stadt hat, bleibt</translation>
-    </message>
-    <message>
         <source>Choose a file...</source>
         <translation>Datei wählen ...</translation>
     </message>
@@ -7297,12 +7386,20 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <source>Which layer of %1 holds the places?</source>
         <translation>Welcher Layer von %1 enthält die Orte?</translation>
     </message>
+    <message>
+        <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
+        <translation>Ein Gelände, ein Luftbild, Bäume oder Parks und andere Orte; was die Stadt hat, bleibt</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceLinks</name>
     <message>
-        <source>Outdated: buildings have changed</source>
-        <translation>Veraltet: Gebäude haben sich geändert</translation>
+        <source>Outdated: places have changed</source>
+        <translation>Veraltet: Orte haben sich geändert</translation>
+    </message>
+    <message>
+        <source>Outdated: buildings or places have changed</source>
+        <translation>Veraltet: Gebäude oder Orte haben sich geändert</translation>
     </message>
 </context>
 <context>
@@ -7641,8 +7738,12 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>%1. Eine gespeicherte Antwort nennt ihre Tage als Sonne</translation>
     </message>
     <message>
-        <source>%1, without trees</source>
-        <translation>%1, ohne Bäume</translation>
+        <source>Whether trees take their share of the sun of table, map and headline</source>
+        <translation>Ob Bäume in Tabelle, Karte und Überschrift ihren Anteil der Sonne nehmen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -7707,10 +7808,6 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <translation>Maßstab aller drei Achsen</translation>
     </message>
     <message>
-        <source>Clockwise, seen from above</source>
-        <translation>Im Uhrzeigersinn, von oben gesehen</translation>
-    </message>
-    <message>
         <source>Adds it to the scenario (Enter over the view)</source>
         <translation>Fügt es dem Szenario hinzu (Eingabe über der Ansicht)</translation>
     </message>
@@ -7749,6 +7846,38 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <message>
         <source>%1, top %2. Another click moves it.</source>
         <translation>%1, Oberkante %2. Ein weiterer Klick versetzt es.</translation>
+    </message>
+    <message>
+        <source>° east</source>
+        <translation>° Ost</translation>
+    </message>
+    <message>
+        <source>° north</source>
+        <translation>° Nord</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Puts the file in the place of its earlier edition; the edits that follow stay</source>
+        <translation>Setzt die Datei an die Stelle ihrer früheren Ausgabe; die folgenden Änderungen bleiben</translation>
+    </message>
+    <message>
+        <source>Clockwise, seen from above. Of an IFC that states its true north, preset from it</source>
+        <translation>Im Uhrzeigersinn, von oben gesehen. Bei einer IFC mit Angabe ihrer Nordrichtung daraus voreingestellt</translation>
+    </message>
+    <message>
+        <source>Where its middle stands; a click on the ground sets it, too</source>
+        <translation>Wo seine Mitte steht; ein Klick auf den Boden setzt sie ebenfalls</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>%1: an earlier edition stands as %2. Reload replaces it where it stands; Build adds another.</source>
+        <translation>%1: eine frühere Ausgabe steht als %2. Neu laden ersetzt sie an ihrem Platz; Bauen fügt eine weitere hinzu.</translation>
     </message>
 </context>
 <context>
@@ -8470,8 +8599,12 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <translation>Gespeichert: %1</translation>
     </message>
     <message>
-        <source>%1 (buildings have changed)</source>
-        <translation>%1 (Gebäude haben sich geändert)</translation>
+        <source>%1 (outdated)</source>
+        <translation>%1 (veraltet)</translation>
+    </message>
+    <message>
+        <source>Outdated figures: places have changed; run again (Ctrl+R).</source>
+        <translation>Veraltete Zahlen: Orte haben sich geändert; rechnen Sie neu (Strg+R).</translation>
     </message>
 </context>
 <context>
@@ -8845,6 +8978,22 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>Save changes to %1?</source>
         <translation>Änderungen an %1 speichern?</translation>
     </message>
+    <message>
+        <source>Work in progress</source>
+        <translation>Arbeit im Gange</translation>
+    </message>
+    <message>
+        <source>%1 is still running. Stop it?</source>
+        <translation>%1 läuft noch. Abbrechen?</translation>
+    </message>
+    <message>
+        <source>Stop it</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 is still running and ends.</source>
+        <translation>%1 läuft noch und wird beendet.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioActions</name>
@@ -9004,6 +9153,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Measure all by month</source>
         <translation>Alle nach Monaten messen</translation>
+    </message>
+    <message>
+        <source>No places have been measured: choose Sun by place in the dock Study, and press Measure all</source>
+        <translation>Keine Orte wurden gemessen: wählen Sie im Bereich Studie Sonne nach Orten, und drücken Sie Alle messen</translation>
     </message>
 </context>
 <context>
@@ -9185,6 +9338,25 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>being measured</source>
         <translation>wird gemessen</translation>
+    </message>
+    <message>
+        <source>Sun of places, h</source>
+        <translation>Sonne der Orte, h</translation>
+    </message>
+    <message>
+        <source>Area of places with enough sun, %</source>
+        <translation>Fläche der Orte mit genug Sonne, %</translation>
+    </message>
+    <message numerus="yes">
+        <source>Over the area of the %Ln place(s) that were measured last</source>
+        <translation>
+            <numerusform>Über die Fläche des %Ln zuletzt gemessenen Ortes</numerusform>
+            <numerusform>Über die Fläche der %Ln zuletzt gemessenen Orte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not measured since buildings last changed: choose Sun by place in the dock Study, and press Measure all</source>
+        <translation>Nicht gemessen, seit sich Gebäude zuletzt geändert haben: wählen Sie im Bereich Studie Sonne nach Orten, und drücken Sie Alle messen</translation>
     </message>
 </context>
 <context>
@@ -9730,12 +9902,12 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Diese Untersuchung dauert %1 (%2). Größere Zellen, weniger Tage oder ein kleineres Gebiet machen sie schneller.</translation>
     </message>
     <message>
-        <source>Cancelled. The previous study is shown.</source>
-        <translation>Abgebrochen. Die vorige Untersuchung wird gezeigt.</translation>
+        <source>Cancelled. The previous answer is shown.</source>
+        <translation>Abgebrochen. Die vorige Antwort wird gezeigt.</translation>
     </message>
     <message>
-        <source>Cancelled. No study yet.</source>
-        <translation>Abgebrochen. Noch keine Untersuchung.</translation>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -10127,6 +10299,33 @@ vom Jahr ebenso viele Wochen</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::TreeActions</name>
+    <message>
+        <source>Add trees</source>
+        <translation>Bäume hinzufügen</translation>
+    </message>
+    <message>
+        <source>Inventories of trees and canopy heights</source>
+        <translation>Baumkataster und Höhen des Kronendachs</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Listing fields</source>
+        <translation>Felder werden aufgelistet</translation>
+    </message>
+    <message>
+        <source>Reading trees</source>
+        <translation>Bäume werden gelesen</translation>
+    </message>
+    <message>
+        <source>add trees</source>
+        <translation>Bäume hinzufügen</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TreeEditing</name>
     <message numerus="yes">
         <source>plant %1 tree(s)</source>
@@ -10159,6 +10358,61 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>let trees grow by %1 years</source>
         <translation>Bäume %1 Jahre wachsen lassen</translation>
+    </message>
+    <message>
+        <source>Crowns of the other trees</source>
+        <translation>Kronen der anderen Bäume</translation>
+    </message>
+    <message>
+        <source>With trees and their seasons, while they move</source>
+        <translation>Mit Bäumen und ihren Jahreszeiten, während sie bewegt werden</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens, while they move</source>
+        <translation>Mit Bäumen als Immergrünen, während sie bewegt werden</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TreeImportDialog</name>
+    <message>
+        <source>Add trees</source>
+        <translation>Bäume hinzufügen</translation>
+    </message>
+    <message>
+        <source>as in the file (example: EPSG:2263)</source>
+        <translation>wie in der Datei (Beispiel: EPSG:2263)</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system, if the file does not state it</source>
+        <translation>Koordinatenreferenzsystem, falls die Datei es nicht angibt</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds the trees to the existing city; Undo takes them back</source>
+        <translation>Fügt die Bäume der bestehenden Stadt hinzu; Rückgängig nimmt sie zurück</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>classes</source>
+        <translation>Klassen</translation>
+    </message>
+    <message>
+        <source>Unit of numbers without one</source>
+        <translation>Einheit von Zahlen ohne Einheit</translation>
+    </message>
+    <message>
+        <source>Reading the trees...</source>
+        <translation>Die Bäume werden gelesen...</translation>
     </message>
 </context>
 <context>
@@ -10235,10 +10489,6 @@ vom Jahr ebenso viele Wochen</translation>
         <source>Spacing</source>
         <translation>Abstand</translation>
     </message>
-    <message>
-        <source>The city has no trees yet. Plant some, or read an inventory: noonmark-cli project tree import</source>
-        <translation>Die Stadt hat noch keine Bäume. Pflanzen Sie welche, oder lesen Sie ein Kataster: noonmark-cli project tree import</translation>
-    </message>
     <message numerus="yes">
         <source>%1 tree(s) in the city. Click one to choose it, Ctrl adds more</source>
         <translation>
@@ -10249,6 +10499,18 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>%1 trees chosen</source>
         <translation>%1 Bäume gewählt</translation>
+    </message>
+    <message>
+        <source>Read trees of a file...</source>
+        <translation>Bäume einer Datei lesen...</translation>
+    </message>
+    <message>
+        <source>Adds an inventory, OpenStreetMap or a raster of canopy heights to the existing city</source>
+        <translation>Fügt der bestehenden Stadt ein Baumkataster, OpenStreetMap oder ein Raster von Kronenhöhen hinzu</translation>
+    </message>
+    <message>
+        <source>The city has no trees yet. Plant some, or read those of a file</source>
+        <translation>Die Stadt hat noch keine Bäume. Pflanzen Sie welche, oder lesen Sie die einer Datei</translation>
     </message>
 </context>
 <context>
@@ -11236,6 +11498,38 @@ Zuerst ein Gebäude anklicken.</translation>
     <message>
         <source>a wood is taken as closed canopy, in columns of 8 x 8 m</source>
         <translation>ein Wald gilt als geschlossenes Kronendach, in Säulen von 8 x 8 m</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Crown diameter</source>
+        <translation>Kronendurchmesser</translation>
+    </message>
+    <message>
+        <source>Crown base</source>
+        <translation>Kronenansatz</translation>
+    </message>
+    <message>
+        <source>Stem diameter</source>
+        <translation>Stammdurchmesser</translation>
+    </message>
+    <message>
+        <source>Stem girth</source>
+        <translation>Stammumfang</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation>Gattung</translation>
+    </message>
+    <message>
+        <source>Leaf cycle</source>
+        <translation>Belaubung</translation>
     </message>
 </context>
 </TS>

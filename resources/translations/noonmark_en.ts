@@ -195,6 +195,20 @@
             <numerusform>%1 cells; in the study itself %2.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %2 feature(s) in layer %3.</source>
+        <translation>
+            <numerusform>%1: %2 feature in layer %3.</numerusform>
+            <numerusform>%1: %2 features in layer %3.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tree(s) are added.</source>
+        <translation>
+            <numerusform>%1 tree is added.</numerusform>
+            <numerusform>%1 trees are added.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noonmark::BuildingEditing</name>
@@ -385,6 +399,16 @@ Lowest %3, median %4, tallest %5.</numerusform>
         <translation>
             <numerusform>%1 building saved as %2</numerusform>
             <numerusform>%1 buildings saved as %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ScenarioTable</name>
+    <message numerus="yes">
+        <source>Over the area of the %Ln place(s) that were measured last</source>
+        <translation>
+            <numerusform>Over the area of the %Ln place that was measured last</numerusform>
+            <numerusform>Over the area of the %Ln places that were measured last</numerusform>
         </translation>
     </message>
 </context>

@@ -48,14 +48,6 @@
         <translation>Guarde o deshaga el cambio y abra el archivo de nuevo</translation>
     </message>
     <message>
-        <source>The file holds no places</source>
-        <translation>El archivo no contiene lugares</translation>
-    </message>
-    <message>
-        <source>Choose a map with parks, or a file of polygons</source>
-        <translation>Elija un mapa con parques o un archivo de polígonos</translation>
-    </message>
-    <message>
         <source>The picture could not be written</source>
         <translation>No se pudo escribir la imagen</translation>
     </message>
@@ -234,6 +226,22 @@
     <message>
         <source>Remove it first: File &gt; Aerial photograph</source>
         <translation>Quítela antes: Archivo &gt; Fotografía aérea</translation>
+    </message>
+    <message>
+        <source>The file holds no such places near the city</source>
+        <translation>El archivo no contiene lugares de este tipo cerca de la ciudad</translation>
+    </message>
+    <message>
+        <source>Choose a map of this city with parks or streets, or a file of polygons</source>
+        <translation>Elija un mapa de esta ciudad con parques o calles, o un archivo de polígonos</translation>
+    </message>
+    <message>
+        <source>The project has no place of this name any more</source>
+        <translation>El proyecto ya no tiene ningún lugar con este nombre</translation>
+    </message>
+    <message>
+        <source>Run again, so that the table lists the places as they are</source>
+        <translation>Vuelva a calcular para que la tabla muestre los lugares tal como son</translation>
     </message>
 </context>
 <context>
@@ -456,6 +464,13 @@
     <message>
         <source>Backspace; Esc</source>
         <translation>Retroceso; Esc</translation>
+    </message>
+</context>
+<context>
+    <name>LiveTrees</name>
+    <message>
+        <source>Live shade of trees</source>
+        <translation>Sombra de los árboles en vivo</translation>
     </message>
 </context>
 <context>
@@ -1051,10 +1066,6 @@ con %2</translation>
     <message>
         <source>Mean minutes a day with the sun above the horizon: 100 % of the time</source>
         <translation>Minutos medios al día con el sol sobre el horizonte: 100 % del tiempo</translation>
-    </message>
-    <message>
-        <source>score %1%2 m² a m²</source>
-        <translation>puntuación %1%2 m² por m²</translation>
     </message>
     <message>
         <source>Scored</source>
@@ -2395,6 +2406,72 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>score %1 m² a m²</source>
+        <translation>puntuación %1 m² por m²</translation>
+    </message>
+    <message>
+        <source>&amp;Heights of the trees&apos; canopy</source>
+        <translation>&amp;Alturas del dosel arbóreo</translation>
+    </message>
+    <message>
+        <source>&amp;Trees</source>
+        <translation>&amp;Árboles</translation>
+    </message>
+    <message>
+        <source>T&amp;errain</source>
+        <translation>T&amp;erreno</translation>
+    </message>
+    <message>
+        <source>&amp;Places</source>
+        <translation>&amp;Lugares</translation>
+    </message>
+    <message>
+        <source>%1: OpenStreetMap, whose tags are known.</source>
+        <translation>%1: OpenStreetMap, cuyas etiquetas se conocen.</translation>
+    </message>
+    <message>
+        <source>%1: a raster. Its cells are taken for heights of the canopy above the ground.</source>
+        <translation>%1: un ráster. Sus celdas se toman como alturas del dosel sobre el suelo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 feature(s) in layer %3.</source>
+        <translation>
+            <numerusform>%1: %2 elemento en la capa %3.</numerusform>
+            <numerusform>%1: %2 elementos en la capa %3.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 measured</source>
+        <translation>%1 medidas</translation>
+    </message>
+    <message>
+        <source>%1 estimated</source>
+        <translation>%1 estimadas</translation>
+    </message>
+    <message>
+        <source>%1 assumed</source>
+        <translation>%1 supuestas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tree(s) are added.</source>
+        <translation>
+            <numerusform>Se añade %1 árbol.</numerusform>
+            <numerusform>Se añaden %1 árboles.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Heights: %1 (%2)</source>
+        <translation>Alturas: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Crowns: %1 (%2)</source>
+        <translation>Copas: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>not counted: no storey stands on the ground</source>
+        <translation>no se cuenta: ninguna planta se apoya en el suelo</translation>
     </message>
 </context>
 <context>
@@ -4865,6 +4942,10 @@ Abre el panel Evaluación.</translation>
         <source>minutes of shadow a day, mean over the days, at the cell that has least</source>
         <translation>minutos de sombra al día, media de los días, en la celda que menos tiene</translation>
     </message>
+    <message>
+        <source>a tree far from the buildings: its longitude and latitude are swapped</source>
+        <translation>un árbol lejos de los edificios: su longitud y latitud están intercambiadas</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5324,6 +5405,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>%1 is not a building of the displayed city</source>
         <translation>%1 no es un edificio de la ciudad mostrada</translation>
+    </message>
+    <message>
+        <source>reload %1</source>
+        <translation>recargar %1</translation>
     </message>
 </context>
 <context>
@@ -5792,6 +5877,10 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
         <translation>Un resultado solo puede verificarse con el proyecto del que procede, y este proyecto no está guardado</translation>
+    </message>
+    <message>
+        <source>A saved answer has figures and tables, but not all that sheets show: run it again to print it</source>
+        <translation>Una respuesta guardada tiene cifras y tablas, pero no todo lo que muestran las hojas: vuelva a calcularla para imprimirla</translation>
     </message>
 </context>
 <context>
@@ -6721,6 +6810,10 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
         <source>Use %1</source>
         <translation>Usar %1</translation>
     </message>
+    <message>
+        <source>Draw a lot on the ground, or click a building and make a lot from its footprint. Ctrl+T replaces the building that is selected by a tower.</source>
+        <translation>Dibuje una parcela en el suelo, o haga clic en un edificio y cree una parcela a partir de su planta. Ctrl+T sustituye el edificio seleccionado por una torre.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MassingPreview</name>
@@ -7286,10 +7379,6 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Añadir a la ciu&amp;dad...</translation>
     </message>
     <message>
-        <source>A terrain, an aerial photograph, or parks and other places; what the city has stays</source>
-        <translation>Un terreno, una fotografía aérea, o parques y otros lugares; se conserva lo que la ciudad tiene</translation>
-    </message>
-    <message>
         <source>Choose a file...</source>
         <translation>Elegir un archivo...</translation>
     </message>
@@ -7297,12 +7386,20 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <source>Which layer of %1 holds the places?</source>
         <translation>¿Qué capa de %1 contiene los lugares?</translation>
     </message>
+    <message>
+        <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
+        <translation>Un terreno, una fotografía aérea, árboles, o parques y otros lugares; lo que la ciudad tiene se conserva</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceLinks</name>
     <message>
-        <source>Outdated: buildings have changed</source>
-        <translation>Desactualizado: los edificios han cambiado</translation>
+        <source>Outdated: places have changed</source>
+        <translation>Desactualizado: los lugares han cambiado</translation>
+    </message>
+    <message>
+        <source>Outdated: buildings or places have changed</source>
+        <translation>Desactualizado: los edificios o los lugares han cambiado</translation>
     </message>
 </context>
 <context>
@@ -7641,8 +7738,12 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>%1. Una respuesta guardada indica sus fechas como sol</translation>
     </message>
     <message>
-        <source>%1, without trees</source>
-        <translation>%1, sin árboles</translation>
+        <source>Whether trees take their share of the sun of table, map and headline</source>
+        <translation>Si los árboles restan su parte del sol en la tabla, el mapa y el titular</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -7707,10 +7808,6 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <translation>Escala de los tres ejes</translation>
     </message>
     <message>
-        <source>Clockwise, seen from above</source>
-        <translation>En sentido horario, visto desde arriba</translation>
-    </message>
-    <message>
         <source>Adds it to the scenario (Enter over the view)</source>
         <translation>Lo añade al escenario (Intro sobre la vista)</translation>
     </message>
@@ -7749,6 +7846,38 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>%1, top %2. Another click moves it.</source>
         <translation>%1, cota superior %2. Otro clic lo mueve.</translation>
+    </message>
+    <message>
+        <source>° east</source>
+        <translation>° este</translation>
+    </message>
+    <message>
+        <source>° north</source>
+        <translation>° norte</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recargar</translation>
+    </message>
+    <message>
+        <source>Puts the file in the place of its earlier edition; the edits that follow stay</source>
+        <translation>Pone el archivo en lugar de su edición anterior; las modificaciones posteriores se conservan</translation>
+    </message>
+    <message>
+        <source>Clockwise, seen from above. Of an IFC that states its true north, preset from it</source>
+        <translation>En sentido horario, visto desde arriba. En un IFC que indica su norte verdadero, se toma de él</translation>
+    </message>
+    <message>
+        <source>Where its middle stands; a click on the ground sets it, too</source>
+        <translation>Dónde está su centro; un clic en el suelo también lo fija</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Centro</translation>
+    </message>
+    <message>
+        <source>%1: an earlier edition stands as %2. Reload replaces it where it stands; Build adds another.</source>
+        <translation>%1: una edición anterior está como %2. Recargar la sustituye en su sitio; Construir añade otra.</translation>
     </message>
 </context>
 <context>
@@ -8470,8 +8599,12 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <translation>Guardado: %1</translation>
     </message>
     <message>
-        <source>%1 (buildings have changed)</source>
-        <translation>%1 (los edificios han cambiado)</translation>
+        <source>%1 (outdated)</source>
+        <translation>%1 (desactualizado)</translation>
+    </message>
+    <message>
+        <source>Outdated figures: places have changed; run again (Ctrl+R).</source>
+        <translation>Cifras desactualizadas: los lugares han cambiado; vuelva a calcular (Ctrl+R).</translation>
     </message>
 </context>
 <context>
@@ -8845,6 +8978,22 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <source>Save changes to %1?</source>
         <translation>¿Guardar los cambios de %1?</translation>
     </message>
+    <message>
+        <source>Work in progress</source>
+        <translation>Trabajo en curso</translation>
+    </message>
+    <message>
+        <source>%1 is still running. Stop it?</source>
+        <translation>%1 sigue en curso. ¿Detener?</translation>
+    </message>
+    <message>
+        <source>Stop it</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>%1 is still running and ends.</source>
+        <translation>%1 sigue en curso y se detendrá.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioActions</name>
@@ -9004,6 +9153,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Measure all by month</source>
         <translation>Medir todos por meses</translation>
+    </message>
+    <message>
+        <source>No places have been measured: choose Sun by place in the dock Study, and press Measure all</source>
+        <translation>No se han medido lugares: elija Sol por lugar en el panel Estudio y pulse Medir todo</translation>
     </message>
 </context>
 <context>
@@ -9185,6 +9338,25 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>being measured</source>
         <translation>se está midiendo</translation>
+    </message>
+    <message>
+        <source>Sun of places, h</source>
+        <translation>Sol de los lugares, h</translation>
+    </message>
+    <message>
+        <source>Area of places with enough sun, %</source>
+        <translation>Área de los lugares con sol suficiente, %</translation>
+    </message>
+    <message numerus="yes">
+        <source>Over the area of the %Ln place(s) that were measured last</source>
+        <translation>
+            <numerusform>Sobre el área del %Ln lugar medido por última vez</numerusform>
+            <numerusform>Sobre el área de los %Ln lugares medidos por última vez</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not measured since buildings last changed: choose Sun by place in the dock Study, and press Measure all</source>
+        <translation>No se ha medido desde el último cambio de edificios: elija Sol por lugar en el panel Estudio y pulse Medir todo</translation>
     </message>
 </context>
 <context>
@@ -9730,12 +9902,12 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Este estudio tarda %1 (%2). Celdas mayores, menos días o una zona menor lo aceleran.</translation>
     </message>
     <message>
-        <source>Cancelled. The previous study is shown.</source>
-        <translation>Cancelado. Se muestra el estudio anterior.</translation>
+        <source>Cancelled. The previous answer is shown.</source>
+        <translation>Cancelado. Se muestra la respuesta anterior.</translation>
     </message>
     <message>
-        <source>Cancelled. No study yet.</source>
-        <translation>Cancelado. Aún no hay estudio.</translation>
+        <source>Cancelled.</source>
+        <translation>Cancelado.</translation>
     </message>
 </context>
 <context>
@@ -10127,6 +10299,33 @@ del año, otras tantas semanas</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::TreeActions</name>
+    <message>
+        <source>Add trees</source>
+        <translation>Añadir árboles</translation>
+    </message>
+    <message>
+        <source>Inventories of trees and canopy heights</source>
+        <translation>Inventarios de árboles y alturas del dosel</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Listing fields</source>
+        <translation>Listando campos</translation>
+    </message>
+    <message>
+        <source>Reading trees</source>
+        <translation>Leyendo árboles</translation>
+    </message>
+    <message>
+        <source>add trees</source>
+        <translation>añadir árboles</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TreeEditing</name>
     <message numerus="yes">
         <source>plant %1 tree(s)</source>
@@ -10159,6 +10358,61 @@ del año, otras tantas semanas</translation>
     <message>
         <source>let trees grow by %1 years</source>
         <translation>dejar crecer los árboles %1 años</translation>
+    </message>
+    <message>
+        <source>Crowns of the other trees</source>
+        <translation>Copas de los otros árboles</translation>
+    </message>
+    <message>
+        <source>With trees and their seasons, while they move</source>
+        <translation>Con árboles y sus estaciones, mientras se mueven</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens, while they move</source>
+        <translation>Con árboles como perennes, mientras se mueven</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TreeImportDialog</name>
+    <message>
+        <source>Add trees</source>
+        <translation>Añadir árboles</translation>
+    </message>
+    <message>
+        <source>as in the file (example: EPSG:2263)</source>
+        <translation>como en el archivo (ejemplo: EPSG:2263)</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system, if the file does not state it</source>
+        <translation>Sistema de referencia de coordenadas, si el archivo no lo indica</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>Sistema de coordenadas</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Adds the trees to the existing city; Undo takes them back</source>
+        <translation>Añade los árboles a la ciudad existente; Deshacer los retira</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>classes</source>
+        <translation>clases</translation>
+    </message>
+    <message>
+        <source>Unit of numbers without one</source>
+        <translation>Unidad de los números sin unidad</translation>
+    </message>
+    <message>
+        <source>Reading the trees...</source>
+        <translation>Leyendo los árboles...</translation>
     </message>
 </context>
 <context>
@@ -10235,10 +10489,6 @@ del año, otras tantas semanas</translation>
         <source>Spacing</source>
         <translation>Separación</translation>
     </message>
-    <message>
-        <source>The city has no trees yet. Plant some, or read an inventory: noonmark-cli project tree import</source>
-        <translation>La ciudad aún no tiene árboles. Plante algunos o lea un inventario: noonmark-cli project tree import</translation>
-    </message>
     <message numerus="yes">
         <source>%1 tree(s) in the city. Click one to choose it, Ctrl adds more</source>
         <translation>
@@ -10249,6 +10499,18 @@ del año, otras tantas semanas</translation>
     <message>
         <source>%1 trees chosen</source>
         <translation>%1 árboles elegidos</translation>
+    </message>
+    <message>
+        <source>Read trees of a file...</source>
+        <translation>Leer árboles de un archivo...</translation>
+    </message>
+    <message>
+        <source>Adds an inventory, OpenStreetMap or a raster of canopy heights to the existing city</source>
+        <translation>Añade a la ciudad existente un inventario, OpenStreetMap o un ráster de alturas del dosel</translation>
+    </message>
+    <message>
+        <source>The city has no trees yet. Plant some, or read those of a file</source>
+        <translation>La ciudad aún no tiene árboles. Plante algunos o lea los de un archivo</translation>
     </message>
 </context>
 <context>
@@ -11236,6 +11498,38 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>a wood is taken as closed canopy, in columns of 8 x 8 m</source>
         <translation>un bosque se toma como dosel cerrado, en columnas de 8 x 8 m</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Crown diameter</source>
+        <translation>Diámetro de la copa</translation>
+    </message>
+    <message>
+        <source>Crown base</source>
+        <translation>Base de la copa</translation>
+    </message>
+    <message>
+        <source>Stem diameter</source>
+        <translation>Diámetro del tronco</translation>
+    </message>
+    <message>
+        <source>Stem girth</source>
+        <translation>Perímetro del tronco</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Especie</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation>Género</translation>
+    </message>
+    <message>
+        <source>Leaf cycle</source>
+        <translation>Ciclo foliar</translation>
     </message>
 </context>
 </TS>

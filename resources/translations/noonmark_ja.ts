@@ -48,14 +48,6 @@
         <translation>変更を保存するか元に戻してから、もう一度開いてください</translation>
     </message>
     <message>
-        <source>The file holds no places</source>
-        <translation>ファイルに場所がありません</translation>
-    </message>
-    <message>
-        <source>Choose a map with parks, or a file of polygons</source>
-        <translation>公園のある地図かポリゴンのファイルを選んでください</translation>
-    </message>
-    <message>
         <source>The picture could not be written</source>
         <translation>画像を書き込めませんでした</translation>
     </message>
@@ -234,6 +226,22 @@
     <message>
         <source>Remove it first: File &gt; Aerial photograph</source>
         <translation>先に削除してください: ファイル &gt; 航空写真</translation>
+    </message>
+    <message>
+        <source>The file holds no such places near the city</source>
+        <translation>ファイルには都市の近くにそのような場所がありません</translation>
+    </message>
+    <message>
+        <source>Choose a map of this city with parks or streets, or a file of polygons</source>
+        <translation>この都市の公園や道路を含む地図、または多角形のファイルを選んでください</translation>
+    </message>
+    <message>
+        <source>The project has no place of this name any more</source>
+        <translation>プロジェクトにはこの名前の場所がもうありません</translation>
+    </message>
+    <message>
+        <source>Run again, so that the table lists the places as they are</source>
+        <translation>もう一度計算すると、表が現在の場所を示します</translation>
     </message>
 </context>
 <context>
@@ -456,6 +464,13 @@
     <message>
         <source>Backspace; Esc</source>
         <translation>Backspace; Esc</translation>
+    </message>
+</context>
+<context>
+    <name>LiveTrees</name>
+    <message>
+        <source>Live shade of trees</source>
+        <translation>樹木の日陰(操作中)</translation>
     </message>
 </context>
 <context>
@@ -1051,10 +1066,6 @@ with %2</source>
     <message>
         <source>Mean minutes a day with the sun above the horizon: 100 % of the time</source>
         <translation>太陽が地平線より上にある 1 日の平均分: 時間の 100 %</translation>
-    </message>
-    <message>
-        <source>score %1%2 m² a m²</source>
-        <translation>スコア %1%2 m²/m²</translation>
     </message>
     <message>
         <source>Scored</source>
@@ -2367,6 +2378,70 @@ Opens the panel Review.</source>
     <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>score %1 m² a m²</source>
+        <translation>スコア %1 m²/m²</translation>
+    </message>
+    <message>
+        <source>&amp;Heights of the trees&apos; canopy</source>
+        <translation>樹冠の高さ(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Trees</source>
+        <translation>樹木(&amp;T)</translation>
+    </message>
+    <message>
+        <source>T&amp;errain</source>
+        <translation>地形(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Places</source>
+        <translation>場所(&amp;P)</translation>
+    </message>
+    <message>
+        <source>%1: OpenStreetMap, whose tags are known.</source>
+        <translation>%1: OpenStreetMap(タグは既知)。</translation>
+    </message>
+    <message>
+        <source>%1: a raster. Its cells are taken for heights of the canopy above the ground.</source>
+        <translation>%1: ラスター。セルの値は地面からの樹冠の高さとして扱われます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 feature(s) in layer %3.</source>
+        <translation>
+            <numerusform>%1: レイヤー %3 に地物 %2 件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 measured</source>
+        <translation>測定 %1</translation>
+    </message>
+    <message>
+        <source>%1 estimated</source>
+        <translation>推定 %1</translation>
+    </message>
+    <message>
+        <source>%1 assumed</source>
+        <translation>仮定 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 tree(s) are added.</source>
+        <translation>
+            <numerusform>樹木 %1 本が追加されます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Heights: %1 (%2)</source>
+        <translation>高さ: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Crowns: %1 (%2)</source>
+        <translation>樹冠: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>not counted: no storey stands on the ground</source>
+        <translation>数えません: 地面に立つ階がありません</translation>
     </message>
 </context>
 <context>
@@ -4837,6 +4912,10 @@ Opens the panel Review.</source>
         <source>minutes of shadow a day, mean over the days, at the cell that has least</source>
         <translation>1 日の影の分数。日数の平均、最も少ないセル</translation>
     </message>
+    <message>
+        <source>a tree far from the buildings: its longitude and latitude are swapped</source>
+        <translation>建物から遠い樹木: 経度と緯度が入れ替わっています</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5295,6 +5374,10 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>%1 is not a building of the displayed city</source>
         <translation>%1 は表示中の都市の建物ではありません</translation>
+    </message>
+    <message>
+        <source>reload %1</source>
+        <translation>%1 の再読み込み</translation>
     </message>
 </context>
 <context>
@@ -5759,6 +5842,10 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
         <translation>結果は元のプロジェクトがなければ検証できず、このプロジェクトは保存されていない</translation>
+    </message>
+    <message>
+        <source>A saved answer has figures and tables, but not all that sheets show: run it again to print it</source>
+        <translation>保存された回答には数値と表がありますが、シートに必要なものがすべては含まれません。印刷するには再計算してください</translation>
     </message>
 </context>
 <context>
@@ -6687,6 +6774,10 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
         <source>Use %1</source>
         <translation>%1 を使う</translation>
     </message>
+    <message>
+        <source>Draw a lot on the ground, or click a building and make a lot from its footprint. Ctrl+T replaces the building that is selected by a tower.</source>
+        <translation>地面に敷地を描くか、建物をクリックしてその外形から敷地を作ります。Ctrl+T は選んだ建物をタワーに置き換えます。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::MassingPreview</name>
@@ -7245,10 +7336,6 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>都市に追加(&amp;C)...</translation>
     </message>
     <message>
-        <source>A terrain, an aerial photograph, or parks and other places; what the city has stays</source>
-        <translation>地形、航空写真、または公園などの場所。都市に今あるものは残ります</translation>
-    </message>
-    <message>
         <source>Choose a file...</source>
         <translation>ファイルを選ぶ...</translation>
     </message>
@@ -7256,12 +7343,20 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>Which layer of %1 holds the places?</source>
         <translation>%1 のどのレイヤに場所がありますか?</translation>
     </message>
+    <message>
+        <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
+        <translation>地形、航空写真、樹木、公園などの場所を追加します。都市にあるものはそのまま残ります</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlaceLinks</name>
     <message>
-        <source>Outdated: buildings have changed</source>
-        <translation>古い結果: 建物が変わりました</translation>
+        <source>Outdated: places have changed</source>
+        <translation>古い結果: 場所が変わりました</translation>
+    </message>
+    <message>
+        <source>Outdated: buildings or places have changed</source>
+        <translation>古い結果: 建物または場所が変わりました</translation>
     </message>
 </context>
 <context>
@@ -7595,8 +7690,12 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>%1。保存された回答の日付は日照で示されます</translation>
     </message>
     <message>
-        <source>%1, without trees</source>
-        <translation>%1 (樹木なし)</translation>
+        <source>Whether trees take their share of the sun of table, map and headline</source>
+        <translation>表・地図・見出しで樹木が日照を遮るかどうか</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
     </message>
 </context>
 <context>
@@ -7661,10 +7760,6 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <translation>3 軸の縮尺</translation>
     </message>
     <message>
-        <source>Clockwise, seen from above</source>
-        <translation>上から見て時計回り</translation>
-    </message>
-    <message>
         <source>Adds it to the scenario (Enter over the view)</source>
         <translation>シナリオに加える (表示の上で Enter)</translation>
     </message>
@@ -7703,6 +7798,38 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>%1, top %2. Another click moves it.</source>
         <translation>%1、上端 %2。もう一度クリックすると移動します。</translation>
+    </message>
+    <message>
+        <source>° east</source>
+        <translation>° 東</translation>
+    </message>
+    <message>
+        <source>° north</source>
+        <translation>° 北</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>再読み込み</translation>
+    </message>
+    <message>
+        <source>Puts the file in the place of its earlier edition; the edits that follow stay</source>
+        <translation>ファイルを以前の版と置き換えます。その後の編集は残ります</translation>
+    </message>
+    <message>
+        <source>Clockwise, seen from above. Of an IFC that states its true north, preset from it</source>
+        <translation>上から見て時計回り。真北を示す IFC ではその値が初期値です</translation>
+    </message>
+    <message>
+        <source>Where its middle stands; a click on the ground sets it, too</source>
+        <translation>中心の位置。地面をクリックしても設定できます</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>%1: an earlier edition stands as %2. Reload replaces it where it stands; Build adds another.</source>
+        <translation>%1: 以前の版が %2 として建っています。「再読み込み」はその場で置き換え、「建設」はもう一つ追加します。</translation>
     </message>
 </context>
 <context>
@@ -8423,8 +8550,12 @@ Off: at the origin of the city from the other files.</source>
         <translation>保存しました: %1</translation>
     </message>
     <message>
-        <source>%1 (buildings have changed)</source>
-        <translation>%1（建物が変わりました）</translation>
+        <source>%1 (outdated)</source>
+        <translation>%1(古い)</translation>
+    </message>
+    <message>
+        <source>Outdated figures: places have changed; run again (Ctrl+R).</source>
+        <translation>古い数値: 場所が変わりました。再計算してください (Ctrl+R)。</translation>
     </message>
 </context>
 <context>
@@ -8796,6 +8927,22 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>Save changes to %1?</source>
         <translation>%1 の変更を保存しますか?</translation>
     </message>
+    <message>
+        <source>Work in progress</source>
+        <translation>処理中</translation>
+    </message>
+    <message>
+        <source>%1 is still running. Stop it?</source>
+        <translation>%1 はまだ実行中です。中止しますか?</translation>
+    </message>
+    <message>
+        <source>Stop it</source>
+        <translation>中止する</translation>
+    </message>
+    <message>
+        <source>%1 is still running and ends.</source>
+        <translation>%1 はまだ実行中で、中止されます。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ScenarioActions</name>
@@ -8954,6 +9101,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Measure all by month</source>
         <translation>すべてを月別に測定</translation>
+    </message>
+    <message>
+        <source>No places have been measured: choose Sun by place in the dock Study, and press Measure all</source>
+        <translation>場所はまだ測定されていません。「解析」パネルで「場所ごとの日照」を選び、「すべて測定」を押してください</translation>
     </message>
 </context>
 <context>
@@ -9135,6 +9286,24 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>being measured</source>
         <translation>計測中</translation>
+    </message>
+    <message>
+        <source>Sun of places, h</source>
+        <translation>場所の日照、時間</translation>
+    </message>
+    <message>
+        <source>Area of places with enough sun, %</source>
+        <translation>十分な日照がある場所の面積、%</translation>
+    </message>
+    <message numerus="yes">
+        <source>Over the area of the %Ln place(s) that were measured last</source>
+        <translation>
+            <numerusform>最後に測定した %Ln か所の面積について</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not measured since buildings last changed: choose Sun by place in the dock Study, and press Measure all</source>
+        <translation>建物が最後に変わってから測定されていません。「解析」パネルで「場所ごとの日照」を選び、「すべて測定」を押してください</translation>
     </message>
 </context>
 <context>
@@ -9680,12 +9849,12 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>この検討には %1 (%2) かかります。セルを大きく、日数を少なく、範囲を小さくすると速くなります。</translation>
     </message>
     <message>
-        <source>Cancelled. The previous study is shown.</source>
-        <translation>中止しました。前の検討を表示しています。</translation>
+        <source>Cancelled. The previous answer is shown.</source>
+        <translation>中止しました。前の回答を表示しています。</translation>
     </message>
     <message>
-        <source>Cancelled. No study yet.</source>
-        <translation>中止しました。まだ検討がありません。</translation>
+        <source>Cancelled.</source>
+        <translation>中止しました。</translation>
     </message>
 </context>
 <context>
@@ -10077,6 +10246,33 @@ of the year, as many weeks</source>
     </message>
 </context>
 <context>
+    <name>noonmark::TreeActions</name>
+    <message>
+        <source>Add trees</source>
+        <translation>樹木を追加</translation>
+    </message>
+    <message>
+        <source>Inventories of trees and canopy heights</source>
+        <translation>樹木台帳と樹冠の高さ</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Listing fields</source>
+        <translation>フィールドを一覧中</translation>
+    </message>
+    <message>
+        <source>Reading trees</source>
+        <translation>樹木を読み込み中</translation>
+    </message>
+    <message>
+        <source>add trees</source>
+        <translation>樹木の追加</translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TreeEditing</name>
     <message numerus="yes">
         <source>plant %1 tree(s)</source>
@@ -10105,6 +10301,61 @@ of the year, as many weeks</source>
     <message>
         <source>let trees grow by %1 years</source>
         <translation>木を %1 年分成長させる</translation>
+    </message>
+    <message>
+        <source>Crowns of the other trees</source>
+        <translation>ほかの樹木の樹冠</translation>
+    </message>
+    <message>
+        <source>With trees and their seasons, while they move</source>
+        <translation>樹木とその季節を含む(移動中)</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens, while they move</source>
+        <translation>樹木を常緑として含む(移動中)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::TreeImportDialog</name>
+    <message>
+        <source>Add trees</source>
+        <translation>樹木を追加</translation>
+    </message>
+    <message>
+        <source>as in the file (example: EPSG:2263)</source>
+        <translation>ファイルのとおり(例: EPSG:2263)</translation>
+    </message>
+    <message>
+        <source>Coordinate reference system, if the file does not state it</source>
+        <translation>座標参照系(ファイルに記載がない場合)</translation>
+    </message>
+    <message>
+        <source>Coordinate system</source>
+        <translation>座標系</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>Adds the trees to the existing city; Undo takes them back</source>
+        <translation>既存の都市に樹木を追加します。「元に戻す」で取り消せます</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>classes</source>
+        <translation>階級</translation>
+    </message>
+    <message>
+        <source>Unit of numbers without one</source>
+        <translation>単位のない数値の単位</translation>
+    </message>
+    <message>
+        <source>Reading the trees...</source>
+        <translation>樹木を読み込んでいます...</translation>
     </message>
 </context>
 <context>
@@ -10181,10 +10432,6 @@ of the year, as many weeks</source>
         <source>Spacing</source>
         <translation>間隔</translation>
     </message>
-    <message>
-        <source>The city has no trees yet. Plant some, or read an inventory: noonmark-cli project tree import</source>
-        <translation>都市にまだ木がありません。植えるか、台帳を読み込んでください: noonmark-cli project tree import</translation>
-    </message>
     <message numerus="yes">
         <source>%1 tree(s) in the city. Click one to choose it, Ctrl adds more</source>
         <translation>
@@ -10194,6 +10441,18 @@ of the year, as many weeks</source>
     <message>
         <source>%1 trees chosen</source>
         <translation>%1 本の木を選択</translation>
+    </message>
+    <message>
+        <source>Read trees of a file...</source>
+        <translation>ファイルの樹木を読み込む...</translation>
+    </message>
+    <message>
+        <source>Adds an inventory, OpenStreetMap or a raster of canopy heights to the existing city</source>
+        <translation>台帳、OpenStreetMap、または樹冠の高さのラスターを既存の都市に追加します</translation>
+    </message>
+    <message>
+        <source>The city has no trees yet. Plant some, or read those of a file</source>
+        <translation>都市にはまだ樹木がありません。植えるか、ファイルから読み込んでください</translation>
     </message>
 </context>
 <context>
@@ -11181,6 +11440,38 @@ Click a building first.</source>
     <message>
         <source>a wood is taken as closed canopy, in columns of 8 x 8 m</source>
         <translation>森は 8 x 8 m の柱からなる閉じた樹冠とみなします</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Crown diameter</source>
+        <translation>樹冠の直径</translation>
+    </message>
+    <message>
+        <source>Crown base</source>
+        <translation>樹冠の下端</translation>
+    </message>
+    <message>
+        <source>Stem diameter</source>
+        <translation>幹の直径</translation>
+    </message>
+    <message>
+        <source>Stem girth</source>
+        <translation>幹の周囲</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>種</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation>属</translation>
+    </message>
+    <message>
+        <source>Leaf cycle</source>
+        <translation>葉の周期</translation>
     </message>
 </context>
 </TS>
