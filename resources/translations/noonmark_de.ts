@@ -7529,6 +7529,18 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <source>%1 &lt; %2 h sun, %</source>
         <translation>%1 &lt; %2 h Sonne, %</translation>
     </message>
+    <message>
+        <source>%1: change, min</source>
+        <translation>%1: Änderung, min</translation>
+    </message>
+    <message>
+        <source>%1: change of shadow, min</source>
+        <translation>%1: Änderung des Schattens, min</translation>
+    </message>
+    <message>
+        <source>Minutes more than in the baseline on this day, mean over the place; negative: less (baseline: %1)</source>
+        <translation>Minuten mehr als in der Ausgangslage an diesem Tag, im Mittel über den Ort; negativ: weniger (Ausgangslage: %1)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesDock</name>

@@ -7529,6 +7529,18 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <source>%1 &lt; %2 h sun, %</source>
         <translation>%1 &lt; %2 h de sol, %</translation>
     </message>
+    <message>
+        <source>%1: change, min</source>
+        <translation>%1: cambio, min</translation>
+    </message>
+    <message>
+        <source>%1: change of shadow, min</source>
+        <translation>%1: cambio de sombra, min</translation>
+    </message>
+    <message>
+        <source>Minutes more than in the baseline on this day, mean over the place; negative: less (baseline: %1)</source>
+        <translation>Minutos más que en la línea base ese día, media sobre el lugar; negativo: menos (línea base: %1)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesDock</name>

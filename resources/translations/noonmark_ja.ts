@@ -7484,6 +7484,18 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>%1 &lt; %2 h sun, %</source>
         <translation>%1 日照 &lt; %2 h, %</translation>
     </message>
+    <message>
+        <source>%1: change, min</source>
+        <translation>%1: 変化、分</translation>
+    </message>
+    <message>
+        <source>%1: change of shadow, min</source>
+        <translation>%1: 日陰の変化、分</translation>
+    </message>
+    <message>
+        <source>Minutes more than in the baseline on this day, mean over the place; negative: less (baseline: %1)</source>
+        <translation>この日の基準より多い分数(場所の平均)。負は少ないことを示す(基準: %1)</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PlacesDock</name>

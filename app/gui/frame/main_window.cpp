@@ -9,6 +9,7 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
+#include <utility>
 
 #include "app/gui/base/files/file_dialogs.h"
 #include "app/gui/base/looks/application_theme.h"
@@ -333,9 +334,11 @@ void MainWindow::connectDocks() {
     scenarios_.setPlacesMeasured([this] {
         if (docks_.study->kind() != StudyKind::places) return false;
         workbench_.compareAnyScenario();
+        fillsTable_ = true;
         docks_.study->runByPlaceInAll();
         return true;
     });
+    connect(&workbench_, &Workbench::studyStopped, this, [this] { fillsTable_ = false; });
     connect(&scenarios_, &ScenarioActions::tableRequested, this, [this] { showDock(docks_.scenarios); });
     connect(&scenarios_, &ScenarioActions::comparisonShown, this, [this] {
         mode_.showStudies();
@@ -343,6 +346,7 @@ void MainWindow::connectDocks() {
     });
     connect(&placeLinks_, &PlaceLinks::dockRequested, this, [this] {
         docks_.study->restore(StudyKind::places);  // Run asks again what is shown
+        if (std::exchange(fillsTable_, false)) return showDock(docks_.scenarios);
         showDock(docks_.places);
     });
     connect(&placeLinks_, &PlaceLinks::placeRequested, &places_, &PlaceActions::zoomTo);

@@ -189,6 +189,7 @@ private:
     TourActions tours_;
     SavedViews savedViews_;
     ContextMenu context_;
+    bool fillsTable_ = false;  ///< places of all scenarios are being measured, for the table of scenarios
 };
 
 }  // namespace noonmark

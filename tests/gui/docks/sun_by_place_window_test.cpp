@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <set>
 
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/docks/contributions/contributions_dock.h"
 #include "app/gui/docks/export/table_text.h"
 #include "app/gui/docks/places/places_dock.h"
@@ -494,6 +495,23 @@ TEST_F(SunByPlaceWindow, AScenarioIsSetAgainstItsBaseline) {
     }
     EXPECT_TRUE(hours.isEmpty()) << "a change is told in minutes throughout: "
                                  << hours.join(u' ').toStdString();
+}
+
+TEST_F(SunByPlaceWindow, TheTableHasTheChangeOnEachDate) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([&] { return !workbench().following().busy() && !workbench().running().busy(); }));
+    measure();
+    const PlaceSunModel& model = dock().model();
+    int change = 0;
+    while (change < model.columnCount({}) &&
+           model.headerData(change, Qt::Horizontal, Qt::DisplayRole) != QStringLiteral("21 Dec: change, min"))
+        ++change;
+    ASSERT_LT(change, model.columnCount({}));
+    const double minutes =
+        60 * (sun()->compared[0].sun.sun[0].dateHours[0] - sun()->baseline.sun[0].dateHours[0]);
+    EXPECT_LT(minutes, 0) << "the tower takes sun from the park in winter";
+    EXPECT_EQ(model.indexOf(0).siblingAtColumn(change).data().toString(), groupDigits(minutes, 1));
 }
 
 TEST_F(SunByPlaceWindow, AllScenariosAreMeasuredSideBySide) {

@@ -163,6 +163,7 @@ void PlaceSunModel::makeColumns() {
     }
     addChanges();
     addDates();
+    addChangesOfDates();
     describeEnough(sun_->baseline.settings.enoughHours);
     for (const SunWithTrees& with : shown.withTrees)
         addFigure(sunFiguresWithTrees(with.column).front(), with.sun);
@@ -277,6 +278,26 @@ void PlaceSunModel::addChanges() {
         const int decimals = isShare(figure) ? 0 : isChangeOfHours(figure) ? 1 : figure.shownDecimals;
         addColumn({inShadow ? tr("Change of shadow, min") : columnHeading(figure), tip, decimals, {}, {}},
                   [&](std::size_t i) { return figure.get(&compared.changes[i]) * factor; });
+    }
+}
+
+void PlaceSunModel::addChangesOfDates() {
+    if (sun_->compared.empty()) return;
+    const std::vector<SunOfPlace>&before = sun_->baseline.sun, &after = sun_->compared.back().sun.sun;
+    const SunByPlaceSettings& settings = sun_->baseline.settings;
+    for (std::size_t date = 0; date < settings.dates.size(); ++date) {
+        const bool isSun = showsSun({ShownSun::What::date, date});
+        const double factor = isSun ? minutesPerHour : -minutesPerHour;
+        addColumn(
+            {(isSun ? tr("%1: change, min") : tr("%1: change of shadow, min"))
+                 .arg(nameOf(settings.dates[date])),
+             tr("Minutes more than in the baseline on this day, mean over the place; negative: less "
+                "(baseline: %1)")
+                 .arg(QString::fromStdString(sun_->baseline.name)),
+             1,
+             {},
+             {}},
+            [&](std::size_t i) { return factor * (after[i].dateHours[date] - before[i].dateHours[date]); });
     }
 }
 

@@ -102,6 +102,7 @@ private:
     void addFigure(const Figure& figure, const std::vector<SunOfPlace>& sun);
     void addColumn(FigureColumn column, const std::function<double(std::size_t)>& valueOf);
     void addDates();
+    void addChangesOfDates();
     void addChanges();
     void makeNodes();
     int addNode(Node node, int parent);

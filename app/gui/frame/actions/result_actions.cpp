@@ -53,6 +53,10 @@ ResultActions::ResultActions(Workbench& workbench, const ModeSwitch& mode, const
     connect(&tree, &ProjectDock::saveResultRequested, this, &ResultActions::saveInProject);
     connect(&tree, &ProjectDock::resultChosen, &workbench_, &Workbench::showSaved);
     connect(&display_, &ResultDisplay::updated, this, &ResultActions::nameExport);
+    connect(&workbench_, &Workbench::projectOpened, this, [this] {  // its files go to a folder of their own
+        lastFolder_.clear();
+        if (dialog_) dialog_->close();
+    });
 }
 
 void ResultActions::savePicture(const QString& file) {
