@@ -98,10 +98,34 @@ Legend legendOf(const SunByPlace& sun, const PlaceColours& colours) {
     const QString unit = isShadow ? QStringLiteral("minutes of shadow") : QStringLiteral("hours of sun");
     Legend legend{isShadow ? QStringLiteral("Shadow by place") : QStringLiteral("Sun by place"),
                   unit + QStringLiteral(" a day")};
+    if (!sun.name.empty()) legend.title += QStringLiteral(": ") + plainText(sun.name);
     if (colours.date) legend.unit = QStringLiteral("%1 on %2").arg(unit, nameOfDate(sun, *colours.date));
     legend.colours = makeScale(sun, colours);
     legend.scale = {legend.colours->high, legend.colours->tick};
     return legend;
+}
+
+/// What a map colours the places by, in the unit of its legend; NaN: no figure.
+struct PlaceMap {
+    Legend legend;
+    std::vector<double> values;
+};
+
+PlaceMap makeMap(const SunByPlace& sun, const PlaceColours& colours) {
+    PlaceMap map{legendOf(sun, colours), {}};
+    const ShownSunOrShadow shown = chooseShown(sun, colours);
+    for (const SunOfPlace& place : sun.sun) map.values.push_back(shown.of(hoursOf(place, colours.date)));
+    return map;
+}
+
+PlaceMap makeChangeMap(const ComparedSun& compared, const LegendChoice& choice) {
+    PlaceMap map{{QStringLiteral("Change of sun by place: ") + plainText(compared.sun.name),
+                  QStringLiteral("minutes of sun a day")},
+                 {}};
+    map.legend.colours = makePlaceChangeScale(choice);
+    map.legend.scale = {map.legend.colours->high, map.legend.colours->tick};
+    for (const SunChange& change : compared.changes) map.values.push_back(minutesPerHour * change.meanHours);
+    return map;
 }
 
 // Small places lie on top.
@@ -112,22 +136,46 @@ std::vector<std::size_t> sortByArea(const SunByPlace& sun) {
     return order;
 }
 
-void paintPlaces(const Canvas& canvas, const MapView& view, const SunByPlace& sun, const Legend& legend,
-                 const PlaceColours& colours) {
-    const ShownSunOrShadow shown = chooseShown(sun, colours);
+void paintPlaces(const Canvas& canvas, const MapView& view, const SunByPlace& sun, const PlaceMap& map) {
     canvas.painter.setPen(linePen(canvas, shade::buildingLine, 0.2));
     for (const std::size_t i : sortByArea(sun)) {
         QPainterPath path;
         path.setFillRule(Qt::WindingFill);
         for (const Footprint& polygon : sun.places[i].polygons) view.addTo(path, polygon);
-        const double value = shown.of(hoursOf(sun.sun[i], colours.date));
+        const double value = map.values[i];
         canvas.painter.setBrush(std::isnan(value) ? QBrush(Qt::NoBrush)
-                                                  : QBrush(toColour(legend.colours->colourOf(value))));
+                                                  : QBrush(toColour(map.legend.colours->colourOf(value))));
         canvas.painter.drawPath(path);
     }
 }
 
-QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, const PlaceColours& colours,
+// Those of the largest first, where they meet no other; streets are too many.
+void paintNames(const Canvas& canvas, const MapView& view, const SunByPlace& sun, const QRectF& map) {
+    constexpr double namePt = 6, haloPt = 1.5;
+    const QFont font = textFont(canvas, namePt, QFont::DemiBold);
+    const QFontMetricsF metrics(font);
+    std::vector<QRectF> taken;
+    for (const std::size_t i : sortByArea(sun)) {
+        const Place& place = sun.places[i];
+        if (!hasOwnName(place) || place.kind == PlaceKind::street) continue;
+        const QString name = plainText(place.name);
+        const Box2 box = bounds(*std::ranges::max_element(
+            place.polygons, {}, [](const Footprint& polygon) { return area(polygon); }));
+        QRectF room = metrics.boundingRect(name);
+        const QPointF start(view.at(glm::dvec2(box.low + box.high) * 0.5) - room.center());
+        room.translate(start);
+        const auto meets = [&](const QRectF& other) { return other.intersects(room); };
+        if (!map.contains(room) || std::ranges::any_of(taken, meets)) continue;
+        taken.push_back(room);
+        QPainterPath text;
+        text.addText(start, font, name);
+        canvas.painter.strokePath(
+            text, QPen(ink::paper, haloPt * canvas.point, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        canvas.painter.fillPath(text, ink::text);
+    }
+}
+
+QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, const PlaceMap& of,
                 const QSizeF& sizePt, double pixelsPerPt, double marginPt = 0) {
     constexpr double gapPt = 6;
     QImage image((sizePt * pixelsPerPt).toSize(), QImage::Format_RGB32);
@@ -141,12 +189,12 @@ QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, cons
     const QRectF map = all.adjusted(0, 0, 0, -footPx - gapPt * pixelsPerPt);
     const MapView view(shown, map);
     painter.setClipRect(map);
+    paintPlaces(canvas, view, sun, of);
     paintBuildings(canvas, view, city, {shade::building, shade::buildingLine, 0.1});
-    const Legend legend = legendOf(sun, colours);
-    paintPlaces(canvas, view, sun, legend, colours);
+    paintNames(canvas, view, sun, map);
     painter.setClipping(false);
     const QRectF foot(all.left(), all.bottom() - footPx, all.width(), footPx);
-    paintLegend(canvas, foot.adjusted(0, 0, -foot.width() * 0.45, 0), legend);
+    paintLegend(canvas, foot.adjusted(0, 0, -foot.width() * 0.45, 0), of.legend);
     paintScaleBar(canvas, foot.adjusted(foot.width() * 0.6, 0, -40 * pixelsPerPt, 0),
                   scaleBarWithin(foot.width() * 0.25 / view.unitsPerM()), view.unitsPerM());
     paintNorthArrow(canvas, QRectF(foot.right() - 30 * pixelsPerPt, foot.top(), 30 * pixelsPerPt, footPx));
@@ -158,25 +206,40 @@ QString describeShown(bool isShadow, bool onDate) {
     return onDate ? unit + QStringLiteral(" on this day") : QStringLiteral("mean %1 a day").arg(unit);
 }
 
-BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageSetup& setup) {
+// `shown`: in a sentence.
+BookPage pageOf(const SunByPlace& sun, const PlaceMap& map, const QString& title, const QString& when,
+                const QString& shown, const PageSetup& setup) {
     const QRectF content = contentArea(setup);
-    const bool isShadow = chooseShown(sun, colours).isShadow;
-    QString title =
-        isShadow ? QStringLiteral("Minutes of shadow by place") : QStringLiteral("Hours of sun by place");
-    if (!sun.name.empty()) title += QStringLiteral(": ") + plainText(sun.name);
-    BookPage page{title,
-                  colours.date ? nameOfDate(sun, *colours.date) : describePeriod(sun.settings.study.period),
-                  QStringLiteral("Map"),
-                  0,
-                  {}};
+    BookPage page{title, when, QStringLiteral("Map"), 0, {}};
     const QSizeF size(content.width(), content.height() - captionPt(textScale(setup)));
     page.items.push_back(
         {content,
-         PagePicture{
-             paintMap(sun, sun.city, bounds(sun.settings.study.region), colours, size, 300.0 / 72),
-             {QStringLiteral("Places by their %1").arg(describeShown(isShadow, colours.date.has_value())),
-              QStringLiteral("Outlines without colour: places without figures.")}}});
+         PagePicture{paintMap(sun, sun.city, bounds(sun.settings.study.region), map, size, 300.0 / 72),
+                     {QStringLiteral("Places by their %1").arg(shown),
+                      QStringLiteral("Outlines without colour: places without figures.")}}});
     return page;
+}
+
+QString titleWith(const QString& title, const SunByPlace& sun) {
+    return sun.name.empty() ? title : title + QStringLiteral(": ") + plainText(sun.name);
+}
+
+BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageSetup& setup) {
+    const bool isShadow = chooseShown(sun, colours).isShadow;
+    const QString title =
+        isShadow ? QStringLiteral("Minutes of shadow by place") : QStringLiteral("Hours of sun by place");
+    return pageOf(sun, makeMap(sun, colours), titleWith(title, sun),
+                  colours.date ? nameOfDate(sun, *colours.date) : describePeriod(sun.settings.study.period),
+                  describeShown(isShadow, colours.date.has_value()), setup);
+}
+
+BookPage changePage(const ComparedSun& compared, const std::string& baseline, const LegendChoice& choice,
+                    const PageSetup& setup) {
+    return pageOf(compared.sun, makeChangeMap(compared, choice),
+                  titleWith(QStringLiteral("Change of sun by place"), compared.sun),
+                  describePeriod(compared.sun.settings.study.period),
+                  QStringLiteral("change of mean sun a day against %1, minutes").arg(plainText(baseline)),
+                  setup);
 }
 
 bool hasRemarks(const SunByPlace& sun) {
@@ -320,7 +383,7 @@ QImage paintPlacesMap(const SunByPlace& sun, const City& city, const PlaceColour
     for (const Place& place : sun.places) shown.add(bounds(place));
     const glm::vec2 size = shown.high - shown.low;
     const double aspect = std::clamp(double(size.y) / double(size.x), 0.4, 1.6);
-    return paintMap(sun, city, shown, colours,
+    return paintMap(sun, city, shown, makeMap(sun, colours),
                     {widthPt, (widthPt - 2 * marginPt) * aspect + legendHeightPt + 2 * marginPt},
                     widthPx / widthPt, marginPt);
 }
@@ -353,6 +416,8 @@ Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, co
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, blocks));
     const SunByPlace& shown = shownCity(all);
     book.pages.push_back(mapPage(shown, colours, settings.setup));
+    for (const ComparedSun& one : all.compared)
+        book.pages.push_back(changePage(one, sun.name, colours.legend, settings.setup));
     PlaceColours ofDate = colours;
     for (std::size_t date = 0; date < sun.settings.dates.size(); ++date) {
         ofDate.date = date;
