@@ -133,6 +133,28 @@ TEST_F(VerifyCommand, FindsTheProjectThatWasPutBesideTheFiles) {
 }
 
 // Whatever else is saved in a project, a report stays true as long as what it rests on is the same.
+TEST_F(VerifyCommand, AProjectWhosePlacesWereRenamedIsAnother) {
+    const fs::path path = folder_.path("town.noonmark.gpkg");
+    const auto ask = [](const std::vector<std::string>& words) {
+        const CommandOutput output = noonmarkCli(words);
+        ASSERT_EQ(output.code, exitOk) << output.err;
+    };
+    const auto nameLawn = [&](const std::string& name) {
+        ProjectFile file = ProjectFile::open(path).value();
+        Project project = file.project();
+        project.places = {{name, PlaceKind::park, {{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}, {}}}, "drawn"}};
+        ASSERT_TRUE(file.save(project));
+    };
+    ask({"project", "new", path.string(), folder_.path("houses.geojson").string()});
+    nameLawn("Lawn");
+    ask({"by-place", path.string(), "--kind", "park", "--start", "2026-03-21", "--from", "09:00", "--hours",
+         "2", "--step", "20", "--zone", "America/New_York", "--out", folder_.path("filed").string()});
+    ask({"project", "add-scenario", path.string(), "Tower"});
+    EXPECT_EQ(verify("filed/places.json").code, exitOk) << "it was saved again";
+    nameLawn("Meadow");
+    EXPECT_EQ(verify("filed/places.json").code, exitUsage);
+}
+
 TEST_F(VerifyCommand, AcceptsAProjectThatWasSavedAgainWithTheSameQuestion) {
     const std::string project = folder_.path("town.noonmark.gpkg").string();
     const auto run = [](const std::vector<std::string>& words) {

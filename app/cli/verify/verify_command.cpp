@@ -25,6 +25,7 @@
 #include "core/base/version.h"
 #include "core/base/working_files.h"
 #include "core/io/files/plain_file.h"
+#include "core/receivers/place_names.h"
 #include "core/study/text/error_text.h"
 #include "core/study/text/region_text.h"
 #include "core/study/verification/result_record.h"
@@ -50,10 +51,24 @@ Result<MeasuredPart> partOf(const Project& project, const nlohmann::ordered_json
     });
 }
 
+// Of a record of sun by place: whether the project has all of its places, with their kinds. Regions may be
+// those of the command.
+bool hasPlaces(const Project& project, const nlohmann::ordered_json& record) {
+    const auto places = record.find("places");
+    if (!record.contains("enough_hours") || places == record.end() || !places->is_array()) return true;
+    std::set<std::pair<std::string, std::string>> known;
+    for (const Place& place : project.places) known.emplace(place.name, nameOf(place.kind));
+    return std::ranges::all_of(*places, [&](const auto& place) {
+        if (!place.is_object()) return false;
+        const std::pair listed{textAt(place, "name"), textAt(place, "kind")};
+        return listed.second == nameOf(PlaceKind::other) || known.contains(listed);
+    });
+}
+
 bool holdsContent(const std::filesystem::path& file, const nlohmann::ordered_json& record,
                   const std::string& contentSha256) {
     const auto disk = ProjectFile::open(file);
-    if (!disk) return false;
+    if (!disk || !hasPlaces(disk->project(), record)) return false;
     const auto part = partOf(disk->project(), record);
     if (!part) return false;
     const auto content = hashContent(disk->project(), *part);
@@ -92,7 +107,8 @@ std::vector<ProjectPart> listProjectParts(const nlohmann::ordered_json& record) 
 }
 
 /// Accepts a project that was saved again since the result, where all that the result rests on is as
-/// recorded: city, edits of scenarios and baseline, weights (hashContent()). Its file has another hash.
+/// recorded: city, edits of scenarios and baseline, weights (hashContent()), names and kinds of places. Its
+/// file has another hash.
 /// Projects that cannot be read stay as they were found.
 void acceptLaterSaves(std::vector<FoundFile>& files, const nlohmann::ordered_json& record) {
     const std::vector<ProjectPart> parts = listProjectParts(record);
