@@ -13,6 +13,7 @@
 #include "core/receivers/receivers.h"
 #include "core/samples/sample_city.h"
 #include "core/simd/instruction_set.h"
+#include "core/sun/sun_steps.h"
 
 /// Shared by the benchmarks: a city, its central region, and a clock.
 namespace noonmark::bench {
@@ -43,8 +44,10 @@ inline void chooseInstructionSet() {
     std::exit(EXIT_FAILURE);
 }
 
-City taken(auto made, auto cityIn) {
-    if (made) return cityIn(std::move(*made));
+/// The value, or the end of the program.
+template <class T>
+T taken(Result<T> made) {
+    if (made) return std::move(*made);
     fmt::print(stderr, "{}\n", made.error().text());
     std::exit(EXIT_FAILURE);
 }
@@ -52,11 +55,8 @@ City taken(auto made, auto cityIn) {
 /// Reads a file of buildings, or makes the grid sample with this number of buildings.
 inline City cityFrom(const std::string& argument) {
     NoProgress progress;
-    if (std::filesystem::exists(argument))
-        return taken(readCity({argument}, {}, progress, {}),
-                     [](CityRead&& read) { return std::move(read.city); });
-    return taken(makeGridSample({.buildings = std::stoi(argument)}),
-                 [](City&& city) { return std::move(city); });
+    if (std::filesystem::exists(argument)) return taken(readCity({argument}, {}, progress, {})).city;
+    return taken(makeGridSample({.buildings = std::stoi(argument)}));
 }
 
 /// A square of 800 m around the centre.
@@ -64,6 +64,17 @@ inline Region findMiddle(const City& city) {
     const Box2 box = bounds(city);
     const glm::vec2 middle = (box.low + box.high) * 0.5F;
     return makeRegionFromLocalBox({middle - 400.0F, middle + 400.0F});
+}
+
+/// Eight hours of each day of a year, as New York counts them.
+inline SunSteps workingYearOf(const City& city) {
+    Period period;
+    period.start = {std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}};
+    period.days = 365;
+    period.hours = 8;
+    period.zone = "America/New_York";
+    const LonLat place = city.frame.origin();
+    return taken(computeSunSteps(period, {.place = {place.lonDeg, place.latDeg}}));
 }
 
 }  // namespace noonmark::bench

@@ -23,6 +23,7 @@
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
+using bench::taken, bench::workingYearOf;
 
 namespace {
 
@@ -30,13 +31,6 @@ struct Timed {
     ShadowField field;
     double seconds = 0;
 };
-
-template <class T>
-T taken(Result<T> made) {
-    if (made) return std::move(*made);
-    fmt::print(stderr, "{}\n", made.error().text());
-    std::exit(EXIT_FAILURE);
-}
 
 /// Processor time of all threads divided by the number of cores, so that other programs do not count.
 double secondsOf(const auto& work) {
@@ -58,16 +52,6 @@ Receivers findMiddle(const City& city) {
     const glm::vec2 middle = (box.low + box.high) * 0.5F;
     return taken(
         placeReceiversOnGround(city, makeRegionFromLocalBox({middle - 400.0F, middle + 400.0F}), {}));
-}
-
-SunSteps year(const City& city) {
-    Period period;
-    period.start = {std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}};
-    period.days = 365;
-    period.hours = 8;
-    period.zone = "America/New_York";
-    const LonLat place = city.frame.origin();
-    return taken(computeSunSteps(period, {.place = {place.lonDeg, place.latDeg}}));
 }
 
 /// The same receivers, reduced to a random sample.
@@ -171,7 +155,7 @@ int main(int argc, char** argv) {
     const int rounds = argc > 3 ? std::stoi(argv[3]) : 3;
     const City city = taken(makeGridSample({.buildings = 43'000, .roundness = 7}));
     const Receivers receivers = findMiddle(city), sample = sampleOf(receivers, sampleSize);
-    const SunSteps sun = year(city);
+    const SunSteps sun = workingYearOf(city);
     fmt::print("{} triangles, {} receivers of {} cells, {} steps, {} threads\n",
                meshOf(city).mesh.triangles.size(), receivers.cells.size(), receivers.grid.size(),
                sun.steps.size(), tbb::info::default_concurrency());

@@ -15,13 +15,6 @@ using namespace noonmark::bench;
 
 namespace {
 
-template <class T>
-T must(Result<T> made) {
-    if (made) return std::move(*made);
-    fmt::print(stderr, "{}\n", made.error().text());
-    std::exit(EXIT_FAILURE);
-}
-
 void must(const Result<void>& done) {
     if (done) return;
     fmt::print(stderr, "{}\n", done.error().text());
@@ -67,7 +60,7 @@ struct Rounds {
 // checked after it is timed.
 void round(const std::filesystem::path& file, const Project& truth, Rounds& best) {
     ProjectFile disk;
-    best.open.keepBest(secondsOf([&] { disk = must(ProjectFile::open(file)); }));
+    best.open.keepBest(secondsOf([&] { disk = taken(ProjectFile::open(file)); }));
     check(sameBuildings(*disk.project().city, *truth.city), "the city that was read");
     CityArrays arrays;
     best.arrays.keepBest(secondsOf([&] { arrays = makeArrays(*disk.project().city); }));
@@ -77,18 +70,18 @@ void round(const std::filesystem::path& file, const Project& truth, Rounds& best
     auto& edits = project.scenarios[0].edits;
     edits.emplace_back(Demolish{project.city->buildings[edits.size()]->sourceId});
     best.save.keepBest(secondsOf([&] { must(disk.save(project)); }));
-    check(must(ProjectFile::open(file)).project().scenarios == project.scenarios, "the edit that was saved");
+    check(taken(ProjectFile::open(file)).project().scenarios == project.scenarios, "the edit that was saved");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
-    const Project project = projectOf(argc > 1 ? cityFrom(argv[1]) : must(makeGridSample(largeGrid)));
+    const Project project = projectOf(argc > 1 ? cityFrom(argv[1]) : taken(makeGridSample(largeGrid)));
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / "noonmark_project_bench.noonmark.gpkg";
     const Seconds create =
-        secondsOf([&] { must(ProjectFile::create(file, project, ProjectFile::IfExists::replace)); });
+        secondsOf([&] { taken(ProjectFile::create(file, project, ProjectFile::IfExists::replace)); });
     Rounds best;
     for (int i = 0; i < rounds; ++i) round(file, project, best);
     print("create", create,

@@ -104,8 +104,7 @@ int main(int argc, char** argv) {
     const std::string name = argc > 1 ? argv[1] : "43000";
     const City city = std::filesystem::exists(name)
                           ? cityFrom(name)
-                          : taken(makeGridSample({.buildings = std::stoi(name), .roundness = 7}),
-                                  [](City&& made) { return std::move(made); });
+                          : taken(makeGridSample({.buildings = std::stoi(name), .roundness = 7}));
     const Receivers receivers = placeReceiversOnGround(city, findMiddle(city), {1}).value();
     const SunSteps sun =
         computeSunSteps({.zone = "America/New_York"}, {.place = city.frame.origin()}).value();

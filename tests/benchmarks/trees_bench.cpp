@@ -24,27 +24,10 @@ using namespace noonmark::bench;
 
 namespace {
 
-template <class T>
-T must(Result<T> made) {
-    if (made) return std::move(*made);
-    fmt::print(stderr, "{}\n", made.error().text());
-    std::exit(EXIT_FAILURE);
-}
-
 Receivers findSquare(const City& city, double sideM) {
     const Box2 box = bounds(city);
     const glm::vec2 middle = (box.low + box.high) * 0.5F, half(float(sideM / 2));
-    return must(placeReceiversOnGround(city, makeRegionFromLocalBox({middle - half, middle + half}), {}));
-}
-
-SunSteps yearOf(const City& city) {
-    Period period;
-    period.start = {std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}};
-    period.days = 365;
-    period.hours = 8;
-    period.zone = "America/New_York";
-    const LonLat place = city.frame.origin();
-    return must(computeSunSteps(period, {.place = {place.lonDeg, place.latDeg}}));
+    return taken(placeReceiversOnGround(city, makeRegionFromLocalBox({middle - half, middle + half}), {}));
 }
 
 // As an inventory of New York has them: stems of 3 to 30 inches, planes and honey locusts above all.
@@ -99,7 +82,7 @@ Receivers sampleOf(Receivers receivers, std::size_t count) {
 
 ShadowField compute(const Engine& engine, const City& city, const Receivers& receivers, const SunSteps& sun) {
     NoProgress quiet;
-    return must(engine.accumulate(city, receivers, sun, quiet, {}));
+    return taken(engine.accumulate(city, receivers, sun, quiet, {}));
 }
 
 /// Differences in percent of the sunlit minutes.
@@ -182,7 +165,7 @@ void time(std::vector<Case>& cases, const Receivers& receivers, const SunSteps& 
 
 int benchColumns(const City& city, int rounds, std::size_t sampleSize) {
     const Receivers receivers = findSquare(city, 800), sample = sampleOf(receivers, sampleSize);
-    const SunSteps sun = yearOf(city);
+    const SunSteps sun = workingYearOf(city);
     std::vector<Case> cases{{"without", city}};
     bool good = true;
     for (const std::size_t count : {std::size_t{5'000}, std::size_t{20'000}}) {
@@ -235,7 +218,7 @@ bool measureDistrict(std::string_view name, const City& city, const Receivers& s
 
 int benchDistrict(const City& city, std::size_t sampleSize) {
     const Receivers square = findSquare(city, 2000), sample = sampleOf(square, sampleSize);
-    const SunSteps sun = yearOf(city);
+    const SunSteps sun = workingYearOf(city);
     std::mt19937 random(7);
     bool good = measureDistrict("trees", withTrees(city, plantOnGround(city, square, 100'000, random)),
                                 square, sample, sun);
