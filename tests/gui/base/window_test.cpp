@@ -227,8 +227,9 @@ TEST_F(WindowTest, ClosedWhileAStudyRuns) {
     StudySettings question = window.workbench().document().settings();
     question.period.days = 365;
     window.workbench().document().change(question, QStringLiteral("test"));
+    window.saving().setUnsavedQuestion([] { return SavingActions::Unsaved::discard; });
     window.workbench().run();
-    window.close();
+    EXPECT_TRUE(window.close());
 }
 
 TEST_F(WindowTest, LayoutIsKept) {

@@ -146,7 +146,7 @@ TEST_F(AnswersWindow, TheListOfAnswersLeadsBackToEachAndMarksThePast) {
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
     ASSERT_TRUE(waitFor([&] { return !workbench().following().busy(); }));
     EXPECT_TRUE(
-        waitFor([&] { return list->itemText(1).contains(QStringLiteral("buildings have changed")); }));
+        waitFor([&] { return list->itemText(1).contains(QStringLiteral("outdated")); }));
     Q_EMIT list->activated(1);
     EXPECT_TRUE(dock->faded()) << "its buildings have changed";
     EXPECT_EQ(workbench().answer(), nullptr);
