@@ -366,9 +366,11 @@ TEST_F(SunByPlaceWindow, AnotherScenarioOrAnswerMayBeShownWhileAllAreMeasured) {
     ASSERT_TRUE(waitFor([&] { return workbench().measuredScenarios().size() == 2; }));
 }
 
-TEST_F(SunByPlaceWindow, TheColumnOfNamesIsWideEnoughForThem) {
+TEST_F(SunByPlaceWindow, TheColumnOfNamesIsWideEnoughForThemWhereThePanelHasRoom) {
     measure();
     auto& tree = field<QTreeView>("placesTable");
+    tree.setFixedWidth(500);
+    ASSERT_TRUE(waitFor([&] { return tree.viewport()->width() > 450; }));
     for (int row = 0; row < tree.model()->rowCount(); ++row) {
         const QString name = tree.model()->index(row, 0).data().toString();
         EXPECT_GE(tree.columnWidth(0), tree.indentation() + tree.fontMetrics().horizontalAdvance(name))
