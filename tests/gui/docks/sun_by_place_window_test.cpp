@@ -14,6 +14,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <QTreeView>
+#include <QUndoStack>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -740,6 +741,17 @@ TEST_F(SunByPlaceWindow, ASavedAnswerSaysWhichThresholdItsSharesAreFor) {
     EXPECT_FALSE(below->text().contains(QStringLiteral("as they were saved")));
     threshold->setValue(threshold->value() + 1);
     EXPECT_TRUE(below->text().contains(QStringLiteral("as they were saved")));
+}
+
+TEST_F(SunByPlaceWindow, APlaceThatIsRenamedMarksTheAnswerAsOutdated) {
+    measure();
+    ASSERT_TRUE(dock().view());
+    EXPECT_FALSE(dock().view()->marked);
+    ASSERT_TRUE(session().rename(ProjectPart::place, "North Park", "Our park"));
+    EXPECT_TRUE(dock().view()->marked);
+    EXPECT_TRUE(note().contains(QStringLiteral("places have changed"))) << note().toStdString();
+    workbench().document().undoStack().undo();
+    EXPECT_FALSE(dock().view()->marked);
 }
 
 TEST_F(SunByPlaceWindow, AnEditMarksTheAnswerAsOutdated) {
