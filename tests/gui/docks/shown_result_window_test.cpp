@@ -145,8 +145,7 @@ TEST_F(AnswersWindow, TheListOfAnswersLeadsBackToEachAndMarksThePast) {
     window->mode().setMode(ViewMode::exploration);  // nothing is computed automatically
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
     ASSERT_TRUE(waitFor([&] { return !workbench().following().busy(); }));
-    EXPECT_TRUE(
-        waitFor([&] { return list->itemText(1).contains(QStringLiteral("outdated")); }));
+    EXPECT_TRUE(waitFor([&] { return list->itemText(1).contains(QStringLiteral("outdated")); }));
     Q_EMIT list->activated(1);
     EXPECT_TRUE(dock->faded()) << "its buildings have changed";
     EXPECT_EQ(workbench().answer(), nullptr);
