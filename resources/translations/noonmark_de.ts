@@ -2473,6 +2473,10 @@ Opens the panel Review.</source>
         <source>not counted: no storey stands on the ground</source>
         <translation>nicht gezählt: kein Geschoss steht auf dem Boden</translation>
     </message>
+    <message>
+        <source>%1 as it stands</source>
+        <translation>%1 im jetzigen Zustand</translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>

@@ -2473,6 +2473,10 @@ Abre el panel Evaluación.</translation>
         <source>not counted: no storey stands on the ground</source>
         <translation>no se cuenta: ninguna planta se apoya en el suelo</translation>
     </message>
+    <message>
+        <source>%1 as it stands</source>
+        <translation>%1 tal como está</translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>

@@ -2443,6 +2443,10 @@ Opens the panel Review.</source>
         <source>not counted: no storey stands on the ground</source>
         <translation>数えません: 地面に立つ階がありません</translation>
     </message>
+    <message>
+        <source>%1 as it stands</source>
+        <translation>現状の %1</translation>
+    </message>
 </context>
 <context>
     <name>StartQuestion</name>

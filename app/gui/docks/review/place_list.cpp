@@ -206,9 +206,10 @@ std::shared_ptr<const PlaceView> makePlaceVerdicts(const std::shared_ptr<const R
     const auto view = std::make_shared<PlaceView>();
     view->picture = painted->coloured(colours);
     view->legend = makeVerdictLegend(*answer);
-    view->note =
-        QObject::tr("%1 compared with %2")
-            .arg(QString::fromStdString(answer->question.to), QString::fromStdString(answer->question.from));
+    const QString to = QString::fromStdString(answer->question.to);
+    const QString from = QString::fromStdString(answer->question.from);
+    view->note = to == from ? QObject::tr("%1 as it stands").arg(to)
+                            : QObject::tr("%1 compared with %2").arg(to, from);
     view->describe = [answer, places, painted](glm::dvec2 point) {
         const auto place = painted->placeAt(point);
         return place ? describe(*answer, (*places)[*place]) : QString();
