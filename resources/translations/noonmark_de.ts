@@ -9007,7 +9007,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>%1 is still running and ends.</source>
+        <source>%1 is still running and will be stopped.</source>
         <translation>%1 läuft noch und wird beendet.</translation>
     </message>
 </context>

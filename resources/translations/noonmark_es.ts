@@ -9007,7 +9007,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Detener</translation>
     </message>
     <message>
-        <source>%1 is still running and ends.</source>
+        <source>%1 is still running and will be stopped.</source>
         <translation>%1 sigue en curso y se detendrá.</translation>
     </message>
 </context>

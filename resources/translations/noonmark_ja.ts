@@ -8956,7 +8956,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>中止する</translation>
     </message>
     <message>
-        <source>%1 is still running and ends.</source>
+        <source>%1 is still running and will be stopped.</source>
         <translation>%1 はまだ実行中で、中止されます。</translation>
     </message>
 </context>

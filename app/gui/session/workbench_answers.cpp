@@ -524,19 +524,19 @@ std::shared_ptr<const MeasuredAnswer> Workbench::measuredShown() const {
 
 namespace {
 
-bool haveChanged(const std::shared_ptr<const SunOfCities>& sun, const Project& project) {
+bool arePlacesOutdated(const std::shared_ptr<const SunOfCities>& sun, const Project& project) {
     return sun && !findChangedPlaces(sun->baseline.places, project).empty();
 }
 
 }  // namespace
 
-bool Workbench::havePlacesChanged() const { return haveChanged(sunOf(answer()), session_.project()); }
+bool Workbench::havePlacesChanged() const { return arePlacesOutdated(sunOf(answer()), session_.project()); }
 
 bool Workbench::isOutdated(const MeasuredAnswer& measured) {
     const KnownAnswer& known = measured.known();
     if (!known.answer) return isOutdated(*measured.toSave());
     const MeasuredPart part = known.answer->part();
-    if (haveChanged(contentOf<SunOfCities>(known.answer), session_.project())) return true;
+    if (arePlacesOutdated(contentOf<SunOfCities>(known.answer), session_.project())) return true;
     return !isCurrent(part.scenario, known.city) ||
            (known.before && !isCurrent(part.baseline, known.before)) ||
            std::ranges::any_of(known.others,
@@ -556,9 +556,9 @@ void Workbench::findOutdated() {
         if (!one->known().answer) results.push_back(one->toSave());
     Compared asked{now.city, now.scenarios, now.places, now.regions, results};
     if (asked == compared_) return;
-    const bool areOthers = asked.places != compared_.places || asked.regions != compared_.regions;
+    const bool placesChanged = asked.places != compared_.places || asked.regions != compared_.regions;
     compared_ = std::move(asked);
-    if (areOthers) Q_EMIT measuredUpdated();
+    if (placesChanged) Q_EMIT measuredUpdated();
     if (results.empty()) return checking_.drop();
     using Names = std::set<std::string>;
     checking_.start<Names>(

@@ -83,6 +83,9 @@ Result<std::vector<ListedLayer>> listLayers(const std::filesystem::path& file, c
 /// The same of a map that GDAL reads. Backend: footprint_scan_gdal.cpp.
 Result<std::vector<ListedLayer>> listMapLayers(const std::filesystem::path& file, std::stop_token stop);
 
+/// The same of its layers of points and its tables, as far as their first feature shows. Backend likewise.
+Result<std::vector<ListedLayer>> listPointLayers(const std::filesystem::path& file, std::stop_token stop);
+
 /// "12, 18.5, 9 (2.5 to 41.2 in 998 of 1,000 features)"; "no value in the first 1,000 features".
 std::string describeValues(const ListedField& field, std::size_t sampled);
 

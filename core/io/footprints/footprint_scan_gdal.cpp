@@ -11,7 +11,6 @@
 #include "core/io/files/plain_file.h"
 #include "core/io/files/readable_text.h"
 #include "core/io/footprints/building_layers.h"
-#include "core/io/footprints/point_layers.h"
 #include "core/io/heights/height_text.h"
 
 namespace noonmark {

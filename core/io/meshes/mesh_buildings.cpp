@@ -21,7 +21,6 @@
 #include "core/io/meshes/ifc_site.h"
 #include "core/io/meshes/mesh_placement.h"
 #include "core/io/meshes/mesh_reader_process.h"
-#include "core/io/meshes/ply_offset.h"
 #include "core/io/meshes/stated_axes.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/settings/read_settings.h"

@@ -1,4 +1,4 @@
-#include "core/io/meshes/ply_offset.h"
+#include "core/io/meshes/stated_axes.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +15,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t maxPlyLines = 1000;
-constexpr std::size_t maxPlyLineBytes = 1000;
+constexpr std::size_t maxPlyHeaderBytes = 65536;
 constexpr double minOffset = 1000;  // less is no place on a map
 
 std::string inSmallLettersOf(std::string_view line) {
@@ -59,11 +59,12 @@ std::optional<glm::dvec3> parseOffset(std::string_view line) {
 
 std::optional<glm::dvec3> readPlyOffset(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
-    std::string line;
-    for (std::size_t lines = 0; lines < maxPlyLines && std::getline(stream, line); ++lines) {
-        if (line.size() > maxPlyLineBytes || line.starts_with("end_header")) break;
+    std::string header(maxPlyHeaderBytes, '\0');
+    stream.read(header.data(), std::streamsize(header.size()));
+    header.resize(std::size_t(stream.gcount()));
+    std::istringstream lines(header.substr(0, header.find("end_header")));
+    for (std::string line; std::getline(lines, line);)
         if (const auto offset = parseOffset(inSmallLettersOf(line))) return offset;
-    }
     return std::nullopt;
 }
 

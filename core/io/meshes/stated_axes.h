@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <map>
 #include <optional>
 #include <streambuf>
@@ -61,5 +62,10 @@ std::optional<StatedAxes> findStatedAxes(const std::filesystem::path& file);
 /// Whether the beginning of a file is that of an IFC, or of a DXF in text or binary form.
 bool beginsIfc(std::string_view head);
 bool beginsDxf(std::string_view head);
+
+/// What the points of a PLY are counted from, as programs write it into a comment of the header, for which
+/// the format has no field: "comment offset 390000 5819000 30". Nothing where no comment states three such
+/// numbers, or they are less than 1,000. Backend: ply_offset.cpp.
+std::optional<glm::dvec3> readPlyOffset(const std::filesystem::path& file);
 
 }  // namespace noonmark

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/io/footprints/point_layers.h"
+#include "core/io/footprints/footprint_scan.h"
 #include "core/io/heights/tree_fields.h"
 
 namespace noonmark {

@@ -251,6 +251,14 @@ double computeBelowShare(const SunOfPlace& of, std::size_t date, double hours);
 /// None: its cells are not known, as of a saved one. O(cells), without a sweep.
 std::optional<SunOfCities> withEnough(const SunOfCities& sun, double hours);
 
+/// The columns of an answer: without trees, and those that were measured with them, evergreens first.
+std::vector<TreeColumns> listSunColumns(const SunOfCities& sun);
+
+/// The answer with the sun of one column, its changes and its errors in place of those without trees, and no
+/// columns besides: for whatever states one sun of each place. None: it has no such column, or it is that
+/// without trees, which the answer states itself. Copies the answer. In sun_in_column.cpp.
+std::optional<SunOfCities> inColumn(const SunOfCities& sun, TreeColumns column);
+
 /// Whether both state the same shadow on the same cells: they differ at most in the hours that are enough.
 /// False where cells are not known. O(cells)
 bool haveSameShadow(const SunOfCities& one, const SunOfCities& other);

@@ -1,4 +1,4 @@
-#include "core/study/by_place/sun_in_column.h"
+#include "core/study/by_place/sun_by_place.h"
 
 #include <algorithm>
 #include <utility>

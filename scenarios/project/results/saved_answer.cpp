@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "core/base/json_number.h"
 #include "core/describe/figure_text.h"
@@ -394,15 +395,17 @@ std::vector<std::string> listChanges(const SavedResult& result, const SavedOrigi
 }  // namespace
 
 std::vector<std::string> findChangedPlaces(const std::vector<Place>& measured, const Project& project) {
-    std::map<std::string_view, Place> now;
-    for (const Place& place : project.places) now.emplace(place.name, place);
-    for (const Region& region : project.regions) now.emplace(region.name, makePlace(region));
+    std::vector<Place> ofRegions;
+    for (const Region& region : project.regions) ofRegions.push_back(makePlace(region));
+    std::map<std::string_view, const Place*> now;
+    for (const auto* places : {&project.places, &std::as_const(ofRegions)})
+        for (const Place& place : *places) now.emplace(place.name, &place);
     std::vector<std::string> changes;
     std::size_t more = 0;
     for (const Place& place : measured) {
         const auto found = now.find(place.name);
         const bool isThere = found != now.end();
-        if (isThere && found->second.kind == place.kind && haveSameOutline(place, found->second)) continue;
+        if (isThere && found->second->kind == place.kind && haveSameOutline(place, *found->second)) continue;
         if (changes.size() == maxPlacesNamed) {
             ++more;
             continue;

@@ -56,11 +56,11 @@ void PlaceLinks::follow() {
     isDisplayed_ = sun != nullptr;
     if (sun) keep(sun);
     const bool isKeptAged = kept_.measured && workbench_.isOutdated(*kept_.measured);
-    const bool areOthers = !past && workbench_.havePlacesChanged();
-    const bool outdated = sun ? past || areOthers || isAged(answer) : isKeptAged;
+    const bool placesChanged = !past && workbench_.havePlacesChanged();
+    const bool outdated = sun ? past || placesChanged || isAged(answer) : isKeptAged;
     dock_.setAside(isDisplayed_ || !kept_.sun ? QString() : nameOfKept());
-    const QString why =
-        areOthers ? tr("Outdated: places have changed") : tr("Outdated: buildings or places have changed");
+    const QString why = placesChanged ? tr("Outdated: places have changed")
+                                      : tr("Outdated: buildings or places have changed");
     dock_.show(kept_.sun, outdated ? why : QString(), outdated);
     paint();
 }

@@ -34,7 +34,7 @@
 #include "core/describe/text.h"
 #include "core/engines/api/tree_shade.h"
 #include "core/measures/shadow_figures.h"
-#include "core/study/by_place/sun_in_column.h"
+#include "core/study/by_place/sun_by_place.h"
 
 namespace noonmark {
 

@@ -168,7 +168,8 @@ SavingActions::Unsaved SavingActions::askUnsaved() {
     if (!workbench_.session().hasUnsavedWork()) return askRunning();
     const QString running = runningWork();
     const QString stopped =
-        running.isEmpty() ? QString() : QLatin1Char(' ') + tr("%1 is still running and ends.").arg(running);
+        running.isEmpty() ? QString()
+                          : QLatin1Char(' ') + tr("%1 is still running and will be stopped.").arg(running);
     const auto answer = QMessageBox::question(
         &window_, tr("Unsaved changes"), tr("Save changes to %1?").arg(workbench_.projectName()) + stopped,
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);

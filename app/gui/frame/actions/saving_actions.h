@@ -58,8 +58,8 @@ public:
     void save();
     void saveAs();                                   ///< asks for a file
     void saveTo(const std::filesystem::path& file);  ///< replaces a project file, never another file
-    /// Work that the user waits for, so that he is asked before it is stopped; the slot must outlive this
-    /// object. `isAwaited`: whether that which runs in it is such.
+    /// Work that the user waits for, so that the user is asked before it is stopped; the slot must outlive
+    /// this object. `isAwaited`: whether that which runs in it is such.
     void watch(JobSlot& slot, std::function<bool()> isAwaited);
     /// Whether an action that ends the current work may proceed now: nothing is unsaved or running, or the
     /// user discards it. False if the user cancels or saves first; in the latter case `afterSave` is called

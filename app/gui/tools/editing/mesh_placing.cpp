@@ -33,7 +33,7 @@ namespace {
 
 constexpr int wordLines = 4;  // room for a long file name and the instruction
 
-bool findIfc(const std::filesystem::path& file) {
+bool isIfcFile(const std::filesystem::path& file) {
     const auto format = detectFormat(file);
     return format && (*format)->name.starts_with("IFC");
 }
@@ -210,7 +210,7 @@ void MeshPlacing::read() {
         [file = file_.toStdString(), id, settings = panel_.reading(), frame = context_.city->city().frame](
             Progress& progress, std::stop_token stop) {
             Warnings warnings;
-            const bool isIfc = findStatedAxes(file) && findIfc(file);
+            const bool isIfc = isIfcFile(file);
             const IfcSite site = isIfc ? readIfcSite(file, stop) : IfcSite{};
             const auto own = findPlace(site);
             return readShape(file, id, settings, frame, warnings, progress, std::move(stop))

@@ -24,17 +24,11 @@ constexpr std::uint8_t unknownPass = 255;  // else 254ths of the sun
 constexpr double passSteps = 254;
 constexpr std::size_t maxPassBytes = std::size_t{1} << 29U;
 
-int dayOfYearOf(const CivilDate& date) {
-    using namespace std::chrono;
-    return int((sys_days(date) - sys_days(date.year() / January / 1)).count()) + 1;
-}
-
 std::vector<std::uint8_t> findLeafySteps(const SunSteps& sun, const LeafDays* leaves) {
     std::vector<std::uint8_t> inLeaf(sun.steps.size(), 1);
     if (leaves == nullptr) return inLeaf;
     for (const SunDay& day : sun.days)
-        if (!leaves->inLeafOn(dayOfYearOf(day.date)))
-            std::fill_n(inLeaf.begin() + day.first, day.count, std::uint8_t{0});
+        if (!isInLeaf(*leaves, day.date)) std::fill_n(inLeaf.begin() + day.first, day.count, std::uint8_t{0});
     return inLeaf;
 }
 

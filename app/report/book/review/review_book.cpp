@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "app/report/book/flow.h"
-#include "app/report/book/height_map.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_text.h"

@@ -7,7 +7,7 @@
 
 #include "core/city/trees/tree.h"
 #include "core/io/places/read_places.h"
-#include "core/study/by_place/sun_in_column.h"
+#include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/element_tables.h"
 #include "tests/core/study/by_place/place_scenes.h"
 
