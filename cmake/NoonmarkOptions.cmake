@@ -71,15 +71,13 @@ function(noonmark_compile_kernels)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_DEFINITIONS "${definitions}")
 endfunction()
 
-# A unity build compiles neighbouring sources of a target together, about 100 kB of them: their headers and templates, which take most of
-# the time, are compiled once. The files listed in unity_exclusions.txt have names in their anonymous namespaces that neighbours have too,
-# and are grouped with each other.
+# A unity build compiles neighbouring sources of a target together, about 200 kB of them: their headers and templates, which take most of
+# the time, are compiled once. Names in
+# anonymous namespaces are therefore unique within a target.
 if(CMAKE_UNITY_BUILD)
   target_compile_options(noonmark_flags INTERFACE -Wno-shadow)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/unity_exclusions.txt)
-  file(STRINGS ${CMAKE_SOURCE_DIR}/cmake/unity_exclusions.txt NOONMARK_UNITY_EXCLUSIONS)
 endif()
-set(NOONMARK_UNITY_BYTES 100000)
+set(NOONMARK_UNITY_BYTES 200000)
 
 # Groups the sources of this folder's targets for the unity build. Call it last in a CMakeLists.txt: source properties belong to a folder.
 function(noonmark_group_for_unity)
@@ -105,16 +103,10 @@ function(noonmark_group_sources target)
     get_source_file_property(alone ${CMAKE_SOURCE_DIR}/${path} SKIP_UNITY_BUILD_INCLUSION)
     if(alone OR NOT EXISTS ${CMAKE_SOURCE_DIR}/${path})
       continue()
-    elseif(path IN_LIST NOONMARK_UNITY_EXCLUSIONS AND path MATCHES "^tests/")
-      set_source_files_properties(${CMAKE_SOURCE_DIR}/${path} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-    elseif(path IN_LIST NOONMARK_UNITY_EXCLUSIONS)
-      list(APPEND apart ${path})
-    else()
-      list(APPEND together ${path})
     endif()
+    list(APPEND together ${path})
   endforeach()
   noonmark_cut_into_groups(${target} ${together})
-  noonmark_cut_into_groups(${target}_apart ${apart})
 endfunction()
 
 function(noonmark_cut_into_groups name)
@@ -122,12 +114,6 @@ function(noonmark_cut_into_groups name)
   set(bytes 0)
   foreach(path IN LISTS ARGN)
     math(EXPR group "${bytes} / ${NOONMARK_UNITY_BYTES}")
-    if(path MATCHES "^tests/(.*)/")
-      # Tests are grouped within their folders; the parts of these folders are small.
-      string(REGEX REPLACE "^(gui|cli)/.*" "\\1" folder ${CMAKE_MATCH_1})
-      string(MAKE_C_IDENTIFIER ${folder} folder)
-      set(group ${folder}_${group})
-    endif()
     set_source_files_properties(${CMAKE_SOURCE_DIR}/${path} PROPERTIES UNITY_GROUP ${name}_${group})
     file(SIZE ${CMAKE_SOURCE_DIR}/${path} size)
     math(EXPR bytes "${bytes} + ${size}")

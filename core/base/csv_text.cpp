@@ -8,6 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "core/base/safe_text.h"
+
 namespace noonmark {
 
 namespace {
@@ -78,11 +80,6 @@ char separatorOf(std::string_view text) {
     const std::string_view heading = text.substr(0, text.find_first_of("\r\n"));
     const bool semicolons = heading.find(';') != std::string_view::npos;
     return semicolons && heading.find(',') == std::string_view::npos ? ';' : ',';
-}
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-    return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
 class Rows {

@@ -15,6 +15,10 @@ namespace noonmark {
 /// that drivers which read a whole file give up. Part of setUpGdal(). Backend: gdal_calls_gdal.cpp.
 void confineGdalFiles();
 
+/// A progress function of GDAL's, which goes on until `stop`, a pointer to a std::stop_token, requests a
+/// stop.
+int goOnUntilStopped(double share, const char* message, void* stop);
+
 /// While it lives, GDAL opens on this thread only files in one folder and below, and those that GDAL itself
 /// came with: a schema or an overview that a file names elsewhere stays closed.
 class FolderOfGdal {

@@ -234,6 +234,10 @@ void CPL_STDCALL onComplaint(CPLErr kind, CPLErrorNum, const char* words) {
 }
 }  // namespace
 
+int goOnUntilStopped(double /*share*/, const char* /*message*/, void* stop) {
+    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
+}
+
 GdalCalls::GdalCalls(std::stop_token stop) : scope_(std::move(stop)) {
     static std::once_flag prepared;
     std::call_once(prepared, setUpGdal);

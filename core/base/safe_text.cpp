@@ -73,6 +73,13 @@ std::string cleanLines(std::string_view text) {
     return clean;
 }
 
+std::string trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const auto first = text.find_first_not_of(blanks);
+    if (first == text.npos) return {};
+    return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
+}
+
 std::string countOf(std::uint64_t count, std::string_view noun, std::string_view plural) {
     if (count == 1) return fmt::format("1 {}", noun);
     return plural.empty() ? fmt::format("{} {}s", fmt::group_digits(count), noun)

@@ -15,6 +15,12 @@ std::string cleanText(std::string_view text, std::size_t maxLetters = std::strin
 /// As cleanText(), of a text that may have several lines: tabs and line ends ("\n", "\r\n") stay.
 std::string cleanLines(std::string_view text);
 
+/// Without blanks and line ends around it.
+std::string trimmed(std::string_view text);
+
+/// Of ASCII, in every locale.
+constexpr bool isDigit(char letter) { return letter >= '0' && letter <= '9'; }
+
 /// A number of things in a sentence: "1 tile", "1,204 tiles", "2 boxes" with their plural "boxes". `noun`:
 /// one of them; `plural` where it is not the noun with an "s".
 std::string countOf(std::uint64_t count, std::string_view noun, std::string_view plural = {});

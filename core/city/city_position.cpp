@@ -49,9 +49,9 @@ std::vector<Body> listBodies(const City& city) {
     return bodies;
 }
 
-using Cell = std::pair<std::int64_t, std::int64_t>;
+using Square = std::pair<std::int64_t, std::int64_t>;
 
-Cell cellOf(glm::vec2 at) {
+Square cellOf(glm::vec2 at) {
     return {std::int64_t(std::floor(at.x / cellM)), std::int64_t(std::floor(at.y / cellM))};
 }
 
@@ -83,7 +83,7 @@ public:
 private:
     Group takeGroup() {
         Group group;
-        std::vector<Cell> waiting{cells_.begin()->first};
+        std::vector<Square> waiting{cells_.begin()->first};
         while (!waiting.empty()) {
             const auto found = cells_.find(waiting.back());
             waiting.pop_back();
@@ -98,7 +98,7 @@ private:
         return group;
     }
 
-    std::map<Cell, Group> cells_;
+    std::map<Square, Group> cells_;
 };
 
 Box2 findMainBox(const std::vector<Body>& bodies) {

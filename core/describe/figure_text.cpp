@@ -42,7 +42,7 @@ double rounded(const Figure& figure, double value) {
     return figure.jsonDecimals ? roundAsText(value, *figure.jsonDecimals) : value;
 }
 
-std::string trimmed(std::string number) {
+std::string withoutTrailingZeros(std::string number) {
     if (number.find('.') == std::string::npos) return number;
     number.erase(number.find_last_not_of('0') + 1);
     if (number.ends_with('.')) number.pop_back();
@@ -58,7 +58,7 @@ std::string amountOf(const FigureLine& line, UnitSystem units) {
                           : unit == FigureUnit::share ? 100 * line.value
                                                       : line.value;
     const int decimals = line.figure->isCount ? 0 : line.figure->shownDecimals;
-    return trimmed(formatNumber(amount, decimals)) + std::string(unitText(unit));
+    return withoutTrailingZeros(formatNumber(amount, decimals)) + std::string(unitText(unit));
 }
 
 }  // namespace
@@ -105,7 +105,9 @@ std::vector<FigureLine> listLines(const DescribedFigures& figures, const FigureC
 std::string labelOf(const FigureLine& line) {
     if (line.measure.empty()) return std::string(line.figure->label);
     const std::string over =
-        line.thresholdMin ? fmt::format(" > {} min", trimmed(formatNumber(*line.thresholdMin, 2))) : "";
+        line.thresholdMin
+            ? fmt::format(" > {} min", withoutTrailingZeros(formatNumber(*line.thresholdMin, 2)))
+            : "";
     return fmt::format("{}{}: {}", line.measure, over, lowered(line.figure->label));
 }
 
@@ -125,9 +127,10 @@ std::string formatSigned(double value, int decimals) {
 
 std::string valueOf(const FigureLine& line, UnitSystem units) {
     if (std::isnan(line.value)) return NM_TEXT("not counted");
-    const std::string share = std::isnan(line.sharePct)
-                                  ? std::string()
-                                  : fmt::format(" ({} %)", trimmed(formatNumber(line.sharePct, 1)));
+    const std::string share =
+        std::isnan(line.sharePct)
+            ? std::string()
+            : fmt::format(" ({} %)", withoutTrailingZeros(formatNumber(line.sharePct, 1)));
     const std::string amount = amountOf(line, units);
     const bool plus = line.figure->isChange && line.value > 0 && hasValue(amount);
     return fmt::format("{}{}{}", plus ? "+" : "", amount, share);

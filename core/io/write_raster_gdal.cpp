@@ -69,18 +69,14 @@ bool transfer(GDALRWFlag direction, GDALRasterBand& band, float* values, const G
                          sizeof(float), -lineBytes, nullptr) == CE_None;
 }
 
-int goOn(double, const char*, void* stop) {
-    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
-}
-
 bool addOverviews(GDALDataset& dataset, const Grid& grid, std::stop_token stop) {
     std::vector<int> factors;
     for (int factor = 2; std::max(grid.columns, grid.rows) > GeoTiffWriter::blockCells * factor / 2;
          factor *= 2)
         factors.push_back(factor);
     if (factors.empty()) return true;
-    return dataset.BuildOverviews("AVERAGE", int(factors.size()), factors.data(), 0, nullptr, goOn, &stop) ==
-           CE_None;
+    return dataset.BuildOverviews("AVERAGE", int(factors.size()), factors.data(), 0, nullptr,
+                                  goOnUntilStopped, &stop) == CE_None;
 }
 
 }  // namespace

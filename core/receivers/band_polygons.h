@@ -13,8 +13,10 @@ struct BandPolygon {
     Footprint outline;  ///< local metres
 };
 
-/// Traces all cells that have a band. `bands`: one per cell in grid order (row 0 south); -1: none. Backend:
-/// band_polygons_gdal.cpp. O(cells). Empty where memory runs out.
+inline constexpr int noBand = -1;
+
+/// Traces all cells that have a band. `bands`: one per cell in grid order (row 0 south), or `noBand`.
+/// Backend: band_polygons_gdal.cpp. O(cells). Empty where memory runs out.
 std::vector<BandPolygon> traceBands(const Grid& grid, std::vector<int> bands);
 
 }  // namespace noonmark

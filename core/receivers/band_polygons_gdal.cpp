@@ -13,8 +13,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr int noBand = -1;
-
 GDALDatasetUniquePtr memory(const char* driver, int columns, int rows, int rasters) {
     GDALDriver* made = GetGDALDriverManager()->GetDriverByName(driver);
     return GDALDatasetUniquePtr(

@@ -76,11 +76,7 @@ Result<Place> findPlace(const std::vector<Place>& places, std::string_view name)
 
 Region regionOf(const Place& place) { return {place.name, place.polygons}; }
 
-double area(const Place& place) {
-    double sum = 0;
-    for (const Footprint& polygon : place.polygons) sum += area(polygon);
-    return sum;
-}
+double area(const Place& place) { return area(place.polygons); }
 
 Box2 bounds(const Place& place) {
     Box2 box;

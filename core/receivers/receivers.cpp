@@ -58,11 +58,7 @@ Box2 bounds(const Region& region) {
     return box;
 }
 
-double area(const Region& region) {
-    double sum = 0;
-    for (const Footprint& polygon : region.polygons) sum += area(polygon);
-    return sum;
-}
+double area(const Region& region) { return area(region.polygons); }
 
 namespace {
 

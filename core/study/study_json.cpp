@@ -149,8 +149,8 @@ std::string studyJson(const Study& study) { return studyJson(study, {}); }
 
 namespace {
 
-// Counts from one pass over the city.
-struct Counts {
+// CityCounts from one pass over the city.
+struct CityCounts {
     std::size_t parts = 0;
     std::size_t overhanging = 0;
     std::size_t triangles = 0;
@@ -158,14 +158,14 @@ struct Counts {
     std::string tallest;
 };
 
-void add(Counts& counts, const Part& part) {
+void add(CityCounts& counts, const Part& part) {
     ++counts.parts;
     if (part.isOverhanging) ++counts.overhanging;
     counts.triangles += countTriangles(part);
 }
 
-Counts countsOf(const City& city) {
-    Counts counts;
+CityCounts countsOf(const City& city) {
+    CityCounts counts;
     for (const auto& building : city.buildings) {
         for (const Part& part : building->parts) add(counts, part);
         const float height = heightM(*building, city);
@@ -246,7 +246,7 @@ Json townJson(const City& city) {
 }  // namespace
 
 std::string infoJson(const CityRead& read) {
-    const Counts counts = countsOf(read.city);
+    const CityCounts counts = countsOf(read.city);
     Json info;
     info["format"] = read.format;
     info["features"] = read.features;

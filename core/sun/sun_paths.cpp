@@ -31,7 +31,7 @@ double altitudeAt(const Ephemeris& sun, Instant at) { return sun.at(at).altitude
 milliseconds untilTransit(const Ephemeris& sun, Instant at) {
     const double hourAngle = sun.hourAngle(at).value;
     return milliseconds{
-        std::llround(-hourAngle / (2 * std::numbers::pi) * duration<double, std::milli>(24h).count())};
+        std::llround(-hourAngle / (2 * std::numbers::pi) * double(milliseconds(24h).count()))};
 }
 
 Instant transitNearest(const Ephemeris& sun, Instant noon) {

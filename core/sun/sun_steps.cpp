@@ -47,7 +47,7 @@ Window solarHours(const SunEvents& events, const SolarHours& window, Instant mid
     if (events.kind == DayKind::polarNight) return {midnight};
     const Instant from = events.sunrise ? *events.sunrise + window.afterSunrise : midnight;
     const Instant to = events.sunset ? *events.sunset - window.beforeSunset : nextMidnight;
-    return fillHours(from, duration<double, std::ratio<60>>(to - from).count(), stepMinutes);
+    return fillHours(from, double(milliseconds(to - from).count()) / 60'000, stepMinutes);
 }
 
 /// The direction of a sun above the observer's horizon, in the frame of the geometry. Far from the frame's

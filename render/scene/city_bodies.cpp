@@ -84,7 +84,7 @@ namespace {
 
 constexpr QColor hoveredColour{0x5b, 0x9b, 0xe0, 90};
 constexpr QColor selectedColour{0x2f, 0x7d, 0xe0, 165};
-constexpr QColor edgeColour{0x05, 0x3d, 0x30};
+constexpr QColor selectedEdgeColour{0x05, 0x3d, 0x30};
 constexpr QColor floorColour{0x02, 0x2c, 0x40};
 constexpr float floorHazeM = 5000;  // from further away, floors would lie side by side
 constexpr QColor lotColour{0x0a, 0x6f, 0x4f, 235};
@@ -126,7 +126,7 @@ OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DRender::QLayer* si
         if (tint != Tint::proposed) of(tint).material->blend();
     }
     edge_ = new ShaderMaterial(QStringLiteral("edge"), root_);
-    edge_->set(QStringLiteral("edgeColour"), vectorOf(edgeColour).toVector3D());
+    edge_->set(QStringLiteral("edgeColour"), vectorOf(selectedEdgeColour).toVector3D());
     edge_->set(QStringLiteral("hazeDistance"), 1e6F);
     edge_->blend();
     floor_ = new ShaderMaterial(QStringLiteral("edge"), root_);

@@ -71,8 +71,6 @@ Result<CopiedMassing> copyMassing(const Footprint& from, const MassingSettings& 
 
 namespace {
 
-constexpr int maxStoreys = 500;
-
 Result<void> validate(const Footprint& lot, const MassConstraint& given, double plateFactor) {
     if (!(plateFactor > 0))
         return failure(fmt::format("A floor plate cannot be {:g} times as large", plateFactor), "variant",

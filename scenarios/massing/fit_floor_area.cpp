@@ -132,7 +132,6 @@ std::optional<NearestFit> findNearestFit(const Footprint& lot, const MassingSett
 
 namespace {
 
-constexpr int maxStoreys = 500;
 constexpr double closeEnough = 0.0005;  // of the floor area
 constexpr double minPlateM2 = 1;
 

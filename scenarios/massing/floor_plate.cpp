@@ -230,12 +230,6 @@ Result<double> wantedArea(const Footprint& lot, const PlateSize& size) {
 
 }  // namespace
 
-double computeArea(const Plate& plate) {
-    double sum = 0;
-    for (const Footprint& piece : plate) sum += area(piece);
-    return sum;
-}
-
 Result<Plate> makePlate(const Footprint& lot, const PlateSize& size) {
     const auto wanted = wantedArea(lot, size);
     if (!wanted) return tl::make_unexpected(wanted.error());
@@ -243,9 +237,9 @@ Result<Plate> makePlate(const Footprint& lot, const PlateSize& size) {
     const auto skeleton = StraightSkeleton::of(lot);
     if (!skeleton) return tl::make_unexpected(skeleton.error());
     const double inset = argumentOf(*wanted, 0, skeleton->deepestM(), false,
-                                    [&](double distance) { return computeArea(skeleton->inset(distance)); });
+                                    [&](double distance) { return area(skeleton->inset(distance)); });
     Plate plate = skeleton->inset(inset);
-    if (std::abs(computeArea(plate) - *wanted) <= 0.001 * *wanted) return plate;
+    if (std::abs(area(plate) - *wanted) <= 0.001 * *wanted) return plate;
     return failure(fmt::format("The lot cannot be inset to a plate of {:.1f} m2", *wanted), "floor plate",
                    "Choose a larger plate");
 }
@@ -276,7 +270,7 @@ Result<Plate> insetPlate(const Plate& plate, double insetM) {
 bool liesOn(const Plate& plate, const Plate& ground) {
     double outside = 0;
     for (const Footprint& piece : plate) outside += computeAreaOutside(piece, ground);
-    return outside <= 0.0002 * computeArea(plate) + 0.05;
+    return outside <= 0.0002 * area(plate) + 0.05;
 }
 
 Plate resizePlate(const Plate& plate, const Footprint& lot, double areaM2) {
@@ -284,13 +278,13 @@ Plate resizePlate(const Plate& plate, const Footprint& lot, double areaM2) {
         const Plate scaled = movePlate(plate, {.scale = scale});
         return scale > 1 ? cutSharedPieces(scaled, {lot}) : scaled;
     };
-    const double even = std::sqrt(areaM2 / computeArea(plate));
+    const double even = std::sqrt(areaM2 / area(plate));
     if (even <= 1) return at(even);
     // Factor at which the scaled plate covers even the farthest corner of the lot.
     const Box2 lotBox = bounds(lot), box = bounds(plate.front());
     const double reach = 4 * double(glm::length(lotBox.high - lotBox.low) / glm::length(box.high - box.low));
     return at(argumentOf(areaM2, 1, std::max(even, reach) * 10, true,
-                         [&](double scale) { return computeArea(at(scale)); }));
+                         [&](double scale) { return area(at(scale)); }));
 }
 
 }  // namespace noonmark

@@ -16,6 +16,8 @@
 
 namespace noonmark {
 
+inline constexpr int maxStoreys = 500;  ///< of a designed building
+
 /// Size of a floor plate: a share of the lot or an area. With neither, the plate is the whole lot.
 struct PlateSize {
     std::optional<double> shareOfLot;  ///< more than 0, at most 1
@@ -65,7 +67,7 @@ struct FurtherTower {
 /// pieces of equal width, one for each tower, in the order from the beginning of that side.
 struct MassingSettings {
     double storeyHeightM = defaultStoreyM;  ///< 2 to 10
-    int storeys = 0;     ///< in total, podium included: 1 to 500; 0: as many as fit into heightM
+    int storeys = 0;     ///< in total, podium included: 1 to maxStoreys; 0: as many as fit into heightM
     double heightM = 0;  ///< 0: storeys x storey height; else 2 to 2000
     PlateSize plate;     ///< of the tower at its base
     std::optional<Podium> podium;

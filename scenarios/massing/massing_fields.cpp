@@ -15,7 +15,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr ValueRange storeyRange{0, 500}, aboveGroundRangeM{0, tallestBuildingM}, turnRangeDeg{-360, 360};
+constexpr ValueRange storeyRange{0, maxStoreys}, aboveGroundRangeM{0, tallestBuildingM}, turnRangeDeg{-360, 360};
 
 /// What the tower and its podium call the same settings.
 struct PartFlags {
@@ -195,7 +195,7 @@ const Fields<MassingSettings>& massingFields() {
                                            .label = NM_TEXT("Gap"),
                                            .help = NM_TEXT("Between the pieces of the lot of several towers"),
                                            .unit = "m",
-                                           .range = ValueRange{1, 500}})}
+                                           .range = ValueRange{1, maxStoreys}})}
             .embed(&MassingSettings::plate, makePlateFields(flags), "plate")
             .embed(&MassingSettings::walls, makeWallFields(flags));
     return fields;

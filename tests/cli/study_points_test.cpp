@@ -15,8 +15,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// One house of 20 m near Bryant Park.
-constexpr const char* house = R"({"type":"FeatureCollection","features":[
+// One oneHouse of 20 m near Bryant Park.
+constexpr const char* oneHouse = R"({"type":"FeatureCollection","features":[
 {"type":"Feature","id":1,"properties":{"name":"A","height":"20"},"geometry":{"type":"Polygon","coordinates":
  [[[-73.9840,40.7530],[-73.9837,40.7530],[-73.9837,40.7532],[-73.9840,40.7532],[-73.9840,40.7530]]]}}]})";
 // On its southern wall, inside it, and without a height.
@@ -35,7 +35,7 @@ std::string writtenText(const std::filesystem::path& file) {
 class StudyPoints : public testing::Test {
 protected:
     CommandOutput study(const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{"study",       folder_.file("city.geojson", house).string(),
+        std::vector<std::string> arguments{"study",       folder_.file("city.geojson", oneHouse).string(),
                                            "--start",     "2026-03-21",
                                            "--window",    "sunrise..sunset",
                                            "--step",      "10",
@@ -113,7 +113,7 @@ TEST_F(StudyPoints, OptionsThatDoNotBelongAreRefused) {
 
 TEST_F(StudyPoints, NamedBuildingsNeedNoRegion) {
     const auto withoutRegion = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{"study",       folder_.file("city.geojson", house).string(),
+        std::vector<std::string> arguments{"study",       folder_.file("city.geojson", oneHouse).string(),
                                            "--start",     "2026-03-21",
                                            "--zone",      "UTC",
                                            "--receivers", "facades",

@@ -6,7 +6,7 @@ namespace noonmark::tests {
 
 namespace {
 
-Footprint box(float west, float south, float east, float north) {
+Footprint plot(float west, float south, float east, float north) {
     return {{{west, south}, {east, south}, {east, north}, {west, north}}, {}};
 }
 
@@ -20,9 +20,9 @@ std::shared_ptr<const Building> building(const char* id, const Footprint& footpr
 City cityOfTwo() {
     City city;
     city.frame = Frame(LonLat{-73.984, 40.754});
-    city.buildings = {building("way 1", box(50, 30, 70, 50), 0, false),
-                      building("way 2", box(50, 50, 70, 60), 10, true),
-                      building("way 3", box(-20, 20, -3, 60), 0, false)};
+    city.buildings = {building("way 1", plot(50, 30, 70, 50), 0, false),
+                      building("way 2", plot(50, 50, 70, 60), 10, true),
+                      building("way 3", plot(-20, 20, -3, 60), 0, false)};
     return city;
 }
 
@@ -35,7 +35,7 @@ float grossAt(const Grid& grid, int column, int row) {
 
 void addCell(Study& study, int column, int row) {
     const Grid& grid = study.receivers.grid;
-    const bool covered = contains(box(50, 30, 70, 50), grid.centre(column, row));
+    const bool covered = contains(plot(50, 30, 70, 50), grid.centre(column, row));
     const float gross = covered ? std::numeric_limits<float>::quiet_NaN() : grossAt(grid, column, row);
     study.receivers.kind.push_back(covered ? CellKind::building : CellKind::ground);
     if (!covered) study.receivers.cells.push_back(std::uint32_t(grid.index(column, row)));
@@ -63,7 +63,7 @@ SunSteps sixHours() {
 Study syntheticStudy() {
     Study study;
     study.city = cityOfTwo();
-    study.settings.region = {"Four quarters", {box(0, 0, 120, 80)}};
+    study.settings.region = {"Four quarters", {plot(0, 0, 120, 80)}};
     study.settings.period.zone = "America/New_York";
     addCells(study);
     study.sun = sixHours();

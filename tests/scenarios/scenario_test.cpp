@@ -74,10 +74,12 @@ TEST(Scenario, ErrorsSayWhichScenario) {
 }
 
 TEST(Scenario, CirclesAndDoubleNamesAreRefused) {
-    EXPECT_THAT(validate({{"A", "B", {}}, {"B", "A", {}}}).error().text(), HasSubstr("starts from itself"));
-    EXPECT_THAT(validate({{"A", "", {}}, {"A", "", {}}}).error().text(), HasSubstr("Two scenarios"));
-    EXPECT_FALSE(validate({{existingCity, "", {}}}));
-    EXPECT_FALSE(validate({{"A", "gone", {}}}));
+    EXPECT_THAT(validate(std::vector<Scenario>{{"A", "B", {}}, {"B", "A", {}}}).error().text(),
+                HasSubstr("starts from itself"));
+    EXPECT_THAT(validate(std::vector<Scenario>{{"A", "", {}}, {"A", "", {}}}).error().text(),
+                HasSubstr("Two scenarios"));
+    EXPECT_FALSE(validate(std::vector<Scenario>{{existingCity, "", {}}}));
+    EXPECT_FALSE(validate(std::vector<Scenario>{{"A", "gone", {}}}));
     EXPECT_TRUE(validate(twoProposals()));
 }
 

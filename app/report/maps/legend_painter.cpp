@@ -11,11 +11,11 @@ namespace noonmark {
 
 namespace {
 
-constexpr double titlePt = 8.5;
-constexpr double labelPt = 7.5;
+constexpr double legendTitlePt = 8.5;
+constexpr double legendLabelPt = 7.5;
 constexpr double barTopPt = 13;
 constexpr double barHeightPt = 9;
-constexpr double tickPt = 2.5;
+constexpr double legendTickPt = 2.5;
 
 // The leading parts of "min a day, scale locked: ±60 min" that fit; the page's text states the others.
 QString fittingParts(QString unit, const QFontMetricsF& metrics, double room) {
@@ -29,18 +29,18 @@ void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) 
     // A patch stands to the right of the title: what is too wide with its unit shrinks, and is cut at the
     // end.
     const QString unit = describeUnit(legend), firstPart = unit.section(QStringLiteral(", "), 0, 0);
-    const double wanted = QFontMetricsF(textFont(canvas, titlePt, QFont::Bold))
+    const double wanted = QFontMetricsF(textFont(canvas, legendTitlePt, QFont::Bold))
                               .horizontalAdvance(legend.title + QStringLiteral("  ")) +
-                          QFontMetricsF(textFont(canvas, titlePt)).horizontalAdvance(firstPart);
+                          QFontMetricsF(textFont(canvas, legendTitlePt)).horizontalAdvance(firstPart);
     const double shrunk = std::clamp(0.98 * area.width() / wanted, 0.6, 1.0);
-    const QFont bold = textFont(canvas, titlePt * shrunk, QFont::Bold);
+    const QFont bold = textFont(canvas, legendTitlePt * shrunk, QFont::Bold);
     const QString title = QFontMetricsF(bold).elidedText(legend.title, Qt::ElideRight, area.width());
-    const double baseline = area.top() + titlePt * canvas.point;
+    const double baseline = area.top() + legendTitlePt * canvas.point;
     painter.setFont(bold);
     painter.setPen(canvas.inks.text);
     painter.drawText(QPointF(area.left(), baseline), title);
     const double used = QFontMetricsF(bold).horizontalAdvance(title + QStringLiteral("  "));
-    painter.setFont(textFont(canvas, titlePt * shrunk));
+    painter.setFont(textFont(canvas, legendTitlePt * shrunk));
     painter.setPen(canvas.inks.quiet);
     painter.drawText(QPointF(area.left() + used, baseline),
                      fittingParts(unit, QFontMetricsF(painter.font()), std::max(0.0, area.width() - used)));
@@ -89,7 +89,7 @@ QStringList labelsOf(const Legend& legend) {
 
 /// Every how many ticks there is room for a label; the labels at the ends are the widest.
 int labelStride(const Canvas& canvas, const QRectF& bar, const QStringList& labels) {
-    const QFontMetricsF metrics(textFont(canvas, labelPt));
+    const QFontMetricsF metrics(textFont(canvas, legendLabelPt));
     const double widest =
         std::max(metrics.horizontalAdvance(labels.front()), metrics.horizontalAdvance(labels.back()));
     const double needed =
@@ -102,7 +102,8 @@ void paintLabel(const Canvas& canvas, const QRectF& bar, double x, const QString
     const QFontMetricsF metrics(canvas.painter.font());
     const double width = metrics.horizontalAdvance(label);
     const double left = std::clamp(x - width / 2, bar.left(), bar.right() - width);
-    canvas.painter.drawText(QPointF(left, bar.bottom() + (tickPt + labelPt) * canvas.point), label);
+    canvas.painter.drawText(QPointF(left, bar.bottom() + (legendTickPt + legendLabelPt) * canvas.point),
+                            label);
 }
 
 // On a signed scale labels are counted from the middle, so that 0 always has one.
@@ -111,11 +112,12 @@ void paintTicks(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
     const int ticks = int(labels.size()) - 1;
     const int stride = labelStride(canvas, bar, labels);
     const int first = legend.change ? ticks / 2 : 0;
-    canvas.painter.setFont(textFont(canvas, labelPt));
+    canvas.painter.setFont(textFont(canvas, legendLabelPt));
     for (int i = 0; i <= ticks; ++i) {
         const double x = bar.left() + bar.width() * i / ticks;
         canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.4));
-        canvas.painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + tickPt * canvas.point));
+        canvas.painter.drawLine(QPointF(x, bar.bottom()),
+                                QPointF(x, bar.bottom() + legendTickPt * canvas.point));
         canvas.painter.setPen(canvas.inks.text);
         if ((i - first) % stride == 0) paintLabel(canvas, bar, x, labels[i]);
     }
@@ -125,7 +127,7 @@ void paintPatch(const Canvas& canvas, const QRectF& patch, const QColor& colour,
     canvas.painter.setBrush(colour);
     canvas.painter.setPen(linePen(canvas, canvas.inks.quiet, 0.4));
     canvas.painter.drawRect(patch);
-    canvas.painter.setFont(textFont(canvas, labelPt));
+    canvas.painter.setFont(textFont(canvas, legendLabelPt));
     canvas.painter.setPen(canvas.inks.text);
     canvas.painter.drawText(QPointF(patch.right() + 4 * canvas.point, patch.bottom() - 1.5 * canvas.point),
                             label);
@@ -142,7 +144,7 @@ void paintMoment(const Canvas& canvas, const QRectF& bar, const Legend& legend) 
 
 // Patches from left to right, in a second row where the first has no room.
 void paintClasses(const Canvas& canvas, const QRectF& bar, const std::vector<LegendPatch>& classes) {
-    const QFontMetricsF metrics(textFont(canvas, labelPt));
+    const QFontMetricsF metrics(textFont(canvas, legendLabelPt));
     const double gap = 10 * canvas.point;
     QPointF at = bar.topLeft();
     for (const LegendPatch& one : classes) {
@@ -159,7 +161,7 @@ void paintColourClasses(const Canvas& canvas, const QRectF& bar, const Legend& l
     const std::vector<ColourClass> classes = legend.colours->classes();
     const bool isSigned = legend.colours->of != ColourScale::Of::minutes;
     const double width = bar.width() / double(classes.size());
-    canvas.painter.setFont(textFont(canvas, labelPt));
+    canvas.painter.setFont(textFont(canvas, legendLabelPt));
     for (std::size_t i = 0; i < classes.size(); ++i) {
         const double left = bar.left() + double(i) * width;
         canvas.painter.setBrush(toColour(classes[i].colour));
@@ -172,8 +174,8 @@ void paintColourClasses(const Canvas& canvas, const QRectF& bar, const Legend& l
 
 // Paints the patches at the right end of the title line; returns their width.
 double paintOwnColours(const Canvas& canvas, const QRectF& area, const std::vector<LegendPatch>& patches) {
-    const QFontMetricsF metrics(textFont(canvas, labelPt));
-    const double size = titlePt * 0.9 * canvas.point;
+    const QFontMetricsF metrics(textFont(canvas, legendLabelPt));
+    const double size = legendTitlePt * 0.9 * canvas.point;
     double x = area.right();
     for (auto patch = patches.rbegin(); patch != patches.rend(); ++patch) {
         x -= metrics.horizontalAdvance(patch->label) + size * 1.6 + 12 * canvas.point;

@@ -193,7 +193,7 @@ bool writePdf(const Sheet& sheet, QIODevice& device) {
 namespace {
 
 constexpr double widthPt = 640;
-constexpr double marginPt = 22;
+constexpr double sheetMarginPt = 22;
 constexpr double gapPt = 10;
 constexpr double smallPrintPt = 12;
 
@@ -205,10 +205,10 @@ struct Places {
 
 Places placesOf(const MapScene& scene, int widthPx) {
     const double point = widthPx / widthPt;
-    const double width = widthPt - 2 * marginPt;
-    double y = marginPt;
+    const double width = widthPt - 2 * sheetMarginPt;
+    double y = sheetMarginPt;
     const auto next = [&](double height, double gap) {
-        const QRectF area(marginPt * point, y * point, width * point, height * point);
+        const QRectF area(sheetMarginPt * point, y * point, width * point, height * point);
         y += height + gap;
         return area;
     };
@@ -216,7 +216,7 @@ Places placesOf(const MapScene& scene, int widthPx) {
     places.headline = next(headlineHeightPt, 2);
     places.map = next(width / aspectOf(shownGround(scene)), gapPt);
     places.foot = next(legendHeightPt, 4);
-    places.smallPrint = next(smallPrintPt, marginPt * 0.6);
+    places.smallPrint = next(smallPrintPt, sheetMarginPt * 0.6);
     places.size = {widthPx, int(y * point)};
     return places;
 }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <glm/common.hpp>
+#include <numeric>
 
 namespace noonmark {
 
@@ -65,6 +67,11 @@ double area(const Footprint& footprint) {
     double sum = std::abs(signedArea(footprint.outer));
     for (const Ring& hole : footprint.holes) sum -= std::abs(signedArea(hole));
     return sum;
+}
+
+double area(const std::vector<Footprint>& footprints) {
+    return std::transform_reduce(footprints.begin(), footprints.end(), 0.0, std::plus(),
+                                 [](const Footprint& footprint) { return area(footprint); });
 }
 
 Box2 bounds(const Ring& ring) {

@@ -56,6 +56,7 @@ double signedArea(const Ring& ring);
 
 /// Outer ring minus holes, square metres.
 double area(const Footprint& footprint);
+double area(const std::vector<Footprint>& footprints);  ///< their sum, common parts twice
 
 Box2 bounds(const Ring& ring);
 Box2 bounds(const Footprint& footprint);

@@ -76,12 +76,6 @@ std::vector<Box2> boxesOf(const std::vector<Footprint>& footprints) {
     return boxes;
 }
 
-double sumAreas(const std::vector<Footprint>& footprints) {
-    double sum = 0;
-    for (const Footprint& footprint : footprints) sum += area(footprint);
-    return sum;
-}
-
 }  // namespace
 
 std::size_t countPoints(const std::vector<Footprint>& footprints) {
@@ -100,7 +94,7 @@ double computeSharedArea(const Footprint& a, const Footprint& b) {
 // Bonferroni's inequalities: one cover after the other is taken off, which is too much by what two share.
 OutsideArea boundAreaOutside(const std::vector<Footprint>& pieces, const std::vector<Footprint>& others) {
     constexpr std::size_t maxPairs = 1'000'000;
-    const double whole = sumAreas(pieces);
+    const double whole = area(pieces);
     const std::size_t points = countPoints(others);
     if ((countPoints(pieces) + points) * points > maxPairs) return {0, whole};
     const std::vector<Box2> pieceBoxes = boxesOf(pieces), otherBoxes = boxesOf(others);
@@ -153,12 +147,6 @@ Floor floorOf(const std::vector<const Part*>& parts, double floorM) {
     return floor;
 }
 
-double computeArea(const std::vector<Footprint>& pieces) {
-    double sum = 0;
-    for (const Footprint& piece : pieces) sum += area(piece);
-    return sum;
-}
-
 bool arePrisms(const std::vector<const Part*>& parts) {
     return std::ranges::all_of(parts, [](const Part* part) { return !part->mesh; });
 }
@@ -181,7 +169,7 @@ FloorArea computeFloorArea(const Building& building, double groundM, double stor
         bool estimated = false;
         if (parts != before || !arePrisms(parts)) {
             const Floor floor = floorOf(parts, storey.floorM);
-            areaM2 = computeArea(floor.pieces);
+            areaM2 = area(floor.pieces);
             estimated = floor.estimated;
         }
         before = parts;

@@ -225,8 +225,7 @@ std::vector<Footprint> keepUncovered(const Geos& geos, std::vector<Footprint> tr
 // the sum, since what lies under an even number of triangles is missing.
 Geometry joinEdgeToEdge(const Geos& geos, const std::vector<Footprint>& triangles) {
     constexpr double tolerance = 1e-9;
-    double sum = 0;
-    for (const Footprint& triangle : triangles) sum += area(triangle);
+    const double sum = area(triangles);
     const Geometry all = collection(geos, triangles);
     const Geometry joined = geos.owned(all ? GEOSCoverageUnion_r(geos, all.get()) : nullptr);
     if (std::abs(computeArea(geos, joined) - sum) > tolerance * sum) return geos.owned(nullptr);

@@ -72,7 +72,7 @@ std::vector<TriangleMesh> splitByPiece(TriangleMesh mesh, const std::vector<Foot
 }
 
 Part cutInterval(TriangleMesh mesh, Footprint footprint, const std::string& sourceId) {
-    const Box3 box = computeBox(mesh);
+    const MeshBox box = computeBox(mesh);
     Part part{
         .sourceId = sourceId, .footprint = std::move(footprint), .bottomM = box.low.z, .topM = box.high.z};
     part.heightSource = HeightSource::mesh;
@@ -104,7 +104,7 @@ double areaLookingDownAbove(const TriangleMesh& mesh, float bottomM) {
     return area;
 }
 
-bool isCavity(const TriangleMesh& component, const Box3& whole) {
+bool isCavity(const TriangleMesh& component, const MeshBox& whole) {
     return signedVolume(component) < 0 && computeBox(component).liesInside(whole);
 }
 
@@ -127,7 +127,7 @@ bool isCarriedByWalls(const TriangleMesh& sheet, const TriangleMesh& whole) {
 }
 
 // Area with open air below of one component, m2 in plan.
-double openArea(const TriangleMesh& component, const TriangleMesh& whole, const Box3& box) {
+double openArea(const TriangleMesh& component, const TriangleMesh& whole, const MeshBox& box) {
     if (isCavity(component, box)) return 0;
     if (!isSheet(component)) return areaLookingDownAbove(component, box.low.z);
     const double area = areaAbove(component, box.low.z);
@@ -138,7 +138,7 @@ double openArea(const TriangleMesh& component, const TriangleMesh& whole, const 
 
 bool hasOpenAirBelow(const TriangleMesh& mesh) {
     constexpr double minAreaM2 = 0.1;
-    const Box3 whole = computeBox(mesh);
+    const MeshBox whole = computeBox(mesh);
     if (findOpenEdges(mesh) == 0 && areaLookingDownAbove(mesh, whole.low.z) <= minAreaM2) return false;
     double area = 0;
     for (const TriangleMesh& component : separateComponents(mesh, findComponents(mesh)))

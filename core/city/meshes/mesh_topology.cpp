@@ -52,7 +52,7 @@ std::size_t findOpenEdges(const TriangleMesh& mesh) {
 }
 
 double signedVolume(const TriangleMesh& mesh) {
-    const Box3 box = computeBox(mesh);
+    const MeshBox box = computeBox(mesh);
     const glm::dvec3 middle = (glm::dvec3(box.low) + glm::dvec3(box.high)) / 2.0;
     double sum = 0;
     for (const glm::uvec3 t : mesh.triangles)
@@ -109,7 +109,7 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
 
 std::size_t turnOutward(TriangleMesh& mesh) {
     std::vector<TriangleMesh> components = separateComponents(mesh, findComponents(mesh));
-    std::vector<Box3> boxes;
+    std::vector<MeshBox> boxes;
     for (const TriangleMesh& component : components) boxes.push_back(computeBox(component));
     std::size_t turned = 0, sheets = 0;
     for (std::size_t i = 0; i < components.size(); ++i) {
@@ -118,7 +118,7 @@ std::size_t turnOutward(TriangleMesh& mesh) {
             continue;
         }
         if (signedVolume(components[i]) >= 0) continue;
-        const auto holds = [&](const Box3& other) { return boxes[i].liesInside(other); };
+        const auto holds = [&](const MeshBox& other) { return boxes[i].liesInside(other); };
         if (std::any_of(boxes.begin(), boxes.end(), holds)) continue;
         turnInsideOut(components[i]);
         ++turned;
@@ -129,12 +129,12 @@ std::size_t turnOutward(TriangleMesh& mesh) {
     return turned;
 }
 
-bool Box3::liesInside(const Box3& other) const {
+bool MeshBox::liesInside(const MeshBox& other) const {
     return glm::all(glm::greaterThan(low, other.low)) && glm::all(glm::lessThan(high, other.high));
 }
 
-Box3 computeBox(const TriangleMesh& mesh) {
-    Box3 box;
+MeshBox computeBox(const TriangleMesh& mesh) {
+    MeshBox box;
     for (const glm::uvec3 t : mesh.triangles)
         for (int i = 0; i < 3; ++i) {
             box.low = glm::min(box.low, mesh.vertices[t[i]]);
@@ -266,7 +266,7 @@ FaceAreas faceAreas(const TriangleMesh& mesh) {
 }  // namespace
 
 bool isLevel(const TriangleMesh& mesh) {
-    const Box3 box = computeBox(mesh);
+    const MeshBox box = computeBox(mesh);
     return box.high.z - box.low.z < levelSheetM;
 }
 

@@ -47,12 +47,12 @@ std::size_t turnOutward(TriangleMesh& mesh);
 
 /// An axis-aligned box; liesInside() states whether it lies inside another one on all three axes, without
 /// touching.
-struct Box3 {
+struct MeshBox {
     glm::vec3 low{1e30F};
     glm::vec3 high{-1e30F};
-    [[nodiscard]] bool liesInside(const Box3& other) const;
+    [[nodiscard]] bool liesInside(const MeshBox& other) const;
 };
-Box3 computeBox(const TriangleMesh& mesh);
+MeshBox computeBox(const TriangleMesh& mesh);
 
 /// Surfaces without thickness: canopies, roofs that are meshes of their own, single walls, billboards.
 

@@ -158,20 +158,20 @@ void addCap(TriangleMesh& mesh, const Triangulation& cap, float z, bool facingUp
     }
 }
 
-using Edge = std::pair<Index, Index>;
+using CapEdge = std::pair<Index, Index>;
 
 // Edges of the cap with a triangle on one side only, that triangle on their left. These are not simply the
 // rings' edges: where a hole's corner touches the middle of an edge, the cap has two edges there, and the
 // walls must have the same two for the solid to be closed.
-std::vector<Edge> computeOutline(const Triangulation& cap) {
-    std::vector<Edge> edges;
+std::vector<CapEdge> computeOutline(const Triangulation& cap) {
+    std::vector<CapEdge> edges;
     edges.reserve(cap.triangles.size() * 3);
     for (const glm::uvec3 t : cap.triangles) edges.insert(edges.end(), {{t.x, t.y}, {t.y, t.z}, {t.z, t.x}});
     std::sort(edges.begin(), edges.end());
-    const auto isInner = [&](Edge e) {
-        return std::binary_search(edges.begin(), edges.end(), Edge(e.second, e.first));
+    const auto isInner = [&](CapEdge e) {
+        return std::binary_search(edges.begin(), edges.end(), CapEdge(e.second, e.first));
     };
-    std::vector<Edge> outline;
+    std::vector<CapEdge> outline;
     std::copy_if(edges.begin(), edges.end(), std::back_inserter(outline), std::not_fn(isInner));
     return outline;
 }

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/safe_text.h"
 #include "core/io/citygml/gml_object.h"
 #include "core/io/cityjson/cityjson_load.h"
 #include "core/io/files/xml_stream.h"
@@ -21,12 +22,6 @@ constexpr std::size_t maxCorners = 40'000'000;
 constexpr std::size_t mostShared = 200'000;  // ids that objects take from others
 
 bool isBlankText(std::string_view text) { return text.find_first_not_of(" \t\r\n") == text.npos; }
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    if (first == text.npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
 
 /// Puts the objects of a file together, element by element.
 class CityGmlListener final : public XmlListener {

@@ -12,6 +12,25 @@
 
 namespace noonmark {
 
+const nlohmann::json& memberIn(const nlohmann::json& object, const char* key) {
+    static const nlohmann::json none;
+    const auto place = object.is_object() ? object.find(key) : object.end();
+    return object.is_object() && place != object.end() ? *place : none;
+}
+
+std::string textIn(const nlohmann::json& value) {
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+std::optional<double> lodIn(const nlohmann::json& geometry) {
+    const nlohmann::json& value = memberIn(geometry, "lod");
+    if (value.is_number()) return value.get<double>();
+    const std::string text = textIn(value);
+    double lod = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), lod);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional(lod) : std::nullopt;
+}
+
 namespace {
 
 /// Fills `object.body` and `object.footprint` from the object's "geometry": the body is the best of the
@@ -21,23 +40,6 @@ void chooseGeometry(const nlohmann::json& geometries, const LodChoice& choice, s
                     const std::string& where, CityJsonObject& object, Warnings& warnings);
 
 using Json = nlohmann::json;
-
-const Json& memberOf(const Json& object, const char* key) {
-    static const Json none;
-    const auto place = object.is_object() ? object.find(key) : object.end();
-    return object.is_object() && place != object.end() ? *place : none;
-}
-
-std::string textOf(const Json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
-
-// A number in version 1.0, text in later versions.
-std::optional<double> lodOf(const Json& value) {
-    if (value.is_number()) return value.get<double>();
-    const std::string text = textOf(value);
-    double lod = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), lod);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional(lod) : std::nullopt;
-}
 
 // Reads boundaries; counts and drops malformed ones.
 class BoundaryReader {
@@ -101,8 +103,8 @@ bool isSolidType(const std::string& type) {
 bool isSurfaceType(const std::string& type) { return type == "MultiSurface" || type == "CompositeSurface"; }
 
 CityJsonGeometry parseGeometry(const Json& geometry, double lod, BoundaryReader& reader) {
-    const std::string type = textOf(memberOf(geometry, "type"));
-    const Json& boundaries = memberOf(geometry, "boundaries");
+    const std::string type = textIn(memberIn(geometry, "type"));
+    const Json& boundaries = memberIn(geometry, "boundaries");
     CityJsonGeometry result{lod, isSolidType(type), {}};
     if (type == "Solid")
         result.bodies.push_back(reader.solid(boundaries));
@@ -134,11 +136,10 @@ Chosen choose(const Json& geometries, const LodChoice& choice) {
     Chosen result;
     if (!geometries.is_array()) return result;
     for (const Json& geometry : geometries) {
-        const std::string type = textOf(memberOf(geometry, "type"));
+        const std::string type = textIn(memberIn(geometry, "type"));
         result.templates = result.templates || type == "GeometryInstance";
         if (!isSolidType(type) && !isSurfaceType(type)) continue;
-        const Candidate candidate{&geometry,
-                                  {lodOf(memberOf(geometry, "lod")).value_or(1), isSolidType(type)}};
+        const Candidate candidate{&geometry, {lodIn(geometry).value_or(1), isSolidType(type)}};
         keepBetter(candidate.rank.lod < 1 ? result.footprint : result.body, candidate,
                    candidate.rank.lod < 1 ? LodChoice{} : choice);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <stop_token>
 
 #include "core/base/progress.h"
@@ -11,6 +12,14 @@
 #include "core/io/settings/read_settings.h"
 
 namespace noonmark {
+
+/// A member of an object; null where there is none, or no object.
+const nlohmann::json& memberIn(const nlohmann::json& object, const char* key);
+
+std::string textIn(const nlohmann::json& value);  ///< empty where it is no text
+
+/// The level of detail of a geometry: a text ("3.1") or, before version 1.1, a number. Empty: none.
+std::optional<double> lodIn(const nlohmann::json& geometry);
 
 /// Reads CityJSON 1.0, 1.1, 2.0 or CityJSONSeq into plain values. The whole file is held in memory while it
 /// is parsed (about ten times its size), a sequence one line at a time. Error: not JSON, not CityJSON, or

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <iterator>
 
+#include "core/base/safe_text.h"
 #include "core/city/footprints/footprint.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/context/read_context.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -13,7 +12,7 @@
 #include "core/geo/frame.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/citygml/citygml_load.h"
-#include "core/io/cityjson/cityjson_model.h"
+#include "core/io/cityjson/cityjson_load.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/settings/read_settings.h"
 #include "core/receivers/place_names.h"
@@ -96,17 +95,6 @@ namespace {
 
 constexpr const char* surfaceAdvice = "Give CityJSON whose first value is of type CityJSON";
 
-const nlohmann::json& memberOf(const nlohmann::json& object, const char* key) {
-    static const nlohmann::json none;
-    if (!object.is_object()) return none;
-    const auto found = object.find(key);
-    return found != object.end() ? *found : none;
-}
-
-std::string textIn(const nlohmann::json& value) {
-    return value.is_string() ? value.get<std::string>() : std::string();
-}
-
 double numberOrNan(const nlohmann::json& value) {
     return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
@@ -114,16 +102,6 @@ double numberOrNan(const nlohmann::json& value) {
 glm::dvec3 tripleOr(const nlohmann::json& value, glm::dvec3 otherwise) {
     if (!value.is_array() || value.size() < 3) return otherwise;
     return {numberOrNan(value[0]), numberOrNan(value[1]), numberOrNan(value[2])};
-}
-
-/// A level of detail is a text ("3.1") or, before version 1.1, a number.
-double lodOf(const nlohmann::json& geometry) {
-    const nlohmann::json& lod = memberOf(geometry, "lod");
-    if (lod.is_number()) return lod.get<double>();
-    const std::string text = textIn(lod);
-    double number = 0;
-    std::from_chars(text.data(), text.data() + text.size(), number);
-    return number;
 }
 
 /// How many lists lie around the surfaces of a geometry; -1 for other types.
@@ -139,16 +117,16 @@ public:
     OpeningFinder(std::string file, GlazingRead& read) : file_(std::move(file)), read_(read) {}
 
     void readHeader(const nlohmann::json& root) {
-        const nlohmann::json& transform = memberOf(root, "transform");
-        scale_ = tripleOr(memberOf(transform, "scale"), glm::dvec3(1));
-        translate_ = tripleOr(memberOf(transform, "translate"), glm::dvec3(0));
-        crs_ = textIn(memberOf(memberOf(root, "metadata"), "referenceSystem"));
+        const nlohmann::json& transform = memberIn(root, "transform");
+        scale_ = tripleOr(memberIn(transform, "scale"), glm::dvec3(1));
+        translate_ = tripleOr(memberIn(transform, "translate"), glm::dvec3(0));
+        crs_ = textIn(memberIn(memberIn(root, "metadata"), "referenceSystem"));
     }
 
     void addObjects(const nlohmann::json& root) {
-        const nlohmann::json& objects = memberOf(root, "CityObjects");
+        const nlohmann::json& objects = memberIn(root, "CityObjects");
         if (!objects.is_object()) return;
-        vertices_ = &memberOf(root, "vertices");
+        vertices_ = &memberIn(root, "vertices");
         for (const auto& [id, object] : objects.items()) addObject(id, object);
     }
 
@@ -158,12 +136,12 @@ public:
 private:
     void addObject(const std::string& id, const nlohmann::json& object) {
         ++read_.features;
-        const nlohmann::json& geometries = memberOf(object, "geometry");
+        const nlohmann::json& geometries = memberIn(object, "geometry");
         if (!geometries.is_array()) return;
         std::vector<const nlohmann::json*> sorted;
         for (const nlohmann::json& geometry : geometries) sorted.push_back(&geometry);
         std::ranges::stable_sort(
-            sorted, [](const nlohmann::json* a, const nlohmann::json* b) { return lodOf(*a) > lodOf(*b); });
+            sorted, [](const nlohmann::json* a, const nlohmann::json* b) { return lodIn(*a) > lodIn(*b); });
         counts_ = {};
         for (const nlohmann::json* geometry : sorted) {
             const std::size_t before = openings_.size();
@@ -173,11 +151,11 @@ private:
     }
 
     void addGeometry(const std::string& id, const nlohmann::json& geometry) {
-        const nlohmann::json& semantics = memberOf(geometry, "semantics");
-        const int depth = depthOf(textIn(memberOf(geometry, "type")));
+        const nlohmann::json& semantics = memberIn(geometry, "semantics");
+        const int depth = depthOf(textIn(memberIn(geometry, "type")));
         if (depth < 0 || !semantics.is_object()) return;
-        surfaces_ = &memberOf(semantics, "surfaces");
-        addLists(id, memberOf(geometry, "boundaries"), memberOf(semantics, "values"), depth);
+        surfaces_ = &memberIn(semantics, "surfaces");
+        addLists(id, memberIn(geometry, "boundaries"), memberIn(semantics, "values"), depth);
     }
 
     void addLists(const std::string& id, const nlohmann::json& boundaries, const nlohmann::json& values,
@@ -196,7 +174,7 @@ private:
             value.get<std::size_t>() >= surfaces_->size())
             return;
         const nlohmann::json& semantic = (*surfaces_)[value.get<std::size_t>()];
-        const std::string type = textIn(memberOf(semantic, "type"));
+        const std::string type = textIn(memberIn(semantic, "type"));
         if (type != "Window" && type != "Door") return;
         FileOpening opening{idOf(id, semantic, type == "Window"), {}};
         if (!surface.is_array() || surface.empty() || !addCorners(surface[0], opening.corners)) {
@@ -211,7 +189,7 @@ private:
         std::size_t& count = counts_[isWindow ? 0 : 1];
         ++count;
         for (const char* key : {"id", "name"})
-            if (std::string id = cleanName(textIn(memberOf(semantic, key))); !id.empty()) return id;
+            if (std::string id = cleanName(textIn(memberIn(semantic, key))); !id.empty()) return id;
         return fmt::format("{} {} {}", cleanName(object), isWindow ? "window" : "door", count);
     }
 
@@ -257,7 +235,7 @@ Result<void> parseInto(OpeningFinder& finder, const std::filesystem::path& file,
             root = nlohmann::json::parse(text.begin() + std::ptrdiff_t(at),
                                          text.begin() + std::ptrdiff_t(end), nullptr, false);
         }
-        if (isFirst && textIn(memberOf(root, "type")) != "CityJSON")
+        if (isFirst && textIn(memberIn(root, "type")) != "CityJSON")
             return failure("This is not CityJSON", file.filename().string(), surfaceAdvice);
         if (isFirst) finder.readHeader(root);
         isFirst = false;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/base/gdal_calls.h"
+#include "core/base/safe_text.h"
 #include "core/geo/frame.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/files/open_dataset.h"

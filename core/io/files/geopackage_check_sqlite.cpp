@@ -164,7 +164,7 @@ struct EndStatement {
     void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 };
 /// Closed before the files it may reach are forgotten.
-struct OpenFile {
+struct OpenDatabase {
     std::unique_ptr<OwnFiles> files = std::make_unique<OwnFiles>();
     std::unique_ptr<sqlite3, CloseDatabase> database;
 };
@@ -188,11 +188,11 @@ std::string escaped(const std::string& path) {
 }
 
 // Opens without a lock and leaves no file beside the database, unless another program is writing to it.
-Result<OpenFile> openFile(const std::filesystem::path& file) {
+Result<OpenDatabase> openDatabase(const std::filesystem::path& file) {
     if (auto harmless = checkBeside(file); !harmless) return tl::make_unexpected(harmless.error());
     const std::string uri = fmt::format("file:{}{}", escaped(std::filesystem::absolute(file).string()),
                                         isBeingWritten(file) ? "" : "?immutable=1");
-    OpenFile open;
+    OpenDatabase open;
     sqlite3* database = nullptr;
     const int code =
         sqlite3_open_v2(uri.c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, open.files->name());
@@ -208,7 +208,7 @@ Result<OpenFile> openFile(const std::filesystem::path& file) {
     return open;
 }
 
-Query prepareQuery(const OpenFile& open, const std::string& sql) {
+Query prepareQuery(const OpenDatabase& open, const std::string& sql) {
     sqlite3_stmt* statement = nullptr;
     sqlite3_prepare_v2(open.database.get(), sql.c_str(), -1, &statement, nullptr);
     return Query(statement);
@@ -259,7 +259,7 @@ constexpr std::array forbidden{
 };
 static_assert(maxLayers == 1000);
 
-Error unreadable(const OpenFile& open, const std::filesystem::path& file) {
+Error unreadable(const OpenDatabase& open, const std::filesystem::path& file) {
     // Only a connection that writes can undo what a stopped program left in a journal.
     if ((sqlite3_errcode(open.database.get()) & 0xff) == SQLITE_READONLY)
         return {"Another program was stopped while it wrote the GeoPackage, and left a journal beside it",
@@ -268,13 +268,13 @@ Error unreadable(const OpenFile& open, const std::filesystem::path& file) {
             "Export it again"};
 }
 
-bool holdsTable(const OpenFile& open, const char* name) {
+bool holdsTable(const OpenDatabase& open, const char* name) {
     const Query query =
         prepareQuery(open, fmt::format("SELECT 1 FROM sqlite_master WHERE name = '{}' COLLATE NOCASE", name));
     return query && sqlite3_step(query.get()) == SQLITE_ROW;
 }
 
-Result<void> checkFor(const Forbidden& one, const OpenFile& open, const std::filesystem::path& file) {
+Result<void> checkFor(const Forbidden& one, const OpenDatabase& open, const std::filesystem::path& file) {
     if (one.needs != nullptr && !holdsTable(open, one.needs)) return {};
     const Query query = prepareQuery(open, one.sql);
     const int step = query ? sqlite3_step(query.get()) : SQLITE_ERROR;
@@ -299,7 +299,7 @@ bool isBeingWritten(const std::filesystem::path& database) {
 
 Result<bool> holdsProject(const std::filesystem::path& file) {
     if (!isDatabase(file)) return false;
-    const auto open = openFile(file);
+    const auto open = openDatabase(file);
     if (!open) return tl::make_unexpected(open.error());
     const Query query = prepareQuery(*open, projectTable);
     const int step = query ? sqlite3_step(query.get()) : SQLITE_CANTOPEN;
@@ -310,7 +310,7 @@ Result<bool> holdsProject(const std::filesystem::path& file) {
 }
 
 Result<void> checkGeoPackage(const std::filesystem::path& file) {
-    const auto open = openFile(file);
+    const auto open = openDatabase(file);
     if (!open) return tl::make_unexpected(open.error());
     for (const Forbidden& one : forbidden)
         if (auto free = checkFor(one, *open, file); !free) return free;

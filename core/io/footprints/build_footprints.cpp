@@ -89,11 +89,7 @@ OutlineRemainder computeRemainder(const PlacedFeature& outline, const Parts& par
 
 using Features = std::vector<PlacedFeature>;
 
-double computeArea(const PlacedFeature& feature) {
-    double sum = 0;
-    for (const Footprint& piece : feature.pieces) sum += area(piece);
-    return sum;
-}
+double computeArea(const PlacedFeature& feature) { return area(feature.pieces); }
 
 // The feature that gives the building its name: its outline, else its largest part.
 const PlacedFeature& headOf(const BuildingGroup& group, const Features& features) {

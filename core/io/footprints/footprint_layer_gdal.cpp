@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/safe_text.h"
 #include "core/city/building_heights.h"
 #include "core/io/files/readable_text.h"
 #include "core/io/footprints/feature_facts.h"

@@ -26,12 +26,6 @@ using Features = std::vector<PlacedFeature>;
 using Indices = std::vector<std::size_t>;
 constexpr std::size_t none = ~std::size_t(0);
 
-double computeArea(const std::vector<Footprint>& pieces) {
-    double sum = 0;
-    for (const Footprint& piece : pieces) sum += area(piece);
-    return sum;
-}
-
 std::vector<Box2> boxesOf(const Features& features, const Indices& indices) {
     std::vector<Box2> boxes(indices.size());
     for (std::size_t i = 0; i < indices.size(); ++i)
@@ -70,12 +64,12 @@ std::vector<Cover> coversOf(const Features& features, const Indices& parts, cons
     const auto outlineBoxes = boxesOf(features, outlines);
     std::vector<Cover> covers;
     for (const auto& [p, o] : findMeetingBoxes(partBoxes, outlineBoxes))
-        if (2 * computeSharedArea(partBoxes[p], outlineBoxes[o]) >= computeArea(features[parts[p]].pieces))
+        if (2 * computeSharedArea(partBoxes[p], outlineBoxes[o]) >= area(features[parts[p]].pieces))
             covers.push_back({p, o});
     tbb::parallel_for(std::size_t{0}, covers.size(), [&](std::size_t i) {
         const auto& part = features[parts[covers[i].part]].pieces;
         const auto& outline = features[outlines[covers[i].outline]].pieces;
-        covers[i].share = computeSharedArea(part, outline) / computeArea(part);
+        covers[i].share = computeSharedArea(part, outline) / area(part);
     });
     return covers;
 }
@@ -84,7 +78,7 @@ std::vector<Owner> ownersOf(const Features& features, const Indices& parts, cons
     std::vector<Owner> owners(parts.size());
     for (const Cover& cover : coversOf(features, parts, outlines)) {
         const std::size_t outline = outlines[cover.outline];
-        owners[cover.part].offer(outline, cover.share, computeArea(features[outline].pieces));
+        owners[cover.part].offer(outline, cover.share, area(features[outline].pieces));
     }
     return owners;
 }
@@ -230,8 +224,7 @@ std::vector<RawRing> localRings(const LonLatPolygon& polygon, const Frame& frame
 std::vector<Footprint> disjoint(std::vector<Footprint> pieces, const std::string& id, Warnings& warnings) {
     constexpr double sameAreaM2 = 0.01;
     auto joined = computeUnion(pieces);
-    const bool same =
-        joined.size() == pieces.size() && computeArea(pieces) - computeArea(joined) < sameAreaM2;
+    const bool same = joined.size() == pieces.size() && area(pieces) - area(joined) < sameAreaM2;
     if (same || joined.empty()) return pieces;
     warnings.push_back(
         {WarningKind::repaired, NM_TEXT("its polygons overlapped or shared a wall and were joined"), id});

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/safe_text.h"
 #include "core/base/units.h"
 #include "core/io/files/readable_text.h"
 #include "core/io/settings/read_settings.h"
@@ -73,8 +74,6 @@ std::optional<std::string> doubtUnit(double median, LengthUnit readIn) {
 namespace {
 
 constexpr double inchM = 0.0254;
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 // Parses a folded text from the left; every function consumes what it recognises and leaves the rest.
 class TextReader {

@@ -53,7 +53,4 @@ OGRSpatialReference findLayerSystem(OGRLayer& layer, const std::optional<std::st
 /// The index of the field that the user named, in any case. Error: there is none; it lists the fields.
 Result<int> findNamedField(OGRLayer& layer, const std::string& name, const std::string& file);
 
-/// Without blanks at its ends.
-std::string trimmed(std::string_view text);
-
 }  // namespace noonmark

@@ -97,11 +97,4 @@ Result<int> findNamedField(OGRLayer& layer, const std::string& name, const std::
                    fmt::format("Its fields are: {}", fmt::join(names, ", ")));
 }
 
-std::string trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    const auto first = text.find_first_not_of(blanks);
-    if (first == text.npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
-}
-
 }  // namespace noonmark

@@ -71,7 +71,7 @@ private:
     static std::vector<std::size_t> countStanding(const std::vector<TriangleMesh>& meshes) {
         std::vector<Box2> sheets(meshes.size()), middles(meshes.size());
         for (std::size_t i = 0; i < meshes.size(); ++i) {
-            const Box3 box = computeBox(meshes[i]);
+            const MeshBox box = computeBox(meshes[i]);
             if (isLevel(meshes[i]))
                 sheets[i] = {glm::vec2(box.low), glm::vec2(box.high)};
             else
@@ -91,7 +91,7 @@ private:
 std::vector<std::vector<Footprint>> coverWhatMayOverlap(const std::vector<TriangleMesh>& pieces) {
     std::vector<Box2> boxes;
     for (const TriangleMesh& piece : pieces) {
-        const Box3 box = computeBox(piece);
+        const MeshBox box = computeBox(piece);
         boxes.push_back({glm::vec2(box.low), glm::vec2(box.high)});
     }
     std::vector<std::vector<Footprint>> outlines(pieces.size());

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/base/safe_text.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/meshes/mesh_topology.h"
 
@@ -22,7 +23,6 @@ struct Word {
 };
 
 bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0; }
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
 
 bool endsWordBefore(std::string_view name, std::size_t i) {

@@ -132,12 +132,10 @@ private:
 bool isFloorOf(const TriangleMesh& sheet, const std::vector<Footprint>& sheetOutline,
                const TriangleMesh& body, const std::vector<Footprint>& bodyOutline) {
     constexpr float belowM = 0.5F;
-    const Box3 box = computeBox(body);
+    const MeshBox box = computeBox(body);
     const float heightM = computeBox(sheet).low.z;
     if (isLevel(body) || heightM < box.low.z - belowM || heightM > box.high.z) return false;
-    double sheetM2 = 0, bodyM2 = 0;
-    for (const Footprint& piece : sheetOutline) sheetM2 += area(piece);
-    for (const Footprint& piece : bodyOutline) bodyM2 += area(piece);
+    const double sheetM2 = area(sheetOutline), bodyM2 = area(bodyOutline);
     const double shared = computeSharedArea(sheetOutline, bodyOutline);
     return shared >= 0.9 * sheetM2 && shared >= 0.5 * bodyM2;
 }

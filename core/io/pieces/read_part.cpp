@@ -150,26 +150,20 @@ namespace {
 
 using Shared = std::shared_ptr<const Building>;
 
-double areaOf(const Box2& box) {
+double boxArea(const Box2& box) {
     if (box.empty()) return 0;
     return double(box.high.x - box.low.x) * double(box.high.y - box.low.y);
 }
 
 double sharedArea(const Box2& a, const Box2& b) {
-    return areaOf({{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
-                   {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}});
+    return boxArea({{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+                    {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}});
 }
 
 std::vector<Footprint> outlineOf(const Building& building) {
     std::vector<Footprint> pieces;
     for (const Part& part : building.parts) pieces.push_back(part.footprint);
     return pieces.size() > 1 ? computeUnion(pieces) : pieces;
-}
-
-double areaOf(const std::vector<Footprint>& pieces) {
-    double sum = 0;
-    for (const Footprint& piece : pieces) sum += area(piece);
-    return sum;
 }
 
 float bottomM(const Building& building) {
@@ -188,8 +182,7 @@ bool shareHeights(const Building& a, const Building& b) {
 bool shareOutlines(const Building& a, const Building& b, bool sameId) {
     constexpr double sameShare = 0.95;
     const auto one = outlineOf(a), other = outlineOf(b);
-    const double smaller = std::min(areaOf(one), areaOf(other)),
-                 larger = std::max(areaOf(one), areaOf(other));
+    const double smaller = std::min(area(one), area(other)), larger = std::max(area(one), area(other));
     if (!sameId && smaller < sameShare * larger) return false;
     const double shared = computeSharedArea(one, other);
     if (shared >= sameShare * larger) return true;
@@ -203,7 +196,7 @@ bool areSame(const Building& a, const Box2& boxA, const Building& b, const Box2&
     constexpr double nearlySame = 0.85;  // of boxes, as a first test
     const bool sameId = !a.sourceId.empty() && a.sourceId == b.sourceId;
     const double shared = sharedArea(boxA, boxB);
-    if (!sameId && shared < nearlySame * std::max(areaOf(boxA), areaOf(boxB))) return false;
+    if (!sameId && shared < nearlySame * std::max(boxArea(boxA), boxArea(boxB))) return false;
     return shared > 0 && shareHeights(a, b) && shareOutlines(a, b, sameId);
 }
 

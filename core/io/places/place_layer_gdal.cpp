@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/safe_text.h"
 #include "core/geo/lon_lat.h"
 #include "core/io/footprints/ogr_polygons.h"
 #include "core/io/layers/feature_stream.h"

@@ -25,10 +25,6 @@ GDALDatasetUniquePtr makeBand(std::vector<T>& values, int columns, int rows, GDA
     return added ? std::move(dataset) : nullptr;
 }
 
-int CPL_STDCALL goOn(double /*share*/, const char* /*message*/, void* stop) {
-    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
-}
-
 }  // namespace
 
 void fillFromAround(std::vector<float>& values, int columns, int rows, const std::stop_token& stop) {
@@ -40,8 +36,8 @@ void fillFromAround(std::vector<float>& values, int columns, int rows, const std
     const auto mask = makeBand(known, columns, rows, GDT_Byte);
     if (!band || !mask) return;  // the caller fills what is left
     char** options = CSLSetNameValue(nullptr, "TEMP_FILE_DRIVER", "MEM");
-    (void)GDALFillNodata(band->GetRasterBand(1), mask->GetRasterBand(1), farthestCells, 0, 0, options, goOn,
-                         const_cast<std::stop_token*>(&stop));
+    (void)GDALFillNodata(band->GetRasterBand(1), mask->GetRasterBand(1), farthestCells, 0, 0, options,
+                         goOnUntilStopped, const_cast<std::stop_token*>(&stop));
     CSLDestroy(options);
 }
 
@@ -73,7 +69,7 @@ bool outlineNumbers(std::vector<std::int32_t>& numbers, int columns, int rows,
     OGRFieldDefn number("number", OFTInteger);
     if (layer == nullptr || layer->CreateField(&number) != OGRERR_NONE) return false;
     GDALRasterBand* band = raster->GetRasterBand(1);  // its zeros mask themselves
-    if (GDALPolygonize(band, band, OGRLayer::ToHandle(layer), 0, nullptr, goOn,
+    if (GDALPolygonize(band, band, OGRLayer::ToHandle(layer), 0, nullptr, goOnUntilStopped,
                        const_cast<std::stop_token*>(&stop)) != CE_None)
         return false;
     for (const auto& feature : *layer) {

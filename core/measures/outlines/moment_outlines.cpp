@@ -172,7 +172,6 @@ Result<ShadowOutlines> LevelOutliner::outline(const SunStep& step, Progress& pro
 
 namespace {
 
-constexpr int noBand = -1;
 enum Band : int { baselineBand, incrementalBand, gainedBand, bandCount };
 
 /// The outlines of one step, from the masks of both cities.

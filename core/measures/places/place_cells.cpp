@@ -104,12 +104,6 @@ std::vector<CellEdge> collectEdges(const std::vector<Footprint>& polygons, const
     return walk.collect();
 }
 
-double sumAreas(const std::vector<Footprint>& polygons) {
-    double sum = 0;
-    for (const Footprint& polygon : polygons) sum += area(polygon);
-    return sum;
-}
-
 }  // namespace
 
 std::vector<std::vector<Footprint>> findBuiltGround(std::span<const City* const> cities,
@@ -133,7 +127,7 @@ std::vector<Footprint> findOpenGround(const Place& place, const std::vector<Foot
     if (within.empty()) return place.polygons;
     auto open = cutPiecesOutside(place.polygons, within, any);
     // Nothing also where the overlay fails: then cells under buildings are left out by their centres alone.
-    return open.empty() && sumAreas(within) < sumAreas(place.polygons) ? place.polygons : open;
+    return open.empty() && area(within) < area(place.polygons) ? place.polygons : open;
 }
 
 std::vector<CellPart> listCellParts(const std::vector<Footprint>& polygons, const Grid& grid) {

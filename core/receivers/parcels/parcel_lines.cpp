@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "core/base/safe_text.h"
 #include "core/receivers/points/solid_parts.h"
 
 namespace noonmark {
@@ -121,12 +122,6 @@ namespace {
 
 constexpr std::array names{"north", "northeast", "east", "southeast",
                            "south", "southwest", "west", "northwest"};
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(' ');
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
 
 std::optional<ParcelSide> sideNamed(std::string_view text) {
     std::string name(text);

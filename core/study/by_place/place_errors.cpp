@@ -200,8 +200,7 @@ namespace {
 bool isBuiltOver(std::span<const City* const> cities, const Place& place) {
     constexpr double nothingM2 = 0.01;
     const auto built = findBuiltGround(cities, std::span(&place, 1));
-    double openM2 = 0;
-    for (const Footprint& polygon : findOpenGround(place, built.front())) openM2 += area(polygon);
+    const double openM2 = area(findOpenGround(place, built.front()));
     return openM2 < nothingM2;
 }
 

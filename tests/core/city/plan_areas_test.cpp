@@ -33,12 +33,6 @@ TriangleMesh taper(float baseM, float topM, float heightM) {
     return mesh;
 }
 
-double computeArea(const std::vector<Footprint>& pieces) {
-    double sum = 0;
-    for (const Footprint& piece : pieces) sum += area(piece);
-    return sum;
-}
-
 // 40 x 40 m tapering to 20 x 20 at 40 m, storeys of 3.2 m: with the base on every storey it would be 12.5 ->
 // 13 x 1600 m2.
 TEST(FloorArea, OfATaperIsTheSumOfItsSections) {
@@ -148,15 +142,15 @@ TEST(MeshSection, ACavityIsOutAndWhatOverlapsCountsOnce) {
     TriangleMesh cavity = box({2, 2, 2}, {8, 8, 8});
     turnInsideOut(cavity);
     append(hollow, cavity);
-    EXPECT_NEAR(computeArea(cutSection(hollow, 5).pieces), 100 - 36, 1e-3);
-    EXPECT_NEAR(computeArea(cutSection(hollow, 1).pieces), 100, 1e-3);
+    EXPECT_NEAR(area(cutSection(hollow, 5).pieces), 100 - 36, 1e-3);
+    EXPECT_NEAR(area(cutSection(hollow, 1).pieces), 100, 1e-3);
     EXPECT_TRUE(cutSection(hollow, 11).pieces.empty());
     const TriangleMesh overlapping =
         tests::joined(box({0, 0, 0}, {10, 10, 10}), box({5, 5, 0}, {15, 15, 10}));
-    EXPECT_NEAR(computeArea(cutSection(overlapping, 5).pieces), 175, 1e-3);
+    EXPECT_NEAR(area(cutSection(overlapping, 5).pieces), 175, 1e-3);
 }
 
-Footprint rectangle(float west, float south, float width, float height) {
+Footprint sizedRectangle(float west, float south, float width, float height) {
     return {{{west, south}, {west + width, south}, {west + width, south + height}, {west, south + height}},
             {}};
 }
@@ -182,21 +176,21 @@ Footprint star(std::mt19937& random) {
 }
 
 TEST(AreaShared, OfRectanglesIsWhatTheirSidesSay) {
-    const Footprint square = rectangle(0, 0, 10, 10);
-    EXPECT_NEAR(computeSharedArea(square, rectangle(5, 5, 10, 10)), 25, 1e-9);
-    EXPECT_NEAR(computeSharedArea(square, rectangle(2, 3, 4, 5)), 20, 1e-9);
-    EXPECT_NEAR(computeSharedArea(rectangle(2, 3, 4, 5), square), 20, 1e-9);
+    const Footprint square = sizedRectangle(0, 0, 10, 10);
+    EXPECT_NEAR(computeSharedArea(square, sizedRectangle(5, 5, 10, 10)), 25, 1e-9);
+    EXPECT_NEAR(computeSharedArea(square, sizedRectangle(2, 3, 4, 5)), 20, 1e-9);
+    EXPECT_NEAR(computeSharedArea(sizedRectangle(2, 3, 4, 5), square), 20, 1e-9);
     EXPECT_NEAR(computeSharedArea(square, square), 100, 1e-9);
-    EXPECT_EQ(computeSharedArea(square, rectangle(10, 0, 5, 5)), 0);
-    EXPECT_EQ(computeSharedArea(square, rectangle(0, 10, 5, 5)), 0);
+    EXPECT_EQ(computeSharedArea(square, sizedRectangle(10, 0, 5, 5)), 0);
+    EXPECT_EQ(computeSharedArea(square, sizedRectangle(0, 10, 5, 5)), 0);
 }
 
 TEST(AreaShared, LeavesOutHoles) {
-    Footprint yard = rectangle(0, 0, 30, 30);
+    Footprint yard = sizedRectangle(0, 0, 30, 30);
     yard.holes.push_back({{10, 10}, {10, 20}, {20, 20}, {20, 10}});
-    EXPECT_NEAR(computeSharedArea(yard, rectangle(0, 0, 30, 30)), 800, 1e-9);
-    EXPECT_NEAR(computeSharedArea(yard, rectangle(12, 12, 5, 5)), 0, 1e-9);
-    EXPECT_NEAR(computeSharedArea(rectangle(15, 15, 10, 10), yard), 75, 1e-9);
+    EXPECT_NEAR(computeSharedArea(yard, sizedRectangle(0, 0, 30, 30)), 800, 1e-9);
+    EXPECT_NEAR(computeSharedArea(yard, sizedRectangle(12, 12, 5, 5)), 0, 1e-9);
+    EXPECT_NEAR(computeSharedArea(sizedRectangle(15, 15, 10, 10), yard), 75, 1e-9);
 }
 
 TEST(AreaShared, EqualsAnOverlayOfShapes) {
@@ -208,8 +202,8 @@ TEST(AreaShared, EqualsAnOverlayOfShapes) {
 }
 
 TEST(AreaShared, KeepsItsAccuracyFarFromTheOrigin) {
-    const Footprint far = rectangle(8000, -9000, 100, 50);
-    EXPECT_NEAR(computeSharedArea(far, rectangle(8050, -9000, 100, 25)), 1250, 1e-6);
+    const Footprint far = sizedRectangle(8000, -9000, 100, 50);
+    EXPECT_NEAR(computeSharedArea(far, sizedRectangle(8050, -9000, 100, 25)), 1250, 1e-6);
 }
 
 TEST(AreaOutside, LiesWithinItsBounds) {
@@ -225,8 +219,8 @@ TEST(AreaOutside, LiesWithinItsBounds) {
 }
 
 TEST(AreaOutside, IsExactWhereCoversAreDisjoint) {
-    const OutsideArea bound = boundAreaOutside({rectangle(0, 0, 10, 10), rectangle(20, 0, 10, 10)},
-                                               {rectangle(0, 0, 4, 10), rectangle(4, 0, 22, 5)});
+    const OutsideArea bound = boundAreaOutside({sizedRectangle(0, 0, 10, 10), sizedRectangle(20, 0, 10, 10)},
+                                               {sizedRectangle(0, 0, 4, 10), sizedRectangle(4, 0, 22, 5)});
     EXPECT_NEAR(bound.minM2, 200 - 40 - 30 - 30, 1e-9);
     EXPECT_NEAR(bound.maxM2, bound.minM2, 1e-9);
 }

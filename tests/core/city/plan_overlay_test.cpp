@@ -37,16 +37,10 @@ Footprint box(float west, float south, float width, float height) {
             {}};
 }
 
-double computeArea(const std::vector<Footprint>& footprints) {
-    double sum = 0;
-    for (const Footprint& footprint : footprints) sum += area(footprint);
-    return sum;
-}
-
 TEST(PiecesOutside, AreWhatIsNotCovered) {
     const auto pieces = cutPiecesOutside({box(0, 0, 30, 10)}, {box(10, -5, 10, 20)}, {});
     ASSERT_EQ(pieces.size(), 2U);
-    EXPECT_NEAR(computeArea(pieces), 200, 1e-3);
+    EXPECT_NEAR(area(pieces), 200, 1e-3);
     for (const Footprint& piece : pieces) EXPECT_GT(signedArea(piece.outer), 0);
 }
 
@@ -65,7 +59,7 @@ TEST(PiecesOutside, LeaveOutWhatIsTooSmallOrTooNarrow) {
 }
 
 TEST(PiecesOutside, IsAllWhereNothingCoversIt) {
-    EXPECT_NEAR(computeArea(cutPiecesOutside({box(0, 0, 5, 5)}, {}, {})), 25, 1e-3);
+    EXPECT_NEAR(area(cutPiecesOutside({box(0, 0, 5, 5)}, {}, {})), 25, 1e-3);
     EXPECT_THAT(cutPiecesOutside({box(0, 0, 5, 5)}, {box(-1, -1, 9, 9)}, {}), IsEmpty());
 }
 

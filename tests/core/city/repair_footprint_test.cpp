@@ -19,7 +19,7 @@ namespace {
 
 using namespace tests;
 
-RawRing square(double x, double y, double side) {
+RawRing rawSquare(double x, double y, double side) {
     return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
 }
 
@@ -96,7 +96,7 @@ TEST(RepairFootprint, HostilePolygonsAsBuildingsFarFromTheOrigin) {
 }
 
 TEST(RepairFootprint, ValidPolygonsAreKeptAndOriented) {
-    const auto repaired = repairFootprint({{{0, 0}, {0, 10}, {10, 10}, {10, 0}, {0, 0}}, square(2, 2, 3)});
+    const auto repaired = repairFootprint({{{0, 0}, {0, 10}, {10, 10}, {10, 0}, {0, 0}}, rawSquare(2, 2, 3)});
     ASSERT_EQ(repaired.pieces.size(), 1U);
     EXPECT_EQ(repaired.what, "");
     EXPECT_DOUBLE_EQ(signedArea(repaired.pieces[0].outer), 100);
@@ -113,14 +113,14 @@ TEST(RepairFootprint, CrossedOutlineBecomesItsTwoLobes) {
 }
 
 TEST(RepairFootprint, HoleOutsideBecomesAPieceAndIsReported) {
-    const auto repaired = repairFootprint({square(0, 0, 10), square(20, 0, 5)});
+    const auto repaired = repairFootprint({rawSquare(0, 0, 10), rawSquare(20, 0, 5)});
     EXPECT_EQ(repaired.pieces.size(), 2U);
     EXPECT_DOUBLE_EQ(totalArea(repaired.pieces), 125);
     EXPECT_EQ(repaired.what, "a hole lay outside its outline");
 }
 
 TEST(RepairFootprint, HoleThatSticksOutCutsOnlyTheInside) {
-    const auto repaired = repairFootprint({square(0, 0, 10), square(8, 2, 5)});
+    const auto repaired = repairFootprint({rawSquare(0, 0, 10), rawSquare(8, 2, 5)});
     ASSERT_EQ(repaired.pieces.size(), 1U);
     EXPECT_DOUBLE_EQ(totalArea(repaired.pieces), 90);
 }
@@ -135,12 +135,12 @@ TEST(RepairFootprint, NothingUsableGivesNoPiecesAndAReason) {
         {{{1, 1}, {2, 2}}},
         {{{1, 1}, {1, 1}, {1, 1}, {1, 1}}},
         {{{0, 0}, {5, 5}, {10, 10}}},
-        {square(0, 0, 0.05)},
-        {square(0, 0, 10), square(0, 0, 10)},
+        {rawSquare(0, 0, 0.05)},
+        {rawSquare(0, 0, 10), rawSquare(0, 0, 10)},
         {{{0, 0}, {nan, 1}, {1, 1}}},
         {{{0, 0}, {inf, 1}, {1, 1}}},
         {{{0, 0}, {1e300, 1}, {1, 1}}},
-        {{}, square(0, 0, 10)},
+        {{}, rawSquare(0, 0, 10)},
     };
     for (const auto& rings : useless) {
         const auto repaired = repairFootprint(rings);
@@ -151,7 +151,7 @@ TEST(RepairFootprint, NothingUsableGivesNoPiecesAndAReason) {
 }
 
 TEST(RepairFootprint, HolesThatAreNoneAreLeftOutAndReported) {
-    const auto repaired = repairFootprint({square(0, 0, 10), {{1, 1}, {2, 2}}});
+    const auto repaired = repairFootprint({rawSquare(0, 0, 10), {{1, 1}, {2, 2}}});
     ASSERT_EQ(repaired.pieces.size(), 1U);
     EXPECT_TRUE(repaired.pieces[0].holes.empty());
     EXPECT_EQ(repaired.what, "a hole had fewer than three points");
@@ -323,10 +323,10 @@ TEST(TriangleCount, IsThatOfTheMesh) {
     EXPECT_EQ(countTriangles(part), meshOf(part).triangles.size());
     // A hole in the middle; then one whose corner touches the middle of a side, and one that touches a
     // corner.
-    const Ring square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    const Ring rawSquare{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
     for (const Ring& hole :
          {Ring{{4, 4}, {4, 6}, {6, 6}, {6, 4}}, Ring{{5, 0}, {4, 3}, {6, 3}}, Ring{{0, 0}, {3, 4}, {4, 3}}}) {
-        part.footprint = {square, {hole}};
+        part.footprint = {rawSquare, {hole}};
         EXPECT_EQ(countTriangles(part), meshOf(part).triangles.size());
     }
     part.mesh = std::make_shared<const TriangleMesh>(TriangleMesh{{{}, {}, {}}, {{0, 1, 2}}});

@@ -51,7 +51,8 @@ TEST(Sentence, ANameThatLooksLikeAnArgumentStaysAsItIs) {
 }
 
 TEST(Sentence, BeginsWithACapital) {
-    EXPECT_EQ(formatText({"%1 changes nothing", {std::string("the tower")}}), "The tower changes nothing");
+    EXPECT_EQ(formatText(Sentence{"%1 changes nothing", {std::string("the tower")}}),
+              "The tower changes nothing");
 }
 
 TEST(Sentence, PlacesInAnyOrderAndSignsOfPercentStay) {

@@ -22,7 +22,7 @@ inline void expectClosedSolid(const Part& part, double volume) {
     ASSERT_NE(part.mesh, nullptr);
     EXPECT_EQ(findOpenEdges(*part.mesh), 0U);
     EXPECT_NEAR(signedVolume(*part.mesh), volume, 1e-3 * volume);
-    const noonmark::Box3 box = computeBox(*part.mesh);
+    const noonmark::MeshBox box = computeBox(*part.mesh);
     EXPECT_EQ(part.bottomM, box.low.z);
     EXPECT_EQ(part.topM, box.high.z);
     const Box2 outline = bounds(part.footprint);

@@ -34,8 +34,8 @@ SurfacePoints seenFrom(const City& city, glm::dvec3 eye, glm::dvec3 target) {
         .points;
 }
 
-SurfaceShadow accrued(const City& city, const SurfacePoints& points, const SunSteps& sun,
-                      const AccrualSettings& settings = {}) {
+SurfaceShadow accruedOn(const City& city, const SurfacePoints& points, const SunSteps& sun,
+                        const AccrualSettings& settings = {}) {
     NoProgress progress;
     return SurfaceAccrual::make(settings, {.merge = false})
         .value()
@@ -60,14 +60,14 @@ TEST(SurfaceAccrual, AgreesWithTheRaysOnGroundRoofsAndFacades) {
         const City city = cityOf(randomBoxes(seed, 8));
         const SurfacePoints points = seenFrom(city, {80, -120, 120}, {80, 80, 0});
         const SunSteps sun = greatCircleHour(120, 138, 35);
-        EXPECT_LT(meanErrorPercent(accrued(city, points, sun), tracedOn(city, points, sun)), 1) << seed;
+        EXPECT_LT(meanErrorPercent(accruedOn(city, points, sun), tracedOn(city, points, sun)), 1) << seed;
     }
 }
 
 TEST(SurfaceAccrual, FacadesAreDarkWhileTheSunIsBehindThem) {
     const City city = cityOf({{{0, 0, 0}, {10, 10, 20}}});
     const SurfacePoints points{{{10, 5, 8}, {0, 5, 8}, {5, 5, 20}}, {{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}}, {}};
-    const SurfaceShadow shadow = accrued(city, points, greatCircleHour(80, 100, 30));
+    const SurfaceShadow shadow = accruedOn(city, points, greatCircleHour(80, 100, 30));
     EXPECT_EQ(shadow.grossMin, (std::vector<float>{0, 60, 0}));
     EXPECT_EQ(shadow.continuousMin, (std::vector<float>{0, 60, 0}));
 }
@@ -76,13 +76,13 @@ TEST(SurfaceAccrual, LitFacesDoNotShadeThemselves) {
     const City city = cityOf({{{0, 0, 0}, {100, 100, 60}}});
     const SunSteps sun = greatCircleHour(150, 160, 20);
     const SurfacePoints points = seenFrom(city, {60, -150, 100}, {50, 50, 30});
-    EXPECT_LT(meanErrorPercent(accrued(city, points, sun), tracedOn(city, points, sun)), 0.3);
+    EXPECT_LT(meanErrorPercent(accruedOn(city, points, sun), tracedOn(city, points, sun)), 0.3);
     // In the paper's maps every lit face lies on itself; half a texel of slope bias is needed to clear it.
     const AccrualSettings lit{.side = CasterSide::towardsSun};
     AccrualSettings withSlope = lit;
     withSlope.slopeBias = 1;
-    EXPECT_GT(meanErrorPercent(accrued(city, points, sun, lit), tracedOn(city, points, sun)), 5);
-    EXPECT_LT(meanErrorPercent(accrued(city, points, sun, withSlope), tracedOn(city, points, sun)), 1);
+    EXPECT_GT(meanErrorPercent(accruedOn(city, points, sun, lit), tracedOn(city, points, sun)), 5);
+    EXPECT_LT(meanErrorPercent(accruedOn(city, points, sun, withSlope), tracedOn(city, points, sun)), 1);
 }
 
 TEST(SurfaceAccrual, TheWarpHalvesTheErrorOfALowView) {
@@ -93,8 +93,8 @@ TEST(SurfaceAccrual, TheWarpHalvesTheErrorOfALowView) {
     const AccrualSettings small{.mapSize = 512};
     AccrualSettings even = small;
     even.warp = false;
-    EXPECT_LT(meanErrorPercent(accrued(city, points, sun, small), truth),
-              meanErrorPercent(accrued(city, points, sun, even), truth) / 2);
+    EXPECT_LT(meanErrorPercent(accruedOn(city, points, sun, small), truth),
+              meanErrorPercent(accruedOn(city, points, sun, even), truth) / 2);
 }
 
 TEST(SurfaceAccrual, HillsThrowShadowsAndDoNotShadeTheirSunnySide) {
@@ -108,7 +108,7 @@ TEST(SurfaceAccrual, HillsThrowShadowsAndDoNotShadeTheirSunnySide) {
     city.terrain = std::make_shared<const Terrain>(terrain);
     const SurfacePoints points = seenFrom(city, {0, -250, 200}, {0, 0, 0});
     const SunSteps sun = greatCircleHour(90, 100, 25);
-    EXPECT_LT(meanErrorPercent(accrued(city, points, sun), tracedOn(city, points, sun)), 1);
+    EXPECT_LT(meanErrorPercent(accruedOn(city, points, sun), tracedOn(city, points, sun)), 1);
 }
 
 TEST(SurfaceAccrual, WarpedSlicesEqualSeparateShadowMapsBitForBit) {
@@ -137,7 +137,8 @@ TEST(SurfaceAccrual, WarpedSlicesEqualSeparateShadowMapsBitForBit) {
 }
 
 TEST(SurfaceAccrual, NothingSeenIsNothingShaded) {
-    EXPECT_TRUE(accrued(cityOf({{{0, 0, 0}, {1, 1, 1}}}), {}, greatCircleHour(90, 100, 20)).grossMin.empty());
+    EXPECT_TRUE(
+        accruedOn(cityOf({{{0, 0, 0}, {1, 1, 1}}}), {}, greatCircleHour(90, 100, 20)).grossMin.empty());
 }
 
 TEST(SurfaceAccrual, RefusesWhatIsOutOfRange) {

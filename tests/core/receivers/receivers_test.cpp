@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-Footprint rectangle(float west, float south, float east, float north) {
+Footprint plotBetween(float west, float south, float east, float north) {
     return {{{west, south}, {east, south}, {east, north}, {west, north}}, {}};
 }
 
@@ -35,7 +35,7 @@ std::ptrdiff_t countOf(const Receivers& receivers, CellKind kind) {
 
 TEST(Receivers, CellsOutsideTheRegionAndUnderBuildingsAreNone) {
     City city;
-    city.buildings = {building(rectangle(2, 2, 5, 4)), building(rectangle(-5, 0, -1, 9))};
+    city.buildings = {building(plotBetween(2, 2, 5, 4)), building(plotBetween(-5, 0, -1, 9))};
     const Region triangle{"lawn", {Footprint{{{0, 0}, {10, 0}, {0, 10}}, {}}}};
     const Receivers receivers = receiversOf(city, triangle);
     EXPECT_EQ(receivers.grid, (Grid{0, 0, 1, 10, 10}));
@@ -50,13 +50,13 @@ TEST(Receivers, CellsOutsideTheRegionAndUnderBuildingsAreNone) {
 
 // A lake of 10 x 10 m with an island of 4 x 4 m, under a corner of a house; a park is not water.
 City cityWithLake() {
-    Footprint lake = rectangle(0, 0, 10, 10);
+    Footprint lake = plotBetween(0, 0, 10, 10);
     lake.holes = {{{3, 3}, {3, 7}, {7, 7}, {7, 3}}};
     MapContext map;
     map.areas = {{ContextKind::water, "Lake", {lake}},
-                 {ContextKind::park, "Park", {rectangle(10, 0, 20, 10)}}};
+                 {ContextKind::park, "Park", {plotBetween(10, 0, 20, 10)}}};
     City city;
-    city.buildings = {building(rectangle(8, 8, 12, 12))};
+    city.buildings = {building(plotBetween(8, 8, 12, 12))};
     city.context = std::make_shared<const MapContext>(map);
     return city;
 }
@@ -105,15 +105,15 @@ TEST(Receivers, RowsGoNorthAndColumnsEast) {
 
 TEST(Receivers, HangingPartsLeaveTheGroundBelow) {
     City city;
-    city.buildings = {building(rectangle(0, 0, 4, 4), true)};
+    city.buildings = {building(plotBetween(0, 0, 4, 4), true)};
     const Region region = makeRegionFromLocalBox({{0, 0}, {8, 8}});
     EXPECT_EQ(countOf(receiversOf(city, region), CellKind::building), 0);
-    city.buildings.push_back(building(rectangle(2, 2, 6, 6)));
+    city.buildings.push_back(building(plotBetween(2, 2, 6, 6)));
     EXPECT_EQ(countOf(receiversOf(city, region), CellKind::building), 16);
 }
 
 TEST(Receivers, CourtyardsAreGround) {
-    Footprint court = rectangle(0, 0, 8, 8);
+    Footprint court = plotBetween(0, 0, 8, 8);
     court.holes = {{{2, 2}, {2, 5}, {5, 5}, {5, 2}}};
     City city;
     city.buildings = {building(court)};

@@ -13,8 +13,8 @@ namespace {
 using namespace tests;
 using namespace std::chrono;
 
-const Observer newYork = observerAt(40.75, -73.98);
-const Observer longyearbyen = observerAt(78.22, 15.65);
+const Observer atNewYork = observerAt(40.75, -73.98);
+const Observer atLongyearbyen = observerAt(78.22, 15.65);
 
 Period periodIn(const std::string& zone, CivilDate start) {
     Period period;
@@ -57,7 +57,7 @@ SunSteps stepsOf(const Period& period, const Observer& observer) {
 }
 
 TEST(SunSteps, StandForHalfOpenIntervals) {
-    const SunSteps sun = stepsOf(periodIn("America/New_York", 2026y / March / 21), newYork);
+    const SunSteps sun = stepsOf(periodIn("America/New_York", 2026y / March / 21), atNewYork);
     ASSERT_EQ(sun.steps.size(), 360);
     EXPECT_EQ(sun.steps.front().at, utc(2026, 3, 21, 13));
     EXPECT_EQ(sun.steps.back().at, utc(2026, 3, 21, 18, 59));
@@ -70,7 +70,7 @@ TEST(SunSteps, CanBeStopped) {
     std::stop_source stop;
     stop.request_stop();
     const auto sun =
-        computeSunSteps(periodIn("America/New_York", 2026y / March / 21), newYork, stop.get_token());
+        computeSunSteps(periodIn("America/New_York", 2026y / March / 21), atNewYork, stop.get_token());
     ASSERT_FALSE(sun);
     EXPECT_TRUE(isCancelled(sun.error()));
 }
@@ -80,8 +80,8 @@ TEST(SunSteps, AreWhereTheSunIs) {
     period.stepMinutes = 7;
     for (const bool refraction : {true, false}) {
         period.refraction = refraction;
-        for (const SunStep& step : stepsOf(period, newYork).steps) {
-            const SolarPosition exact = computeSolarPosition(newYork, step.at);
+        for (const SunStep& step : stepsOf(period, atNewYork).steps) {
+            const SolarPosition exact = computeSolarPosition(atNewYork, step.at);
             const Degrees altitude = refraction ? exact.altitudeApparent : exact.altitude;
             EXPECT_NEAR(step.altitudeDeg, altitude.value, 3e-5);
             EXPECT_NEAR(step.azimuthDeg, exact.azimuth.value, 5e-5);
@@ -101,7 +101,7 @@ TEST(SunSteps, FillHoursThatTheStepDoesNotDivide) {
         Period period = periodIn("America/New_York", 2026y / March / 21);
         period.hours = asked.hours;
         period.stepMinutes = asked.stepMinutes;
-        const SunSteps sun = stepsOf(period, newYork);
+        const SunSteps sun = stepsOf(period, atNewYork);
         ASSERT_EQ(sun.steps.size(), asked.steps);
         EXPECT_DOUBLE_EQ(sun.stepMinutes, asked.counted);
         EXPECT_NEAR(sun.sunlitMinutes(), asked.hours * 60, 1e-9);
@@ -116,14 +116,14 @@ TEST(SunSteps, FillHoursThatTheStepDoesNotDivide) {
 TEST(SunSteps, OfASolarWindowCountAllOfItsMinutes) {
     const CivilDate date = 2026y / December / 21;
     const Instant midnight = Zone::named("America/New_York")->instantAt(date, 0min);
-    const SunEvents events = computeSunEvents(newYork, midnight, SunriseRule::upperLimb);
+    const SunEvents events = computeSunEvents(atNewYork, midnight, SunriseRule::upperLimb);
     const double minutes = duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
     ASSERT_NEAR(minutes, 375.2, 2);  // 9 h 15 min of daylight
     Period period = periodIn("America/New_York", date);
     period.window = SolarHours{90min, 90min};
     for (const double step : {1.0, 7.0, 60.0, 240.0}) {
         period.stepMinutes = step;
-        const SunSteps sun = stepsOf(period, newYork);
+        const SunSteps sun = stepsOf(period, atNewYork);
         EXPECT_EQ(sun.steps.size(), std::size_t(std::lround(minutes / step))) << step;
         EXPECT_NEAR(sun.sunlitMinutes(), minutes, 1e-6) << step;
         EXPECT_NEAR(sun.countedMinutes, minutes, 1e-6) << step;
@@ -141,12 +141,12 @@ TEST(SunSteps, OfManySolarWindowsCountAllOfTheirMinutes) {
     for (int i = 0; i < 365; ++i) {
         const CivilDate date{sys_days{period.start} + days{i}};
         const Instant midnight = Zone::named(period.zone)->instantAt(date, 0min);
-        const SunEvents events = computeSunEvents(newYork, midnight, SunriseRule::upperLimb);
+        const SunEvents events = computeSunEvents(atNewYork, midnight, SunriseRule::upperLimb);
         minutes += duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
     }
     for (const double step : {1.0, 10.0, 60.0}) {
         period.stepMinutes = step;
-        const SunSteps sun = stepsOf(period, newYork);
+        const SunSteps sun = stepsOf(period, atNewYork);
         EXPECT_NEAR(sun.sunlitMinutes(), minutes, 0.01) << step;
         EXPECT_NEAR(sun.stepMinutes, step, step / 50) << step;
         EXPECT_GT(sun.maxOffADayMin, 0) << step;
@@ -159,7 +159,7 @@ TEST(SunSteps, OfOneInstantADay) {
     period.days = 3;
     period.hours = 0;
     period.stepMinutes = 10;
-    const SunSteps sun = stepsOf(period, newYork);
+    const SunSteps sun = stepsOf(period, atNewYork);
     EXPECT_EQ(sun.stepMinutes, 1);
     ASSERT_EQ(sun.steps.size(), 3);
     EXPECT_EQ(sun.steps[0].at, utc(2026, 3, 6, 14));
@@ -169,21 +169,21 @@ TEST(SunSteps, OfOneInstantADay) {
 TEST(SunSteps, BeginAtTheWallClockOnDaysOfChange) {
     for (const auto& [date, first] : {std::pair{CivilDate{2026y / March / 8}, utc(2026, 3, 8, 13)},
                                       std::pair{CivilDate{2026y / November / 1}, utc(2026, 11, 1, 14)}}) {
-        const SunSteps sun = stepsOf(periodIn("America/New_York", date), newYork);
+        const SunSteps sun = stepsOf(periodIn("America/New_York", date), atNewYork);
         EXPECT_EQ(sun.steps.size(), 360);
         EXPECT_EQ(sun.steps.front().at, first);
     }
     Period night = periodIn("America/New_York", 2026y / March / 8);
     night.from = 0min;
     night.hours = 24;
-    const SunSteps sun = stepsOf(night, newYork);
+    const SunSteps sun = stepsOf(night, atNewYork);
     EXPECT_EQ(sun.steps.size() + sun.belowHorizon, 1440);
 }
 
 TEST(SunSteps, LeapDayIsADay) {
     Period period = periodIn("America/New_York", 2028y / February / 28);
     period.days = 3;
-    const SunSteps sun = stepsOf(period, newYork);
+    const SunSteps sun = stepsOf(period, atNewYork);
     ASSERT_EQ(sun.dayCount(), 3);
     EXPECT_EQ(sun.days[1].date, CivilDate{2028y / February / 29});
     EXPECT_EQ(sun.days[2].date, CivilDate{2028y / March / 1});
@@ -194,18 +194,18 @@ TEST(SunSteps, MidnightSunFillsTheWholeDay) {
     Period period = periodIn("Europe/Oslo", 2026y / June / 21);
     period.from = 0min;
     period.hours = 24;
-    const SunSteps sun = stepsOf(period, longyearbyen);
+    const SunSteps sun = stepsOf(period, atLongyearbyen);
     EXPECT_EQ(sun.steps.size(), 1440);
     EXPECT_EQ(sun.belowHorizon, 0);
     period.from = 20h;  // across midnight
     period.hours = 8;
-    EXPECT_EQ(stepsOf(period, longyearbyen).steps.size(), 480);
+    EXPECT_EQ(stepsOf(period, atLongyearbyen).steps.size(), 480);
 }
 
 TEST(SunSteps, PolarNightHasDaysWithoutSteps) {
     Period period = periodIn("Europe/Oslo", 2026y / December / 21);
     period.days = 2;
-    const SunSteps sun = stepsOf(period, longyearbyen);
+    const SunSteps sun = stepsOf(period, atLongyearbyen);
     EXPECT_TRUE(sun.steps.empty());
     ASSERT_EQ(sun.dayCount(), 2);
     EXPECT_EQ(sun.days[1].count, 0);
@@ -213,7 +213,7 @@ TEST(SunSteps, PolarNightHasDaysWithoutSteps) {
     EXPECT_EQ(sun.belowHorizon, 720);
     EXPECT_EQ(sun.sunlitMinutes(), 0);
     period.window = SolarHours{};
-    EXPECT_EQ(stepsOf(period, longyearbyen).belowHorizon, 0);
+    EXPECT_EQ(stepsOf(period, atLongyearbyen).belowHorizon, 0);
 }
 
 TEST(SunSteps, BelowTheHorizonLeaveAGapInTheSlots) {
@@ -221,7 +221,7 @@ TEST(SunSteps, BelowTheHorizonLeaveAGapInTheSlots) {
     Period period = periodIn("Europe/Oslo", 2026y / April / 10);
     period.from = 12h;
     period.hours = 24;
-    const SunSteps sun = stepsOf(period, longyearbyen);
+    const SunSteps sun = stepsOf(period, atLongyearbyen);
     EXPECT_EQ(sun.steps.size() + sun.belowHorizon, 1440);
     EXPECT_GT(sun.belowHorizon, 0);
     int gaps = 0;
@@ -234,9 +234,9 @@ TEST(SunSteps, RefractionLengthensTheDay) {
     Period period = periodIn("America/New_York", 2026y / March / 21);
     period.from = 0min;
     period.hours = 24;
-    const std::size_t seen = stepsOf(period, newYork).steps.size();
+    const std::size_t seen = stepsOf(period, atNewYork).steps.size();
     period.refraction = false;
-    const std::size_t geometric = stepsOf(period, newYork).steps.size();
+    const std::size_t geometric = stepsOf(period, atNewYork).steps.size();
     // 29' of refraction, twice, with the sun rising by 15 cos 40.75 deg per hour.
     EXPECT_NEAR(double(seen - geometric), 2 * 60 * (29.0 / 60) / (15 * 0.7576), 2);
     EXPECT_NEAR(double(geometric), 12 * 60 + 4, 6);
@@ -246,10 +246,10 @@ TEST(SunSteps, OfASolarWindowAreCountedFromSunrise) {
     Period period = periodIn("America/New_York", 2026y / March / 7);
     period.days = 3;
     period.window = SolarHours{90min, 90min};
-    const SunSteps sun = stepsOf(period, newYork);
+    const SunSteps sun = stepsOf(period, atNewYork);
     for (const SunDay& day : sun.days) {
         const Instant midnight = Zone::named(period.zone)->instantAt(day.date, 0min);
-        const SunEvents events = computeSunEvents(newYork, midnight, SunriseRule::upperLimb);
+        const SunEvents events = computeSunEvents(atNewYork, midnight, SunriseRule::upperLimb);
         EXPECT_LE(secondsBetween(sun.steps[day.first].at, *events.sunrise + 90min), 0.01);
         const double length =
             duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
@@ -264,7 +264,7 @@ TEST(SunSteps, WindowBeforeSunriseCountsTheStepsWithoutSun) {
     period.window = SolarHours{-30min, -30min};
     period.window->rule = SunriseRule::centre;
     period.refraction = false;
-    const SunSteps sun = stepsOf(period, newYork);
+    const SunSteps sun = stepsOf(period, atNewYork);
     EXPECT_NEAR(double(sun.belowHorizon), 60, 1);
     EXPECT_EQ(sun.steps.front().slot, int(std::ceil(30 / sun.stepMinutes)));
 }
@@ -280,7 +280,7 @@ TEST(SunSteps, WindowThatEndsBeforeItBeginsIsEmpty) {
 TEST(SunSteps, WindowOfAPolarDayIsTheCivilDay) {
     Period period = periodIn("Europe/Oslo", 2026y / June / 21);
     period.window = SolarHours{90min, 90min};
-    const SunSteps sun = stepsOf(period, longyearbyen);
+    const SunSteps sun = stepsOf(period, atLongyearbyen);
     EXPECT_EQ(sun.steps.size(), 1440);
     EXPECT_EQ(sun.steps.front().at, utc(2026, 6, 20, 22));
 }
@@ -330,7 +330,7 @@ TEST(SunSteps, OfAYearAreEightHoursADay) {
     period.days = 365;
     period.from = 8h;
     period.hours = 8;
-    const SunSteps sun = stepsOf(period, newYork);
+    const SunSteps sun = stepsOf(period, atNewYork);
     EXPECT_EQ(sun.steps.size(), 175200);
     EXPECT_EQ(sun.dayCount(), 365);
     EXPECT_EQ(sun.days.back().date, CivilDate{2026y / December / 31});
@@ -342,12 +342,12 @@ TEST(SunSteps, WorkAtBothEndsOfTheirYears) {
             for (const auto& window : {std::optional<SolarHours>{}, std::optional{SolarHours{-12h, -12h}}}) {
                 Period period = periodIn(zone, date);
                 period.window = window;
-                EXPECT_FALSE(stepsOf(period, newYork).days.empty());
+                EXPECT_FALSE(stepsOf(period, atNewYork).days.empty());
             }
         }
     }
-    EXPECT_FALSE(computeSunSteps(periodIn("UTC", 1899y / December / 31), newYork));
-    EXPECT_FALSE(computeSunSteps(periodIn("UTC", 2101y / January / 1), newYork));
+    EXPECT_FALSE(computeSunSteps(periodIn("UTC", 1899y / December / 31), atNewYork));
+    EXPECT_FALSE(computeSunSteps(periodIn("UTC", 2101y / January / 1), atNewYork));
 }
 
 TEST(SunSteps, RefuseWhatIsOutOfRange) {
@@ -356,9 +356,9 @@ TEST(SunSteps, RefuseWhatIsOutOfRange) {
     period.days = 3660;
     period.hours = 24;
     period.stepMinutes = 1.0 / 60;
-    EXPECT_EQ(computeSunSteps(period, newYork).error().where, "step");  // 316 million steps
+    EXPECT_EQ(computeSunSteps(period, atNewYork).error().where, "step");  // 316 million steps
     period.days = 0;
-    EXPECT_EQ(computeSunSteps(period, newYork).error().where, "days");
+    EXPECT_EQ(computeSunSteps(period, atNewYork).error().where, "days");
 }
 
 }  // namespace

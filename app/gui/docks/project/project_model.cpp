@@ -16,7 +16,7 @@ namespace {
 
 using Kind = ProjectNode::Kind;
 
-QString formatText(const std::string& text) { return QString::fromStdString(text); }
+QString qtText(const std::string& text) { return QString::fromStdString(text); }
 
 ProjectNode& added(ProjectNode& parent, ProjectNode node) {
     node.parent = &parent;
@@ -35,8 +35,7 @@ ProjectNode& addGroup(ProjectNode& root, ProjectPart part, const QString& text, 
 
 ProjectNode& addPart(ProjectNode& group, const std::string& name, const QString& about = {},
                      const QString& tip = {}) {
-    const QString text =
-        about.isEmpty() ? formatText(name) : QStringLiteral("%1   %2").arg(formatText(name), about);
+    const QString text = about.isEmpty() ? qtText(name) : QStringLiteral("%1   %2").arg(qtText(name), about);
     return added(group, {.kind = Kind::part, .part = group.part, .name = name, .text = text, .tip = tip});
 }
 
@@ -54,13 +53,13 @@ void addCity(ProjectNode& root, const Project& project) {
                                 : QObject::tr("Flat ground"));
     if (!project.attribution.empty()) addFact(group, describeData(project.attribution));
     for (const InputFile& input : project.inputs)
-        addFact(group, formatText(input.path.filename().string()),
-                QStringLiteral("%1\n%2").arg(formatText(input.path.string()), formatText(input.sha256)));
+        addFact(group, qtText(input.path.filename().string()),
+                QStringLiteral("%1\n%2").arg(qtText(input.path.string()), qtText(input.sha256)));
 }
 
 void addScenario(ProjectNode& group, const Scenario& scenario, bool shown, bool baseline) {
     QStringList notes;
-    if (!scenario.base.empty()) notes << QObject::tr("from %1").arg(formatText(scenario.base));
+    if (!scenario.base.empty()) notes << QObject::tr("from %1").arg(qtText(scenario.base));
     if (baseline) notes << QObject::tr("baseline");
     ProjectNode& node =
         addPart(group, scenario.name,
@@ -72,10 +71,10 @@ void addScenario(ProjectNode& group, const Scenario& scenario, bool shown, bool 
                      .part = ProjectPart::scenario,
                      .name = scenario.name,
                      .position = i,
-                     .text = formatText(noonmark::formatText(scenario.edits[i])),
+                     .text = qtText(noonmark::formatText(scenario.edits[i])),
                      .tip = QObject::tr("Step %1 of %2; press Delete to remove it")
                                 .arg(i + 1)
-                                .arg(formatText(scenario.name))});
+                                .arg(qtText(scenario.name))});
 }
 
 void addScenarios(ProjectNode& root, const Project& project, const std::string& shown,
@@ -114,11 +113,10 @@ void addPlaces(ProjectNode& root, const Project& project) {
         addGroup(root, ProjectPart::place, QObject::tr("Places"), project.places.size(),
                  QObject::tr("Areas whose sunlight matters: parks, playgrounds, school grounds..."));
     for (const Place& place : project.places)
-        addPart(group, place.name,
-                QObject::tr("%1, %2").arg(describeKind(place.kind), describeArea(noonmark::area(place))),
-                QObject::tr("%1\nPress Enter or double-click to zoom to it")
-                    .arg(formatText(place.source))
-                    .trimmed());
+        addPart(
+            group, place.name,
+            QObject::tr("%1, %2").arg(describeKind(place.kind), describeArea(noonmark::area(place))),
+            QObject::tr("%1\nPress Enter or double-click to zoom to it").arg(qtText(place.source)).trimmed());
 }
 
 void addPeriods(ProjectNode& root, const Project& project) {
@@ -127,7 +125,7 @@ void addPeriods(ProjectNode& root, const Project& project) {
     for (const NamedPeriod& period : project.periods)
         addPart(group, period.name, {},
                 QObject::tr("%1\nPress Enter or double-click to use it as the study period")
-                    .arg(formatText(noonmark::formatText(period.period))));
+                    .arg(qtText(noonmark::formatText(period.period))));
 }
 
 QString describeView(const SavedView& view) {
@@ -135,8 +133,8 @@ QString describeView(const SavedView& view) {
     if (view.section) projection = QObject::tr("%1, section box").arg(projection);
     if (!view.moment) return projection;
     return QObject::tr("%1, %2 %3")
-        .arg(projection, formatText(noonmark::formatText(view.moment->date)),
-             formatText(noonmark::formatText(view.moment->at)));
+        .arg(projection, qtText(noonmark::formatText(view.moment->date)),
+             qtText(noonmark::formatText(view.moment->at)));
 }
 
 void addViews(ProjectNode& root, const Project& project) {
@@ -157,7 +155,7 @@ void addWeights(ProjectNode& root, const Project& project) {
             addPart(group, table.name, {},
                     QObject::tr("Press Enter or double-click to edit it and compute scores with it"));
         for (const WeightedInterval& interval : table.intervals)
-            addFact(node, QStringLiteral("%1   %2").arg(formatText(interval.name)).arg(interval.weight));
+            addFact(node, QStringLiteral("%1   %2").arg(qtText(interval.name)).arg(interval.weight));
     }
 }
 
@@ -166,13 +164,13 @@ void addResults(ProjectNode& root, const Project& project) {
         addGroup(root, ProjectPart::result, QObject::tr("Saved results"), project.results.size(),
                  QObject::tr("Maps and figures saved in the project"));
     for (const auto& result : project.results) {
-        const QString of = result->baseline.empty()
-                               ? formatText(result->scenario)
-                               : QObject::tr("%1 compared with %2")
-                                     .arg(formatText(result->scenario), formatText(result->baseline));
+        const QString of =
+            result->baseline.empty()
+                ? qtText(result->scenario)
+                : QObject::tr("%1 compared with %2").arg(qtText(result->scenario), qtText(result->baseline));
         addPart(group, result->name, {},
                 QObject::tr("%1 of %2\nPress Enter or double-click to show it again")
-                    .arg(formatText(result->kind), of));
+                    .arg(qtText(result->kind), of));
     }
 }
 

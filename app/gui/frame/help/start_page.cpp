@@ -38,7 +38,7 @@ void saveShowStart(bool shows, QSettings& settings) { settings.setValue(showStar
 namespace {
 
 constexpr int sidePx = 400;  // of each side, unless the docks are wider
-constexpr int gapPx = 8;
+constexpr int cardGapPx = 8;
 constexpr int iconPx = 32;
 constexpr QSize thumbnailPx{96, 64};
 constexpr qsizetype maxRecent = 4;
@@ -99,8 +99,8 @@ QVBoxLayout* makeColumn(QFrame& side) {
     around->setContentsMargins(0, 0, 0, 0);
     around->addWidget(scroll);
     auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(2 * gapPx, 2 * gapPx, 2 * gapPx, gapPx);
-    column->setSpacing(gapPx);
+    column->setContentsMargins(2 * cardGapPx, 2 * cardGapPx, 2 * cardGapPx, cardGapPx);
+    column->setSpacing(cardGapPx);
     return column;
 }
 
@@ -191,7 +191,7 @@ void StartPage::addOpenButtons(QVBoxLayout& column) {
                                      tr("A folder of city files, such as tiles or a file geodatabase"));
     file->setDefault(true);
     for (QPushButton* button : {file, folder}) {
-        button->setMinimumHeight(4 * gapPx);
+        button->setMinimumHeight(4 * cardGapPx);
         row->addWidget(button, 1);
     }
     connect(file, &QPushButton::clicked, this, &StartPage::openRequested);

@@ -49,17 +49,17 @@ const AnswerViewer& viewerOf(std::string_view question) {
 
 namespace {
 
-QString formatText(const std::string& text) { return QString::fromStdString(text); }
+QString qtText(const std::string& text) { return QString::fromStdString(text); }
 
 // In local time, since the reader usually saved it on the same machine.
 QString keptAt(const SavedOrigin& origin) {
-    const QDateTime at = QDateTime::fromString(formatText(origin.at), Qt::ISODate).toLocalTime();
+    const QDateTime at = QDateTime::fromString(qtText(origin.at), Qt::ISODate).toLocalTime();
     return at.isValid() ? at.toString(QStringLiteral("yyyy-MM-dd HH:mm")) : QObject::tr("at an unknown date");
 }
 
 QString noteOf(const SavedContent& result) {
     const QString saved =
-        QObject::tr("Saved %1: %2").arg(keptAt(result.answer.origin), formatText(result.result->name));
+        QObject::tr("Saved %1: %2").arg(keptAt(result.answer.origin), qtText(result.result->name));
     return result.upToDate() ? saved : QObject::tr("%1. Outdated").arg(saved);
 }
 
@@ -83,16 +83,16 @@ std::vector<ResultRow> rowsOfSaved(const Answer& answer, ShownAs show) {
     const auto& saved = *answer.as<SavedContent>();
     const SavedOrigin& origin = saved.answer.origin;
     std::vector<ResultRow> rows{
-        {QObject::tr("Saved result"), formatText(saved.result->name),
+        {QObject::tr("Saved result"), qtText(saved.result->name),
          QObject::tr("As saved in the project, not recomputed")},
-        {QObject::tr("Scenario"), formatText(saved.result->scenario), {}},
+        {QObject::tr("Scenario"), qtText(saved.result->scenario), {}},
         {QObject::tr("Region"),
          QObject::tr("%1\ncells of %2 m")
-             .arg(origin.region.empty() ? QObject::tr("unnamed") : formatText(origin.region))
+             .arg(origin.region.empty() ? QObject::tr("unnamed") : qtText(origin.region))
              .arg(saved.result->grid.cellM),
          {}},
         {QObject::tr("Computed by"),
-         QObject::tr("%1, saved %2").arg(formatText(origin.program), keptAt(origin)),
+         QObject::tr("%1, saved %2").arg(qtText(origin.program), keptAt(origin)),
          {}}};
     const auto list = viewerOf(saved.result->kind).savedRows;
     for (ResultRow& row : list ? list(saved, show) : figureRows(answer.figures()))
@@ -101,7 +101,7 @@ std::vector<ResultRow> rowsOfSaved(const Answer& answer, ShownAs show) {
 }
 
 QString titleOfSaved(const Answer& answer) {
-    return QObject::tr("Saved result %1").arg(formatText(answer.as<SavedContent>()->result->name));
+    return QObject::tr("Saved result %1").arg(qtText(answer.as<SavedContent>()->result->name));
 }
 
 // When the result was saved, and each change since.
@@ -109,7 +109,7 @@ AnswerNote describeSaved(const Answer& answer) {
     const auto& saved = *answer.as<SavedContent>();
     QStringList words{QObject::tr("A result saved %1.").arg(keptAt(saved.answer.origin))};
     for (const auto* changes : {&saved.changes, &saved.weightChanges})
-        for (const std::string& change : *changes) words << formatText(change);
+        for (const std::string& change : *changes) words << qtText(change);
     if (saved.upToDate()) words << QObject::tr("Its inputs have not changed since.");
     return {words.join(QLatin1Char('\n')), !saved.upToDate()};
 }

@@ -11,8 +11,6 @@ namespace noonmark {
 
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr const char* measuredKey = "measured";  // in Project::view: a JSON list of names of results
 
 // Whether the hash of the settings and the scenarios are all that the question depends on: which places or
@@ -46,10 +44,10 @@ std::shared_ptr<const SavedResult> underFreeName(std::shared_ptr<const SavedResu
 }
 
 std::vector<std::string> readNames(const std::string& text) {
-    const Json json = Json::parse(text, nullptr, false);
+    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
     std::vector<std::string> names;
     if (!json.is_array()) return names;
-    for (const Json& name : json)
+    for (const nlohmann::json& name : json)
         if (name.is_string()) names.push_back(name.get<std::string>());
     return names;
 }
@@ -85,7 +83,7 @@ Project withMeasured(Project project, const MeasuredAnswers& measured) {
         if (cells > maxMeasuredCells) break;
         results.push_back(std::move(result));
     }
-    Json names = Json::array();
+    nlohmann::json names = nlohmann::json::array();
     for (auto result = results.rbegin(); result != results.rend(); ++result) {
         project.results.push_back(underFreeName(*result, project));
         names.push_back(project.results.back()->name);

@@ -138,8 +138,7 @@ bool measuresPoints(const StudySettings& settings) {
 
 bool mayBeLong(const StudySettings& settings) {
     if (settings.engine == referenceEngine) return true;
-    double areaM2 = 0;
-    for (const Footprint& polygon : settings.region.polygons) areaM2 += area(polygon);
+    const double areaM2 = area(settings.region.polygons);
     const double hours = settings.period.window ? 24 : std::max(settings.period.hours, 1.0);
     const double steps = settings.period.days * hours * 60 / settings.period.stepMinutes;
     return areaM2 / (settings.receivers.cellM * settings.receivers.cellM) * steps > fewRays;

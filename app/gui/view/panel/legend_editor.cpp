@@ -18,7 +18,7 @@ namespace noonmark {
 
 namespace {
 
-using Kind = LegendClasses::Kind;
+using ClassKind = LegendClasses::Kind;
 
 constexpr QSize swatch{96, 12};
 
@@ -171,8 +171,8 @@ void LegendEditor::setChoice(const LegendChoice& choice, const std::optional<Col
     const bool isLocked = choice.range && isTyped;
     locked_->setChecked(isLocked);
     range_->setText(isLocked ? QString::fromStdString(formatText(*choice.range)) : QString());
-    const bool hasBreaks = classes.kind == Kind::breaks;
-    kind_->setCurrentIndex(int(hasBreaks && !isTyped ? Kind::continuous : classes.kind));
+    const bool hasBreaks = classes.kind == ClassKind::breaks;
+    kind_->setCurrentIndex(int(hasBreaks && !isTyped ? ClassKind::continuous : classes.kind));
     count_->setValue(classes.count);
     breaks_->setText(hasBreaks && isTyped ? QString::fromStdString(formatText(classes)) : QString());
     showEnabled();
@@ -209,7 +209,7 @@ bool LegendEditor::isOfPlaces() const { return fitted_ && isOfPlaces(*fitted_); 
 void LegendEditor::setCanUndo(bool can) { undo_->setEnabled(can); }
 
 void LegendEditor::showEnabled() {
-    const auto kind = Kind(kind_->currentIndex());
+    const auto kind = ClassKind(kind_->currentIndex());
     const bool hasClasses = fitted_.has_value();
     show_->setEnabled(!isOfPlaces());
     for (QWidget* field : {static_cast<QWidget*>(ramp_), static_cast<QWidget*>(reversed_)})
@@ -217,8 +217,8 @@ void LegendEditor::showEnabled() {
     for (QWidget* field : {static_cast<QWidget*>(range_), static_cast<QWidget*>(locked_)})
         field->setEnabled(hasClasses && !aroundZero() && hoursShown_);
     kind_->setEnabled(hasClasses);
-    count_->setEnabled(hasClasses && (kind == Kind::equal || kind == Kind::quantiles));
-    breaks_->setEnabled(hasClasses && kind == Kind::breaks && hoursShown_);
+    count_->setEnabled(hasClasses && (kind == ClassKind::equal || kind == ClassKind::quantiles));
+    breaks_->setEnabled(hasClasses && kind == ClassKind::breaks && hoursShown_);
     problem_->setText(!fitted_ ? tr("What is shown has fixed colours: there is nothing to choose")
                       : !hoursShown_
                           ? tr("Range and numbers are hours of sun a day: switch to Sun to change them")
@@ -228,17 +228,17 @@ void LegendEditor::showEnabled() {
 }
 
 std::optional<LegendClasses> LegendEditor::readClasses() const {
-    const auto kind = Kind(kind_->currentIndex());
-    if (kind != Kind::breaks) return LegendClasses{kind, count_->value(), {}};
+    const auto kind = ClassKind(kind_->currentIndex());
+    if (kind != ClassKind::breaks) return LegendClasses{kind, count_->value(), {}};
     const auto breaks = parseLegendClasses(withoutSpaces(*breaks_));
-    if (!breaks || breaks->kind != Kind::breaks) return std::nullopt;
+    if (!breaks || breaks->kind != ClassKind::breaks) return std::nullopt;
     return *breaks;
 }
 
 // What is typed for places is in hours, so legends show sun from then on. A range of shadow stays.
 LegendChoice LegendEditor::withHours(LegendChoice choice, const LegendClasses& classes,
                                      const std::optional<LegendRange>& range) {
-    if (range || classes.kind == Kind::breaks) choice.show = ShownAs::sun;
+    if (range || classes.kind == ClassKind::breaks) choice.show = ShownAs::sun;
     if (choice.show == ShownAs::sun) choice.range = range;
     choice.classes = classes;
     return choice;
@@ -255,7 +255,7 @@ std::optional<LegendChoice> LegendEditor::readRows() const {
         choice.changeRamp = ramp;
         choice.changeReversed = reversed_->isChecked();
         choice.changeClasses = *classes;
-        if (isOfPlaces() && classes->kind == Kind::breaks) choice.show = ShownAs::sun;
+        if (isOfPlaces() && classes->kind == ClassKind::breaks) choice.show = ShownAs::sun;
     } else if (isOfPlaces()) {
         if (ramp != fitted_->ramp) choice.ramp = ramp;  // else the usual one stays that of other maps
         choice.reversed = reversed_->isChecked();

@@ -10,7 +10,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double tablePt = 7.4;
+constexpr double denseTablePt = 7.4;
 constexpr std::size_t maxDaysAll = 31;  // of longer ranges only days with incremental shadow are listed
 
 /// The places that tables list one by one.
@@ -37,7 +37,7 @@ QString leftOutText(const ReviewScene& scene) {
 /// The rule's own table.
 std::optional<NamedTable> ruleTable(const ReviewScene& scene) {
     const ReviewStudy& study = scene.source.study;
-    PageTable table{{}, {}, {}, {}, tablePt * textScale(scene.settings.setup)};
+    PageTable table{{}, {}, {}, {}, denseTablePt * textScale(scene.settings.setup)};
     const auto columns = columnsIn(scene.settings.units, study.rule.deliverables.columns);
     for (const RuleColumn& column : columns) table.titles.push_back(plainText(column.title));
     if (table.titles.empty()) return std::nullopt;
@@ -75,7 +75,7 @@ std::optional<NamedTable> criteriaTable(const ReviewScene& scene) {
                     {},
                     {},
                     {},
-                    tablePt * textScale(scene.settings.setup)};
+                    denseTablePt * textScale(scene.settings.setup)};
     const QString none = QStringLiteral("-");
     const UnitSystem units = scene.settings.units;
     for (const PlaceRow* listed : singleRows(scene)) {
@@ -122,7 +122,7 @@ std::optional<NamedTable> sumTable(const ReviewScene& scene) {
                     {},
                     {},
                     {},
-                    tablePt * textScale(scene.settings.setup)};
+                    denseTablePt * textScale(scene.settings.setup)};
     for (const PlaceRow* listed : singleRows(scene)) {
         const ReviewTotals& sum = study.places[listed->reviews.front()].totals;
         table.rows.push_back({numberedName(*listed), areaHours(scene, sum.theoreticalM2h),
@@ -149,7 +149,7 @@ std::optional<NamedTable> seasonTable(const ReviewScene& scene) {
         {},
         {},
         {},
-        tablePt * textScale(scene.settings.setup)};
+        denseTablePt * textScale(scene.settings.setup)};
     for (const PlaceRow* listed : singleRows(scene))
         for (const SeasonSum& season : sumSeasons(study.places[listed->reviews.front()])) {
             if (season.daysWithShadow <= 0) continue;
@@ -179,7 +179,7 @@ std::optional<NamedTable> contributionTable(const ReviewScene& scene) {
         {},
         {},
         {},
-        tablePt * textScale(scene.settings.setup)};
+        denseTablePt * textScale(scene.settings.setup)};
     for (const ReviewContribution& building : study.contributions)
         for (const PlaceRow* listed : singleRows(scene)) {
             const std::size_t i = listed->reviews.front();

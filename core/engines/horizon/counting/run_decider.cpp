@@ -13,7 +13,7 @@ namespace {
 
 // Two bins are neighbours if their means are no farther apart than this; the widest bin has 2 deg.
 constexpr double neighboursDeg = 4;
-constexpr double fullTurn = 2 * std::numbers::pi;
+constexpr double turnRad = 2 * std::numbers::pi;
 
 // In longer steps the sun passes what three bins see, so that one step taken for lit can part a run.
 constexpr double minutesOfManySteps = 1.5;
@@ -34,7 +34,7 @@ RunDoubts::RunDoubts(const BinnedSun& binned, double stepMinutes)
     for (std::size_t bin = 0; bin < binned.bins.size(); ++bin) {
         neighbours_.push_back(neighboursOf(binned, bin));
         const double azimuth = std::atan2(-binned.bins[bin].away.x, -binned.bins[bin].away.y);
-        azimuthsRad_.push_back(azimuth < 0 ? azimuth + fullTurn : azimuth);
+        azimuthsRad_.push_back(azimuth < 0 ? azimuth + turnRad : azimuth);
     }
 }
 
@@ -87,7 +87,7 @@ void RunDoubts::doubt(std::span<const OpenBelow> open, const EyeBox& eyes, Horiz
                 for (HorizonCode& code : widened.lowest[std::size_t(bin - azimuthsRad_.begin())].values)
                     if (code <= top) code = noHorizon;
         };
-        for (const double turn : {-fullTurn, 0.0, fullTurn}) doubtFrom(seen.azimuthRad + turn);
+        for (const double turn : {-turnRad, 0.0, turnRad}) doubtFrom(seen.azimuthRad + turn);
     }
 }
 

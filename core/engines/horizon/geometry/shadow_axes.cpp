@@ -7,13 +7,13 @@
 namespace noonmark {
 
 namespace {
-constexpr std::size_t side = ReceiverBlocks::side;
-static_assert(sizeof(CacheLine<float>) == side * sizeof(float));
+constexpr std::size_t blockSide = ReceiverBlocks::side;
+static_assert(sizeof(CacheLine<float>) == blockSide * sizeof(float));
 }  // namespace
 
 BlockGrounds::BlockGrounds(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM) {
     if (receivers.flat()) return;
-    rows_.resize(blocks.blocks().size() * side);
+    rows_.resize(blocks.blocks().size() * blockSide);
     columns_.resize(rows_.size());
     lowestM_.assign(blocks.blocks().size(), std::numeric_limits<float>::max());
     for (std::size_t i = 0; i < blocks.blocks().size(); ++i) {
@@ -23,8 +23,9 @@ BlockGrounds::BlockGrounds(const Receivers& receivers, const ReceiverBlocks& blo
             const std::uint32_t cell = blocks.cell(block.first + n);
             if (cell == ReceiverBlocks::padding) continue;
             const auto heightM = float(double(placeRayOrigin(receivers.position(cell)).z) - datumM);
-            const std::size_t row = places[n] / side, column = places[n] % side;
-            rows_[i * side + row].values[column] = columns_[i * side + column].values[row] = heightM;
+            const std::size_t row = places[n] / blockSide, column = places[n] % blockSide;
+            rows_[i * blockSide + row].values[column] = columns_[i * blockSide + column].values[row] =
+                heightM;
             lowestM_[i] = std::min(lowestM_[i], heightM);
         }
     }
@@ -32,7 +33,7 @@ BlockGrounds::BlockGrounds(const Receivers& receivers, const ReceiverBlocks& blo
 
 BlockGround BlockGrounds::of(std::size_t block, bool swapped) const {
     if (rows_.empty()) return {};
-    return {(swapped ? columns_ : rows_).data() + block * side, lowestM_[block]};
+    return {(swapped ? columns_ : rows_).data() + block * blockSide, lowestM_[block]};
 }
 
 }  // namespace noonmark

@@ -102,7 +102,7 @@ void addTo(Finding& finding, const PaperColumn& paper, const Straightness& ours)
     finding.charts[1].series[1].points.push_back({x, paper.deviation, {}});
 }
 
-Finding emptyFinding(const Extent& extent) {
+Finding emptyLinearity(const Extent& extent) {
     Finding finding;
     finding.key = "sun_linearity";
     finding.title = "How straight the sun's path is";
@@ -132,7 +132,7 @@ Finding emptyFinding(const Extent& extent) {
 Result<Finding> benchSunLinearity(const BenchSite& site, const Extent& extent, const Work& work) {
     const auto sun = SunOfYear::of(site);
     if (!sun) return tl::make_unexpected(sun.error());
-    Finding finding = emptyFinding(extent);
+    Finding finding = emptyLinearity(extent);
     Pieces pieces(work, "the sun's path", paperTable.size());
     for (const PaperColumn& paper : paperTable) {
         pieces.next();

@@ -140,7 +140,7 @@ void addAccrualRatios(Finding& finding, const StartList& engines, const std::vec
              "SAM on the processor / shadow maps", "");
 }
 
-Finding emptyFinding(const Extent& extent) {
+Finding emptyTimes(const Extent& extent) {
     Finding finding;
     finding.key = "engine_times";
     finding.title = "All engines over places and days";
@@ -169,7 +169,7 @@ Result<Finding> benchEngineTimes(const BenchSite& site, const Extent& extent, co
                                  const Work& work) {
     const auto all = meetings(site, extent, engines, work);
     if (!all) return tl::make_unexpected(all.error());
-    Finding finding = emptyFinding(extent);
+    Finding finding = emptyTimes(extent);
     addRows(finding, engines, *all, extent.hoursADay);
     addEngines(finding, engines, *all, extent.hoursADay);
     finding.comparisons.push_back({{"times as fast", "ours", "paper"}, {}});

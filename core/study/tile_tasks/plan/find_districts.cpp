@@ -76,11 +76,11 @@ std::optional<LonLatBox> parseBox(const std::string& text) {
     return box;
 }
 
-struct Counts {
+struct DistrictCounts {
     int columns, rows;
 };
 
-Counts countDistricts(const LonLatBox& box, double sideM) {
+DistrictCounts countDistricts(const LonLatBox& box, double sideM) {
     const double middle = Degrees{(box.southDeg + box.northDeg) / 2}.radians().value;
     const double widthM = (box.eastDeg - box.westDeg) * metresPerDegree * std::cos(middle);
     const double heightM = (box.northDeg - box.southDeg) * metresPerDegree;
@@ -99,7 +99,7 @@ Result<std::vector<District>> oneDistrict(const TaskPlanRequest& request, const 
     });
 }
 
-Result<std::vector<District>> divide(const LonLatBox& box, Counts counts) {
+Result<std::vector<District>> divide(const LonLatBox& box, DistrictCounts counts) {
     std::vector<District> districts;
     const double width = (box.eastDeg - box.westDeg) / counts.columns;
     const double height = (box.northDeg - box.southDeg) / counts.rows;
@@ -169,9 +169,9 @@ Result<std::vector<District>> findDistricts(const TaskPlanRequest& request, cons
     const FootprintScan& all = scan.footprints;
     const auto box = request.region == "city" ? std::optional(all.box) : parseBox(request.region);
     if (!box) return oneDistrict(request, all.frame);
-    const Counts counts = countDistricts(*box, request.districtM);
+    const DistrictCounts counts = countDistricts(*box, request.districtM);
     if (counts.columns * counts.rows > 1) return divide(*box, counts);
-    const Counts inputs = countDistricts(all.box, 2 * request.districtM);
+    const DistrictCounts inputs = countDistricts(all.box, 2 * request.districtM);
     const bool small = inputs.columns * inputs.rows == 1;
     return oneDistrict(request, small ? all.frame : Frame(middleOf(*box)));
 }

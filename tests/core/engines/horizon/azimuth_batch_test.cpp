@@ -147,7 +147,7 @@ TEST(GrossAlone, IsThatOfASweepWithRunsOnTerrain) {
 }
 
 TEST(BlockSums, CountEachSquareHoweverItsLinesRun) {
-    const City city = cityOf({});
+    const City city;
     const Receivers receivers = receiversOver(city, 0, 0, 40, 20);
     const ReceiverBlocks blocks(receivers, {0, 0, receivers.grid.columns, receivers.grid.rows});
     const HorizonCode suns[] = {-30'000, -20'000, -20'000};

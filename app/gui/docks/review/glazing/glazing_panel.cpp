@@ -95,7 +95,7 @@ void GlazingPanel::resumeShown() {
 namespace {
 
 constexpr int rowRole = Qt::UserRole, valueRole = Qt::UserRole + 1;
-enum Column {
+enum GlazingColumn {
     windowColumn,
     formerColumn,
     verdictColumn,
