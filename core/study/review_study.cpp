@@ -173,10 +173,12 @@ Result<ReviewStudy> runReview(const Rule& rule, const City& baseline, const City
     std::vector<std::vector<DayTimeline>> timelines(settings.timelines ? measured.places.size() : 0);
     const auto take = [&](std::size_t day, std::span<const PlaceShadow> shadows) -> Result<void> {
         tbb::parallel_for(std::size_t{0}, shadows.size(), [&](std::size_t i) {
-            evaluations[i].add(shadows[i], days.weights[day], spots->near(i, shadows[i]));
+            const auto between = spots->near(i, shadows[i]);
+            evaluations[i].add(shadows[i], days.weights[day], between);
             if (settings.timelines)
-                timelines[i].push_back(thinned(computeTimeline(shadows[i], {.longestStays = false}),
-                                               days.sun.stepMinutes, days.sun.days.size()));
+                timelines[i].push_back(
+                    thinned(computeTimeline(shadows[i], {.longestStays = false, .spots = between}),
+                            days.sun.stepMinutes, days.sun.days.size()));
         });
         return {};
     };

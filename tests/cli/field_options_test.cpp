@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/cli/options/project_options.h"
+
 namespace noonmark::cli {
 namespace {
 
@@ -83,6 +85,19 @@ TEST_F(FieldOptionsTest, RefuseWhatTheTableRefuses) {
                              "--colour blue", "--strings 1.5,200", "--strings a", "--knot x", "--knot =1",
                              "--no-flight", "--colour red --tail 2"})
         EXPECT_FALSE(parse(line)) << line;
+}
+
+TEST(ProjectZone, IsThatOfThePeriodsElseOfTheStudyInTheWindow) {
+    Project project;
+    EXPECT_FALSE(commonZone(project));
+    project.view["study"] = "not a study";
+    EXPECT_FALSE(commonZone(project));
+    project.view["study"] = R"({"period":{"zone":"America/Chicago"}})";
+    EXPECT_EQ(commonZone(project), "America/Chicago");
+    project.periods = {{"spring", {.zone = "Europe/Berlin"}}};
+    EXPECT_EQ(commonZone(project), "Europe/Berlin");
+    project.periods.push_back({"autumn", {.zone = "Europe/Paris"}});
+    EXPECT_FALSE(commonZone(project));
 }
 
 }  // namespace

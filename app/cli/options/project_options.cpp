@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/cli/options/shared_options.h"
@@ -138,7 +139,22 @@ void addNamedPeriod(CLI::App& command, const std::vector<CLI::Option*>& before, 
         if (option != named && std::ranges::find(before, option) == before.end()) named->excludes(option);
 }
 
+namespace {
+
+/// Of the study that the window saved as its own; none: the window has not saved the project.
+std::optional<std::string> zoneOfView(const Project& project) {
+    const auto study = project.view.find("study");
+    if (study == project.view.end()) return std::nullopt;
+    const auto saved = nlohmann::json::parse(study->second, nullptr, false);
+    const auto zone = "/period/zone"_json_pointer;
+    if (!saved.is_object() || !saved.contains(zone) || !saved.at(zone).is_string()) return std::nullopt;
+    return saved.at(zone).get<std::string>();
+}
+
+}  // namespace
+
 std::optional<std::string> commonZone(const Project& project) {
+    if (project.periods.empty()) return zoneOfView(project);
     std::set<std::string> zones;
     for (const NamedPeriod& period : project.periods) zones.insert(period.period.zone);
     return zones.size() == 1 ? std::optional(*zones.begin()) : std::nullopt;

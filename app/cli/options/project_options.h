@@ -40,7 +40,8 @@ Result<Region> regionIn(const Project& project, const City& city, const std::str
 /// added to `command` since `before`.
 void addNamedPeriod(CLI::App& command, const std::vector<CLI::Option*>& before, std::string& name);
 
-/// The zone that all periods of the project have; none without periods, or if they have several.
+/// The zone that all periods of the project have, or without periods that of the study which the window
+/// saved; none if they have several.
 std::optional<std::string> commonZone(const Project& project);
 
 /// The named period of the project, or else the period of the options. Error: neither is given.

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <set>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/stop_scope.h"
 #include "core/city/footprints/geos_shapes.h"
 #include "core/city/footprints/plan_overlay.h"
@@ -168,29 +169,11 @@ bool overlap(const Box2& a, const Box2& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-std::size_t rootOf(std::vector<std::size_t>& parent, std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 std::vector<std::size_t> westToEast(const std::vector<Box2>& boxes) {
     std::vector<std::size_t> order(boxes.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::sort(order.begin(), order.end(), [&](auto a, auto b) { return boxes[a].low.x < boxes[b].low.x; });
     return order;
-}
-
-std::vector<std::size_t> numberedByAppearance(std::vector<std::size_t>& parent) {
-    constexpr std::size_t unknown = ~std::size_t(0);
-    std::vector<std::size_t> numberOfRoot(parent.size(), unknown);
-    std::vector<std::size_t> groups;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < parent.size(); ++i) {
-        std::size_t& number = numberOfRoot[rootOf(parent, i)];
-        if (number == unknown) number = count++;
-        groups.push_back(number);
-    }
-    return groups;
 }
 
 // Buffers outward and inward again with mitred corners: closes gaps of up to twice `widthM`, as between
@@ -301,17 +284,16 @@ double computeAreaOutside(const Footprint& footprint, const std::vector<Footprin
 std::vector<std::size_t> groupOverlapping(const std::vector<std::vector<Footprint>>& outlines) {
     std::vector<Box2> boxes;
     for (const auto& outline : outlines) boxes.push_back(boundsOf(outline));
-    std::vector<std::size_t> parent(outlines.size());
-    std::iota(parent.begin(), parent.end(), std::size_t(0));
+    DisjointSets groups(outlines.size());
     const std::vector<std::size_t> order = westToEast(boxes);
     for (std::size_t i = 0; i < order.size(); ++i)
         for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].low.x < boxes[order[i]].high.x; ++j) {
-            const std::size_t a = rootOf(parent, order[i]);
-            const std::size_t b = rootOf(parent, order[j]);
-            if (a == b || !overlap(boxes[order[i]], boxes[order[j]])) continue;
-            if (computeSharedArea(outlines[order[i]], outlines[order[j]]) > sliverAreaM2) parent[b] = a;
+            if (groups.of(order[i]) == groups.of(order[j]) || !overlap(boxes[order[i]], boxes[order[j]]))
+                continue;
+            if (computeSharedArea(outlines[order[i]], outlines[order[j]]) > sliverAreaM2)
+                groups.join(order[i], order[j]);
         }
-    return numberedByAppearance(parent);
+    return groups.number();
 }
 
 }  // namespace noonmark

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
-#include <numeric>
 #include <unordered_map>
+
+#include "core/base/disjoint_sets.h"
 
 namespace noonmark {
 
@@ -21,11 +22,6 @@ glm::dvec3 doubledArea(const TriangleMesh& mesh, glm::uvec3 t) {
 
 // A directed edge as one key.
 std::uint64_t edgeKey(Index from, Index to) { return (std::uint64_t(from) << 32U) | to; }
-
-Index rootOf(std::vector<Index>& parent, Index i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
 
 }  // namespace
 
@@ -61,16 +57,15 @@ double signedVolume(const TriangleMesh& mesh) {
 }
 
 Components findComponents(const TriangleMesh& mesh) {
-    std::vector<Index> parent(mesh.vertices.size());
-    std::iota(parent.begin(), parent.end(), Index(0));
+    DisjointSets points(mesh.vertices.size());
     for (const glm::uvec3 t : mesh.triangles) {
-        parent[rootOf(parent, t.y)] = rootOf(parent, t.x);
-        parent[rootOf(parent, t.z)] = rootOf(parent, t.x);
+        points.join(t.x, t.y);
+        points.join(t.x, t.z);
     }
     Components components;
-    std::unordered_map<Index, Index> numberOfRoot;
+    std::unordered_map<std::size_t, Index> numberOfSet;
     for (const glm::uvec3 t : mesh.triangles) {
-        const auto [place, isNew] = numberOfRoot.try_emplace(rootOf(parent, t.x), components.count);
+        const auto [place, isNew] = numberOfSet.try_emplace(points.of(t.x), components.count);
         components.count += isNew ? 1 : 0;
         components.ofTriangle.push_back(place->second);
     }

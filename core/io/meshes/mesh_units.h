@@ -10,12 +10,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <numeric>
 #include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/disjoint_sets.h"
 #include "core/city/meshes/mesh.h"
 #include "core/city/meshes/mesh_outline.h"
 #include "core/city/meshes/mesh_topology.h"
@@ -59,25 +59,6 @@ inline constexpr float touchM = 0.01F;
 inline std::vector<Footprint> computeCover(const TriangleMesh& mesh) {
     return computeOutline(mesh, findOpenEdges(mesh) == 0).pieces;
 }
-
-/// Sets of indices that are joined pair by pair. The lowest index of a set stands for it.
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t(0));
-    }
-    std::size_t of(std::size_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::size_t a, std::size_t b) {
-        a = of(a), b = of(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::size_t> parent_;
-};
 
 /// An edge as the indices of its welded ends, in either direction.
 inline std::uint64_t edgeOf(std::uint32_t a, std::uint32_t b) {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numeric>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/stop_scope.h"
 #include "core/city/footprints/plan_overlay.h"
 #include "core/city/footprints/repair_footprint.h"
@@ -24,23 +24,15 @@ std::string sourceOf(const std::string& first, std::size_t count) {
     return count == 1 ? first : fmt::format("{} and {} more", first, count - 1);
 }
 
-std::size_t rootOf(Indices& parents, std::size_t i) {
-    while (parents[i] != i) i = parents[i] = parents[parents[i]];
-    return i;
-}
-
-// Sets the parents of areas that lie near each other to the first of them.
-void groupNear(const std::vector<Place>& areas, const Indices& alike, double nearM, Indices& parents) {
+// Joins areas that lie near each other.
+void groupNear(const std::vector<Place>& areas, const Indices& alike, double nearM, DisjointSets& sets) {
     std::vector<Box2> boxes, wide;
     const glm::vec2 margin{float(nearM)};
     for (const std::size_t i : alike) {
         boxes.push_back(bounds(areas[i]));
         wide.push_back({boxes.back().low - margin, boxes.back().high + margin});
     }
-    for (const auto& [a, b] : findMeetingBoxes(wide, boxes)) {
-        const std::size_t one = rootOf(parents, alike[a]), other = rootOf(parents, alike[b]);
-        parents[std::max(one, other)] = std::min(one, other);
-    }
+    for (const auto& [a, b] : findMeetingBoxes(wide, boxes)) sets.join(alike[a], alike[b]);
 }
 
 Place joined(std::vector<Place>& areas, const Indices& group) {
@@ -130,17 +122,13 @@ std::vector<Place> alternate(std::vector<Place> carriageways, std::vector<Place>
 }  // namespace
 
 std::vector<Place> joinAreas(std::vector<Place> areas, double nearM) {
-    Indices parents(areas.size());
-    std::iota(parents.begin(), parents.end(), std::size_t{0});
+    DisjointSets sets(areas.size());
     std::map<std::pair<std::string, PlaceKind>, Indices> alike;
     for (std::size_t i = 0; i < areas.size(); ++i)
         if (!areas[i].name.empty()) alike[{areas[i].name, areas[i].kind}].push_back(i);
     for (const auto& [name, some] : alike)
-        if (some.size() > 1) groupNear(areas, some, nearM, parents);
-    std::map<std::size_t, Indices> groups;
-    for (std::size_t i = 0; i < areas.size(); ++i) groups[rootOf(parents, i)].push_back(i);
-    std::vector<Indices> each;
-    for (auto& [first, group] : groups) each.push_back(std::move(group));
+        if (some.size() > 1) groupNear(areas, some, nearM, sets);
+    const std::vector<Indices> each = sets.list();
     std::vector<Place> places(each.size());
     makeEach(each.size(), [&](std::size_t i) { places[i] = joined(areas, each[i]); });
     return places;

@@ -11,10 +11,11 @@
 #include <iterator>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <set>
 #include <string_view>
 #include <utility>
+
+#include "core/base/disjoint_sets.h"
 
 namespace noonmark {
 
@@ -124,26 +125,21 @@ private:
         end();
     }
 
-    [[nodiscard]] std::size_t rootOf(std::size_t i) {
-        while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-        return i;
-    }
-
     // Stretches that share a point which is no junction hang together.
     void joinRuns() {
-        parents_.resize(stretches_.size());
-        std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+        DisjointSets joined(stretches_.size());
         std::map<Node, std::size_t> firstAt;
         for (std::size_t i = 0; i < stretches_.size(); ++i)
             for (const glm::dvec2 point : stretches_[i].points) {
                 const Node node = nodeAt(point);
                 if (isJunction(node)) continue;
                 const auto [first, isNew] = firstAt.emplace(node, i);
-                if (!isNew) parents_[rootOf(i)] = rootOf(first->second);
+                if (!isNew) joined.join(i, first->second);
             }
-        std::map<std::size_t, Run> byRoot;
-        for (std::size_t i = 0; i < stretches_.size(); ++i) addTo(byRoot[rootOf(i)], i);
-        for (auto& [root, run] : byRoot) runs_.push_back(std::move(run));
+        for (const std::vector<std::size_t>& stretches : joined.list()) {
+            Run& run = runs_.emplace_back();
+            for (const std::size_t one : stretches) addTo(run, one);
+        }
     }
 
     void addTo(Run& run, std::size_t stretch) const {
@@ -258,7 +254,6 @@ private:
     const Crossings& crossings_;
     std::string name_;
     std::vector<Stretch> stretches_;
-    std::vector<std::size_t> parents_;
     std::vector<Run> runs_;
 };
 

@@ -125,15 +125,15 @@ class ShadowSum {
 public:
     ShadowSum(const PlaceShadow& shadow, ShadowOnPlace& to) : shadow_(shadow), times_(shadow), to_(to) {}
 
-    /// `cells`: those in shadow whose centre lies in the place.
-    void add(std::size_t step, double areaM2, std::size_t cells) {
+    /// `points`: those in shadow that lie in the place, centres of cells and others.
+    void add(std::size_t step, double areaM2, std::size_t points) {
         const Instant at = shadow_.steps[step].at;
         to_.areaHoursM2 += areaM2 * shadow_.stepMinutes / 60;
         if (areaM2 > to_.largestM2) {
             to_.largestM2 = areaM2;
             to_.largestAt = at;
         }
-        const bool shaded = cells > 0;
+        const bool shaded = points > 0;
         if (shaded && (!before_ || times_.breaks(step)))
             to_.intervals.push_back({at, times_.endOf(step)});
         else if (shaded)
@@ -238,6 +238,23 @@ std::optional<Instant> ShadowOnPlace::exits() const {
     return intervals.back().to;
 }
 
+namespace {
+
+/// Points in shadow at a step, of those with their centre in the place.
+StepAreas countPoints(std::span<const PlaceShadow> shadows, std::size_t step) {
+    StepAreas sum;
+    for (const PlaceShadow& shadow : shadows) {
+        const StepCounts counts = countStep(shadow.baseline.at(step), shadow.scenario.at(step));
+        const StepCounts centres = weighStep(shadow, step, counts).centres;
+        sum.centres.baseline += centres.baseline;
+        sum.centres.scenario += centres.scenario;
+        sum.centres.incremental += centres.incremental;
+    }
+    return sum;
+}
+
+}  // namespace
+
 DayTimeline computeTimeline(const PlaceShadow& shadow, const TimelineSettings& settings) {
     DayTimeline day{.day = shadow.day, .areaM2 = shadow.areaM2(), .stepMinutes = shadow.stepMinutes};
     day.sunlitMinutes = double(shadow.steps.size()) * shadow.stepMinutes;
@@ -250,10 +267,11 @@ DayTimeline computeTimeline(const PlaceShadow& shadow, const TimelineSettings& s
         const PlaceStep areas{shadow.steps[step].at, weighed.baselineM2, weighed.scenarioM2,
                               weighed.incrementalM2, weighed.gainedM2};
         const StepCounts& centres = weighed.centres;
-        baseline.add(step, areas.baselineM2, centres.baseline);
-        scenario.add(step, areas.scenarioM2, centres.scenario);
-        incremental.add(step, areas.incrementalM2, centres.incremental);
-        gained.add(step, areas.gainedM2, weighed.gainedCentres());
+        const StepAreas between = countPoints(settings.spots, step);
+        baseline.add(step, areas.baselineM2, centres.baseline + between.centres.baseline);
+        scenario.add(step, areas.scenarioM2, centres.scenario + between.centres.scenario);
+        incremental.add(step, areas.incrementalM2, centres.incremental + between.centres.incremental);
+        gained.add(step, areas.gainedM2, weighed.gainedCentres() + between.gainedCentres());
         if (cells > 0 && centres.scenario == cells) {
             day.fullCoverMin += shadow.stepMinutes;
             if (centres.baseline < cells) day.allSunTakenMin += shadow.stepMinutes;

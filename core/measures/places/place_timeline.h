@@ -95,6 +95,9 @@ struct DayTimeline {
 struct TimelineSettings {
     bool steps = true;
     bool longestStays = true;
+    /// Points of the place between the centres of its cells, at the same steps: shadow on them counts for
+    /// intervals and minutes, not for areas, full cover and stays.
+    std::span<const PlaceShadow> spots{};
 };
 
 /// O(cells / 64 x steps), longest stays times the logarithm of their length: some 0.3 ms for a hectare at 1 m

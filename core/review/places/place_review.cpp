@@ -79,7 +79,8 @@ void addSpots(ReviewRow& row, const DayShadow& day) {
 
 /// The figures of one day that every rule's table may show; `weight` is 1 and `criteria` empty.
 ReviewRow computeReviewRow(const DayShadow& day, const DayClock& clock) {
-    const DayTimeline timeline = computeTimeline(day.shadow(), {.steps = false, .longestStays = false});
+    const DayTimeline timeline =
+        computeTimeline(day.shadow(), {.steps = false, .longestStays = false, .spots = day.spots()});
     ReviewRow row{.day = day.shadow().day};
     addTimes(row, timeline, clock);
     addSpots(row, day);
@@ -88,9 +89,7 @@ ReviewRow computeReviewRow(const DayShadow& day, const DayClock& clock) {
     row.incrementalM2h = timeline.incremental.areaHoursM2;
     row.gainedM2h = timeline.gained.areaHoursM2;
     row.fullCoverMin = timeline.allSunTakenMin;
-    // Shadow that stays longest between the centres of cells is on the place as long.
-    row.durationMin = std::max(row.durationMin, row.maxPointMin);
-    row.totalDurationMin = std::max(timeline.scenario.minutes, row.totalMaxPointMin);
+    row.totalDurationMin = timeline.scenario.minutes;
     row.totalMaxAreaM2 = timeline.scenario.largestM2;
     row.hoursMin = timeline.sunlitMinutes;
     return row;

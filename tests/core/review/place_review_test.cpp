@@ -124,6 +124,26 @@ TEST(PlaceReview, AGapBetweenSlotsEndsARun) {
     EXPECT_DOUBLE_EQ(review.rows[0].durationMin, 60);
 }
 
+// The cell's centre is in shadow from minute 10 to 40; a point between centres from 5 to 45, another from 60.
+TEST(PlaceReview, TimesAndDurationAreThoseOfAnyPointOfThePlace) {
+    const DayClock clock = utcClock();
+    const Rule rule =
+        ruleWith(criterionOf(Quantity::incremental, Measure::spotTotal, Comparison::atMost, 100));
+    const PaperDay centre(on(2026, 3, 21), 480, 1, {lit(90)}, {lit(10) + shaded(30) + lit(50)});
+    const PaperDay between(on(2026, 3, 21), 480, 1, times(2, lit(90)),
+                           {lit(5) + shaded(40) + lit(45), lit(60) + shaded(20) + lit(10)});
+    PlaceEvaluation evaluation(rule, clock, "Green", PlaceKind::park);
+    evaluation.add(centre.shadow, 1, std::vector{between.shadow});
+    const ReviewRow row = evaluation.finish().rows[0];
+    EXPECT_EQ(row.entersText, "08:05");
+    EXPECT_EQ(row.exitsText, "09:20");
+    EXPECT_EQ(row.intervals, 2);
+    EXPECT_DOUBLE_EQ(row.durationMin, 60);
+    EXPECT_DOUBLE_EQ(row.maxPointMin, 40);
+    EXPECT_DOUBLE_EQ(row.maxAreaM2, 1) << "points have no area";
+    EXPECT_DOUBLE_EQ(row.incrementalM2h, 0.5);
+}
+
 TEST(PlaceReview, RunsOfManyCellsEqualThoseCountedOneByOne) {
     std::mt19937 random(7);
     Cells before(150), after(150);

@@ -3,6 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
+#include <QCompleter>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+
 #include "core/city/map_context.h"
 #include "tests/scenarios/small_town.h"
 
@@ -71,6 +77,29 @@ TEST(CitySearch, ReadsPositionsInEitherOrder) {
     const auto found = townSearch().find("40.7536, -73.9832");
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].kind, FoundKind::coordinates);
+}
+
+// An entry that begins as the text does is chosen by Enter in the list; the list must serve more than once.
+TEST(SearchField, FindsAgainAfterTheFocusWasElsewhere) {
+    QWidget window;
+    auto* layout = new QVBoxLayout(&window);
+    auto* field = new SearchField;
+    auto* other = new QLineEdit;
+    layout->addWidget(field);
+    layout->addWidget(other);
+    field->setIndex([] { return townSearch(); });
+    QSignalSpy found(field, &SearchField::found);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    for (int round = 1; round <= 3; ++round) {
+        field->begin();
+        QTest::keyClicks(field, QStringLiteral("Tower Street"));
+        QTest::keyClick(field->completer()->popup(), Qt::Key_Return);
+        ASSERT_EQ(found.count(), round);
+        EXPECT_EQ(found.back().at(0).value<Found>().kind, FoundKind::street);
+        EXPECT_EQ(field->text(), QStringLiteral("Tower Street"));
+        other->setFocus();
+    }
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ TEST_F(LiveEffectWindow, ShowsTheChangeWithItsFiguresAndTheWorstSpot) {
     ASSERT_TRUE(waitFor([this] { return !effect().isEmpty(); }));
     const LiveChange& change = *preview().live().answer()->change;
     EXPECT_GT(change.figures[0].gross.gainedM2, 0);
-    EXPECT_TRUE(effect().startsWith(QStringLiteral("New shadow a day: "))) << effect().toStdString();
+    EXPECT_TRUE(effect().startsWith(QStringLiteral("New shadow a day, by cells of ")))
+        << effect().toStdString();
     EXPECT_TRUE(effect().contains(QStringLiteral("Worst spot: +"))) << effect().toStdString();
     EXPECT_TRUE(effect().contains(QStringLiteral("\nPark: "))) << effect().toStdString();
     EXPECT_EQ(legend(), QStringLiteral("Change of gross shadow"));

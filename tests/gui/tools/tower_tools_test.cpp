@@ -266,6 +266,21 @@ TEST_F(EditToolsTest, WithoutALotThePanelSaysHowToBegin) {
     EXPECT_TRUE(field<QLabel>(panel, "towerHint").isHidden());
 }
 
+TEST_F(EditToolsTest, ATowerThatReplacedABuildingIsOfferedForEditing) {
+    tools.setLots({});
+    tools.building().select(0);
+    tools.replace();
+    tools.tower().build();
+    QWidget* panel = tools.massingDock();
+    EXPECT_FALSE(field<QPushButton>(panel, "editTower").isEnabled());
+    tools.setTowers(findProposedTowers(all));
+    EXPECT_TRUE(field<QLabel>(panel, "towerHint").isHidden());
+    EXPECT_FALSE(field<QPushButton>(panel, "editLot").isEnabled()) << "not drawn: a footprint";
+    field<QPushButton>(panel, "editTower").click();
+    ASSERT_TRUE(tools.tower().active());
+    EXPECT_EQ(tools.tower().draft()->replaces, "Tower 1");
+}
+
 TEST_F(EditToolsTest, TheNextTowerBeginsWithTheValuesOfTheLastOne) {
     lots = {{"South", test::square({-25, -65}, 40)}, {"East", test::square({120, -65}, 25)}};
     tools.setLots(lots);

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDateEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTest>
 
 #include "app/gui/view/time/moment_preview.h"
 #include "app/gui/view/time/time_strip.h"
@@ -61,6 +63,19 @@ TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
     EXPECT_EQ(strip.look().date, CivilDate(2028y, std::chrono::February, 29d)) << "another run of the year";
     strip.setPeriod({.start = {2026y, std::chrono::June, 1d}});
     EXPECT_EQ(strip.look().date, CivilDate(2026y, std::chrono::June, 1d));
+}
+
+TEST(TimeStrip, ADateIsTypedWhole) {
+    TimeStrip strip;
+    strip.setPeriod({.start = {2026y, std::chrono::November, 28d}});
+    strip.show();
+    auto* field = strip.findChild<QDateEdit*>(QStringLiteral("lookDateField"));
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QLocale().toString(QDate(2026, 12, 21), field->displayFormat()));
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(strip.look().date, CivilDate(2026y, std::chrono::December, 21d));
+    EXPECT_EQ(strip.look().span, ShownSpan::moment) << "what is typed is shown";
 }
 
 // Bins of half a degree misplace a shadow's edge by up to a quarter of a degree of azimuth.

@@ -156,7 +156,8 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
                             .receivers = std::shared_ptr<const Receivers>(study, &study->receivers),
                             .note = describeError(study->error, ShadowMeasure::gross),
                             .runNote = describeError(study->error, ShadowMeasure::continuous),
-                            .error = errorOfMinutes(*study)});
+                            .error = errorOfMinutes(*study),
+                            .when = describePeriod(study->settings.period)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial) {
@@ -183,24 +184,29 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& compari
     return markMissingRuns({.map = std::shared_ptr<const Impact>(comparison, &comparison->study.total),
                             .note = noteOf(ShadowMeasure::gross),
                             .runNote = noteOf(ShadowMeasure::continuous),
-                            .error = comparison->study.error});
+                            .error = comparison->study.error,
+                            .when = describePeriod(comparison->settings.study.period)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison,
                               const ShadowField& field) {
-    return markMissingRuns({.map = std::shared_ptr<const ShadowField>(comparison, &field)});
+    return markMissingRuns({.map = std::shared_ptr<const ShadowField>(comparison, &field),
+                            .when = describePeriod(comparison->settings.study.period)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
-    return {std::shared_ptr<const Score>(score, &score->score), nullptr,
-            QObject::tr("%1 with the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name))};
+    return {
+        .map = std::shared_ptr<const Score>(score, &score->score),
+        .note =
+            QObject::tr("%1 with the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name)),
+        .when = describePeriod(score->settings.period)};
 }
 
 QString makeNote(const GroundAnswer& answer, ShadowMeasure measure, ShownAs show) {
     const ShadowMeasure shown = chooseShownMeasure(answer, measure);
-    if (shown == ShadowMeasure::continuous && !answer.runNote.isEmpty()) return answer.runNote;
-    QStringList parts{answer.note};
-    if (answer.error) parts << describeCellError(*answer.error, sunlitMinOf(answer.map), show);
+    const bool ofRuns = shown == ShadowMeasure::continuous && !answer.runNote.isEmpty();
+    QStringList parts{answer.when, ofRuns ? answer.runNote : answer.note};
+    if (answer.error && !ofRuns) parts << describeCellError(*answer.error, sunlitMinOf(answer.map), show);
     if (shown != measure) parts << answer.whyGross;
     parts.removeAll(QString());
     return parts.join(QStringLiteral(". "));

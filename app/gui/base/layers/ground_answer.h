@@ -41,7 +41,7 @@ struct GroundAnswer {
     Map map;  ///< not null
     /// The receivers of the field, if known: then cells under buildings get colours too.
     std::shared_ptr<const Receivers> receivers;
-    QString note;            ///< describes the result, beside the legend
+    QString note;            ///< describes the result, beside the legend, after `when`
     bool marked = false;     ///< the note is a warning
     bool grossOnly = false;  ///< no continuous shadow: gross is shown for both measures
     /// Added to the note if gross is shown instead of continuous.
@@ -50,6 +50,7 @@ struct GroundAnswer {
     QString runNote{};
     /// Error of gross shadow, stated in the unit shown before the note; none: not measured.
     std::optional<SampledError> error{};
+    QString when{};  ///< the period that the minutes are of (describePeriod()); empty: not known
 };
 
 /// Each shares the data of the answer that it is made from.

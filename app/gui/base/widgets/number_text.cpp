@@ -90,6 +90,28 @@ QString longDay() { return QObject::tr("d MMMM"); }
 QString dayOfYear() { return QObject::tr("d MMM yyyy"); }
 QString longDate() { return QObject::tr("d MMMM yyyy"); }
 
+namespace {
+
+QString describeHours(const Period& period) {
+    const auto text = [](const std::string& words) { return QString::fromStdString(words); };
+    if (period.window == SolarHours{}) return QObject::tr("sunrise to sunset");
+    if (period.window) return text(formatText(*period.window));
+    if (period.hours == 0) return text(formatText(period.from));
+    const std::chrono::minutes end = period.from + std::chrono::minutes(std::lround(60 * period.hours));
+    return QObject::tr("%1 to %2").arg(text(formatText(period.from)), text(formatText(end)));
+}
+
+}  // namespace
+
+QString describePeriod(const Period& period) {
+    const auto text = [](QDate date) { return QLocale().toString(date, longDate()); };
+    const QDate first = dateOf(period.start);
+    const QString days = period.days == 1
+                             ? text(first)
+                             : QObject::tr("%1 to %2").arg(text(first), text(first.addDays(period.days - 1)));
+    return QObject::tr("%1, %2").arg(days, describeHours(period));
+}
+
 QDate dateOf(CivilDate date) {
     return {int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))};
 }

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/sun/civil_time.h"
+#include "core/sun/period.h"
 
 namespace noonmark {
 
@@ -46,6 +47,10 @@ QString shortDay();   ///< "21 Mar"
 QString longDay();    ///< "21 March"
 QString dayOfYear();  ///< "21 Mar 2026"
 QString longDate();   ///< "21 March 2026"
+
+/// The dates and hours of a period: "21 March 2026, 09:00 to 15:00",
+/// "1 June 2026 to 31 August 2026, sunrise to sunset", "21 December 2026, 12:00".
+QString describePeriod(const Period& period);
 
 /// "+" before the text of a value above zero, but not where it states zero as rounded.
 QString withPlus(double value, const QString& text);

@@ -87,6 +87,7 @@ DayPanel::DayPanel(QWidget* parent)
     day_->setObjectName(QStringLiteral("timelineDay"));
     day_->setDisplayFormat(dayOfYear());
     day_->setCalendarPopup(true);
+    day_->setKeyboardTracking(false);
     day_->setToolTip(tr("Any day, in the hours of the rule"));
     placeChart(*this, title_, day_, widget_, reading_);
     connect(day_, &QDateEdit::dateChanged, this, &DayPanel::compute);

@@ -128,7 +128,8 @@ std::optional<LonLat> parsePosition(const QString& text, LonLat near) {
 
 namespace {
 
-constexpr int listWidth = 420;  // pixels: names are longer than the field
+constexpr int titleRole = Qt::UserRole + 1;  // what the field says once an entry is chosen
+constexpr int listWidth = 420;               // pixels: names are longer than the field
 
 }  // namespace
 
@@ -141,10 +142,13 @@ SearchField::SearchField(QWidget* parent)
     setClearButtonEnabled(true);
     setMinimumWidth(220);
     completer_->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
+    completer_->setCompletionRole(titleRole);
     setCompleter(completer_);
     completer_->popup()->setMinimumWidth(listWidth);
     connect(this, &QLineEdit::textEdited, this, &SearchField::search);
-    connect(completer_, qOverload<const QModelIndex&>(&QCompleter::activated), this,
+    // Not as a connection to this field: QLineEdit cuts all that its completer has to it when the focus
+    // leaves.
+    connect(completer_, qOverload<const QModelIndex&>(&QCompleter::activated), completer_,
             [this](const QModelIndex& index) { take(std::size_t(index.row())); });
     connect(this, &QLineEdit::returnPressed, this, &SearchField::takeFirst);
 }
@@ -164,14 +168,18 @@ void SearchField::search(const QString& text) {
     if (makeIndex_) index_ = std::exchange(makeIndex_, nullptr)();
     shown_ = index_.find(text);
     model_->clear();
-    for (const Found& found : shown_)
-        model_->appendRow(new QStandardItem(QStringLiteral("%1 (%2)").arg(found.title, found.about)));
+    for (const Found& found : shown_) {
+        auto* row = new QStandardItem(QStringLiteral("%1 (%2)").arg(found.title, found.about));
+        row->setData(found.title, titleRole);
+        model_->appendRow(row);
+    }
 }
 
 void SearchField::take(std::size_t place) {
     if (place >= shown_.size()) return;
-    setText(shown_[place].title);
-    Q_EMIT found(shown_[place]);
+    const Found chosen = shown_[place];  // a change of the project empties the list
+    setText(chosen.title);
+    Q_EMIT found(chosen);
 }
 
 // A choice in the list has been taken already.

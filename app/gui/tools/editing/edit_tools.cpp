@@ -324,7 +324,9 @@ void EditTools::showLots() {
 void EditTools::enableActions() {
     for (QAction* one : ofBuilding_) one->setEnabled(building_.selected().has_value());
     demolish_->setEnabled(!building_.all().empty());
-    selection_->setDesigned(selectedDesign().has_value());
+    const auto design = selectedDesign();
+    selection_->setDesigned(design.has_value());
+    if (design) massing_->chooseLot(design->lot.name);
     if (!building_.all().empty()) Q_EMIT selectionMade();
 }
 

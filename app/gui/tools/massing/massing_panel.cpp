@@ -176,7 +176,7 @@ MassingPanel::MassingPanel(QWidget* parent)
 QWidget* MassingPanel::makeLotRow() {
     lot_ = new QComboBox;
     lot_->setObjectName(QStringLiteral("lot"));
-    lot_->setToolTip(tr("The project's lots"));
+    lot_->setToolTip(tr("The project's lots, and those of buildings that towers have replaced"));
     design_ = pushButton(tr("Design tower"), "designTower",
                          tr("Designs a tower on this lot; building it demolishes the buildings on the lot"));
     editTower_ = pushButton(tr("Edit tower"), "editTower",
@@ -309,27 +309,48 @@ QWidget* MassingPanel::makeAnswerButtons() {
     return buttons;
 }
 
+namespace {
+
+bool hasName(const std::vector<NamedLot>& lots, const std::string& name) {
+    return std::ranges::find(lots, name, &NamedLot::name) != lots.end();
+}
+
+}  // namespace
+
 void MassingPanel::setLots(const std::vector<NamedLot>& lots) {
+    projectLots_ = lots;
+    listLots();
+}
+
+void MassingPanel::setDesignedLots(std::vector<NamedLot> lots) {
+    designed_ = std::move(lots);
+    listLots();
+}
+
+void MassingPanel::listLots() {
     const QString chosen = lot_->currentText();
-    lots_ = lots;
+    lots_ = projectLots_;
+    for (const NamedLot& lot : designed_)
+        if (!hasName(lots_, lot.name)) lots_.push_back(lot);
+    const QSignalBlocker quiet(lot_);
     lot_->clear();
-    for (const NamedLot& lot : lots) lot_->addItem(QString::fromStdString(lot.name));
-    if (lots.empty()) lot_->addItem(tr("No lots yet: draw one"));
+    for (const NamedLot& lot : lots_) lot_->addItem(QString::fromStdString(lot.name));
+    if (lots_.empty()) lot_->addItem(tr("No lots yet: draw one"));
     lot_->setCurrentIndex(std::max(0, lot_->findText(chosen)));
-    lot_->setEnabled(!lots.empty());
-    hint_->setVisible(lots.empty());
+    lot_->setEnabled(!lots_.empty());
+    hint_->setVisible(lots_.empty());
     enableLotButtons();
 }
 
-void MassingPanel::setDesignedLots(std::set<std::string> names) {
-    designed_ = std::move(names);
-    enableLotButtons();
+void MassingPanel::chooseLot(const std::string& name) {
+    lot_->setCurrentIndex(std::max(0, lot_->findText(QString::fromStdString(name))));
 }
 
 void MassingPanel::enableLotButtons() {
     const auto lot = chosenLot();
-    for (QPushButton* button : {edit_, design_, copy_}) button->setEnabled(lot.has_value());
-    editTower_->setEnabled(lot && designed_.contains(lot->name));
+    for (QPushButton* button : {design_, copy_}) button->setEnabled(lot.has_value());
+    edit_->setEnabled(lot && hasName(projectLots_, lot->name));
+    editTower_->setEnabled(lot && hasName(designed_, lot->name));
 }
 
 // What is done once for a lot moves out of sight where the screen is low, so that the fields are in sight.
@@ -346,7 +367,7 @@ void MassingPanel::showDraft(const TowerDraft& draft) {
     on_->setText(lot.isEmpty() ? size : QStringLiteral("%1, %2").arg(lot, size));
     const QString name = QString::fromStdString(draft.tower);
     if (name_->text() != name) name_->setText(name);
-    lot_->setCurrentIndex(std::max(0, lot_->findText(QString::fromStdString(draft.lot.name))));
+    chooseLot(draft.lot.name);
     form_->show(draft.settings);
     setDesigning(true);
 }
@@ -369,13 +390,14 @@ void MassingPanel::showFigures(const Massing& massing, std::size_t demolished, d
     figures_->setText(makeRows(massing, demolished, groundElevationM));
     error_->clear();
     for (QWidget* one : std::initializer_list<QWidget*>{error_, nearest_}) one->hide();
-    apply_->setEnabled(true);
+    for (QWidget* one : std::initializer_list<QWidget*>{figures_, effect_, apply_}) one->setEnabled(true);
 }
 
-// The last figures stay: they describe the tower still in the view.
+// The last figures stay, in grey: they describe the tower still in the view.
 void MassingPanel::showError(const Error& error, const NearestFit* nearest) {
-    error_->setText(describeError(error));
+    error_->setText(describeError(Error{error.what, {}, error.advice}));  // the field is marked
     error_->show();
+    for (QWidget* one : {figures_, effect_}) one->setEnabled(false);
     form_->markWrong(nearest);
     nearest_->setVisible(nearest != nullptr);
     if (nearest != nullptr) nearest_->setText(tr("Use %1").arg(describeNearest(*nearest)));

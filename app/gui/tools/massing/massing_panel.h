@@ -2,7 +2,6 @@
 
 #include <QWidget>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "app/gui/tools/massing/massing_form.h"
@@ -61,9 +60,10 @@ public:
     void showError(const Error& error, const NearestFit* nearest = nullptr);
     /// A target that no settings reach; the tower stays as it is.
     void showNotReached(const Error& error);
-    /// The lots with a tower that can be edited.
-    void setDesignedLots(std::set<std::string> names);
-    [[nodiscard]] QString message() const;  ///< the displayed error; empty: none
+    /// The lots with a tower that can be edited; those that are no lots of the project are listed after them.
+    void setDesignedLots(std::vector<NamedLot> lots);
+    void chooseLot(const std::string& name);  ///< the first where none is called so
+    [[nodiscard]] QString message() const;    ///< the displayed error; empty: none
 
 Q_SIGNALS:
     void drawRequested();
@@ -87,14 +87,17 @@ private:
     void enableLotButtons();
     void setDesigning(bool designing);
 
-    std::vector<NamedLot> lots_;
+    void listLots();
+
+    std::vector<NamedLot> projectLots_;
+    std::vector<NamedLot> designed_;
+    std::vector<NamedLot> lots_;  ///< as listed
     TowerDraft draft_;
     QComboBox* lot_;
     QPushButton* edit_;
     QPushButton* design_;
     QPushButton* editTower_;
     QPushButton* copy_;
-    std::set<std::string> designed_;  ///< lots with a designed tower
     QScrollArea* scroll_;
     QWidget* body_;
     QWidget* footer_;

@@ -1,7 +1,6 @@
 #include "app/gui/tools/massing/tower_editing.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "app/gui/base/widgets/number_text.h"
@@ -36,9 +35,9 @@ TowerEditing::TowerEditing(EditContext& context, MassingPanel& panel, QObject* p
 
 void TowerEditing::setTowers(std::map<std::string, ProposedTower> towers) {
     context_.towers = std::move(towers);
-    std::set<std::string> lots;
+    std::vector<NamedLot> lots;
     for (const auto& [id, tower] : context_.towers)
-        if (tower.design && !tower.changed) lots.insert(tower.design->lotName);
+        if (tower.design && !tower.changed) lots.push_back({tower.design->lotName, tower.design->lot});
     panel_.setDesignedLots(std::move(lots));
 }
 

@@ -32,7 +32,9 @@ QString describeNewShadow(const LiveChange& change) {
     QStringList areas;
     for (const ImpactFigures& figures : change.figures)
         areas << overThreshold(figures.gross.gainedM2, figures.thresholdMin);
-    return QObject::tr("New shadow a day: %1").arg(areas.join(QStringLiteral(", ")));
+    // A comparison on other cells finds an area that differs by a part of the cells at the shadow's edge.
+    return QObject::tr("New shadow a day, by cells of %1: %2")
+        .arg(describeLength(change.impact.grid.cellM), areas.join(QStringLiteral(", ")));
 }
 
 QString describeWorst(const LiveChange& change) {
@@ -264,8 +266,10 @@ void EditPreview::showLiveFacades() {
 
 GroundAnswer EditPreview::makeLiveAnswer() const {
     const auto answer = live_.answer();
-    return showsChange() && answer->change ? makeChangeAnswer(answer, baselineName_)
-                                           : noonmark::makeLiveAnswer(answer);
+    GroundAnswer shown = showsChange() && answer->change ? makeChangeAnswer(answer, baselineName_)
+                                                         : noonmark::makeLiveAnswer(answer);
+    shown.when = describePeriod(question_.sun.period);
+    return shown;
 }
 
 void EditPreview::showLive() {

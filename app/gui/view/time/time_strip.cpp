@@ -77,6 +77,10 @@ void TimeStrip::makeFields() {
     timeField_->setObjectName(QStringLiteral("lookTimeField"));
     timeField_->setDisplayFormat(QStringLiteral("HH:mm"));
     timeField_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    // The fields follow what is shown: told of every key, they would overwrite what is being typed.
+    for (QDateTimeEdit* field :
+         {static_cast<QDateTimeEdit*>(dateField_), static_cast<QDateTimeEdit*>(timeField_)})
+        field->setKeyboardTracking(false);
     words_ = new QLabel;
     words_->setObjectName(QStringLiteral("lookText"));
     sunWords_ = new QLabel;
