@@ -123,7 +123,7 @@ Result<Massing> findSameFloorArea(const Footprint& lot, const MassConstraint& gi
     if (const auto sound = validate(lot, given, plateFactor); !sound)
         return tl::make_unexpected(sound.error());
     const bool wider = plateFactor > 1;
-    const double wanted = std::min(area(lot), computeArea(given.plate) * plateFactor);
+    const double wanted = std::min(area(lot), area(given.plate) * plateFactor);
     const int storeys = storeysFor(given.grossFloorM2, wanted, wider);
     const int maximum = std::min(maxStoreys, int(tallestBuildingM / given.storeyHeightM));
     if (storeys > maximum)

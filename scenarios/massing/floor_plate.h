@@ -17,8 +17,6 @@ std::vector<UseArea> sumByUse(const std::vector<FloorUse>& uses, std::span<const
 
 using Plate = std::vector<Footprint>;  ///< disjoint pieces
 
-double computeArea(const Plate& plate);
-
 /// Insets the lot until it has the requested area (to 1e-4 of it). Error: the area is larger than the lot, or
 /// nothing is left.
 Result<Plate> makePlate(const Footprint& lot, const PlateSize& size);

@@ -81,7 +81,7 @@ Result<Plate> towerPlate(const Footprint& lot, const MassingSettings& settings, 
     if (settings.clockwiseDeg != 0 && !liesOn(there, {lot})) return doesNotTurn(lot, settings.clockwiseDeg);
     if (liesOn(there, ground)) return there;
     return failure(fmt::format("The tower's plate of {:.0f} m2 extends beyond its podium of {:.0f} m2",
-                               computeArea(there), computeArea(ground)),
+                               area(there), area(ground)),
                    "massing", "Make the podium's plate larger, or the tower's smaller");
 }
 
@@ -198,7 +198,7 @@ Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double st
     figures.heightM = massing.tiers.back().topM;
     figures.storeys = std::max(1, int(figures.heightM / storeyHeightM + sameLevelM));
     for (Tier& tier : massing.tiers) {
-        tier.areaM2 = computeArea(tier.plate);
+        tier.areaM2 = area(tier.plate);
         for (int floor = 0; floor < figures.storeys; ++floor) {
             const double level = floor * storeyHeightM + sameLevelM;
             if (level < tier.bottomM || level >= tier.topM) continue;

@@ -15,7 +15,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr ValueRange storeyRange{0, maxStoreys}, aboveGroundRangeM{0, tallestBuildingM}, turnRangeDeg{-360, 360};
+constexpr ValueRange storeyRange{0, maxStoreys}, aboveGroundRangeM{0, tallestBuildingM},
+    turnRangeDeg{-360, 360};
 
 /// What the tower and its podium call the same settings.
 struct PartFlags {

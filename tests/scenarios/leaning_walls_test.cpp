@@ -44,7 +44,7 @@ TEST(LeaningWalls, ATaperIsAFrustum) {
     double floors = 0;
     for (int i = 0; i < 10; ++i) floors += 400 * (1 - i / 20.0) * (1 - i / 20.0);
     EXPECT_NEAR(massing.figures.grossFloorM2, floors, 0.5);
-    EXPECT_NEAR(computeArea(topPlateOf(massing.tiers[0])), 100, 0.1);
+    EXPECT_NEAR(area(topPlateOf(massing.tiers[0])), 100, 0.1);
     const Building built = buildingOf(massing, "taper").value();
     ASSERT_EQ(built.parts.size(), 1U);
     ASSERT_TRUE(built.parts[0].mesh);
@@ -129,9 +129,9 @@ TEST(LeaningWalls, VolumesStandOnTheTopOfTheOneBelow) {
     settings.setbacks = {{.aboveM = 48, .insetM = 2, .walls = {.taper = 0.5, .twistDeg = 30}}};
     const Massing massing = makeMassing(lot, settings).value();
     ASSERT_EQ(massing.tiers.size(), 3U);
-    EXPECT_NEAR(computeArea(topPlateOf(massing.tiers[0])), 900, 0.5);
+    EXPECT_NEAR(area(topPlateOf(massing.tiers[0])), 900, 0.5);
     EXPECT_NEAR(massing.tiers[2].areaM2, 12 * 12, 0.1) << "20 m, tapered to 16 m, less 2 m on both sides";
-    EXPECT_NEAR(computeArea(topPlateOf(massing.tiers[2])), 36, 0.1);
+    EXPECT_NEAR(area(topPlateOf(massing.tiers[2])), 36, 0.1);
     EXPECT_TRUE(buildingOf(massing, "three"));
     settings.podium->walls.taper = 0.75;
     EXPECT_THAT(makeMassing(lot, settings).error().text(), HasSubstr("beyond its podium"));

@@ -229,7 +229,7 @@ TEST(SameFloorArea, ATaperHasItsOwnFloors) {
     const MassConstraint given = massOf(taper, 0, 3).value();
     EXPECT_NEAR(given.grossFloorM2, expected, 0.5);
     EXPECT_NEAR(given.grossFloorM2, 7765, 6);
-    EXPECT_NEAR(computeArea(given.plate), 39.99 * 39.99, 0.1);
+    EXPECT_NEAR(area(given.plate), 39.99 * 39.99, 0.1);
 }
 
 // A lot of 90 x 30 m in three pieces of 22 m with gaps of 12 m: 22 x 30 = 660 m2 each.

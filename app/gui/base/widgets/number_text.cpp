@@ -92,7 +92,7 @@ QString longDate() { return QObject::tr("d MMMM yyyy"); }
 
 namespace {
 
-QString describeHours(const Period& period) {
+QString describePeriodHours(const Period& period) {
     const auto text = [](const std::string& words) { return QString::fromStdString(words); };
     if (period.window == SolarHours{}) return QObject::tr("sunrise to sunset");
     if (period.window) return text(formatText(*period.window));
@@ -109,7 +109,7 @@ QString describePeriod(const Period& period) {
     const QString days = period.days == 1
                              ? text(first)
                              : QObject::tr("%1 to %2").arg(text(first), text(first.addDays(period.days - 1)));
-    return QObject::tr("%1, %2").arg(days, describeHours(period));
+    return QObject::tr("%1, %2").arg(days, describePeriodHours(period));
 }
 
 QDate dateOf(CivilDate date) {

@@ -67,11 +67,11 @@ BuildingFacts collectFacts(const Building& building, const City& city, const Pro
     if (tower != nullptr && tower->storeyHeightM > 0) facts.storeyHeightM = tower->storeyHeightM;
     facts.storeys = int(std::lround(facts.heightM / facts.storeyHeightM));
     if (const auto mass = massOf(building, city, facts.storeyHeightM)) {
-        facts.planM2 = computeArea(mass->plate);
+        facts.planM2 = area(mass->plate);
         facts.grossFloorM2 = mass->grossFloorM2;
         facts.estimatedStoreys = mass->estimatedStoreys;
     } else {
-        facts.planM2 = computeArea(computeOutline(building));
+        facts.planM2 = area(computeOutline(building));
     }
     const auto figures = tower != nullptr ? figuresOf(*tower) : std::nullopt;
     if (!figures) return facts;
