@@ -4,6 +4,7 @@
 #include "app/report/files/element_files.h"
 #include "core/base/memory_guard.h"
 #include "core/describe/text.h"
+#include "core/review/criteria/criterion_days.h"
 #include "core/study/glazing/glazing_text.h"
 #include "core/study/review_figures.h"
 #include "core/study/text/error_text.h"
@@ -150,8 +151,10 @@ bool isSame(const GlazingQuestion& a, const GlazingQuestion& b) {
     return isOfSameCase(a, b) && asksSame(a, b);
 }
 
-Result<GlazingAnswer> computeGlazingReview(const GlazingQuestion& question, Progress& progress,
+Result<GlazingAnswer> computeGlazingReview(const GlazingQuestion& given, Progress& progress,
                                            const std::stop_token& stop, const AnnounceGlazing& announce) {
+    GlazingQuestion question = given;
+    if (question.to == question.from) question.rule = dropComparisons(std::move(question.rule));
     std::optional<InputFile> file;
     if (question.settings.elements.places == ElementPlaces::windows) {
         auto described = describeInputFile(question.settings.elements.windows);

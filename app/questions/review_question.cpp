@@ -11,6 +11,7 @@
 #include "core/describe/text.h"
 #include "core/engines/auto_engine.h"
 #include "core/measures/places/place_run.h"
+#include "core/review/criteria/criterion_days.h"
 #include "core/study/provenance/provenance.h"
 #include "core/study/review_figures.h"
 #include "core/study/text/error_text.h"
@@ -256,8 +257,10 @@ const Place& ReviewAnswer::placeOf(std::size_t review) const {
     return question.places[std::min(review / each, question.places.size() - 1)];
 }
 
-Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& progress, std::stop_token stop) {
+Result<ReviewAnswer> computeReview(const ReviewQuestion& given, Progress& progress, std::stop_token stop) {
     const Stopwatch watch;
+    ReviewQuestion question = given;
+    if (question.to == question.from) question.rule = dropComparisons(std::move(question.rule));
     return guardMemory({.what = "a review"},
                        [&] {
                            return runReview(question.rule, *question.before, *question.after, question.places,

@@ -364,6 +364,20 @@ Measured measureDay(const Criterion& criterion, const DayShadow& day, bool forme
     return {};
 }
 
+Rule dropComparisons(Rule rule) {
+    if (std::ranges::none_of(rule.criteria, comparesFormer)) return rule;
+    for (Criterion& criterion : rule.criteria) std::erase_if(criterion.limits, &Limit::ofFormer);
+    const auto isOnlyStated = [&](const std::string& key) {
+        const auto criterion = std::ranges::find(rule.criteria, key, &Criterion::key);
+        return criterion != rule.criteria.end() && criterion->limits.empty();
+    };
+    std::erase_if(rule.alternatives, [&](const std::vector<std::string>& criteria) {
+        return std::ranges::any_of(criteria, isOnlyStated);
+    });
+    rule.readings.emplace_back("Without a proposal, limits relative to the baseline are left out");
+    return rule;
+}
+
 Verdict judgeLimits(const Criterion& criterion, const Measured& value, const std::optional<Measured>& former,
                     bool unchanged) {
     constexpr Measured all{1, 1, 1}, none{0, 0, 0};

@@ -17,6 +17,10 @@ struct CriterionResult {
     int days = 0, failingDays = 0, borderlineDays = 0;
 };
 
+/// The rule as it judges a city without a proposal, in which each value is its former one: without limits
+/// relative to the baseline. A criterion that has no other limit is stated only.
+Rule dropComparisons(Rule rule);
+
 /// The measured value of a criterion on one day. `runs` counts the runs of a quantity once for all criteria.
 class DayShadow {
 public:

@@ -124,6 +124,25 @@ TEST(PlaceReview, AGapBetweenSlotsEndsARun) {
     EXPECT_DOUBLE_EQ(review.rows[0].durationMin, 60);
 }
 
+// Two hours of sun on a quarter of the area: less than the half that is wanted, but as much as before.
+TEST(PlaceReview, ACityWithoutAProposalIsNotComparedWithItself) {
+    Criterion criterion = criterionOf(Quantity::sun, Measure::spotTotal, Comparison::atLeast, 120);
+    criterion.key = "sun";
+    criterion.limits.push_back({Comparison::atLeast, 0.8, true, false, {}});
+    Criterion loss = criterionOf(Quantity::sun, Measure::spotTotal, Comparison::atLeast, 0.8);
+    loss.key = "loss";
+    loss.limits[0].ofFormer = true;
+    Rule rule = ruleWith(criterion);
+    rule.criteria.push_back(loss);
+    const Cells cells{lit(60) + shaded(120)};
+    EXPECT_EQ(reviewOf(rule, cells, cells).verdict, Verdict::pass);
+    const Rule alone = dropComparisons(rule);
+    const PlaceReview review = reviewOf(alone, cells, cells);
+    EXPECT_EQ(review.verdict, Verdict::fail);
+    EXPECT_EQ(review.results[1].verdict, Verdict::notApplicable) << "stated only";
+    EXPECT_EQ(alone.readings.size(), rule.readings.size() + 1);
+}
+
 // The cell's centre is in shadow from minute 10 to 40; a point between centres from 5 to 45, another from 60.
 TEST(PlaceReview, TimesAndDurationAreThoseOfAnyPointOfThePlace) {
     const DayClock clock = utcClock();

@@ -157,7 +157,7 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
                             .note = describeError(study->error, ShadowMeasure::gross),
                             .runNote = describeError(study->error, ShadowMeasure::continuous),
                             .error = errorOfMinutes(*study),
-                            .when = describePeriod(study->settings.period)});
+                            .when = describeWhen(study->settings.period)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial) {
@@ -185,13 +185,13 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& compari
                             .note = noteOf(ShadowMeasure::gross),
                             .runNote = noteOf(ShadowMeasure::continuous),
                             .error = comparison->study.error,
-                            .when = describePeriod(comparison->settings.study.period)});
+                            .when = describeWhen(comparison->settings.study.period)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison,
                               const ShadowField& field) {
     return markMissingRuns({.map = std::shared_ptr<const ShadowField>(comparison, &field),
-                            .when = describePeriod(comparison->settings.study.period)});
+                            .when = describeWhen(comparison->settings.study.period)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
@@ -199,7 +199,7 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
         .map = std::shared_ptr<const Score>(score, &score->score),
         .note =
             QObject::tr("%1 with the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name)),
-        .when = describePeriod(score->settings.period)};
+        .when = describeWhen(score->settings.period)};
 }
 
 QString makeNote(const GroundAnswer& answer, ShadowMeasure measure, ShownAs show) {

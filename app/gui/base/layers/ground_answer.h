@@ -50,7 +50,7 @@ struct GroundAnswer {
     QString runNote{};
     /// Error of gross shadow, stated in the unit shown before the note; none: not measured.
     std::optional<SampledError> error{};
-    QString when{};  ///< the period that the minutes are of (describePeriod()); empty: not known
+    QString when{};  ///< the period that the minutes are of (describeWhen()); empty: not known
 };
 
 /// Each shares the data of the answer that it is made from.

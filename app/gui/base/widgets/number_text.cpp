@@ -92,7 +92,7 @@ QString longDate() { return QObject::tr("d MMMM yyyy"); }
 
 namespace {
 
-QString describePeriodHours(const Period& period) {
+QString describeHoursOfDay(const Period& period) {
     const auto text = [](const std::string& words) { return QString::fromStdString(words); };
     if (period.window == SolarHours{}) return QObject::tr("sunrise to sunset");
     if (period.window) return text(formatText(*period.window));
@@ -103,13 +103,13 @@ QString describePeriodHours(const Period& period) {
 
 }  // namespace
 
-QString describePeriod(const Period& period) {
+QString describeWhen(const Period& period) {
     const auto text = [](QDate date) { return QLocale().toString(date, longDate()); };
     const QDate first = dateOf(period.start);
     const QString days = period.days == 1
                              ? text(first)
                              : QObject::tr("%1 to %2").arg(text(first), text(first.addDays(period.days - 1)));
-    return QObject::tr("%1, %2").arg(days, describePeriodHours(period));
+    return QObject::tr("%1, %2").arg(days, describeHoursOfDay(period));
 }
 
 QDate dateOf(CivilDate date) {

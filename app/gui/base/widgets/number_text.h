@@ -50,7 +50,7 @@ QString longDate();   ///< "21 March 2026"
 
 /// The dates and hours of a period: "21 March 2026, 09:00 to 15:00",
 /// "1 June 2026 to 31 August 2026, sunrise to sunset", "21 December 2026, 12:00".
-QString describePeriod(const Period& period);
+QString describeWhen(const Period& period);
 
 /// "+" before the text of a value above zero, but not where it states zero as rounded.
 QString withPlus(double value, const QString& text);

@@ -499,7 +499,7 @@ void EditTools::replace() {
     if (const auto design = selectedDesign())
         tower_.resume(*design);
     else
-        tower_.begin(*lot, building_.id(), {.storeys = std::clamp(building_.storeys(), 1, 500)});
+        tower_.begin(*lot, building_.id(), {.storeys = std::clamp(building_.storeys(), 1, maxStoreys)});
     emitDesign();
 }
 

@@ -76,8 +76,6 @@ const Field& towerField(std::string_view flag) {
     return *std::ranges::find(massingFields().rows(), flag, &Field::flag);
 }
 
-int maxStoreys() { return int(towerField("--storeys").range->max); }
-
 QDoubleSpinBox* rotationField() {
     const ValueRange range = *towerField("--turn").range;
     return numberField(range.min, range.max, 1, 1, QStringLiteral("°"));
@@ -89,7 +87,7 @@ void explain(QWidget& widget, std::string_view flag) { widget.setToolTip(transla
 
 MassingForm::MassingForm(QWidget* parent)
     : QWidget(parent),
-      storeys_(wholeField(1, maxStoreys(), {})),
+      storeys_(wholeField(1, maxStoreys, {})),
       storeyHeight_(lengthField(towerField("--storey-height").range->min,
                                 towerField("--storey-height").range->max, 2, 0.1)),
       height_(lengthField(2, tallestBuildingM, 1, 3.5)),
@@ -98,7 +96,7 @@ MassingForm::MassingForm(QWidget* parent)
       turn_(rotationField()),
       walls_(new WallField),
       podium_(new QGroupBox(tr("Podium"))),
-      podiumStoreys_(wholeField(1, maxStoreys() - 1, {})),
+      podiumStoreys_(wholeField(1, maxStoreys - 1, {})),
       podiumPlate_(new PlateField),
       podiumWalls_(new WallField),
       setbacks_(new SetbackTable),

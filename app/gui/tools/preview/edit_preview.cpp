@@ -268,7 +268,7 @@ GroundAnswer EditPreview::makeLiveAnswer() const {
     const auto answer = live_.answer();
     GroundAnswer shown = showsChange() && answer->change ? makeChangeAnswer(answer, baselineName_)
                                                          : noonmark::makeLiveAnswer(answer);
-    shown.when = describePeriod(question_.sun.period);
+    shown.when = describeWhen(question_.sun.period);
     return shown;
 }
 
