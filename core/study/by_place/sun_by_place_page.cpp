@@ -96,18 +96,43 @@ std::vector<Sentence> describeWithTrees(const SunByPlace& sun, const SunOrShadow
     return sentences;
 }
 
-Sentence describeLosses(const ComparedSun& compared, const SunOrShadow& as) {
-    constexpr double minuteHours = 1.0 / 60;  // less is left to the table
-    std::size_t losing = 0;
-    double largest = 0;
-    for (const SunChange& change : compared.changes) {
-        if (change.meanHours < -minuteHours) ++losing;
-        largest = std::fmax(largest, change.maxLossMin);
+struct SunLosses {
+    std::size_t places = 0;  // that lose more than a minute a day; less is left to the table
+    double largestMin = 0;   // at one spot
+};
+
+SunLosses sumUpLosses(const std::vector<SunChange>& changes) {
+    constexpr double minuteHours = 1.0 / 60;
+    SunLosses losses;
+    for (const SunChange& change : changes) {
+        if (change.meanHours < -minuteHours) ++losses.places;
+        losses.largestMin = std::fmax(losses.largestMin, change.maxLossMin);
     }
+    return losses;
+}
+
+Sentence describeLosses(const ComparedSun& compared, const SunOrShadow& as) {
+    const SunLosses losses = sumUpLosses(compared.changes);
     return {as.isSun()
                 ? NM_TEXT("%1 takes more than a minute of sun a day from %2 places, at most %3 at one spot.")
                 : NM_TEXT("%1 adds more than a minute of shadow a day to %2 places, at most %3 at one spot."),
-            {compared.sun.name, countOf(losing), Amount{largest, FigureUnit::minutes}}};
+            {compared.sun.name, countOf(losses.places), Amount{losses.largestMin, FigureUnit::minutes}}};
+}
+
+// Trees that a scenario plants or fells change nothing in the column without them.
+std::vector<Sentence> describeLossesWithTrees(const ComparedSun& compared) {
+    std::vector<Sentence> sentences;
+    for (std::size_t i = 0; i < std::min(compared.changesWithTrees.size(), compared.sun.withTrees.size());
+         ++i) {
+        const SunLosses losses = sumUpLosses(compared.changesWithTrees[i]);
+        sentences.push_back(
+            {compared.sun.withTrees[i].column == TreeColumns::evergreen
+                 ? NM_TEXT("With trees as evergreens it is %1 places, at most %2 at one spot.")
+                 : NM_TEXT("With trees that lose their leaves by season it is %1 places, at most %2 at one "
+                           "spot."),
+             {countOf(losses.places), Amount{losses.largestMin, FigureUnit::minutes}}});
+    }
+    return sentences;
 }
 
 double monthHours(const SunOfPlace& of, std::size_t month) {
@@ -336,7 +361,10 @@ AnswerPage makePage(const SunOfCities& sun, ShownAs show) {
     AnswerPage page{countDark(shown, as), {describeMean(shown, as)}, chartsOf(sun, as)};
     for (Sentence& sentence : describeWithTrees(shown, as)) page.findings.push_back(std::move(sentence));
     for (Sentence& sentence : judgeCities(sun)) page.findings.push_back(std::move(sentence));
-    for (const ComparedSun& compared : sun.compared) page.findings.push_back(describeLosses(compared, as));
+    for (const ComparedSun& compared : sun.compared) {
+        page.findings.push_back(describeLosses(compared, as));
+        std::ranges::move(describeLossesWithTrees(compared), std::back_inserter(page.findings));
+    }
     for (std::size_t date = 0; date < shown.settings.dates.size(); ++date)
         page.findings.push_back(countDarkOn(shown, date, as));
     if (const auto extremes = describeExtremes(shown, as)) page.findings.push_back(*extremes);

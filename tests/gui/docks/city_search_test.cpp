@@ -90,7 +90,8 @@ TEST(SearchField, FindsAgainAfterTheFocusWasElsewhere) {
     field->setIndex([] { return townSearch(); });
     QSignalSpy found(field, &SearchField::found);
     window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
     for (int round = 1; round <= 3; ++round) {
         field->begin();
         QTest::keyClicks(field, QStringLiteral("Tower Street"));

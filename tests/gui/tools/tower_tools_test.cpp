@@ -301,6 +301,23 @@ TEST_F(EditToolsTest, TheNextTowerBeginsWithTheValuesOfTheLastOne) {
     EXPECT_EQ(tools.tower().draft()->settings.plate.areaM2, 900);
 }
 
+TEST_F(EditToolsTest, ADesignedTowerKeepsItsDesignAtAnotherHeight) {
+    lots = {{"South", test::square({-25, -65}, 40)}};
+    tools.setLots(lots);
+    tools.tower().begin(lots[0], {}, {.storeys = 20, .plate = {.areaM2 = 900}});
+    tools.tower().build();
+    const std::size_t tower = city->city().buildings.size() - 1;
+    ASSERT_EQ(city->city().buildings[tower]->sourceId, "Tower 1");
+    tools.building().select(std::uint32_t(tower));
+    tools.building().takeHeight(42);
+    ASSERT_EQ(made.size(), 2U) << "one step of undo";
+    const auto design = tools.tower().designOf(*city->city().buildings.back());
+    ASSERT_TRUE(design);
+    EXPECT_EQ(design->settings.storeys, 12);
+    EXPECT_EQ(design->settings.plate.areaM2, 900);
+    EXPECT_FLOAT_EQ(topM(*city->city().buildings.back()), 42);
+}
+
 TEST_F(EditToolsTest, TheArrowStatesTheHeight) {
     drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
     ExtrudeHandle& handle = tools.context().handle;

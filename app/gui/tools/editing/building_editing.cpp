@@ -9,6 +9,7 @@
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/tools/editing/selection_panel.h"
+#include "app/gui/tools/massing/massing_form.h"
 #include "app/gui/tools/massing/massing_text.h"
 #include "app/gui/view/panel/view_panel.h"
 #include "core/city/terrain/building_ground.h"
@@ -289,9 +290,23 @@ void BuildingEditing::previewHeight(double heightM) {
 void BuildingEditing::takeHeight(double heightM) {
     if (!selected_) return;
     const double before = double(noonmark::heightM(building(), context_.city->city()));
-    if (std::abs(heightM - before) > 0.05) return make(ChangeHeight{id_, heightM});
+    const ProposedTower* tower = context_.findTower(building());
+    if (std::abs(heightM - before) > 0.05)
+        return tower && tower->design && !tower->changed ? rebuild(*tower->design, heightM)
+                                                         : make(ChangeHeight{id_, heightM});
     context_.preview.clear();
     show();
+}
+
+// A designed tower keeps its design: storeys, plates and setbacks with another height.
+void BuildingEditing::rebuild(const TowerDesign& design, double heightM) {
+    const auto tower =
+        draftTower(context_.city->city(),
+                   {{design.lotName, design.lot}, noonmark::withHeight(design.settings, heightM), id_, id_});
+    if (tower) return makeAll(tower->edits, describe(ChangeHeight{id_, heightM}));
+    context_.preview.clear();
+    show();
+    panel_.showError(describeError(tower.error()));
 }
 
 void BuildingEditing::makeVariant(double plateFactor) {

@@ -93,6 +93,7 @@ private:
     void preview(const Edit& edit);
     void previewAll(const std::vector<Edit>& edits);
     void make(const Edit& edit);
+    void rebuild(const TowerDesign& design, double heightM);
     void makeAll(const std::vector<Edit>& edits, const QString& what);
     void showFacts();
     void makeVariant(double plateFactor);

@@ -169,6 +169,13 @@ TEST(SunByPlace, PlantingAnAvenueTakesSunOnlyWithTrees) {
     EXPECT_LT(evergreen.meanHours, seasonal.meanHours);
     EXPECT_LT(seasonal.meanHours, -0.1);
     EXPECT_GT(evergreen.lostShare, 0.05);
+    std::vector<std::string> findings;
+    for (const Sentence& finding : makePage(all, ShownAs::sun).findings)
+        findings.push_back(formatText(finding));
+    EXPECT_THAT(findings,
+                testing::Contains(HasSubstr("Avenue takes more than a minute of sun a day from 0 places")));
+    EXPECT_THAT(findings,
+                testing::Contains(HasSubstr("With trees that lose their leaves by season it is 1 places")));
     const std::string csv = toCsv(makeTable(all.baseline, all.compared));
     EXPECT_THAT(csv, HasSubstr("change_hours_evergreen_avenue"));
     const auto json = nlohmann::json::parse(toJson(all.baseline, all.compared));
