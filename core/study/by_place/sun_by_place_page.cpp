@@ -127,9 +127,10 @@ std::vector<Sentence> describeLossesWithTrees(const ComparedSun& compared) {
         const SunLosses losses = sumUpLosses(compared.changesWithTrees[i]);
         sentences.push_back(
             {compared.sun.withTrees[i].column == TreeColumns::evergreen
-                 ? NM_TEXT("With trees as evergreens it is %1 places, at most %2 at one spot.")
-                 : NM_TEXT("With trees that lose their leaves by season it is %1 places, at most %2 at one "
-                           "spot."),
+                 ? NM_TEXT("With trees as evergreens their number is %1, at most %2 at one spot.")
+                 : NM_TEXT(
+                       "With trees that lose their leaves by season their number is %1, at most %2 at one "
+                       "spot."),
              {countOf(losses.places), Amount{losses.largestMin, FigureUnit::minutes}}});
     }
     return sentences;

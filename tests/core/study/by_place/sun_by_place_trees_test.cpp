@@ -174,8 +174,8 @@ TEST(SunByPlace, PlantingAnAvenueTakesSunOnlyWithTrees) {
         findings.push_back(formatText(finding));
     EXPECT_THAT(findings,
                 testing::Contains(HasSubstr("Avenue takes more than a minute of sun a day from 0 places")));
-    EXPECT_THAT(findings,
-                testing::Contains(HasSubstr("With trees that lose their leaves by season it is 1 places")));
+    EXPECT_THAT(findings, testing::Contains(
+                              HasSubstr("With trees that lose their leaves by season their number is 1")));
     const std::string csv = toCsv(makeTable(all.baseline, all.compared));
     EXPECT_THAT(csv, HasSubstr("change_hours_evergreen_avenue"));
     const auto json = nlohmann::json::parse(toJson(all.baseline, all.compared));
