@@ -219,6 +219,11 @@ void OverlayBodies::showPin(std::optional<glm::dvec3> tip) { show(pin_, tip, roo
 
 void OverlayBodies::showWorstSpot(std::optional<glm::dvec3> tip) { show(worst_, tip, edited_); }
 
+void OverlayBodies::showEditing(bool shown) {
+    for (Qt3DCore::QEntity* one : {of(Tint::hovered).faces, of(Tint::selected).faces, handle_.entity})
+        if (one) one->setEnabled(shown);
+}
+
 void OverlayBodies::lightHandle(bool lit) {
     handle_.material->set(QStringLiteral("tint"), vectorOf(lit ? litHandleColour : handleColour));
 }

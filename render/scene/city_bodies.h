@@ -107,6 +107,8 @@ public:
     /// Shows a vertical double arrow at this point, with a constant size in pixels.
     void showHandle(std::optional<glm::dvec3> foot);
     void lightHandle(bool lit);  ///< under the cursor
+    /// Whether what only helps to edit is drawn: the tints of what is hovered and selected, and the handle.
+    void showEditing(bool shown);
     /// Shows a pin whose tip is at this point, with a constant size in pixels and in front of everything.
     void showPin(std::optional<glm::dvec3> tip);
     [[nodiscard]] const std::optional<glm::dvec3>& pin() const { return pin_.at; }

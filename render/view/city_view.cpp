@@ -337,7 +337,11 @@ void CityView::capture(std::function<void(QImage)> done) {
     if (cameraMoved_) applyCamera();
     places_->layNames(pose_, lens());
     dome_->layNames(pose_, lens());
-    requestPicture(std::move(done));
+    overlay_->showEditing(false);
+    requestPicture([this, done = std::move(done)](const QImage& image) {
+        overlay_->showEditing(true);
+        done(image);
+    });
 }
 
 // A frame that is left out, as where another window covers the view at that moment, takes its request with

@@ -83,6 +83,8 @@ void ResultActions::takePicture(std::function<void(const QImage&)> done) {
 
 // What is shown, and when.
 std::pair<QString, QString> ResultActions::pictureTitle() const {
+    if (const PlaceView* verdicts = panel_.results().shownVerdicts())
+        return {tr("%1: %2").arg(workbench_.projectName(), verdicts->note), {}};
     const ProjectSession& session = workbench_.session();
     QString title = tr("%1: %2").arg(workbench_.projectName(), text(session.scenario()));
     if (!session.baseline().empty()) title = tr("%1 compared with %2").arg(title, text(session.baseline()));
@@ -90,7 +92,7 @@ std::pair<QString, QString> ResultActions::pictureTitle() const {
                                ? workbench_.document().settings().period
                                : display_.settings().period;
     const ShownTime& look = panel_.time().look();
-    return {title, look.span == ShownSpan::moment ? describe(look) : describePeriod(period)};
+    return {title, look.span == ShownSpan::moment ? describe(look) : describeWhen(period)};
 }
 
 std::vector<ExportDialog::Subject> ResultActions::exportSubjects() const {

@@ -49,6 +49,9 @@ public:
     /// Places in the colours of their verdicts, displayed in the mode Review; null: none.
     void setVerdicts(std::shared_ptr<const PlaceView> verdicts);
     [[nodiscard]] bool showsVerdicts() const;
+    [[nodiscard]] const PlaceView* shownVerdicts() const {
+        return showsVerdicts() ? verdicts_.get() : nullptr;
+    }
     [[nodiscard]] bool showsElements() const;
     [[nodiscard]] bool showsTiles() const;
     [[nodiscard]] bool showsPlaces() const;
