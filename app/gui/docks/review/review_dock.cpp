@@ -55,6 +55,11 @@ QString describeSums(const ReviewTotals& sums, UnitSystem units) {
                         .arg(groupDigits(share(sums.incrementalM2h), 2));
     if (sums.largestDay && sums.incrementalM2h > 0)
         words += QObject::tr(", most on %1").arg(QString::fromStdString(formatText(*sums.largestDay)));
+    const double gainedM2h = sums.baselineM2h + sums.incrementalM2h - sums.scenarioM2h;
+    if (share(gainedM2h) >= 0.005)
+        words += QObject::tr("; sun comes back on %1 (%2 %)")
+                     .arg(text(gainedM2h))
+                     .arg(groupDigits(share(gainedM2h), 2));
     return words + u'.';
 }
 
