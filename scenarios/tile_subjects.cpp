@@ -6,6 +6,7 @@
 
 #include "core/city/trees/tree.h"
 #include "core/engines/api/shadow_field.h"
+#include "core/engines/shade_trees.h"
 #include "core/study/provenance/study_hash.h"
 #include "core/study/tiles/tile_maps.h"
 #include "scenarios/impact/impact_figures.h"
@@ -31,38 +32,82 @@ std::map<std::string, double> listFigures(const Impact& impact) {
             {"became_ground_m2", all.becameGroundM2}};
 }
 
+// The change of the shadow with trees: "touched_m2_seasonal". What became building is the same.
+void addFigures(std::map<std::string, double>& figures, const ShadeImpact& with) {
+    for (const auto& [name, value] : listFigures(with.impact))
+        if (!name.starts_with("became_")) figures[name + suffixOf(with.column)] = value;
+}
+
 class ImpactMeasure : public TileMeasure {
 public:
     ImpactMeasure(const ComparedCities& cities, const TileQuestion& question)
-        : cities_(cities), question_(question) {}
+        : before_(withTreesFor(*cities.before, question.settings.trees)),
+          after_(withTreesFor(*cities.after, question.settings.trees)),
+          question_(question) {}
 
-    [[nodiscard]] std::vector<TileMap> maps() const override { return listImpactMaps(); }
+    [[nodiscard]] std::vector<TileMap> maps() const override {
+        return addMapsWithTrees(listImpactMaps(), columns());
+    }
 
     Result<TileAnswer> measure(const Grid& tile, Progress& progress, const std::stop_token& stop) override {
         const Region& region = question_.settings.region;
-        return findCommonReceiversInPart(*cities_.before, *cities_.after, region, tile, stop)
+        return findCommonReceiversInPart(before_, after_, region, tile, stop)
             .and_then([&](CommonReceivers common) { return compare(std::move(common), progress, stop); });
     }
 
 private:
+    [[nodiscard]] TreeColumns columns() const {
+        const auto has = [](const City& city) { return city.trees && !city.trees->trees.empty(); };
+        return has(before_) || has(after_) ? question_.settings.trees : TreeColumns::without;
+    }
+
     Result<TileAnswer> compare(CommonReceivers common, Progress& progress,
                                const std::stop_token& stop) const {
         const Receivers& receivers = common.receivers;
         if (receivers.cells.empty()) return withoutReceivers(std::move(common));
         auto fields = computeFields(receivers, progress, stop);
         if (!fields) return tl::make_unexpected(fields.error());
-        Impact impact = computeDifference(fields->before, fields->after, std::move(common.change));
+        for (const auto& [city, field] :
+             {std::pair(&before_, &fields->before), std::pair(&after_, &fields->after)})
+            if (auto done = shade(*city, receivers, *field, progress, stop); !done)
+                return tl::make_unexpected(done.error());
+        const Impact impact = computeDifference(fields->before, fields->after, common.change);
         TileAnswer answer{.result = {.sums = computeSums(fields->after), .figures = listFigures(impact)}};
-        answer.result.hasTrees =
-            !warnOfTrees(cities_.before->trees).empty() || !warnOfTrees(cities_.after->trees).empty();
         const std::string& key = fields->after.engineKey;
         answer.result.engineKey = key.empty() ? question_.settings.engine : key;
         answer.result.engine = impact.engine;
         answer.result.cost = fields->after.cost;
-        for (auto* band : {&fields->after.grossMin, &fields->after.continuousMin, &fields->before.grossMin,
-                           &fields->before.continuousMin, &impact.grossMin, &impact.continuousMin})
-            answer.bands.push_back(std::move(*band));
+        addBands(answer, fields->before, fields->after, impact);
+        if (fields->before.trees || fields->after.trees) addTrees(answer, *fields, common);
         return answer;
+    }
+
+    Result<void> shade(const City& city, const Receivers& receivers, ShadowField& field, Progress& progress,
+                       const std::stop_token& stop) const {
+        return shadeTrees(city, receivers, question_.sun, field, columns(), progress, stop)
+            .map([&](std::shared_ptr<const TreeShade> shade) { field.trees = std::move(shade); });
+    }
+
+    // In the order of the maps.
+    static void addBands(TileAnswer& answer, const ShadowField& before, const ShadowField& after,
+                         const Impact& impact) {
+        for (const auto* band : {&after.grossMin, &after.continuousMin, &before.grossMin,
+                                 &before.continuousMin, &impact.grossMin, &impact.continuousMin})
+            answer.bands.push_back(*band);
+    }
+
+    void addTrees(TileAnswer& answer, const FieldPair& fields, const CommonReceivers& common) const {
+        for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal}) {
+            if (!isAmong(columns(), column)) continue;
+            const ShadowField& before = fieldOfColumn(fields.before, column);
+            const ShadowField& after = fieldOfColumn(fields.after, column);
+            const ShadeImpact with{column, computeDifference(before, after, common.change)};
+            answer.result.withTrees.push_back({column, computeSums(after)});
+            addFigures(answer.result.figures, with);
+            addBands(answer, before, after, with.impact);
+        }
+        const auto& shade = fields.after.trees ? fields.after.trees : fields.before.trees;
+        answer.result.treesHow = shade->how;
     }
 
     // Where a tower covers the whole tile, its cells still became building.
@@ -78,7 +123,7 @@ private:
     // The engine that "auto" chooses is the same for both cities: else they would differ by it too.
     Result<FieldPair> computeFields(const Receivers& receivers, Progress& progress,
                                     const std::stop_token& stop) const {
-        const City* const cities[]{cities_.before.get(), cities_.after.get()};
+        const City* const cities[]{&before_, &after_};
         const auto choice = question_.engine.choose(cities, receivers, question_.sun);
         if (!choice) return fieldsBy(question_.engine, receivers, progress, stop);
         auto fields = fieldsBy(*choice, receivers, progress, stop);
@@ -90,14 +135,14 @@ private:
     template <class Accumulator>
     Result<FieldPair> fieldsBy(const Accumulator& engine, const Receivers& receivers, Progress& progress,
                                const std::stop_token& stop) const {
-        auto before = engine.accumulate(*cities_.before, receivers, question_.sun, progress, stop);
+        auto before = engine.accumulate(before_, receivers, question_.sun, progress, stop);
         if (!before) return tl::make_unexpected(before.error());
-        auto after = engine.accumulate(*cities_.after, receivers, question_.sun, progress, stop);
+        auto after = engine.accumulate(after_, receivers, question_.sun, progress, stop);
         if (!after) return tl::make_unexpected(after.error());
         return FieldPair{*std::move(before), *std::move(after)};
     }
 
-    ComparedCities cities_;
+    City before_, after_;  // with their trees weighed, if they are wanted
     TileQuestion question_;
 };
 
@@ -132,17 +177,24 @@ std::vector<TileMap> listImpactMaps(const LegendChoice& legend) {
 
 namespace {
 
-std::map<std::string, double> listFigures(const Score& score) {
-    std::map<std::string, double> figures{{"weighted_shade_m2h", score.weightedShadeM2h},
-                                          {"score_m2", score.scoreM2},
-                                          {"receiver_area_m2", score.receiverAreaM2}};
-    for (const MonthFigures& month : score.months) {
+void addFigures(std::map<std::string, double>& figures, const ScoreTotals& totals,
+                const std::vector<MonthFigures>& months, const std::string& suffix) {
+    figures["weighted_shade_m2h" + suffix] = totals.weightedShadeM2h;
+    figures["score_m2" + suffix] = totals.scoreM2;
+    for (const MonthFigures& month : months) {
         const std::string name =
-            fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month()));
+            fmt::format("{:04}-{:02}{}", int(month.month.year()), unsigned(month.month.month()), suffix);
         figures["weighted_shade_m2h_" + name] = month.weightedShadeM2h;
         figures["score_m2_" + name] = month.scoreM2;
         figures["shadow_area_m2_" + name] = month.shadowAreaM2;
     }
+}
+
+std::map<std::string, double> listFigures(const Score& score) {
+    std::map<std::string, double> figures{{"receiver_area_m2", score.receiverAreaM2}};
+    addFigures(figures, score, score.months, {});
+    for (const ShadedScore& with : score.withTrees)
+        addFigures(figures, with, with.months, suffixOf(with.column));
     return figures;
 }
 
@@ -151,7 +203,11 @@ public:
     ScoreMeasure(const ScoredCity& scored, const TileQuestion& question)
         : scored_(scored), question_(question) {}
 
-    [[nodiscard]] std::vector<TileMap> maps() const override { return listScoreMaps(); }
+    [[nodiscard]] std::vector<TileMap> maps() const override {
+        const auto& trees = scored_.city->trees;
+        return addMapsWithTrees(listScoreMaps(), trees && !trees->trees.empty() ? question_.settings.trees
+                                                                                : TreeColumns::without);
+    }
 
     Result<TileAnswer> measure(const Grid& tile, Progress& progress, const std::stop_token& stop) override {
         const auto zone = Zone::named(question_.settings.period.zone);
@@ -162,7 +218,7 @@ public:
         countSkippedCells(cost, *receivers);
         if (receivers->cells.empty()) return TileAnswer{.result = {.cost = std::move(cost)}};
         auto score = computeScore(*scored_.city, *receivers, question_.sun, *zone, scored_.weights,
-                                  question_.engine, progress, stop);
+                                  question_.engine, progress, stop, question_.settings.trees);
         if (!score) return tl::make_unexpected(score.error());
         return answerOf(*std::move(score), receivers->cells.size(), std::move(cost));
     }
@@ -176,8 +232,12 @@ private:
                                      .cost = std::move(cost)}};
         answer.result.engineKey = score.engineKey.empty() ? question_.settings.engine : score.engineKey;
         answer.result.engine = std::move(score.engine);
-        answer.result.hasTrees = !warnOfTrees(scored_.city->trees).empty();
+        answer.result.treesHow = std::move(score.treesHow);
         answer.bands.push_back(std::move(score.score));
+        for (ShadedScore& with : score.withTrees) {
+            answer.result.withTrees.push_back({with.column, answer.result.sums});
+            answer.bands.push_back(std::move(with.score));
+        }
         return answer;
     }
 

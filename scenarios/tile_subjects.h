@@ -14,7 +14,8 @@ struct ComparedCities {
 /// The impact of a scenario as the subject of a plan. Its cells equal those of runImpact() with the same
 /// engine to the last bit, if the engine's cells do not depend on their surroundings; the engine "auto"
 /// chooses for each tile, once for both cities. No error is measured. Figures of a tile: those of
-/// ImpactFigures that are sums, without and with the default threshold.
+/// ImpactFigures that are sums, without and with the default threshold; with trees as in
+/// "touched_m2_seasonal", with maps of their own ("impact_seasonal").
 TileSubject makeImpactSubject(const ComparedCities& cities);
 
 /// Its maps: `after` and `before` (gross and continuous shadow on the receivers that both cities have), and
@@ -31,7 +32,8 @@ struct ScoredCity {
 /// The score of a scenario as the subject of a plan. Its cells equal those of runScore() with the same engine
 /// to the last bit, if the engine's cells do not depend on their surroundings; the engine "auto" chooses for
 /// each tile. Figures of a tile: weighted_shade_m2h, score_m2 and receiver_area_m2; and by month of the
-/// period, as in "score_m2_2026-03", weighted_shade_m2h, score_m2 and shadow_area_m2.
+/// period, as in "score_m2_2026-03", weighted_shade_m2h, score_m2 and shadow_area_m2. With trees likewise, as
+/// in "score_m2_2026-03_seasonal", with maps of their own.
 TileSubject makeScoreSubject(const ScoredCity& scored);
 
 /// Its map: `score`.

@@ -81,8 +81,8 @@ public:
     /// Whether both answer the same question about the same scenarios, whatever their buildings.
     [[nodiscard]] virtual bool asksSameAs(const Answer& other) const;
 
-    /// The answer in sentences and charts.
-    [[nodiscard]] virtual AnswerPage page(ShownAs) const { return {}; }
+    /// The answer in sentences and charts, of what a legend so chosen shows.
+    [[nodiscard]] virtual AnswerPage page(const LegendChoice&) const { return {}; }
     /// The command line that asks the same, of an answer that is stated(); error: why there is none.
     [[nodiscard]] virtual Result<std::string> command() const {
         return failure("No command asks this question", {}, "Ask it in the window");

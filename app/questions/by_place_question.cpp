@@ -73,7 +73,9 @@ public:
                                                ofPlaces_);
     }
 
-    [[nodiscard]] AnswerPage page(ShownAs show) const override { return makePage(content(), show); }
+    [[nodiscard]] AnswerPage page(const LegendChoice& shown) const override {
+        return makePage(content(), shown.show);
+    }
     [[nodiscard]] Result<std::string> command() const override {
         return makeRepeatCommand(content().baseline, content().compared);
     }
@@ -160,8 +162,8 @@ SavedForm savedPlaces() {
     return {[](const SavedContent& saved) {
                 return savedPlaceNames(saved.as<SavedSunByPlace>()->sun.baseline.settings.dates);
             },
-            [](const SavedContent& saved, ShownAs show) {
-                return makePage(saved.as<SavedSunByPlace>()->sun, show);
+            [](const SavedContent& saved, const LegendChoice& shown) {
+                return makePage(saved.as<SavedSunByPlace>()->sun, shown.show);
             },
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
                const AnswerFiles& how) {

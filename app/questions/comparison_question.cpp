@@ -46,8 +46,8 @@ public:
         return std::make_shared<ComparisonAnswer>(std::move(impact), seconds_);
     }
 
-    [[nodiscard]] AnswerPage page(ShownAs show) const override {
-        return makePage(content().study.total, computeFigures(content()), show);
+    [[nodiscard]] AnswerPage page(const LegendChoice& shown) const override {
+        return makePage(content(), shown);
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
@@ -93,8 +93,8 @@ Result<std::shared_ptr<const Answer>> computeComparison(const Asked& asked, Prog
     return std::make_shared<ComparisonAnswer>(std::move(impact), watch.seconds());
 }
 
-AnswerPage pageOfSavedImpact(const SavedImpact& impact, const SavedContent&, ShownAs show) {
-    return makePage(impact.impact, impact.figures, show);
+AnswerPage pageOfSavedImpact(const SavedImpact& impact, const SavedContent&, const LegendChoice& shown) {
+    return makePage(impact.impact, impact.figures, shown.show);
 }
 
 }  // namespace
@@ -142,8 +142,8 @@ public:
         return std::make_shared<WeighedAnswer>(std::move(score), seconds_);
     }
 
-    [[nodiscard]] AnswerPage page(ShownAs show) const override {
-        return makePage(content().score, content().scenario, show);
+    [[nodiscard]] AnswerPage page(const LegendChoice& shown) const override {
+        return makePage(content().score, content().scenario, shown.show);
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
@@ -186,8 +186,8 @@ Result<std::shared_ptr<const Answer>> computeWeighed(const Asked& asked, Progres
     return std::make_shared<WeighedAnswer>(std::move(answer), watch.seconds());
 }
 
-AnswerPage pageOfSavedScore(const SavedScore& score, const SavedContent& saved, ShownAs show) {
-    return makePage(score.score, saved.result->scenario, show);
+AnswerPage pageOfSavedScore(const SavedScore& score, const SavedContent& saved, const LegendChoice& shown) {
+    return makePage(score.score, saved.result->scenario, shown.show);
 }
 
 }  // namespace

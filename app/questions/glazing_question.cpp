@@ -57,7 +57,7 @@ public:
         return std::make_shared<GlazingVerdictsAnswer>(shared(), std::move(source));
     }
 
-    [[nodiscard]] AnswerPage page(ShownAs) const override {
+    [[nodiscard]] AnswerPage page(const LegendChoice&) const override {
         const GlazingStudy& study = content().study;
         return makeGlazingPage(study.windowChanges, study.rule.name, asked().from, asked().to);
     }
@@ -118,7 +118,7 @@ Result<std::shared_ptr<const Answer>> computeGlazing(const Asked& asked, Progres
         });
 }
 
-AnswerPage pageOfSavedGlazing(const SavedContent& saved, ShownAs) {
+AnswerPage pageOfSavedGlazing(const SavedContent& saved, const LegendChoice&) {
     const auto json = nlohmann::ordered_json::parse(saved.result->settings);
     const auto countOf = [&](const char* key) { return json.at(key).get<std::size_t>(); };
     VerdictChanges changes;

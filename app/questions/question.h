@@ -49,7 +49,7 @@ struct SavedForm {
     std::function<std::vector<std::string>(const SavedContent&)> fileNames{};
     /// The page of what savedKinds() reads for the question's key (scenarios/project/results/saved_answer.h),
     /// else of its figures.
-    std::function<AnswerPage(const SavedContent&, ShownAs)> page{};
+    std::function<AnswerPage(const SavedContent&, const LegendChoice&)> page{};
     /// None: it writes its figures.
     std::function<Result<std::vector<std::filesystem::path>>(
         const SavedContent&, const SavedSource&, const std::filesystem::path& folder, const AnswerFiles&)>

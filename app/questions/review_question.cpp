@@ -111,7 +111,7 @@ public:
         return answer;
     }
 
-    [[nodiscard]] AnswerPage page(ShownAs) const override {
+    [[nodiscard]] AnswerPage page(const LegendChoice&) const override {
         const ReviewStudy& study = content().study;
         return makeReviewPage(countVerdicts(study), study.rule.name, asked().to, listDoubtful(study));
     }
@@ -207,7 +207,7 @@ Result<std::shared_ptr<const Answer>> computePlaces(const Asked& asked, Progress
 }
 
 // Its JSON is that of review.json, with the counts of verdicts.
-AnswerPage pageOfSavedReview(const SavedContent& saved, ShownAs) {
+AnswerPage pageOfSavedReview(const SavedContent& saved, const LegendChoice&) {
     const auto json = nlohmann::ordered_json::parse(saved.result->settings);
     std::vector<CriticalPlace> doubtful;
     for (const Verdict verdict : {Verdict::fail, Verdict::borderline})

@@ -58,8 +58,8 @@ public:
         return std::make_shared<SavedResultAnswer>(shared(), of_);
     }
 
-    [[nodiscard]] AnswerPage page(ShownAs show) const override {
-        return of_.saved && of_.saved->page ? of_.saved->page(content(), show) : AnswerPage{};
+    [[nodiscard]] AnswerPage page(const LegendChoice& shown) const override {
+        return of_.saved && of_.saved->page ? of_.saved->page(content(), shown) : AnswerPage{};
     }
     [[nodiscard]] std::vector<FigureLine> figures() const override {
         const auto* lines = content().as<SavedFigureLines>();

@@ -34,10 +34,12 @@ Result<std::shared_ptr<const Answer>> readSaved(const std::shared_ptr<const Save
 
 /// How results with maps are written: see writeSavedMaps().
 template <class T>
-SavedForm savedMaps(AnswerPage (*page)(const T&, const SavedContent&, ShownAs),
+SavedForm savedMaps(AnswerPage (*page)(const T&, const SavedContent&, const LegendChoice&),
                     std::vector<CommandOption> (*drawnOptions)(const AnswerFiles&)) {
     return {[](const SavedContent&) { return savedMapNames(); },
-            [page](const SavedContent& saved, ShownAs show) { return page(*saved.as<T>(), saved, show); },
+            [page](const SavedContent& saved, const LegendChoice& shown) {
+                return page(*saved.as<T>(), saved, shown);
+            },
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
                const AnswerFiles& how) {
                 const auto sheet = [&](const SavedMaps& maps) {

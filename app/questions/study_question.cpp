@@ -52,10 +52,10 @@ public:
                                              withContributions(ofPlaces_, std::move(of)));
     }
 
-    [[nodiscard]] AnswerPage page(ShownAs show) const override {
-        return withMonths(
-            makePage(content().field, content().statistics, nameOf(content().settings.region), show),
-            makeMonthBars(content()));
+    [[nodiscard]] AnswerPage page(const LegendChoice& shown) const override {
+        return withMonths(makePage(content().field, content().statistics, nameOf(content().settings.region),
+                                   shown.show, shown.trees),
+                          makeMonthBars(content()));
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
@@ -107,10 +107,10 @@ Result<std::shared_ptr<const Answer>> computeStudy(const Asked& asked, Progress&
     return std::make_shared<StudyAnswer>(std::make_shared<const Study>(*std::move(study)), asked.scenario);
 }
 
-AnswerPage pageOfSavedStudy(const SavedStudy& study, const SavedContent& saved, ShownAs show) {
+AnswerPage pageOfSavedStudy(const SavedStudy& study, const SavedContent& saved, const LegendChoice& shown) {
     Region region;
     region.name = saved.answer.origin.region;
-    return withMonths(makePage(study.field, study.statistics, nameOf(region), show),
+    return withMonths(makePage(study.field, study.statistics, nameOf(region), shown),
                       makeMonthBars(study.months, study.start, study.field.days));
 }
 
@@ -150,7 +150,7 @@ public:
         return std::make_shared<PointsAnswer>(std::move(answer), scenario_);
     }
 
-    [[nodiscard]] AnswerPage page(ShownAs) const override {
+    [[nodiscard]] AnswerPage page(const LegendChoice&) const override {
         return makePage(content().map, computeFigures(content().study));
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content().study); }
@@ -212,7 +212,7 @@ Result<std::shared_ptr<const Answer>> computePoints(const Asked& asked, Progress
 
 SavedForm savedPoints() {
     return {[](const SavedContent&) { return savedPointNames(); },
-            [](const SavedContent& saved, ShownAs) {
+            [](const SavedContent& saved, const LegendChoice&) {
                 const auto& points = *saved.as<SavedElements>();
                 return makePage(points.map, points.figures);
             },

@@ -10,6 +10,8 @@
 
 #include "core/describe/field_json.h"
 #include "core/describe/text.h"
+#include "core/engines/shade_trees.h"
+#include "core/measures/shadow_figures.h"
 
 namespace noonmark {
 
@@ -119,7 +121,7 @@ Result<LegendClasses> parseLegendClasses(std::string_view text) {
 }
 
 std::vector<CommandOption> listLegendOptions(const LegendChoice& choice, bool aroundZero) {
-    LegendChoice drawn{.show = choice.show};
+    LegendChoice drawn{.show = choice.show, .trees = choice.trees};
     if (aroundZero) {
         drawn.changeRamp = choice.changeRamp;
         drawn.changeReversed = choice.changeReversed;
@@ -163,6 +165,21 @@ LegendChoice showAs(const LegendChoice& choice, ShownAs as, double sunlitMin) {
         std::ranges::reverse(shown.changeClasses.breaks);
     }
     return shown;
+}
+
+Sentence nameColumn(TreeColumns trees) {
+    if (trees == TreeColumns::without) return {NM_TEXT("This is without trees.")};
+    return {trees == TreeColumns::evergreen ? NM_TEXT("This is with trees as evergreens.")
+                                            : NM_TEXT("This is with trees by their seasons.")};
+}
+
+AnswerPage makePage(const ShadowField& field, const ShadowStatistics& statistics, const std::string& where,
+                    const LegendChoice& shown) {
+    const ShadowField& column = fieldOfColumn(field, shown.trees);
+    if (&column == &field) return makePage(field, statistics, where, shown.show);
+    AnswerPage page = makePage(column, computeStatistics(column), where, shown.show);
+    page.findings.insert(page.findings.begin(), nameColumn(shown.trees));
+    return page;
 }
 
 }  // namespace noonmark

@@ -5,14 +5,23 @@
 #include <string_view>
 #include <vector>
 
+#include "core/describe/answer_page.h"
 #include "core/describe/command_options.h"
+#include "core/engines/api/tree_shade.h"
 #include "core/measures/palette.h"
 #include "core/measures/shown_quantity.h"
 
 namespace noonmark {
 
+struct ShadowStatistics;
+
 std::span<const Choice<Ramp>> rampChoices();        ///< from much sun to much shadow
 std::span<const Choice<Ramp>> changeRampChoices();  ///< around zero
+
+/// The shadows that one map can show of a result with trees: all but TreeColumns::all.
+constexpr std::span<const Choice<TreeColumns>> mappedTreeChoices() {
+    return std::span(treeColumnChoices).subspan(1);
+}
 
 /// The values of the two ends of a scale, in the unit shown.
 struct LegendRange {
@@ -52,12 +61,13 @@ struct LegendChoice {
     LegendClasses classes{};
     Ramp changeRamp = Ramp::greenBrown;  ///< of differences and scores
     bool changeReversed = false;
-    LegendClasses changeClasses{};  ///< breaks: of differences in minutes, of scores in theirs
+    LegendClasses changeClasses{};             ///< breaks: of differences in minutes, of scores in theirs
+    TreeColumns trees = TreeColumns::without;  ///< which shadow maps show where trees reach; never `all`
     bool operator==(const LegendChoice&) const = default;
 };
 
 /// Flags --show, --ramp, --reverse-ramp, --range, --classes, --change-ramp, --reverse-change-ramp,
-/// --change-classes. No result depends on them.
+/// --change-classes, --map-trees. No result depends on them.
 const Fields<LegendChoice>& legendFields();
 
 /// The options that state what a command would draw otherwise without them: of a map of minutes, or of one
@@ -71,5 +81,12 @@ LegendChoice parseLegendChoice(const std::string& text);
 
 /// The choice with range and breaks in the unit of `as`, so that each cell keeps its class.
 LegendChoice showAs(const LegendChoice& choice, ShownAs as, double sunlitMin);
+
+/// What a field says (core/measures/shadow_figures.h) of the column of trees that a legend shows, if the
+/// field has it. `statistics`: those without trees.
+AnswerPage makePage(const ShadowField& field, const ShadowStatistics& statistics, const std::string& where,
+                    const LegendChoice& shown);
+/// A sentence that names the column of what a page says.
+Sentence nameColumn(TreeColumns trees);
 
 }  // namespace noonmark

@@ -69,6 +69,13 @@ const Fields<LegendChoice>& legendFields() {
                              "in minutes of a difference: -30,-10,10,30"),
              .hint = "CLASSES",
              .role = SettingRole::none}),
+        choiceField(&LegendChoice::trees, mappedTreeChoices(),
+                    {.key = "map_trees",
+                     .flag = "--map-trees",
+                     .label = NM_TEXT("Trees on maps"),
+                     .help = NM_TEXT("Which shadow maps and sheets of studies and comparisons show where "
+                                     "trees reach; files of values hold all that were measured"),
+                     .role = SettingRole::none}),
     };
     return fields;
 }

@@ -172,8 +172,8 @@ const Figures<ShadowStatistics>& shadowFigures() {
 }
 
 std::string_view describeTrees(TreeColumns column) {
-    return column == TreeColumns::evergreen ? NM_TEXT("trees as evergreens")
-                                            : NM_TEXT("trees with their seasons");
+    if (column == TreeColumns::evergreen) return NM_TEXT("trees as evergreens");
+    return column == TreeColumns::seasonal ? NM_TEXT("trees with their seasons") : NM_TEXT("without trees");
 }
 
 FiguresWithTrees::FiguresWithTrees(std::span<const Figure> figures, TreeColumns column) {

@@ -38,7 +38,7 @@ inline bool hasRuns(const SampledError& error) { return !std::isnan(error.contin
 
 const Figures<ShadowStatistics>& shadowFigures();
 
-/// "trees as evergreens", "trees with their seasons". `column`: evergreen or seasonal.
+/// "without trees", "trees as evergreens", "trees with their seasons".
 std::string_view describeTrees(TreeColumns column);
 
 /// The results among figures where trees of one column are measured, with keys, labels and definitions of

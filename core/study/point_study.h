@@ -10,6 +10,7 @@
 #include "core/engines/points/point_sunlight.h"
 #include "core/engines/points/sky_factors.h"
 #include "core/engines/points/skyline.h"
+#include "core/study/point_crowns.h"
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
@@ -62,7 +63,8 @@ struct PointView {
     /// Sunlit minutes of the year at the question's step, by month and hour of the wall clock.
     MonthHours minutes{};
     PointShadow year;
-    ShadedSteps shaded;  ///< of PointStudy::sun
+    ShadedSteps shaded;                 ///< of PointStudy::sun
+    std::optional<PointCrowns> crowns;  ///< none: no tree is seen; all else is without trees
 };
 
 /// Days of the year on which a proposal takes sun, with gaps of at most three days.

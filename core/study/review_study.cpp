@@ -4,10 +4,13 @@
 #include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/safe_text.h"
 #include "core/city/trees/tree.h"
 #include "core/engines/auto_engine.h"
+#include "core/engines/ray/tree_rays.h"
+#include "core/engines/trees/crowns_around.h"
 #include "core/measures/places/place_run.h"
 #include "core/measures/places/place_sums.h"
 #include "core/review/criteria/worst_spots.h"
@@ -121,6 +124,18 @@ double estimateSpotSeconds(const Rule& rule, const PreparedReview& prepared, Eng
     return double(prepared.scene.cities().size()) * estimateSeconds(load).ray;
 }
 
+// Of the masks of one city: the crowns near each half degree of a day's sun, at each cell (CrownMasks).
+double estimateCrownSeconds(const City& city, const Receivers& receivers, const SunSteps& sun) {
+    constexpr double secondsOfChord = 10e-9 / 2;  // two cores
+    const CrownScene crowns = findCrowns(city, receivers, sun);
+    if (crowns.empty()) return 0;
+    std::size_t patches = 0;
+    for (const SunDay& day : sun.days)
+        patches += SunPatches(std::span(sun.steps).subspan(day.first, day.count)).count();
+    return double(receivers.cells.size()) * double(patches) * countCrownsAtRays(crowns, receivers, sun) *
+           secondsOfChord;
+}
+
 }  // namespace
 
 Result<double> estimateReviewSeconds(const Rule& rule, const City& baseline, const City& scenario,
@@ -132,7 +147,9 @@ Result<double> estimateReviewSeconds(const Rule& rule, const City& baseline, con
     const EngineLoad load = measureEngineLoad(cities, prepared->scene.receivers.receivers, prepared->days.sun,
                                               HorizonSweepSettings());
     const EstimatedSeconds one = estimateSeconds(load);
-    const double fields = double(cities.size()) * (load.level ? one.projected : one.ray);
+    double fields = double(cities.size()) * (load.level ? one.projected : one.ray);
+    for (const City* city : cities)
+        fields += estimateCrownSeconds(*city, prepared->scene.receivers.receivers, prepared->days.sun);
     return fields + (settings.refinesSpots ? estimateSpotSeconds(rule, *prepared, load) : 0);
 }
 

@@ -247,6 +247,21 @@ AnswerPage makePage(const Impact& impact, const ComparisonFigures& figures, Show
             {makeChangeHistogram(impact.grossMin, impact.grid.cellAreaM2(), noChangeMin, show)}};
 }
 
+const Impact& impactOfColumn(const ImpactStudy& study, TreeColumns column) {
+    const auto found = std::ranges::find(study.withTrees, column, &ShadeImpact::column);
+    return found == study.withTrees.end() ? study.total : found->impact;
+}
+
+AnswerPage makePage(const ImpactAnswer& answer, const LegendChoice& shown) {
+    const Impact& impact = impactOfColumn(answer.study, shown.trees);
+    ComparisonFigures figures = computeFigures(answer);
+    if (&impact == &answer.study.total) return makePage(impact, figures, shown.show);
+    figures.all.front() = computeFigures(impact, answer.settings.thresholdsMin.front());
+    AnswerPage page = makePage(impact, figures, shown.show);
+    page.findings.insert(page.findings.begin(), nameColumn(shown.trees));
+    return page;
+}
+
 Result<std::string> makeRepeatCommand(const ImpactAnswer& answer, std::size_t width) {
     return makeRepeatCommand(projectQuestion("impact", answer.settings.study, answer.provenance,
                                              answer.study.after.engineKey, optionsOf(answer)),

@@ -5,6 +5,7 @@
 
 #include "core/describe/answer_page.h"
 #include "core/describe/figure_text.h"
+#include "core/measures/legend_choice.h"
 #include "scenarios/impact/impact_figures.h"
 
 namespace noonmark {
@@ -39,6 +40,11 @@ ComparisonFigures computeFigures(const ImpactAnswer& answer);
 /// The page of a comparison: how much sun the scenario takes or gives, on average and at most, over how much
 /// area, and how the area divides into minutes. O(cells).
 AnswerPage makePage(const Impact& impact, const ComparisonFigures& figures, ShownAs show = ShownAs::shadow);
+/// The same of the column of trees that a legend shows, if it was measured.
+AnswerPage makePage(const ImpactAnswer& answer, const LegendChoice& shown);
+
+/// The comparison with trees of a column; that without trees where none reaches a receiver.
+const Impact& impactOfColumn(const ImpactStudy& study, TreeColumns column);
 
 /// The lines of a comparison for tables and sheets: the change of the shadow area, the change of gross and
 /// continuous shadow over each threshold, that of gross shadow in the whole, and what was compared.

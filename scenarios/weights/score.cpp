@@ -261,9 +261,11 @@ private:
 
 Result<Score> computeScore(const City& city, const Receivers& receivers, const SunSteps& sun,
                            const Zone& zone, const TimeWeights& weights, const Engine& engine,
-                           Progress& progress, const std::stop_token& stop) {
+                           Progress& progress, const std::stop_token& stop, TreeColumns trees) {
     if (const auto sound = validate(weights); !sound) return tl::make_unexpected(sound.error());
-    return Scoring(city, receivers, sun, zone, weights, progress, stop).run(engine);
+    Scoring scoring(city, receivers, sun, zone, weights, progress, stop);
+    scoring.addTrees(trees);
+    return scoring.run(engine);
 }
 
 namespace {

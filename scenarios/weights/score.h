@@ -80,10 +80,12 @@ struct Score : ScoreTotals {
 /// Computes the score over given steps. `zone`: time zone of their wall clock. The horizon sweep and
 /// projected shadows process the city once for all months and intervals, at the cost of one field. Any other
 /// engine runs once per combination of month and interval. The engine "auto" chooses once, and `engine`
-/// states its choice. Without trees. Error: an invalid table, or an error of the engine.
+/// states its choice. `trees`: the columns that are also measured. Error: an invalid table, or an error of
+/// the engine.
 Result<Score> computeScore(const City& city, const Receivers& receivers, const SunSteps& sun,
                            const Zone& zone, const TimeWeights& weights, const Engine& engine,
-                           Progress& progress, const std::stop_token& stop);
+                           Progress& progress, const std::stop_token& stop,
+                           TreeColumns trees = TreeColumns::without);
 
 /// Places receivers in `settings.region`, computes the steps of the sun, the score, its errors and, as
 /// `settings.trees` asks, the score with trees. Errors as of runStudy() and computeScore().

@@ -297,12 +297,24 @@ TEST_F(TreesOfAProject, FellingThemChangesTheShadowWithTreesOnly) {
 }
 
 TEST_F(TreesOfAProject, WhatLeavesThemOutSaysSo) {
-    EXPECT_THAT(noonmarkCli({"point", project, "--at", "-73.9800,40.7504"}).out, HasSubstr("trees:"));
     const CommandOutput drawn =
         noonmarkCli({"project", "shadows", project, "--day", "2026-01-15", "--times", "12:00", "--region",
                      "-73.9815,40.7495,-73.9785,40.7515", "--zone", "America/New_York", "--out",
                      folder.path("drawn").string()});
     EXPECT_THAT(drawn.out, HasSubstr("trees:")) << drawn.err;
+}
+
+TEST_F(TreesOfAProject, APointSeesThem) {
+    const CommandOutput point = noonmarkCli(
+        {"point", project, "--at", "-73.9800,40.7504", "--json", "--svg", folder.path("sky.svg").string()});
+    ASSERT_EQ(point.code, exitOk) << point.err;
+    for (const nlohmann::json& warning : point.json().at("warnings"))
+        EXPECT_THAT(warning.at("what").get<std::string>(), Not(testing::StartsWith("trees:")));
+    EXPECT_GT(point.json().at("trees").at("crowns").size(), 0U);
+    std::ifstream svg(folder.path("sky.svg"));
+    const std::string drawing{std::istreambuf_iterator<char>(svg), {}};
+    EXPECT_THAT(drawing, HasSubstr("fill-opacity"));
+    EXPECT_THAT(drawing, HasSubstr("trees, as dense as on the day"));
 }
 
 TEST_F(TreesOfAProject, AScoreHasThreeColumns) {

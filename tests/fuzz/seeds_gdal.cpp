@@ -112,6 +112,14 @@ void writeTerrains(const SeedFolder& seeds) {
     writeGeoTiff(file("feet.tif"), GDT_Byte, {987000, 30, 0, 219000, 0, -30}, 2263, "LZW");
 }
 
+void writeCanopies(const SeedFolder& seeds) {
+    const auto file = [&](const char* name) { return seeds.file("canopy_geotiff", name); };
+    writeGeoTiff(file("metres.tif"), GDT_Float32, {586000, 1, 0, 4512000, 0, -1}, 26918, "NONE");
+    writeGeoTiff(file("whole.tif"), GDT_Byte, {586000, 2, 0, 4512000, 0, -2}, 26918, "LZW");
+    writeGeoTiff(file("degrees.tif"), GDT_Float64, {-73.98, 1e-5, 0, 40.76, 0, -1e-5}, 4326, "NONE");
+    writeGeoTiff(file("packed.tif"), GDT_Int16, {586000, 1, 0.2, 4512000, 0.2, -1}, 26918, "DEFLATE");
+}
+
 void writeMap(const SeedFolder& seeds) {
     const Grid grid{0, 0, 2, 12, 9};
     const std::vector<float> values(grid.size(), 1.5F);
@@ -168,6 +176,7 @@ void makeGdalSeeds(const SeedFolder& seeds) {
     for (const char* name : {"gdal.gpkg", "ours.gpkg"}) shrink(seeds.path / "geopackage_bytes" / name);
     writeShapefile(seeds);
     writeTerrains(seeds);
+    writeCanopies(seeds);
     writeMap(seeds);
     writePictures(seeds);
 }

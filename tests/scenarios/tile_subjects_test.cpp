@@ -5,6 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/city/trees/tree.h"
+#include "core/engines/shade_trees.h"
 #include "core/io/write_raster.h"
 #include "core/study/tile_tasks/merge/merge_tiles.h"
 #include "core/study/tile_tasks/plan/make_task_plan.h"
@@ -139,6 +141,84 @@ TEST_F(TileSubjects, ScoreEqualsThatOfOnePieceToTheLastBit) {
     const auto json = nlohmann::json::parse(stream);
     EXPECT_TRUE(json["mean_gross_min"].is_null());  // a score has no minutes of shadow
     EXPECT_NEAR(json["figures"]["score_m2"], one.scoreM2, std::abs(one.scoreM2) * 1e-9);
+}
+
+/// The same with trees in the south-west, of which the scenario fells one and plants another.
+class TileSubjectsWithTrees : public TileSubjects {
+protected:
+    TileSubjectsWithTrees() {
+        settings.engine = "ray";
+        City first = *before, second = *after;
+        first.trees = planted({{-40, -20}, {-20, 0}});
+        second.trees = planted({{-40, -20}, {-25, 30}});
+        before = std::make_shared<const City>(std::move(first));
+        after = std::make_shared<const City>(std::move(second));
+    }
+    static std::shared_ptr<const Trees> planted(const std::vector<glm::dvec2>& places) {
+        Trees trees{.trees = {}, .leafDays = {106, 320}};
+        for (const glm::dvec2 place : places)
+            trees.trees.push_back({.place = place,
+                                   .heightM = 9,
+                                   .crownBaseM = 2,
+                                   .crownDiameterM = 8,
+                                   .leafOnTransmissivity = 0.1F,
+                                   .leafOffTransmissivity = 0.7F});
+        return std::make_shared<const Trees>(std::move(trees));
+    }
+};
+
+TEST_F(TileSubjectsWithTrees, ImpactEqualsThatOfOnePieceToTheLastBit) {
+    const MergeReport report = merged(makeImpactSubject({before, after, region}), listImpactMaps());
+    NoProgress progress;
+    const ImpactStudy one = runImpact(*before, *after, {whole()}, progress, {}).value();
+    ASSERT_EQ(one.withTrees.size(), 2U);
+    const Grid& grid = one.total.grid;
+    EXPECT_EQ(differentCells(read("impact", grid)[0], one.total.grossMin), 0U) << "without trees";
+    for (const ShadeImpact& with : one.withTrees) {
+        const std::string suffix = suffixOf(with.column);
+        const Bands impact = read("impact" + suffix, grid), old = read("before" + suffix, grid),
+                    now = read("after" + suffix, grid);
+        EXPECT_EQ(differentCells(impact[0], with.impact.grossMin), 0U);
+        EXPECT_EQ(differentCells(impact[1], with.impact.continuousMin), 0U);
+        EXPECT_EQ(differentCells(old[0], fieldOfColumn(one.before, with.column).grossMin), 0U);
+        EXPECT_EQ(differentCells(now[1], fieldOfColumn(one.after, with.column).continuousMin), 0U);
+        const ImpactFigures figures = computeFigures(with.impact, 0);
+        EXPECT_GT(figures.gross.anyLessShadowM2, 50) << "where the tree stood";
+        EXPECT_NEAR(report.figures.at("touched_m2" + suffix), figures.gross.anyMoreShadowM2, 1e-6);
+        EXPECT_NEAR(report.figures.at("eased_m2" + suffix), figures.gross.anyLessShadowM2, 1e-6);
+        EXPECT_NEAR(report.figures.at("shadow_area_change_m2" + suffix), figures.shadowAreaChangeM2, 1e-6);
+    }
+    EXPECT_TRUE(report.warnings.empty());
+    EXPECT_FALSE(report.figures.contains("became_building_m2_seasonal"));
+}
+
+TEST_F(TileSubjectsWithTrees, AreLeftOutWhereTheyAreNotWanted) {
+    settings.trees = TreeColumns::without;
+    const MergeReport report = merged(makeImpactSubject({before, after, region}), listImpactMaps());
+    EXPECT_FALSE(report.figures.contains("touched_m2_seasonal"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("plan/merged/impact_seasonal.tif")));
+}
+
+TEST_F(TileSubjectsWithTrees, ScoreEqualsThatOfOnePieceToTheLastBit) {
+    settings.period = {.start = 2026y / January / 1,
+                       .days = 365,
+                       .from = 8h,
+                       .hours = 8,
+                       .stepMinutes = 240,
+                       .zone = "America/New_York"};
+    const TimeWeights weights = makeMonthlyWeights();
+    const MergeReport report = merged(makeScoreSubject({after, region, weights}), listScoreMaps());
+    NoProgress progress;
+    const Score one = runScore(*after, whole(), weights, progress, {}).value();
+    ASSERT_EQ(one.withTrees.size(), 2U);
+    EXPECT_EQ(differentCells(read("score", one.grid)[0], one.score), 0U);
+    for (const ShadedScore& with : one.withTrees) {
+        const std::string suffix = suffixOf(with.column);
+        EXPECT_EQ(differentCells(read("score" + suffix, one.grid)[0], with.score), 0U) << suffix;
+        EXPECT_NEAR(report.figures.at("score_m2" + suffix), with.scoreM2, std::abs(with.scoreM2) * 1e-9);
+        EXPECT_NEAR(report.figures.at("score_m2_2026-07" + suffix), with.months[6].scoreM2, 1e-6);
+        EXPECT_NE(with.scoreM2, one.scoreM2);
+    }
 }
 
 TEST_F(TileSubjects, ATaskOfOtherScenariosIsRefused) {

@@ -16,7 +16,6 @@
 #include "app/cli/study/study_request.h"
 #include "app/input/load_city.h"
 #include "app/report/skyline/skyline_svg.h"
-#include "core/city/trees/tree.h"
 #include "core/describe/command_options.h"
 #include "core/io/files/write_text.h"
 #include "core/study/point_cases.h"
@@ -89,7 +88,6 @@ Result<PointCities> citiesOfProject(const PointOptions& options) {
         if (!cases) return tl::make_unexpected(cases.error());
         cities.cases = *std::move(cases);
     }
-    std::ranges::move(warnOfTrees(before->city.trees), std::back_inserter(cities.warnings));
     return cities;
 }
 
@@ -101,7 +99,6 @@ Result<PointCities> citiesOf(const PointOptions& options, const Console& console
     return loadCity(options.read, console).map([](const LoadedCity& loaded) {
         PointCities cities{loaded.read.city, std::nullopt, "UTC"};
         cities.warnings = loaded.read.warnings;
-        std::ranges::move(warnOfTrees(loaded.read.city.trees), std::back_inserter(cities.warnings));
         return cities;
     });
 }
@@ -112,6 +109,7 @@ void print(const PointStudy& study, const City& city, const City* scenario, cons
     const auto addView = [&](const std::string& name, const PointView& view, const City& of) {
         table.add(name + "sunlit", sunlitText(view, zone));
         table.add(name + "hidden by", shadedText(view, of, zone));
+        if (view.crowns) table.add(name + "sun with trees", treesText(*view.crowns));
         table.add(name + "sky view factor", fmt::format("{:.3f}", view.factors.skyView));
         if (study.question.facingDeg)
             table.add(name + "vertical sky component", fmt::format("{:.1f} %", view.factors.skyComponentPct));

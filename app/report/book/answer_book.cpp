@@ -7,6 +7,7 @@
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_report.h"
 #include "core/describe/figure_text.h"
+#include "core/engines/shade_trees.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/repeat_command.h"
 #include "core/study/text/breakdown_text.h"
@@ -96,9 +97,11 @@ PageMap grossMap(const ImpactAnswer& answer, const AnswerSource& source, const S
 BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, const PageSetup& setup,
                     const LegendChoice& choice) {
     const QString title = QStringLiteral("Scenarios side by side");
-    const ShadowField &before = answer.study.before, &after = answer.study.after;
+    const ShadowField& before = fieldOfColumn(answer.study.before, choice.trees);
+    const ShadowField& after = fieldOfColumn(answer.study.after, choice.trees);
     const bool beforeIsDarker = topOf(before, ShadowMeasure::gross) > topOf(after, ShadowMeasure::gross);
-    const Legend legend = makeLegend(beforeIsDarker ? before : after, ShadowMeasure::gross, choice);
+    Legend legend = makeLegend(beforeIsDarker ? before : after, ShadowMeasure::gross, choice);
+    if (!answer.study.withTrees.empty()) nameTrees(legend, choice.trees);
     BookPage page{
         title,
         QStringLiteral("%1 on one scale. Buildings are those of %2.").arg(legend.title, plainText(answer.to)),

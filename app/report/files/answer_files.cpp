@@ -1,5 +1,7 @@
 #include "app/report/files/answer_files.h"
 
+#include <fmt/format.h>
+
 #include <QGuiApplication>
 
 #include "app/report/book/answer_books.h"
@@ -26,9 +28,18 @@ constexpr const char* sheetsName = "sheets.pdf";
 
 using Paths = Result<std::vector<Path>>;
 
-std::vector<RasterBand> bandsOf(const Impact& impact) {
-    std::vector<RasterBand> bands{{"change of gross shadow", "min/day", &impact.grossMin}};
-    if (hasRuns(impact)) bands.push_back({"change of continuous shadow", "min", &impact.continuousMin});
+void addBands(std::vector<RasterBand>& bands, const Impact& impact, const std::string& with = {}) {
+    bands.push_back({"change of gross shadow" + with, "min/day", &impact.grossMin});
+    if (hasRuns(impact))
+        bands.push_back({"change of continuous shadow" + with, "min", &impact.continuousMin});
+}
+
+// Those without trees first.
+std::vector<RasterBand> bandsOf(const ImpactStudy& study) {
+    std::vector<RasterBand> bands;
+    addBands(bands, study.total);
+    for (const ShadeImpact& with : study.withTrees)
+        addBands(bands, with.impact, fmt::format(", {}", describeTrees(with.column)));
     return bands;
 }
 
@@ -55,8 +66,8 @@ std::vector<std::string> namesOf(const std::string& answer, bool region, bool sh
 }
 
 Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid, const Frame& frame,
-                 const std::vector<RasterBand>& bands, const Path& folder, const OutputRules& rules,
-                 const std::optional<Book>& book, int width) {
+                 const std::vector<RasterBand>& bands, const std::vector<float>& mapped, const Path& folder,
+                 const OutputRules& rules, const std::optional<Book>& book, int width) {
     if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
     if (auto may = checkOutputs(folder, namesOf(texts.name, !texts.region.empty(), book.has_value()), rules);
         !may)
@@ -66,7 +77,8 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
     OutputFolder files(folder, rules);
     files.add(texts.name + ".tif",
               [&](const Path& file) { return writeGeoTiff(file, frame, grid, bands, texts.tags); });
-    files.add(texts.name + ".qml", textContent(rasterStyle(coloursOf(sheet.map.legend))));
+    files.add(texts.name + ".qml",
+              textContent(rasterStyle(coloursOf(sheet.map.legend), numberOf(bands, mapped))));
     files.add(texts.name + ".png",
               [&](QIODevice& device) { return writePng(makePicture(sheet, width), texts.tags, device); });
     files.add(texts.name + ".pdf", [&](QIODevice& device) { return writePdf(sheet, device); });
@@ -79,19 +91,25 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
 
 }  // namespace
 
+std::size_t numberOf(const std::vector<RasterBand>& bands, const std::vector<float>& values) {
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        if (bands[i].values == &values) return i + 1;
+    return 1;
+}
+
 Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
                        const Path& folder, const OutputRules& rules, const BookSettings* sheets, int width,
                        const LegendChoice& legend) {
     const auto book =
         sheets ? std::optional(makeImpactBook(answer, source, scale, *sheets, legend)) : std::nullopt;
-    const Impact& impact = answer.study.total;
+    const Impact& impact = impactOfColumn(answer.study, legend.trees);
     const Frame& frame = source.city.frame;
     return writeFiles(
         {"impact", extendRepeat(impactJson(answer), drawnOptions(scale, legend)), impactCsv(answer),
          regionFileOf(answer.settings.study.region, answer.provenance, frame),
          makeProvenanceTags(answer.provenance)},
-        makeSheet(answer, source, scale, legend), impact.grid, frame, bandsOf(impact), folder, rules, book,
-        width);
+        makeSheet(answer, source, scale, legend), impact.grid, frame, bandsOf(answer.study), impact.grossMin,
+        folder, rules, book, width);
 }
 
 Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, const Path& folder,
@@ -104,7 +122,7 @@ Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, con
                        scoreCsv(answer), regionFileOf(answer.settings.region, answer.provenance, frame),
                        makeProvenanceTags(answer.provenance)},
                       makeSheet(answer, source, legend), score.grid, frame,
-                      {{"shadow score", "", &score.score}}, folder, rules, book, width);
+                      {{"shadow score", "", &score.score}}, score.score, folder, rules, book, width);
 }
 
 std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets) {

@@ -15,6 +15,7 @@
 #include "core/base/progress.h"
 #include "core/io/files/check_output.h"
 #include "core/io/shadows/write_shadows.h"
+#include "core/io/write_raster.h"
 #include "core/study/contributions/place_contributions.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score_text.h"
@@ -38,6 +39,9 @@ Result<std::vector<std::filesystem::path>> writeScoreFiles(
     const ScoreAnswer& answer, const AnswerSource& source, const std::filesystem::path& folder,
     const OutputRules& rules = {}, const BookSettings* sheets = nullptr, int width = pictureWidth,
     const LegendChoice& legend = {});
+
+/// The number of the band with these values, counted from 1; 1 where there is none.
+std::size_t numberOf(const std::vector<RasterBand>& bands, const std::vector<float>& values);
 
 /// The names of those files, known before the computation; `provenance` states the region.
 std::vector<std::string> impactFileNames(const Provenance& provenance, bool withSheets = false);

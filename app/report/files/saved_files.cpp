@@ -16,6 +16,7 @@
 #include "core/receivers/place_names.h"
 #include "core/receivers/rasterize.h"
 #include "core/study/elements/element_models.h"
+#include "scenarios/project/results/saved_answer.h"
 
 namespace noonmark {
 
@@ -191,6 +192,16 @@ const FileNames& savedFigureNames() {
     return names;
 }
 
+namespace {
+
+// Of the map with these trees; that without where it was not saved.
+std::size_t bandOfTrees(const SavedResult& result, TreeColumns trees) {
+    const auto found = std::ranges::find(result.layers, grossLayer + layerEnding(trees), &SavedLayer::name);
+    return found == result.layers.end() ? 1 : std::size_t(found - result.layers.begin()) + 1;
+}
+
+}  // namespace
+
 WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
                             const std::function<SavedSheet(const SavedMaps&)>& makeSheetOf,
                             const std::filesystem::path& folder, const SavedStyle& look) {
@@ -205,7 +216,8 @@ WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin
     files.add("result.tif", [&](const std::filesystem::path& file) {
         return writeGeoTiff(file, source.city.frame, result.grid, bands, tags);
     });
-    files.add("result.qml", textContent(rasterStyle(coloursOf(sheet.map.legend))));
+    files.add("result.qml",
+              textContent(rasterStyle(coloursOf(sheet.map.legend), bandOfTrees(result, look.legend.trees))));
     files.add("result.png", [&](QIODevice& device) {
         return writePng(makePicture(sheet, look.pictureWidth), tags, device);
     });

@@ -15,7 +15,7 @@
 #include "app/report/maps/write_png.h"
 #include "app/report/sheets/study_report.h"
 #include "core/base/csv_text.h"
-#include "core/engines/api/tree_shade.h"
+#include "core/engines/shade_trees.h"
 #include "core/io/styles/qgis_style.h"
 #include "core/io/write_city.h"
 #include "core/measures/shadow_figures.h"
@@ -135,9 +135,10 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     if (auto may = checkOutputs(folder, names, options.rules); !may) return tl::make_unexpected(may.error());
     OutputFolder files(folder, options.rules);
     files.add("shadow.tif", [&](const std::filesystem::path& file) { return writeRaster(study, file); });
-    const std::string style =
-        rasterStyle(coloursOf(makeLegend(study.field, ShadowMeasure::gross, options.legend)));
-    files.add("shadow.qml", textContent(style));
+    const ShadowField& mapped = fieldOfColumn(study.field, options.legend.trees);
+    const ColourScale colours = coloursOf(makeLegend(mapped, ShadowMeasure::gross, options.legend));
+    const std::size_t band = numberOf(makeMapBands(study.field, hasRuns(study.statistics)), mapped.grossMin);
+    files.add("shadow.qml", textContent(rasterStyle(colours, band)));
     files.add("shadow.png", [&](QIODevice& device) {
         return writePng(mapPicture(study, ShadowMeasure::gross, options.pictureWidth, options.legend),
                         makeProvenanceTags(study.provenance), device);

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/describe/text.h"
+#include "core/engines/shade_trees.h"
+#include "core/measures/shadow_figures.h"
 
 namespace noonmark {
 
@@ -221,6 +223,18 @@ Legend makeLegend(const ShadowField& field, ShadowMeasure measure, const LegendC
     if (isInstant(field)) return momentLegend();
     return makeLegend(measure, choice, field.sunlitMinutesPerDay, topOf(field, measure),
                       getValues(field, measure));
+}
+
+void nameTrees(Legend& legend, TreeColumns trees) {
+    const std::string_view words = describeTrees(trees);
+    legend.notes.insert(legend.notes.begin(), {QString::fromUtf8(words.data(), qsizetype(words.size()))});
+}
+
+Legend makeColumnLegend(const ShadowField& field, ShadowMeasure measure, const LegendChoice& choice) {
+    const ShadowField& shown = fieldOfColumn(field, choice.trees);
+    Legend legend = makeLegend(shown, measure, choice);
+    if (field.trees) nameTrees(legend, &shown == &field ? TreeColumns::without : choice.trees);
+    return legend;
 }
 
 ColourScale coloursOf(const Legend& legend) { return legend.colours.value_or(plainScale(legend.scale.top)); }

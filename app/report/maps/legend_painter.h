@@ -50,6 +50,13 @@ Legend makeLegend(ShadowMeasure measure, const LegendChoice& choice, double sunl
 /// The legend of a map of `measure`. O(cells). A moment's has two patches.
 Legend makeLegend(const ShadowField& field, ShadowMeasure measure, const LegendChoice& choice = {});
 
+/// Adds which shadow the map shows: "without trees", "trees as evergreens", "trees with their seasons".
+void nameTrees(Legend& legend, TreeColumns trees);
+
+/// The legend of a map of that column of the field that the choice names (fieldOfColumn()), which it names
+/// where the field has any with trees.
+Legend makeColumnLegend(const ShadowField& field, ShadowMeasure measure, const LegendChoice& choice);
+
 /// Two patches: sun and shadow.
 Legend momentLegend();
 

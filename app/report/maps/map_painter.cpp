@@ -9,6 +9,7 @@
 
 #include "app/report/maps/city_painter.h"
 #include "core/base/units.h"
+#include "core/engines/shade_trees.h"
 
 namespace noonmark {
 
@@ -263,9 +264,11 @@ std::optional<Box2> zoomOn(const Box2& changed, const MapScene& scene) {
 }
 
 MapScene makeMapScene(const Study& study, ShadowMeasure measure, const LegendChoice& choice) {
-    const ColourScale scale = coloursOf(makeLegend(study.field, measure, choice));
-    return {study.city, study.settings.region, study.field.grid, [&study, measure, scale](int wantedPixels) {
-                return makeFieldImage(study.field, study.receivers, measure, scale, wantedPixels);
+    const ShadowField& field = fieldOfColumn(study.field, choice.trees);
+    const ColourScale scale = coloursOf(makeLegend(field, measure, choice));
+    return {study.city, study.settings.region, field.grid,
+            [&study, &field, measure, scale](int wantedPixels) {
+                return makeFieldImage(field, study.receivers, measure, scale, wantedPixels);
             }};
 }
 

@@ -141,31 +141,31 @@ SheetMap makeImpactMap(const Impact& impact, const City& city, const Region& reg
 
 Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
                 const LegendChoice& legend) {
-    const Impact& impact = answer.study.total;
+    const Impact& impact = impactOfColumn(answer.study, legend.trees);
     const Region& region = answer.settings.study.region;
+    const auto mapOf = [&](ShadowMeasure measure) {
+        SheetMap map = makeImpactMap(impact, source.city, region, measure, scale, legend);
+        if (!answer.study.withTrees.empty())
+            nameTrees(map.legend, &impact == &answer.study.total ? TreeColumns::without : legend.trees);
+        zoomOnChange(answer, map);
+        return map;
+    };
     const QString subject = QStringLiteral("%1 compared with %2")
                                 .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from));
     const QString sunlit = QStringLiteral("sun above the horizon for %1 min a day")
                                .arg(describeAmount(impact.sunlitMinutesPerDay));
     Sheet sheet{.headline = makeHeadline(answer.settings.study, source.city.frame, subject,
                                          isInstant(impact) ? QString() : sunlit),
-                .map = makeImpactMap(impact, source.city, region, ShadowMeasure::gross, scale, legend),
+                .map = mapOf(ShadowMeasure::gross),
                 .definitions = definitionsOf(answer, scale, legend),
                 .figures = figureTexts(listLines(computeFigures(answer), legend.show)),
                 .sections = sectionsOf(answer, source, drawnOptions(scale, legend)),
                 .credit = describeData(answer.provenance.attribution),
                 .record = {QStringLiteral("impact.json"),
                            extendRepeat(impactJson(answer), drawnOptions(scale, legend))}};
-    zoomOnChange(answer, sheet.map);
     addNewBuildings(sheet.figures, answer.proposal);
-    sheet.finding =
-        QString::fromStdString(formatText(makePage(impact, computeFigures(answer), legend.show).headline)) +
-        u'.';
-    if (!isInstant(impact) && hasRuns(impact)) {
-        sheet.smallMap.emplace(
-            makeImpactMap(impact, source.city, region, ShadowMeasure::continuous, scale, legend));
-        zoomOnChange(answer, *sheet.smallMap);
-    }
+    sheet.finding = QString::fromStdString(formatText(makePage(answer, legend).headline)) + u'.';
+    if (!isInstant(impact) && hasRuns(impact)) sheet.smallMap.emplace(mapOf(ShadowMeasure::continuous));
     return sheet;
 }
 

@@ -7,6 +7,7 @@
 #include "app/report/maps/style.h"
 #include "app/report/sheets/answer_reports.h"
 #include "app/report/sheets/report_sections.h"
+#include "core/engines/shade_trees.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/command_text.h"
 #include "core/study/text/region_text.h"
@@ -18,7 +19,7 @@ namespace noonmark {
 namespace {
 
 SheetMap mapOf(const Study& study, ShadowMeasure measure, const LegendChoice& legend) {
-    return {makeMapScene(study, measure, legend), makeLegend(study.field, measure, legend)};
+    return {makeMapScene(study, measure, legend), makeColumnLegend(study.field, measure, legend)};
 }
 
 std::vector<TextBlocks> sectionsOf(const Study& study) {
@@ -39,11 +40,10 @@ Sheet makeSheet(const Study& study, const LegendChoice& legend) {
                 .credit = describeData(study),
                 .record = {QStringLiteral("study.json"),
                            extendRepeat(studyJson(study), listLegendOptions(legend, false))}};
-    const AnswerPage page =
-        makePage(study.field, study.statistics, nameOf(study.settings.region), legend.show);
+    const AnswerPage page = makePage(study.field, study.statistics, nameOf(study.settings.region), legend);
     if (!page.headline.source.empty())
         sheet.finding = QString::fromStdString(formatText(asOnSheets(page.headline))) + u'.';
-    if (!isInstant(study.field) && hasRuns(study.statistics))
+    if (!isInstant(study.field) && hasRuns(fieldOfColumn(study.field, legend.trees)))
         sheet.smallMap.emplace(mapOf(study, ShadowMeasure::continuous, legend));
     return sheet;
 }
@@ -65,8 +65,9 @@ using SavedJson = nlohmann::json;
 
 QString plainText(const std::string& text) { return QString::fromStdString(text); }
 
-SheetMap makeStudyMap(const ShadowField& field, ShadowMeasure measure, const SavedMaps& from) {
-    const Legend legend = makeLegend(field, measure, from.legend);
+SheetMap makeStudyMap(const ShadowField& saved, ShadowMeasure measure, const SavedMaps& from) {
+    const ShadowField& field = fieldOfColumn(saved, from.legend.trees);
+    const Legend legend = makeColumnLegend(saved, measure, from.legend);
     const auto image = [&field, measure, scale = coloursOf(legend)](int wantedPixels) {
         const auto colour = [&](std::size_t cell) {
             return pickColour(scale, double(getValues(field, measure)[cell]));
@@ -172,7 +173,7 @@ SavedSheet makeSavedSheet(const SavedResult& result, const SavedStudy& study, co
                                                      {.isInstant = isOfMoment, .show = with.legend.show})))},
         .figures = makeStudyFigures(study.statistics, study.field, study.steps, with.legend.show),
         .error = study.error};
-    if (!isOfMoment && hasRuns(study.statistics))
+    if (!isOfMoment && hasRuns(fieldOfColumn(study.field, with.legend.trees)))
         sheet.smallMap.emplace(makeStudyMap(study.field, ShadowMeasure::continuous, with));
     return sheet;
 }

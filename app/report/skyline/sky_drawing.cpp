@@ -112,6 +112,40 @@ void SkyDrawing::drawOverhangs(const PointView& view) {
     }
 }
 
+namespace {
+
+constexpr double fullTurnDeg = 360;
+
+// The columns within one turn, from 0 to 360 degrees: a crown that stands across north has two pieces.
+std::vector<CrownColumn> cutTurn(const std::vector<CrownColumn>& columns, int turn) {
+    std::vector<CrownColumn> piece;
+    for (CrownColumn column : columns) {
+        column.azimuthDeg -= turn * fullTurnDeg;
+        if (column.azimuthDeg >= 0 && column.azimuthDeg <= fullTurnDeg) piece.push_back(column);
+    }
+    return piece;
+}
+
+}  // namespace
+
+void SkyDrawing::drawCrowns(const PointCrowns& crowns) {
+    for (const SeenCrown& crown : crowns.seen) {
+        const double through = crowns.inLeaf ? crown.leafOnTransmissivity : crown.leafOffTransmissivity;
+        for (int turn = 0; turn < 2; ++turn) {
+            const std::vector<CrownColumn> piece = cutTurn(crown.columns, turn);
+            if (piece.size() < 2) continue;
+            std::string points;
+            for (const CrownColumn& column : piece) addPoint(column.azimuthDeg, column.highDeg, points);
+            for (auto column = piece.rbegin(); column != piece.rend(); ++column)
+                addPoint(column->azimuthDeg, column->lowDeg, points);
+            fmt::format_to(std::back_inserter(svg_),
+                           "<polygon points=\"{0}\" fill=\"{1}\" fill-opacity=\"{2:.3f}\" stroke=\"{1}\" "
+                           "stroke-opacity=\"0.5\" stroke-width=\"0.4\"/>\n",
+                           points, crownFill, 1 - through);
+        }
+    }
+}
+
 void SkyDrawing::drawOutline(const PointView& view, const char* stroke) {
     std::string points;
     for (const SkylinePlace& place : view.skyline) addPoint(place.azimuthDeg, place.altitudeDeg, points);

@@ -88,17 +88,22 @@ private:
     void drawFrame(const SkyFrame& frame) {
         SkyDrawing drawing(frame, svg_);
         drawing.drawSky();
+        if (const auto& crowns = shownView().crowns) drawing.drawCrowns(*crowns);
         if (study_.scenario) drawing.drawSkyline(*study_.scenario, {}, addedByScenario);
         drawing.drawSkyline(study_.baseline, colours_, otherBuildings);
-        drawing.drawOverhangs(study_.scenario ? *study_.scenario : study_.baseline);
+        drawing.drawOverhangs(shownView());
         if (study_.scenario) drawing.drawOutline(*study_.scenario, addedByScenario);
         if (study_.question.facingDeg) drawing.drawBehindWall(*study_.question.facingDeg);
         drawPaths(drawing);
         drawDirections(frame, drawing);
     }
 
+    [[nodiscard]] const PointView& shownView() const {
+        return study_.scenario ? *study_.scenario : study_.baseline;
+    }
+
     void drawPaths(SkyDrawing& drawing) {
-        const ShadedSteps& shaded = study_.scenario ? study_.scenario->shaded : study_.baseline.shaded;
+        const ShadedSteps& shaded = shownView().shaded;
         for (const unsigned month : {12U, 1U, 2U, 3U, 4U, 5U, 6U})
             if (const auto day = dayOfMonth(study_.sun, month)) {
                 drawing.drawPath(study_.sun, shaded, *day, "#e0a000");
@@ -135,6 +140,10 @@ private:
                                   obstacle.widthDeg));
         addSwatch(y += 20, otherBuildings, "other buildings");
         if (!study_.baseline.overhangs.empty()) addSwatch(y += 20, overhangFill, "overhangs");
+        if (const auto& crowns = shownView().crowns)
+            addSwatch(y += 20, crownFill,
+                      fmt::format("trees, as dense as on the day ({})",
+                                  crowns->inLeaf ? "in leaf" : "those that lose their leaves are bare"));
         if (study_.question.facingDeg) addSwatch(y += 20, behindWallFill, "behind the wall");
         if (study_.scenario) addSwatch(y += 20, addedByScenario, "hidden by the scenario alone");
         addPathKeys(y + 30);
@@ -156,6 +165,8 @@ private:
         if (study_.scenario)
             factors += fmt::format("; in the scenario {:.3f}", study_.scenario->factors.skyView);
         addText(600, y + 84, factors);
+        if (const auto& crowns = shownView().crowns)
+            addText(600, y + 104, "Sun with trees: " + treesText(*crowns));
     }
 
     void addCarpet() {

@@ -41,6 +41,7 @@ using BuildingColours = std::map<std::uint32_t, std::string>;
 /// The colour of overhangs, below which the sky is seen. No pattern: Qt's reader of SVG knows none.
 inline constexpr const char* overhangFill = "#5b6470";
 inline constexpr const char* behindWallFill = "#d5d8dc";
+inline constexpr const char* crownFill = "#3f7d3a";
 
 /// Draws one sky in one frame as SVG elements, from the bottom up.
 class SkyDrawing {
@@ -54,6 +55,8 @@ public:
     /// Everything below a skyline; without colours, in `fill`.
     void drawSkyline(const PointView& view, const BuildingColours& colours, const char* fill);
     void drawOverhangs(const PointView& view);
+    /// Each crown as dense as it is on the day, so that several let through what they do together.
+    void drawCrowns(const PointCrowns& crowns);
     void drawOutline(const PointView& view, const char* stroke);
     /// The sun's path of a day (index in SunSteps::days): thick where the point is lit.
     void drawPath(const SunSteps& sun, const ShadedSteps& shaded, std::size_t day, const char* colour);
@@ -83,9 +86,10 @@ inline constexpr int skylineSvgWidthPx = 1200, skylineSvgUpperPx = 450;
 /// The skyline of a point as SVG, in a cylindrical frame (azimuth across, altitude up) and a stereographic
 /// one (the sky from above: north up, east to the right, the zenith in the middle). Buildings that hide most
 /// have colours of their own, listed with the azimuths that each takes; the others are grey, overhangs
-/// dark. The sun's paths of the 21st of December to June, thick where the point is lit, with full hours of
-/// `zone`, and the path of the day that was asked for. What a scenario hides beyond the baseline is red.
-/// Below, the sunlit minutes of a mean day by month and hour. `city`: the baseline, which names buildings.
+/// dark; crowns are green, as dense as on the day that was asked for. The sun's paths of the 21st of December
+/// to June, thick where the point is lit, with full hours of `zone`, and the path of the day that was asked
+/// for. What a scenario hides beyond the baseline is red. Below, the sunlit minutes of a mean day by month
+/// and hour. `city`: the baseline, which names buildings.
 std::string skylineSvg(const PointStudy& study, const City& city, const Zone& zone);
 
 }  // namespace noonmark

@@ -146,7 +146,7 @@ Tree makeCanopyColumn(const TreeFacts& facts) {
     const TreeGroup& group = groupOf(facts);
     const bool evergreen = facts.evergreen.value_or(group.evergreen);
     const double heightM = facts.heightM.value_or(group.heightM);
-    const double baseM = group.crownBaseShare * heightM,
+    const double baseM = findCrownBase(facts, group, heightM),
                  radiusM = std::sqrt(*facts.canopyCellM2 / std::numbers::pi);
     const double groupRadiusM = group.heightM / group.heightPerCrown / 2;
     const double groupChordM =

@@ -138,14 +138,22 @@ PointShadow countShadow(const ShadedSteps& shaded, const SunSteps& sun) {
 }
 
 MonthHours sumSunlight(const ShadedSteps& shaded, const SunSteps& sun, const Zone& zone) {
+    std::vector<float> shares(shaded.size());
+    std::ranges::transform(shaded, shares.begin(),
+                           [](std::uint8_t isShaded) { return isShaded != 0 ? 0.F : 1.F; });
+    return sumSunlight(shares, sun, zone);
+}
+
+MonthHours sumSunlight(const std::vector<float>& shares, const SunSteps& sun, const Zone& zone) {
     MonthHours sums{};
     for (const SunDay& day : sun.days)
         for (std::uint32_t i = day.first; i < day.first + day.count; ++i) {
-            if (shaded[i] != 0) continue;
+            if (shares[i] <= 0) continue;
             const auto at = std::chrono::floor<std::chrono::seconds>(sun.steps[i].at);
             const auto clock = (at + zone.offsetAt(at)).time_since_epoch();
             const auto hour = (clock / std::chrono::hours(1)) % 24;
-            sums[unsigned(day.date.month()) - 1][std::size_t((hour + 24) % 24)] += sun.stepMinutes;
+            sums[unsigned(day.date.month()) - 1][std::size_t((hour + 24) % 24)] +=
+                double(shares[i]) * sun.stepMinutes;
         }
     return sums;
 }

@@ -56,6 +56,8 @@ PointShadow countShadow(const ShadedSteps& shaded, const SunSteps& sun);
 using MonthHours = std::array<std::array<double, 24>, 12>;
 /// The sunlit minutes of these steps. `zone`: the clock; months are those of SunDay::date.
 MonthHours sumSunlight(const ShadedSteps& shaded, const SunSteps& sun, const Zone& zone);
+/// The same where a step counts only a share of it, 0 to 1.
+MonthHours sumSunlight(const std::vector<float>& shares, const SunSteps& sun, const Zone& zone);
 std::array<double, 12> sumMonths(const MonthHours& hours);
 
 /// Finds at which steps single points of a city are in shadow. By horizons: the sweep of point_horizons.h

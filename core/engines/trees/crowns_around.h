@@ -62,18 +62,23 @@ private:
     bool any_ = false;
 };
 
-/// The sun's steps by half degrees of azimuth and altitude, the sun's own width: to crowns, the suns of a
-/// patch are one.
+/// The sun's steps by degrees of azimuth and altitude, as a rule by half degrees, the sun's own width: to
+/// crowns, the suns of a patch are one.
 class SunPatches {
 public:
+    static constexpr double sunDeg = 0.5;
+
     explicit SunPatches(const SunSteps& sun) : SunPatches(std::span(sun.steps)) {}
-    explicit SunPatches(std::span<const SunStep> steps) {
+    /// `apart`: of each step one of two kinds, whose suns are never in one patch; empty: there is one kind.
+    explicit SunPatches(std::span<const SunStep> steps, double sideDeg = sunDeg,
+                        std::span<const std::uint8_t> apart = {}) {
         std::unordered_map<std::int64_t, std::uint32_t> known;
         std::vector<glm::dvec3> sums;
-        for (const SunStep& step : steps) {
-            const glm::dvec3 direction = glm::normalize(glm::dvec3(step.direction));
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            const glm::dvec3 direction = glm::normalize(glm::dvec3(steps[i].direction));
             lowestTan_ = std::min(lowestTan_, direction.z / std::hypot(direction.x, direction.y));
-            const auto [found, isNew] = known.try_emplace(keyOf(direction), std::uint32_t(sums.size()));
+            const std::int64_t key = keyOf(direction, sideDeg) * 2 + (apart.empty() ? 0 : apart[i]);
+            const auto [found, isNew] = known.try_emplace(key, std::uint32_t(sums.size()));
             if (isNew) sums.emplace_back(0);
             sums[found->second] += direction;
             ofStep_.push_back(found->second);
@@ -92,8 +97,8 @@ public:
     [[nodiscard]] double lowestTan() const { return lowestTan_; }
 
 private:
-    static std::int64_t keyOf(glm::dvec3 direction) {
-        constexpr double perRadian = 2 * 180 / std::numbers::pi;
+    static std::int64_t keyOf(glm::dvec3 direction, double sideDeg) {
+        const double perRadian = 180 / std::numbers::pi / sideDeg;
         const double azimuth = std::atan2(direction.x, direction.y);
         const double altitude = std::asin(std::clamp(direction.z, -1.0, 1.0));
         return std::int64_t(std::floor(azimuth * perRadian)) * 1000 +

@@ -28,6 +28,8 @@ namespace noonmark {
 namespace {
 
 constexpr std::size_t maxCanopyCells = 2'000'000;
+constexpr double maxRasterCells = 4e9;  // of which some hold canopy: a small file may state any size
+constexpr int maxRasterColumns = 1'000'000;
 constexpr double minCanopyM = 2, highestCanopyM = 120;  // lower growth shades no one who stands
 
 using Placing = std::array<double, 6>;
@@ -41,23 +43,32 @@ glm::dvec2 placeInRaster(const Placing& placing, double column, double row) {
 struct CanopyCells {
     std::vector<glm::dvec2> places;  // centres, in the raster's system
     std::vector<float> heightsM;
+    std::vector<std::optional<double>> basesM;
 };
 
-// A number of the raster is `unitM` metres.
-Result<CanopyCells> readCells(GDALRasterBand& band, const Placing& placing, float unitM,
+// One row of a band.
+bool readRow(GDALRasterBand& band, int y, std::vector<float>& row) {
+    return band.RasterIO(GF_Read, 0, y, band.GetXSize(), 1, row.data(), band.GetXSize(), 1, GDT_Float32, 0,
+                         0) == CE_None;
+}
+
+// A number of the raster is `unitM` metres. `base`: where crowns begin; null: not known.
+Result<CanopyCells> readCells(GDALRasterBand& band, GDALRasterBand* base, const Placing& placing, float unitM,
                               const std::string& file, Progress& progress, const std::stop_token& stop) {
     CanopyCells cells;
-    std::vector<float> row(std::size_t(band.GetXSize()));
+    std::vector<float> row(std::size_t(band.GetXSize())), bases(row.size());
     for (int y = 0; y < band.GetYSize(); ++y) {
         if (stop.stop_requested()) return cancelled();
-        if (band.RasterIO(GF_Read, 0, y, band.GetXSize(), 1, row.data(), band.GetXSize(), 1, GDT_Float32, 0,
-                          0) != CE_None)
+        if (!readRow(band, y, row) || (base != nullptr && !readRow(*base, y, bases)))
             return failure("It is incomplete or damaged", file, "Download or export it again");
         for (std::size_t x = 0; x < row.size(); ++x) {
             const float heightM = row[x] * unitM;
             if (!(heightM >= minCanopyM && heightM <= highestCanopyM)) continue;
             cells.places.push_back(placeInRaster(placing, double(x) + 0.5, y + 0.5));
             cells.heightsM.push_back(heightM);
+            const float baseM = bases[x] * unitM;
+            const bool isKnown = base != nullptr && baseM >= 0 && baseM < heightM;
+            cells.basesM.push_back(isKnown ? std::optional(double(baseM)) : std::nullopt);
         }
         if (cells.places.size() > maxCanopyCells)
             return limitReached(fmt::format("It holds more than {} cells of canopy", maxCanopyCells), file,
@@ -86,9 +97,10 @@ LengthUnit findCanopyUnit(const TreeFieldChoices& choices) {
 }
 
 /// The cells of a raster of canopy heights above the ground as trees of their own: cylinders of the
-/// cell's area (TreeFacts::canopyCellM2). Cells below 2 m are no canopy. Hold a GdalCalls. Error: no place or
-/// no system, cells of more than 20 m, no canopy, or more than 2 million cells of it; cancelled(). Backend:
-/// read_trees_gdal.cpp.
+/// cell's area (TreeFacts::canopyCellM2). Cells below 2 m are no canopy. A second band is the height at which
+/// crowns begin; where it is none, below 0 or not below the top, it is not known. Hold a GdalCalls. Error: no
+/// place or no system, cells of more than 20 m, no canopy, or more than 2 million cells of it; cancelled().
+/// Backend: read_trees_gdal.cpp.
 Result<TreesRead> readCanopy(GDALDataset& dataset, const std::string& file,
                              const std::optional<std::string>& crs, LengthUnit unit, Progress& progress,
                              const std::stop_token& stop) {
@@ -104,7 +116,11 @@ Result<TreesRead> readCanopy(GDALDataset& dataset, const std::string& file,
     if (!(cellM2 > 0.01 && cellM2 < 400))
         return failure("Its cells are smaller than 0.1 m or larger than 20 m", file,
                        "Give canopy heights in cells of about a metre");
-    const auto cells = readCells(band, placing, float(metresPer(unit)), file, progress, stop);
+    if (band.GetXSize() > maxRasterColumns || double(band.GetXSize()) * band.GetYSize() > maxRasterCells)
+        return limitReached("It has more cells than a region of 60 x 60 km in metres", file,
+                            "Cut out the part around the city");
+    GDALRasterBand* const base = dataset.GetRasterCount() > 1 ? dataset.GetRasterBand(2) : nullptr;
+    const auto cells = readCells(band, base, placing, float(metresPer(unit)), file, progress, stop);
     if (!cells) return tl::make_unexpected(cells.error());
     const std::vector<LonLat> places = toLonLat->lonLat(cells->places);
     TreesRead read;
@@ -112,6 +128,7 @@ Result<TreesRead> readCanopy(GDALDataset& dataset, const std::string& file,
         read.trees.push_back({places[i],
                               {.sourceId = std::string(canopyRasterId),
                                .heightM = double(cells->heightsM[i]),
+                               .crownBaseM = cells->basesM[i],
                                .canopyCellM2 = cellM2}});
     if (read.trees.empty())
         return failure("It holds no canopy of 2 to 120 m", file,

@@ -8,10 +8,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <span>
 
 #include "core/base/csv_text.h"
 #include "core/base/json_number.h"
 #include "core/base/safe_text.h"
+#include "core/city/trees/tree.h"
+#include "core/engines/api/tree_shade.h"
 
 namespace noonmark {
 
@@ -146,6 +149,47 @@ PointJson stretchesJson(const PointView& view, const City& city) {
     return list;
 }
 
+PointJson crownJson(const SeenCrown& crown, const City& city) {
+    const auto highest = std::ranges::max(crown.columns, {}, &CrownColumn::highDeg);
+    const auto lowest = std::ranges::min(crown.columns, {}, &CrownColumn::lowDeg);
+    const std::string id =
+        city.trees && crown.tree < city.trees->trees.size() ? city.trees->trees[crown.tree].sourceId : "";
+    return {{"tree", id},
+            {"from_deg", roundAsText(crown.columns.front().azimuthDeg, 2)},
+            {"to_deg", roundAsText(std::fmod(crown.columns.back().azimuthDeg, 360.0), 2)},
+            {"low_deg", roundAsText(lowest.lowDeg, 2)},
+            {"high_deg", roundAsText(highest.highDeg, 2)},
+            {"distance_m", roundAsText(crown.distanceM, 1)},
+            {"transmissivity_in_leaf", roundAsText(crown.leafOnTransmissivity, 4)},
+            {"transmissivity_bare", roundAsText(crown.leafOffTransmissivity, 4)}};
+}
+
+PointJson listRounded(std::span<const double> values) {
+    PointJson list = PointJson::array();
+    for (const double value : values) list.push_back(roundAsText(value, 1));
+    return list;
+}
+
+// Nearest first.
+PointJson crownsJson(const PointCrowns& crowns, const City& city) {
+    PointJson list = PointJson::array();
+    for (auto crown = crowns.seen.rbegin(); crown != crowns.seen.rend(); ++crown)
+        list.push_back(crownJson(*crown, city));
+    return {{"used", crowns.weighed},
+            {"leaf_on_day_of_year", crowns.leafDays.on},
+            {"leaf_off_day_of_year", crowns.leafDays.off},
+            {"in_leaf_on_the_day", crowns.inLeaf},
+            {"crowns", list}};
+}
+
+void addCrowns(PointJson& json, const PointCrowns& crowns, const City& city) {
+    json["trees"] = crownsJson(crowns, city);
+    json["sunlit_min_evergreen"] = roundAsText(crowns.dayEvergreenMin, 2);
+    json["sunlit_min_seasonal"] = roundAsText(crowns.daySeasonalMin, 2);
+    json["minutes_by_month_evergreen"] = listRounded(sumMonths(crowns.evergreen));
+    json["minutes_by_month_seasonal"] = listRounded(sumMonths(crowns.seasonal));
+}
+
 void addView(PointJson& json, const PointView& view, const PointStudy& study, const City& city,
              const Zone& zone) {
     json["skyline"] = skylineJson(view);
@@ -153,15 +197,11 @@ void addView(PointJson& json, const PointView& view, const PointStudy& study, co
     json["sunlit"] = bandsJson(view.sunlit, zone);
     json["shaded"] = shadedJson(view, city, zone);
     json["error"] = errorJson(view, study);
-    PointJson months = PointJson::array(), hours = PointJson::array();
-    for (const double minutes : sumMonths(view.minutes)) months.push_back(roundAsText(minutes, 1));
-    for (const auto& month : view.minutes) {
-        PointJson row = PointJson::array();
-        for (const double minutes : month) row.push_back(roundAsText(minutes, 1));
-        hours.push_back(row);
-    }
-    json["minutes_by_month"] = months;
+    PointJson hours = PointJson::array();
+    for (const auto& month : view.minutes) hours.push_back(listRounded(month));
+    json["minutes_by_month"] = listRounded(sumMonths(view.minutes));
     json["minutes_by_month_and_hour"] = hours;
+    if (view.crowns) addCrowns(json, *view.crowns, city);
     json["svf"] = roundAsText(view.factors.skyView, 5);
     if (study.question.facingDeg) json["vsc_pct"] = roundAsText(view.factors.skyComponentPct, 3);
 }
@@ -240,6 +280,17 @@ std::string sunlitText(const PointView& view, const Zone& zone) {
     return text.empty() ? "not at all" : text;
 }
 
+std::string treesText(const PointCrowns& crowns) {
+    const auto hours = [](const MonthHours& minutes) {
+        const auto months = sumMonths(minutes);
+        return std::accumulate(months.begin(), months.end(), 0.0) / 60;
+    };
+    return fmt::format(
+        "{:.0f} min on the day and {:.0f} h in the year with their seasons, {:.0f} min and {:.0f} h "
+        "as evergreens",
+        crowns.daySeasonalMin, hours(crowns.seasonal), crowns.dayEvergreenMin, hours(crowns.evergreen));
+}
+
 std::string shadedText(const PointView& view, const City& city, const Zone& zone) {
     std::string text;
     for (const ShadedTime& time : view.shadedTimes)
@@ -249,13 +300,25 @@ std::string shadedText(const PointView& view, const City& city, const Zone& zone
 }
 
 std::string pointCsv(const PointStudy& study) {
-    std::vector<std::string> columns{"month", "hour", "baseline_min"};
-    if (study.scenario) columns.emplace_back("scenario_min");
+    std::vector<std::string> columns{"month", "hour"};
+    std::vector<const MonthHours*> values;
+    const auto add = [&](const std::string& name, const MonthHours& minutes) {
+        columns.push_back(name);
+        values.push_back(&minutes);
+    };
+    const auto addView = [&](const std::string& name, const PointView& view) {
+        add(name, view.minutes);
+        if (!view.crowns) return;
+        add(name + suffixOf(TreeColumns::evergreen), view.crowns->evergreen);
+        add(name + suffixOf(TreeColumns::seasonal), view.crowns->seasonal);
+    };
+    addView("baseline_min", study.baseline);
+    if (study.scenario) addView("scenario_min", *study.scenario);
     CsvText csv(columns);
     for (std::size_t month = 0; month < study.baseline.minutes.size(); ++month)
         for (std::size_t hour = 0; hour < study.baseline.minutes[month].size(); ++hour) {
-            csv.whole(month + 1).whole(hour).number(study.baseline.minutes[month][hour], 2);
-            if (study.scenario) csv.number(study.scenario->minutes[month][hour], 2);
+            csv.whole(month + 1).whole(hour);
+            for (const MonthHours* minutes : values) csv.number((*minutes)[month][hour], 2);
             csv.endRow();
         }
     return csv.take();

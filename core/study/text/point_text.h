@@ -25,11 +25,14 @@ nlohmann::ordered_json pointCasesJson(const std::vector<PointCaseFigures>& cases
 /// The sunlit times of the day on the clock: "09:46-10:41, 12:06-14:15", or "not at all".
 std::string sunlitText(const PointView& view, const Zone& zone);
 
+/// The sun that crowns leave: "212 min on the day and 1,240 h in the year with their seasons, ...".
+std::string treesText(const PointCrowns& crowns);
+
 /// What hides the sun on the day, and when: "One57 10:41-12:06, the terrain 14:15-14:30", or "nothing".
 std::string shadedText(const PointView& view, const City& city, const Zone& zone);
 
 /// Sunlit minutes of the year: a line for each month and hour of the wall clock, with the scenario's in a
-/// column of their own.
+/// column of their own; with trees in further ones ("baseline_min_seasonal").
 std::string pointCsv(const PointStudy& study);
 
 /// How many degrees of the skyline each building makes (index in City::buildings); of a wall, in front of it

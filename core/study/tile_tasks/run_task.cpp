@@ -12,8 +12,25 @@
 #include "core/study/tile_tasks/plan/find_districts.h"
 #include "core/study/tiles/shadow_measure.h"
 #include "core/study/tiles/tile_runner.h"
+#include "core/study/tiles/tiled_study.h"
 
 namespace noonmark {
+
+namespace {
+
+// Its file may be damaged.
+bool isMeasured(const PlannedTile& tile, const TileResult& found) {
+    return found.contentHash == tile.contentHash && !found.hasTrees;
+}
+
+}  // namespace
+
+TreeColumns TaskStatus::treeColumns() const {
+    std::vector<const TileResult*> results;
+    for (const auto& ofDistrict : finished)
+        for (const auto& [number, tile] : ofDistrict) results.push_back(&tile.result);
+    return findColumns(results);
+}
 
 Result<TaskStatus> findStatus(const std::filesystem::path& folder, const TaskPlan& plan) {
     TaskStatus status{.finished = std::vector<std::map<std::size_t, FinishedTile>>(plan.districts.size())};
@@ -30,7 +47,7 @@ Result<TaskStatus> findStatus(const std::filesystem::path& folder, const TaskPla
         std::size_t done = 0;
         for (const PlannedTile& tile : tiles) {
             const auto found = journal->find(tile.number);
-            const bool is = found != journal->end() && found->second.contentHash == tile.contentHash;
+            const bool is = found != journal->end() && isMeasured(tile, found->second);
             (is ? estimatedDone : estimatedLeft) += tile.seconds;
             if (!is) continue;
             ++done;
@@ -115,7 +132,7 @@ Result<void> checkInputs(const TaskPlan& plan, bool byHash) {
 
 bool isDone(const PlannedTile& tile, const TileJournal& journal) {
     const auto found = journal.finished().find(tile.number);
-    if (found == journal.finished().end() || found->second.contentHash != tile.contentHash) return false;
+    if (found == journal.finished().end() || !isMeasured(tile, found->second)) return false;
     if (found->second.empty()) return true;
     const auto file = describeInputFile(journal.fileOf(found->second));
     return file && file->sha256 == found->second.fileSha256;

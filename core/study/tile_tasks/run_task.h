@@ -26,6 +26,8 @@ struct TaskStatus {
     double leftSeconds = 0;  ///< that the others are estimated to take, scaled by what the finished ones took
 
     [[nodiscard]] bool complete() const { return doneTiles == allTiles; }
+    /// What trees reach any finished tile in; districts that none reaches count as they are.
+    [[nodiscard]] TreeColumns treeColumns() const;
 };
 
 /// Reads the journals of all tasks, also while they are written. Error: a journal of another study.

@@ -32,7 +32,7 @@ struct TileResult {
     /// Sums that only some measures have, by name; their tiles are added up
     std::map<std::string, double> figures{};
     std::size_t lines = 0;  ///< of JSON in the tile's file; 0: the file is a raster
-    bool hasTrees = false;  ///< the city that it read has some, which are not measured
+    bool hasTrees = false;  ///< an earlier version left out the trees of its city: it is to be measured again
     /// Evergreens first; empty: no tree reaches the tile, or none is wanted. Its file has the bands of the
     /// maps with trees then.
     std::vector<ShadedTile> withTrees{};

@@ -60,6 +60,10 @@ std::vector<TileMap> listTileMaps(const StudySettings& settings, const SunSteps&
         {.name = "shadow", .title = "Shadow", .bands = makeMapBands(names, true), .runBands = 1}};
     for (RasterBand& band : maps.front().bands) band.values = nullptr;
     if (settings.byMonth) maps.push_back(mapOfMonths(sun, maps.front().bands.size()));
+    return addMapsWithTrees(std::move(maps), columns);
+}
+
+std::vector<TileMap> addMapsWithTrees(std::vector<TileMap> maps, TreeColumns columns) {
     const std::vector<TileMap> without = maps;
     for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
         for (const TileMap& map : without)

@@ -66,6 +66,9 @@ inline constexpr std::string_view monthMap = "by_month";  ///< the name of that 
 /// band for each month of the sun; then each of them with trees of these columns, `shadow_evergreen`.
 std::vector<TileMap> listTileMaps(const StudySettings& settings, const SunSteps& sun, TreeColumns columns);
 
+/// The maps, and each of them with trees of these columns, whose bands follow in the files of tiles.
+std::vector<TileMap> addMapsWithTrees(std::vector<TileMap> maps, TreeColumns columns);
+
 /// The maps to be written: without the bands of continuous shadow unless `runs`, and `runsWithTrees` of maps
 /// with trees. Tiles always have them, since whether runs were counted is decided for all tiles together.
 std::vector<TileMap> listWrittenMaps(std::vector<TileMap> maps, bool runs, bool runsWithTrees);

@@ -102,7 +102,8 @@ Result<TileAnswer> TimelineMeasure::measure(const Grid& tile, Progress& progress
     const StudySettings& settings = question_.settings;
     const PlaceStudySettings asked{.period = settings.period,
                                    .cellM = settings.receivers.cellM,
-                                   .allSteps = request_.allSteps || settings.period.days == 1};
+                                   .allSteps = request_.allSteps || settings.period.days == 1,
+                                   .trees = settings.trees};
     return runPlaceStudy(baseline_, scenario_, places, asked, question_.engine, progress, stop)
         .map([&](PlaceStudy study) {
             TileAnswer answer;
@@ -110,6 +111,8 @@ Result<TileAnswer> TimelineMeasure::measure(const Grid& tile, Progress& progress
             answer.result.sums.receivers = countCells(study);
             answer.result.engineKey = settings.engine;
             answer.result.engine = study.engine;
+            for (const ShadedPlace& with : study.places.front().withTrees)
+                answer.result.withTrees.push_back({with.column, answer.result.sums});
             answer.lines = linesOf(std::move(study), request_.labels);
             return answer;
         });

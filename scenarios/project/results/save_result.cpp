@@ -11,6 +11,7 @@
 #include "core/study/provenance/study_hash.h"
 #include "core/study/text/error_text.h"
 #include "scenarios/impact/impact_figures.h"
+#include "scenarios/project/results/saved_answer.h"
 #include "scenarios/project/results/saved_figures_json.h"
 #include "scenarios/project/tables/geopackage.h"
 #include "scenarios/project/tables/grid_tiles.h"
@@ -78,10 +79,17 @@ Json contributionsJson(const Study& study) {
 
 std::string inputsOf(const Project& project) { return inputsJson(project.inputs).dump(); }
 
+void addLayers(std::vector<SavedLayer>& layers, const ShadowField& field, const std::string& with) {
+    layers.push_back({grossLayer + with, "min/day", field.grossMin});
+    if (hasRuns(field)) layers.push_back({runLayer + with, "min", field.continuousMin});
+}
+
 // Other programs open each layer as a map, so layers without any value are left out.
 std::vector<SavedLayer> layersOf(const ShadowField& field) {
-    std::vector<SavedLayer> layers{{"gross shadow", "min/day", field.grossMin}};
-    if (hasRuns(field)) layers.push_back({"continuous shadow", "min", field.continuousMin});
+    std::vector<SavedLayer> layers;
+    addLayers(layers, field, {});
+    for (const ShadeColumn& shade : listShadeColumns(field))
+        addLayers(layers, *shade.field, layerEnding(shade.column));
     return layers;
 }
 

@@ -11,6 +11,8 @@
 #include "core/base/json_number.h"
 #include "core/describe/figure_text.h"
 #include "core/engines/api/engine_registry.h"
+#include "core/engines/api/tree_shade.h"
+#include "core/measures/shadow_figures.h"
 #include "core/receivers/place_names.h"
 #include "core/study/by_place/sum_places.h"
 #include "core/study/provenance/provenance_texts.h"
@@ -82,6 +84,32 @@ std::vector<Contribution> contributionsOf(const Json& json) {
     return contributions;
 }
 
+const SavedLayer* findLayer(const SavedResult& result, const std::string& name) {
+    const auto found = std::ranges::find(result.layers, name, &SavedLayer::name);
+    return found == result.layers.end() ? nullptr : &*found;
+}
+
+// The field of one column of trees; none where it was not measured, or its map not stored.
+std::optional<ShadowField> fieldWithTrees(const SavedResult& result, const ShadowField& without,
+                                          TreeColumns column) {
+    const SavedLayer* gross = findLayer(result, grossLayer + layerEnding(column));
+    if (!gross) return std::nullopt;
+    ShadowField field = without;
+    field.trees = nullptr;
+    const SavedLayer* runs = findLayer(result, runLayer + layerEnding(column));
+    field.grossMin = layerOf(result, std::size_t(gross - result.layers.data()));
+    field.continuousMin = takeRuns(result, runs ? std::size_t(runs - result.layers.data()) : 0, runs);
+    return field;
+}
+
+void readTrees(const SavedResult& result, ShadowField& field) {
+    TreeShade shade;
+    shade.evergreen = fieldWithTrees(result, field, TreeColumns::evergreen);
+    shade.seasonal = fieldWithTrees(result, field, TreeColumns::seasonal);
+    if (!shade.evergreen && !shade.seasonal) return;
+    field.trees = std::make_shared<const TreeShade>(std::move(shade));
+}
+
 SavedStudy studyOf(const SavedResult& result, const Json& json) {
     SavedStudy study;
     ShadowField& field = study.field;
@@ -93,6 +121,7 @@ SavedStudy studyOf(const SavedResult& result, const Json& json) {
     field.stepMinutes = countedStepOf(json);
     field.days = wholeNumberFrom<int>(json.at("period").at("days"));
     field.engine = json.at("engine_settings");
+    readTrees(result, field);
     study.steps = wholeNumberFrom<std::uint64_t>(json.at("steps"));
     study.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
     study.seconds = json.at("seconds").value("accumulate", 0.0);
@@ -393,6 +422,8 @@ std::vector<std::string> listChanges(const SavedResult& result, const SavedOrigi
 }
 
 }  // namespace
+
+std::string layerEnding(TreeColumns column) { return fmt::format(", {}", describeTrees(column)); }
 
 std::vector<std::string> findChangedPlaces(const std::vector<Place>& measured, const Project& project) {
     std::vector<Place> ofRegions;

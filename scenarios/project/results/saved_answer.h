@@ -37,8 +37,13 @@ struct SavedOrigin {
     std::optional<TimeWeights> weights;  ///< score: the table at that time; empty where not stored
 };
 
+/// The names of a study's layers; with trees they end in layerEnding().
+inline const std::string grossLayer = "gross shadow", runLayer = "continuous shadow";
+/// ", trees as evergreens"
+std::string layerEnding(TreeColumns column);
+
 struct SavedStudy {
-    ShadowField field;  ///< without cost and warnings
+    ShadowField field;  ///< without cost and warnings; with trees where the version stored their maps
     ShadowStatistics statistics;
     std::uint64_t steps = 0;            ///< of the sun
     std::uint64_t belowHorizon = 0;     ///< steps left out because the sun was below the horizon

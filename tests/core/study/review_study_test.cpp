@@ -64,6 +64,28 @@ TEST(ReviewStudy, MelbournesParkIsInReachOfTheTallTowerOnly) {
     EXPECT_EQ(verdict(60), Verdict::fail);
 }
 
+TEST(ReviewStudy, TheForecastCountsTreesWhereTheRuleDoes) {
+    Rule rule = shippedRule("melbourne-c278");
+    const std::vector<Place> parks{placeOf("Green", -100, -120, 100, -60)};
+    City none = cityAt(melbourne, {}), tower = cityAt(melbourne, {{{-10, 0, 0}, {10, 20, 60}}});
+    Trees trees{.trees = {}, .leafDays = {1, 1}};
+    for (int i = 0; i < 400; ++i)
+        trees.trees.push_back({.place = {-100.0 + 10 * (i % 20), -120.0 + 3 * (i / 20.0)},
+                               .heightM = 12,
+                               .crownBaseM = 3,
+                               .crownDiameterM = 8,
+                               .leafOnTransmissivity = 0.1F,
+                               .leafOffTransmissivity = 0.7F});
+    none.trees = tower.trees = std::make_shared<const Trees>(std::move(trees));
+    const auto seconds = [&] {
+        return estimateReviewSeconds(rule, none, tower, parks, {2, "Australia/Melbourne", 2026}, {}).value();
+    };
+    rule.occluders.trees = RuleTrees::without;
+    const double without = seconds();
+    rule.occluders.trees = RuleTrees::seasonal;
+    EXPECT_GT(seconds(), without + 0.05);
+}
+
 TEST(ReviewStudy, SaysThatTheGroundIsFlatAndThatNothingChanges) {
     const City tower = cityAt(melbourne, {{{-10, 0, 0}, {10, 20, 60}}});
     const std::vector<Place> parks{placeOf("Green", -100, -120, 100, -60)};

@@ -39,9 +39,7 @@ struct ReviewAnswerWindow : test::AnswersWindow {
         ASSERT_TRUE(waitFor([this] { return !window->review().running().busy(); }));
         ASSERT_TRUE(workbench().answerAs<ReviewAnswer>());
     }
-    QString headline() {
-        return QString::fromStdString(formatText(workbench().answer()->page(ShownAs::shadow).headline));
-    }
+    QString headline() { return QString::fromStdString(formatText(workbench().answer()->page({}).headline)); }
     QComboBox& list() { return *window->findChild<QComboBox*>(QStringLiteral("answers")); }
 };
 
@@ -67,12 +65,12 @@ TEST_F(ReviewAnswerWindow, IsInFrontWithAHeadlineAndItsCounts) {
 
 TEST_F(ReviewAnswerWindow, ComesBackFromTheProjectWithTheSameSentences) {
     review();
-    const AnswerPage before = workbench().answer()->page(ShownAs::shadow);
+    const AnswerPage before = workbench().answer()->page({});
     const auto counts = workbench().answer()->figures();
     keep("Verdicts");
     EXPECT_EQ(session().project().results[0]->kind, "review");
     showSaved("Verdicts");
-    const AnswerPage after = workbench().answer()->page(ShownAs::shadow);
+    const AnswerPage after = workbench().answer()->page({});
     EXPECT_EQ(formatText(after.headline), formatText(before.headline));
     ASSERT_EQ(after.findings.size(), before.findings.size());
     for (std::size_t i = 0; i < after.findings.size(); ++i)
@@ -140,13 +138,12 @@ TEST_F(GlazingAnswerWindow, OfWindowsIsShownSavedAndExportedTheSameWay) {
     run();
     const auto answer = workbench().answer();
     ASSERT_TRUE(workbench().answerAs<GlazingAnswer>()) << message().toStdString();
-    EXPECT_THAT(formatText(answer->page(ShownAs::shadow).headline), HasSubstr("EN 17037"));
+    EXPECT_THAT(formatText(answer->page({}).headline), HasSubstr("EN 17037"));
     workbench().saveAnswer(QStringLiteral("Windows"));
     ASSERT_TRUE(waitFor([this] { return session().project().results.size() == 1; }));
     const auto saved = readSaved(session().project().results[0], session().project());
     ASSERT_TRUE(saved) << saved.error().text();
-    EXPECT_EQ(formatText((*saved)->page(ShownAs::shadow).headline),
-              formatText(answer->page(ShownAs::shadow).headline));
+    EXPECT_EQ(formatText((*saved)->page({}).headline), formatText(answer->page({}).headline));
     ASSERT_EQ((*saved)->figures().size(), answer->figures().size());
     for (std::size_t i = 0; i < answer->figures().size(); ++i)
         EXPECT_EQ((*saved)->figures()[i].value, answer->figures()[i].value);

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -15,6 +16,7 @@
 #include "app/gui/docks/project/project_model.h"
 #include "app/gui/docks/results/results_dock.h"
 #include "app/gui/view/panel/view_panel.h"
+#include "core/city/trees/tree_facts.h"
 #include "tests/gui/answers_window.h"
 
 namespace noonmark {
@@ -58,6 +60,65 @@ TEST_F(AnswersWindow, TheLegendStatesTheErrorOfWhatTheMapShows) {
     EXPECT_TRUE(legend.note().contains(QStringLiteral("Measured error of the longest shadow")))
         << legend.note().toStdString();
     EXPECT_FALSE(legend.note().contains(QStringLiteral("minutes of a cell"))) << legend.note().toStdString();
+}
+
+// In leaf for a day of the year only.
+void plantOak(ProjectSession& session) {
+    Project next = session.project();
+    City city = *next.city;
+    Tree oak = completeTree({.sourceId = "oak", .species = "Quercus", .heightM = 20, .crownDiameterM = 20});
+    oak.place = {-10, 60};
+    city.trees = std::make_shared<const Trees>(Trees{.trees = {oak}, .leafDays = {300, 301}});
+    next.city = std::make_shared<const City>(std::move(city));
+    ASSERT_TRUE(session.change(std::move(next), QStringLiteral("trees")));
+}
+
+TEST_F(AnswersWindow, AMapShowsTheTreesThatAreChosen) {
+    auto& trees = *window->findChild<QComboBox*>(QStringLiteral("resultTrees"));
+    study();
+    EXPECT_TRUE(trees.isHidden()) << "the city has none";
+    plantOak(session());
+    ASSERT_TRUE(waitFor([&] { return workbench().city()->city().trees != nullptr; }));
+    study();
+    ASSERT_TRUE(waitFor([&] { return workbench().study()->field.trees != nullptr; }));
+    EXPECT_FALSE(trees.isHidden());
+    ASSERT_EQ(trees.count(), 3);
+    LegendStrip& legend = window->panel().legend();
+    legend.setMeasure(ShadowMeasure::gross);
+    const auto nameOfMap = [&] { return describeUnit(*legend.legend()); };
+    const auto headline = [&] { return window->findChild<ResultsDock*>()->headline(); };
+    const auto choose = [&](int index) {
+        trees.setCurrentIndex(index);
+        Q_EMIT trees.activated(index);
+    };
+    EXPECT_TRUE(nameOfMap().endsWith(QStringLiteral(", without trees"))) << nameOfMap().toStdString();
+    EXPECT_TRUE(figures().contains(QStringLiteral("Mean gross, trees as evergreens")));
+    const QString open = headline();
+    choose(1);
+    EXPECT_TRUE(nameOfMap().endsWith(QStringLiteral(", trees as evergreens"))) << nameOfMap().toStdString();
+    const QString inLeaf = headline();
+    EXPECT_NE(inLeaf, open);
+    EXPECT_EQ(trees.currentIndex(), 1);
+    // The saved result has all three, and the choice stays.
+    keep("With trees");
+    showSaved("With trees");
+    EXPECT_EQ(trees.count(), 3);
+    EXPECT_EQ(trees.currentIndex(), 1);
+    EXPECT_TRUE(nameOfMap().endsWith(QStringLiteral(", trees as evergreens"))) << nameOfMap().toStdString();
+    EXPECT_EQ(headline(), inLeaf);
+    choose(2);
+    EXPECT_NE(headline(), inLeaf) << "bare";
+    legend.undoChoice();
+    EXPECT_EQ(headline(), inLeaf);
+    // Files of pictures follow the choice, files of values hold all.
+    const QString folderOfFiles = folder.filePath(QStringLiteral("exported"));
+    ExportChoice choice;
+    choice.legend = legend.choice();
+    workbench().exportShown(folderOfFiles.toStdString(), choice);
+    ASSERT_TRUE(waitFor([&] { return !workbench().writing().busy(); }));
+    QFile style(QDir(folderOfFiles).filePath(QStringLiteral("result.qml")));
+    ASSERT_TRUE(style.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(style.readAll().contains("band=\"3\"")) << "after gross and continuous without trees";
 }
 
 /// The names of exported files, sorted.

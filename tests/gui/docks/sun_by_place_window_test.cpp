@@ -533,7 +533,7 @@ TEST_F(SunByPlaceWindow, AllScenariosAreMeasuredSideBySide) {
     EXPECT_EQ(sun()->compared[0].sun.name, "Copy");
     EXPECT_EQ(sun()->compared[1].sun.name, "Tower") << "the displayed one is what table and map show";
     EXPECT_EQ(sun()->compared[0].changes[0].meanHours, sun()->compared[1].changes[0].meanHours);
-    EXPECT_EQ(workbench().answer()->page(ShownAs::shadow).charts.size(), 4U);
+    EXPECT_EQ(workbench().answer()->page({}).charts.size(), 4U);
     keep("All");
     showSaved("All");
     ASSERT_EQ(sun()->compared.size(), 2U);

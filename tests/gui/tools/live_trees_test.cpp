@@ -56,13 +56,13 @@ Off compare(const ShadowField& a, const ShadowField& b, const Receivers& receive
     return off;
 }
 
-TEST(SunPatches, CountTheMinutesOfThePeriodInFewPatches) {
+TEST(WeightedSuns, CountTheMinutesOfThePeriodInFewPatches) {
     const SunSteps sun = computeSunSteps(spring(365, 10), sunOf(spring(365, 10)).observer).value();
     const LeafDays leaves{100, 300};
-    const auto patches = findSunPatches(sun, &leaves, 300);
+    const auto patches = findSuns(sun, &leaves, 300);
     EXPECT_LE(patches.size(), 300U);
     double minutes = 0, leafy = 0;
-    for (const SunPatch& patch : patches) {
+    for (const WeightedSun& patch : patches) {
         minutes += patch.minutesPerDay;
         if (patch.inLeaf) leafy += patch.minutesPerDay;
         EXPECT_NEAR(glm::length(patch.direction), 1, 1e-9);
@@ -100,6 +100,30 @@ TEST(LiveTreeShade, OfAYearIsNearThatOfItsSteps) {
     const Off off = compare((*live)->with({16, 20}), *moved->field.trees->seasonal, study->receivers);
     EXPECT_LT(off.mean, 0.5) << "minutes";
     EXPECT_LT(off.max, 12);
+}
+
+TEST(LiveTreeShade, FollowsAnAvenue) {
+    const auto avenueAt = [](glm::dvec2 byM) {
+        City city = smallCity();
+        Trees trees{.trees = {planeAt({-22, 25}, "other")}, .leafDays = {100, 300}};
+        for (int i = 0; i < 40; ++i)
+            trees.trees.push_back(
+                planeAt(glm::dvec2(-50 + 2.5 * i, -30) + byM, ("row " + std::to_string(i)).c_str()));
+        city.trees = std::make_shared<const Trees>(std::move(trees));
+        return city;
+    };
+    std::set<std::string> row;
+    for (int i = 0; i < 40; ++i) row.insert("row " + std::to_string(i));
+    const StudySettings settings = settingsOf(spring(1, 4));
+    const auto study = studyOf(avenueAt({0, 0}), settings);
+    const auto live = LiveTreeShade::of(study, row, {});
+    ASSERT_TRUE(live) << live.error().text();
+    const auto moved = studyOf(avenueAt({0, 8}), settings);
+    const Off off = compare((*live)->with({0, 8}), *moved->field.trees->seasonal, study->receivers);
+    EXPECT_GT(compare(*study->field.trees->seasonal, *moved->field.trees->seasonal, study->receivers).max,
+              10);
+    EXPECT_LT(off.mean, 0.1) << "minutes";
+    EXPECT_LT(off.max, 4.5) << "a step at the edge of a crown";
 }
 
 TEST(LiveTreeShade, SaysWhyNothingFollows) {

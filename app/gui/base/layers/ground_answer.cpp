@@ -1,6 +1,7 @@
 #include "app/gui/base/layers/ground_answer.h"
 
 #include <QObject>
+#include <algorithm>
 #include <cmath>
 
 #include "app/gui/base/layers/field_picture.h"
@@ -149,6 +150,28 @@ std::optional<SampledError> errorOfMinutes(const Study& study) {
 
 QString notCounted() { return QObject::tr("Continuous shadow was not counted"); }
 
+// `owner` keeps the field alive.
+std::vector<GroundAnswer::Column> columnsOf(const ShadowField& field,
+                                            const std::shared_ptr<const void>& owner) {
+    std::vector<GroundAnswer::Column> columns;
+    for (const ShadeColumn& shade : listShadeColumns(field))
+        columns.push_back(
+            {shade.column, std::shared_ptr<const ShadowField>(owner, shade.field), !hasRuns(*shade.field)});
+    return columns;
+}
+
+std::vector<GroundAnswer::Column> columnsOf(const std::shared_ptr<const ImpactAnswer>& comparison) {
+    std::vector<GroundAnswer::Column> columns;
+    for (const ShadeImpact& with : comparison->study.withTrees)
+        columns.push_back(
+            {with.column, std::shared_ptr<const Impact>(comparison, &with.impact), !hasRuns(with.impact)});
+    return columns;
+}
+
+QString withoutTrees(const QString& note) {
+    return note.isEmpty() ? note : QObject::tr("Without trees: %1").arg(note);
+}
+
 }  // namespace
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
@@ -157,7 +180,8 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
                             .note = describeError(study->error, ShadowMeasure::gross),
                             .runNote = describeError(study->error, ShadowMeasure::continuous),
                             .error = errorOfMinutes(*study),
-                            .when = describeWhen(study->settings.period)});
+                            .when = describeWhen(study->settings.period),
+                            .withTrees = columnsOf(study->field, study)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial) {
@@ -185,13 +209,34 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& compari
                             .note = noteOf(ShadowMeasure::gross),
                             .runNote = noteOf(ShadowMeasure::continuous),
                             .error = comparison->study.error,
-                            .when = describeWhen(comparison->settings.study.period)});
+                            .when = describeWhen(comparison->settings.study.period),
+                            .withTrees = columnsOf(comparison)});
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison,
                               const ShadowField& field) {
     return markMissingRuns({.map = std::shared_ptr<const ShadowField>(comparison, &field),
-                            .when = describeWhen(comparison->settings.study.period)});
+                            .when = describeWhen(comparison->settings.study.period),
+                            .withTrees = columnsOf(field, comparison)});
+}
+
+GroundAnswer makeGroundAnswer(std::shared_ptr<const void> owner, const ShadowField& field) {
+    return markMissingRuns(
+        {.map = std::shared_ptr<const ShadowField>(owner, &field), .withTrees = columnsOf(field, owner)});
+}
+
+GroundAnswer inColumn(GroundAnswer answer, TreeColumns column) {
+    const auto found = std::ranges::find(answer.withTrees, column, &GroundAnswer::Column::column);
+    if (found == answer.withTrees.end()) return answer;
+    answer.map = found->map;
+    answer.trees = column;
+    answer.grossOnly = found->grossOnly;
+    answer.whyGross = answer.grossOnly ? notCounted() : QString();
+    if (!answer.error) return answer;
+    answer.note = withoutTrees(answer.note);
+    answer.runNote = withoutTrees(answer.runNote);
+    answer.error.reset();
+    return answer;
 }
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
@@ -214,7 +259,7 @@ QString makeNote(const GroundAnswer& answer, ShadowMeasure measure, ShownAs show
 
 Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale,
                   const LegendChoice& choice) {
-    return over(
+    Legend legend = over(
         answer.map, [&](const Score& score) { return makeLegend(score, choice); },
         [&](const Impact& impact) {
             return makeLegend(impact, chooseShownMeasure(answer, measure), scale, choice);
@@ -222,6 +267,8 @@ Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const Chang
         [&](const ShadowField& field) {
             return makeLegend(field, chooseShownMeasure(answer, measure), choice);
         });
+    if (!answer.withTrees.empty()) nameTrees(legend, answer.trees);
+    return legend;
 }
 
 GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, const Legend& legend) {

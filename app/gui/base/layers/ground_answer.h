@@ -38,6 +38,12 @@ QString describeError(const ElementStudy& study, ShadowMeasure measure);
 struct GroundAnswer {
     using Map = std::variant<std::shared_ptr<const ShadowField>, std::shared_ptr<const Impact>,
                              std::shared_ptr<const Score>>;
+    /// The same answer with trees of one column, evergreen or seasonal.
+    struct Column {
+        TreeColumns column;
+        Map map;  ///< not null
+        bool grossOnly;
+    };
     Map map;  ///< not null
     /// The receivers of the field, if known: then cells under buildings get colours too.
     std::shared_ptr<const Receivers> receivers;
@@ -51,6 +57,8 @@ struct GroundAnswer {
     /// Error of gross shadow, stated in the unit shown before the note; none: not measured.
     std::optional<SampledError> error{};
     QString when{};  ///< the period that the minutes are of (describeWhen()); empty: not known
+    std::vector<Column> withTrees{};           ///< where trees reach a receiver, evergreens first
+    TreeColumns trees = TreeColumns::without;  ///< the column of `map`
 };
 
 /// Each shares the data of the answer that it is made from.
@@ -61,6 +69,12 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& compari
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison,
                               const ShadowField& field);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score);
+/// A field alone. `owner` keeps it alive.
+GroundAnswer makeGroundAnswer(std::shared_ptr<const void> owner, const ShadowField& field);
+
+/// The answer with trees of a column; as it is where it was not measured so. Its error is that without trees,
+/// and the note says so.
+GroundAnswer inColumn(GroundAnswer answer, TreeColumns column);
 
 /// Sets grossOnly and whyGross according to the map: of a study, a comparison or a saved result without
 /// continuous shadow.

@@ -73,12 +73,6 @@ QHBoxLayout* lowRow(std::initializer_list<std::pair<QWidget*, int>> widgets) {
     return row;
 }
 
-// "Without trees", "Trees as evergreens".
-QString nameOfColumn(TreeColumns column) {
-    constexpr Choice<TreeColumns> without = treeColumnChoices[1];
-    return translatedSentence(column == without.value ? without.label : describeTrees(column));
-}
-
 // Grey without a cell.
 QColor colourOf(const ColourScale& scale, double hours) {
     constexpr QColor withoutCell{0xa8, 0xa8, 0xa8};
@@ -300,7 +294,7 @@ void PlacesDock::fillTrees() {
     trees_->clear();
     if (answer_)
         for (const TreeColumns column : listSunColumns(*answer_))
-            trees_->addItem(nameOfColumn(column), int(column));
+            trees_->addItem(translatedSentence(describeTrees(column)), int(column));
     trees_->setCurrentIndex(std::max(0, trees_->findData(before)));
     trees_->setVisible(trees_->count() > 1);
 }

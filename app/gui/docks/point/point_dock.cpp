@@ -16,6 +16,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <numeric>
 
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
@@ -195,6 +196,18 @@ namespace {
 constexpr int textWidth = 300;
 constexpr int savedWidthPx = 2400;
 
+double hoursOf(const MonthHours& minutes) {
+    const auto months = sumMonths(minutes);
+    return std::accumulate(months.begin(), months.end(), 0.0) / 60;
+}
+
+QString treesOf(const PointCrowns& crowns) {
+    return PointDock::tr(
+               "%1 min on the day and %2 h in the year with their seasons; %3 min and %4 h as evergreens")
+        .arg(groupDigits(crowns.daySeasonalMin, 0), groupDigits(hoursOf(crowns.seasonal), 0),
+             groupDigits(crowns.dayEvergreenMin, 0), groupDigits(hoursOf(crowns.evergreen), 0));
+}
+
 QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zone) {
     const double lit = study.possibleMin - view.year.grossMin * double(study.sun.dayCount());
     QString text = PointDock::tr("In the sun on %1: %2\nIn the year: %3 h of %4 h\nSky view factor: %5")
@@ -203,6 +216,7 @@ QString figuresOf(const PointView& view, const PointStudy& study, const Zone& zo
                        .arg(groupDigits(lit / 60, 0))
                        .arg(groupDigits(study.possibleMin / 60, 0))
                        .arg(groupDigits(view.factors.skyView, 3));
+    if (view.crowns) text += PointDock::tr("\nWith trees: %1").arg(treesOf(*view.crowns));
     if (study.question.facingDeg)
         text +=
             PointDock::tr("\nVertical sky component: %1 %").arg(groupDigits(view.factors.skyComponentPct, 1));

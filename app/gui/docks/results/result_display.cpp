@@ -53,6 +53,7 @@ ResultDisplay::ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditP
     connect(&places_.figures, &ResultsDock::studyRequested, &workbench_, &Workbench::showStudyAgain);
     connect(&places_.figures, &ResultsDock::answerChosen, this, &ResultDisplay::showListed);
     connect(&places_.figures, &ResultsDock::allPlacesRequested, this, &ResultDisplay::showAllPlaces);
+    connect(&places_.figures, &ResultsDock::treesChosen, &places_.legend, &LegendStrip::chooseTrees);
     connect(&places_.figures, &ResultsDock::contributorsRequested, this, [this] {
         const auto sun = sunOf(workbench_.answer());
         if (sun && place_) Q_EMIT contributorsRequested(sun->baseline.places[*place_].name);
@@ -102,6 +103,7 @@ void ResultDisplay::showPast() {
         places_.elements.show(nullptr);
         places_.figures.setWarningCount(0);
         places_.figures.show({}, {});
+        places_.figures.setTrees({}, TreeColumns::without);
         return update();  // the list of answers offers the one that was hidden
     }
     const auto layerOf = viewerOf(*past).layer;
@@ -122,28 +124,42 @@ void ResultDisplay::showLayer(const std::optional<AnswerLayer>& layer, bool isSt
 }
 
 void ResultDisplay::showFigures(const std::shared_ptr<const Answer>& answer) {
-    shown_ = shownAsOf(answer);
+    shown_ = choiceFor(answer);
     const auto sun = sunOf(answer);
     if (!sun || (place_ && *place_ >= sun->baseline.places.size())) place_.reset();
     if (place_) {
-        places_.figures.show(makePage(*sun, *place_, shown_), rowsOfPlace(*answer, *sun));
+        places_.figures.show(makePage(*sun, *place_, shown_.show), rowsOfPlace(*answer, *sun));
         places_.figures.offerAllPlaces(sun->baseline.places.size());
     } else {
-        places_.figures.show(answer->page(shown_), viewerOf(*answer).rows(*answer, shown_));
+        places_.figures.show(answer->page(shown_), viewerOf(*answer).rows(*answer, shown_.show));
     }
+    places_.figures.setTrees(listColumns(answer), shown_.trees);
     places_.figures.setWarningCount(answer->warnings().size());
 }
 
-ShownAs ResultDisplay::shownAsOf(const std::shared_ptr<const Answer>& answer) const {
-    return sunOf(answer) ? places_.legend.shownOfPlaces() : places_.legend.choice().show;
+LegendChoice ResultDisplay::choiceFor(const std::shared_ptr<const Answer>& answer) const {
+    LegendChoice choice = places_.legend.choice();
+    if (sunOf(answer)) choice.show = places_.legend.shownOfPlaces();
+    return choice;
+}
+
+// Those that the view can show of it beside that without trees.
+std::vector<TreeColumns> ResultDisplay::listColumns(const std::shared_ptr<const Answer>& answer) {
+    const auto layerOf = viewerOf(*answer).layer;
+    const auto layer = layerOf ? layerOf(answer) : std::nullopt;
+    const auto* ground = layer ? std::get_if<GroundAnswer>(&*layer) : nullptr;
+    std::vector<TreeColumns> columns;
+    if (ground)
+        for (const GroundAnswer::Column& with : ground->withTrees) columns.push_back(with.column);
+    return columns;
 }
 
 // How it was made is the same for all places.
 std::vector<ResultRow> ResultDisplay::rowsOfPlace(const Answer& answer, const SunOfCities& sun) const {
     const auto& all = answer.ofPlaces();
     const auto kept = std::ranges::find(all, sun.baseline.places[*place_].name, &ContributionTable::place);
-    auto rows = makePlaceRows(sun, *place_, shown_, kept == all.end() ? nullptr : &*kept);
-    for (const ResultRow& row : viewerOf(answer).rows(answer, shown_))
+    auto rows = makePlaceRows(sun, *place_, shown_.show, kept == all.end() ? nullptr : &*kept);
+    for (const ResultRow& row : viewerOf(answer).rows(answer, shown_.show))
         if (row.isMethod) rows.push_back(row);
     return rows;
 }
@@ -168,9 +184,10 @@ void ResultDisplay::repeatFigures() {
     showOutdated();
 }
 
-// The figures speak of shadow or of sun as the legend does.
+// The figures speak of shadow or of sun, with trees or without, as the legend does.
 void ResultDisplay::followLegend() {
-    if (shownAsOf(workbench_.answer() ? workbench_.answer() : workbench_.past()) != shown_) repeatFigures();
+    const LegendChoice now = choiceFor(workbench_.answer() ? workbench_.answer() : workbench_.past());
+    if (now.show != shown_.show || now.trees != shown_.trees) repeatFigures();
 }
 
 // The measured ones, newest first, then those saved under a name, in the project's order.

@@ -58,7 +58,8 @@ private:
     void showInView(const std::shared_ptr<const Answer>& answer);
     void showLayer(const std::optional<AnswerLayer>& layer, bool isStudy);
     void showFigures(const std::shared_ptr<const Answer>& answer);
-    [[nodiscard]] ShownAs shownAsOf(const std::shared_ptr<const Answer>& answer) const;
+    [[nodiscard]] LegendChoice choiceFor(const std::shared_ptr<const Answer>& answer) const;
+    [[nodiscard]] static std::vector<TreeColumns> listColumns(const std::shared_ptr<const Answer>& answer);
     [[nodiscard]] std::vector<ResultRow> rowsOfPlace(const Answer& answer, const SunOfCities& sun) const;
     void showAllPlaces();
     void repeatFigures();
@@ -77,7 +78,7 @@ private:
     std::vector<std::function<void()>> listed_;  ///< shows the answers of the list, in its order
     bool anyShown_ = false;
     StudySettings settings_;
-    ShownAs shown_ = ShownAs::shadow;   ///< the quantity of the figures
+    LegendChoice shown_;                ///< whose quantity and trees the figures state
     std::optional<std::size_t> place_;  ///< of an answer about places: the one whose figures are shown
 };
 

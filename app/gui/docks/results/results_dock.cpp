@@ -17,6 +17,7 @@
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/session/answers/bar_charts.h"
+#include "core/measures/shadow_figures.h"
 
 namespace noonmark {
 
@@ -97,6 +98,7 @@ ResultsDock::ResultsDock(QWidget* parent)
     : QWidget(parent),
       scroll_(new QScrollArea),
       answers_(new QComboBox),
+      trees_(new QComboBox),
       headline_(headlineLabel()),
       findings_(wrappedLabel("answerFindings")),
       note_(wrappedLabel("resultNote")),
@@ -123,6 +125,11 @@ ResultsDock::ResultsDock(QWidget* parent)
     answers_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     answers_->setPlaceholderText(tr("Show an earlier result"));
     setAnswers({}, -1);
+    trees_->setObjectName(QStringLiteral("resultTrees"));
+    trees_->setToolTip(tr("Which trees count in what is shown here and in the view"));
+    setTrees({}, TreeColumns::without);
+    connect(trees_, &QComboBox::activated, this,
+            [this] { Q_EMIT treesChosen(TreeColumns(trees_->currentData().toInt())); });
     connect(answers_, &QComboBox::activated, this, &ResultsDock::answerChosen);
     connect(back_, &QPushButton::clicked, this, &ResultsDock::studyRequested);
     connect(allPlaces_, &QPushButton::clicked, this, &ResultsDock::allPlacesRequested);
@@ -151,6 +158,7 @@ void ResultsDock::placeContent() {
     whole->setContentsMargins(0, 0, 0, 0);
     whole->setSpacing(0);
     whole->addWidget(answers_);
+    whole->addWidget(trees_);
     whole->addWidget(scroll_, 1);
     whole->addWidget(foot_);
 }
@@ -175,6 +183,18 @@ void ResultsDock::setAnswers(const QStringList& names, int shown) {
     answers_->addItems(names);
     answers_->setCurrentIndex(shown);
     answers_->setVisible(names.size() > 1 || (!names.isEmpty() && shown < 0));
+}
+
+void ResultsDock::setTrees(const std::vector<TreeColumns>& columns, TreeColumns shown) {
+    const QSignalBlocker quiet(trees_);
+    trees_->clear();
+    const auto add = [this](TreeColumns column) {
+        trees_->addItem(translatedSentence(describeTrees(column)), int(column));
+    };
+    add(TreeColumns::without);
+    for (const TreeColumns column : columns) add(column);
+    trees_->setCurrentIndex(std::max(0, trees_->findData(int(shown))));
+    trees_->setVisible(!columns.empty());
 }
 
 void ResultsDock::addSection(QWidget* section) {

@@ -32,6 +32,9 @@ public:
     void setNote(const QString& note, bool warns = true);
     /// The answers that can be shown, of which `shown` is; -1: none. A single one needs no list.
     void setAnswers(const QStringList& names, int shown);
+    /// The columns that the result has beside that without trees, and the one that is shown; a result
+    /// without any offers no choice.
+    void setTrees(const std::vector<TreeColumns>& columns, TreeColumns shown);
     void setHint(const QString& hint);           ///< shown while there are no figures; empty: the default one
     void setWarningCount(std::size_t warnings);  ///< of the data; shown as a button
     /// The buttons at the foot trigger these.
@@ -50,8 +53,9 @@ public:
 Q_SIGNALS:
     void studyRequested();
     void answerChosen(int answer);  ///< of setAnswers()
-    void commandRequested();        ///< on the clipboard
-    void warningsRequested();       ///< their list
+    void treesChosen(TreeColumns column);
+    void commandRequested();   ///< on the clipboard
+    void warningsRequested();  ///< their list
     void allPlacesRequested();
     void contributorsRequested();
 
@@ -67,6 +71,7 @@ private:
 
     QScrollArea* scroll_;
     QComboBox* answers_;
+    QComboBox* trees_;
     QLabel* headline_;
     QLabel* findings_;
     QLabel* note_;

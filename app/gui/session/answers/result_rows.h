@@ -57,7 +57,8 @@ struct StudyFigures {
     std::string period;  ///< in words
     std::vector<ErrorLine> errors;
     std::string engine;
-    std::vector<ShownError> monthErrors{};  ///< none: no months, or not measured
+    std::vector<ShownError> monthErrors{};                              ///< none: no months, or not measured
+    std::vector<std::pair<TreeColumns, ShadowStatistics>> withTrees{};  ///< by column, where trees reach
 };
 std::vector<ResultRow> makeRows(const StudyFigures& figures, ShownAs show);
 

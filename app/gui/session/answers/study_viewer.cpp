@@ -35,6 +35,13 @@ void addTimeRows(std::vector<ResultRow>& rows, const StudyFigures& figures) {
                              QObject::tr("Time taken by the engine")));
 }
 
+std::vector<std::pair<TreeColumns, ShadowStatistics>> statisticsWithTrees(const ShadowField& field) {
+    std::vector<std::pair<TreeColumns, ShadowStatistics>> all;
+    for (const ShadeColumn& shade : listShadeColumns(field))
+        all.emplace_back(shade.column, computeStatistics(*shade.field));
+    return all;
+}
+
 StudyFigures figuresOfStudy(const Study& study) {
     return {study.statistics,
             isInstant(study.field),
@@ -46,7 +53,8 @@ StudyFigures figuresOfStudy(const Study& study) {
             formatText(study.settings.period),
             makeErrorLines(study),
             study.field.engine,
-            study.monthError ? std::vector{*study.monthError} : std::vector<ShownError>()};
+            study.monthError ? std::vector{*study.monthError} : std::vector<ShownError>(),
+            statisticsWithTrees(study.field)};
 }
 
 std::optional<AnswerLayer> layerOfStudy(const std::shared_ptr<const Answer>& answer) {
@@ -58,8 +66,7 @@ std::vector<ResultRow> rowsOfStudy(const Answer& answer, ShownAs show) {
 }
 
 std::optional<AnswerLayer> layerOfSavedStudy(const std::shared_ptr<const SavedContent>& saved) {
-    return markMissingRuns(
-        {.map = std::shared_ptr<const ShadowField>(saved, &saved->as<SavedStudy>()->field)});
+    return makeGroundAnswer(saved, saved->as<SavedStudy>()->field);
 }
 
 // The text of the error states the others.
@@ -81,7 +88,8 @@ std::vector<ResultRow> rowsOfSavedStudy(const SavedContent& saved, ShownAs show)
                                  saved.answer.origin.period,
                                  {{"error", study.error}},
                                  field.engine,
-                                 onlyMonths(study.errors)},
+                                 onlyMonths(study.errors),
+                                 statisticsWithTrees(field)},
                     show);
 }
 
@@ -112,6 +120,9 @@ std::vector<ResultRow> makeRows(const StudyFigures& figures, ShownAs show) {
     const FigureContext context{figures.statistics.receiverAreaM2, figures.sunlitMinutesPerDay,
                                 figures.instant, show};
     std::vector<ResultRow> rows = figureRows(listLines(shadowFigures().of(figures.statistics), context));
+    for (const auto& [column, statistics] : figures.withTrees)
+        for (ResultRow& row : figureRows(listLines({treeFigures(column), &statistics}, context)))
+            rows.push_back(std::move(row));
     rows.push_back({QObject::tr("Sunlit time"),
                     formatAmount(figures.sunlitMinutesPerDay) + QObject::tr(" min/day"),
                     QObject::tr("Mean minutes a day with the sun above the horizon: 100 % of the time")});

@@ -1,19 +1,19 @@
 #include "app/gui/tools/live/live_trees.h"
 
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
-#include <unordered_map>
 #include <utility>
 
 #include "core/city/terrain/building_ground.h"
 #include "core/engines/api/tree_shade.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/engines/trees/crowns_around.h"
 
 namespace noonmark {
 
@@ -32,37 +32,30 @@ std::vector<std::uint8_t> findLeafySteps(const SunSteps& sun, const LeafDays* le
     return inLeaf;
 }
 
-std::vector<SunPatch> gatherPatches(const SunSteps& sun, const std::vector<std::uint8_t>& inLeaf,
-                                    double sideDeg) {
-    const double perRadian = 180 / std::numbers::pi / sideDeg;
+// Each patch with the minutes of its steps.
+std::vector<WeightedSun> weigh(const SunPatches& patches, const SunSteps& sun,
+                               const std::vector<std::uint8_t>& inLeaf) {
     const double minutes = sun.stepMinutes / double(std::max<std::size_t>(1, sun.dayCount()));
-    std::unordered_map<std::int64_t, std::size_t> known;
-    std::vector<SunPatch> patches;
-    for (std::size_t k = 0; k < sun.steps.size(); ++k) {
-        const auto direction = glm::normalize(glm::dvec3(sun.steps[k].direction));
-        const double azimuth = std::atan2(direction.x, direction.y) * std::cos(std::asin(direction.z));
-        const auto key = std::int64_t(std::floor(azimuth * perRadian)) * 100'000 +
-                         std::int64_t(std::floor(std::asin(direction.z) * perRadian)) * 2 + inLeaf[k];
-        const auto [found, isNew] = known.try_emplace(key, patches.size());
-        if (isNew) patches.push_back({glm::dvec3(0), inLeaf[k] != 0, 0});
-        SunPatch& patch = patches[found->second];
-        patch.direction += direction;
-        patch.minutesPerDay += minutes;
+    std::vector<WeightedSun> suns(patches.count());
+    for (std::size_t step = 0; step < sun.steps.size(); ++step) {
+        WeightedSun& one = suns[patches.ofStep(step)];
+        one.direction = patches.direction(patches.ofStep(step));
+        one.inLeaf = inLeaf[step] != 0;
+        one.minutesPerDay += minutes;
     }
-    for (SunPatch& patch : patches) patch.direction = glm::normalize(patch.direction);
-    return patches;
+    return suns;
 }
 
 }  // namespace
 
-std::vector<SunPatch> findSunPatches(const SunSteps& sun, const LeafDays* leaves, std::size_t maximum) {
-    constexpr double firstDeg = 0.5, widerTimes = 1.25, widestDeg = 20;
+std::vector<WeightedSun> findSuns(const SunSteps& sun, const LeafDays* leaves, std::size_t maximum) {
+    constexpr double widerTimes = 1.25, widestDeg = 20;
     const std::vector<std::uint8_t> inLeaf = findLeafySteps(sun, leaves);
-    double sideDeg = firstDeg;
-    std::vector<SunPatch> patches = gatherPatches(sun, inLeaf, sideDeg);
-    while (patches.size() > maximum && sideDeg < widestDeg)
-        patches = gatherPatches(sun, inLeaf, sideDeg *= widerTimes);
-    return patches;
+    double sideDeg = SunPatches::sunDeg;
+    SunPatches patches(sun.steps, sideDeg, inLeaf);
+    while (patches.count() > maximum && sideDeg < widestDeg)
+        patches = SunPatches(sun.steps, sideDeg *= widerTimes, inLeaf);
+    return weigh(patches, sun, inLeaf);
 }
 
 StandingCrowns::Square StandingCrowns::squareOf(glm::dvec2 place) {
@@ -120,7 +113,9 @@ const ShadowField* findFieldWithTrees(const Study& study) {
     return trees->seasonal ? &*trees->seasonal : trees->evergreen ? &*trees->evergreen : nullptr;
 }
 
-Error noLiveTrees(const char* why) { return {"Dragged trees are not followed by their shadow", {}, why}; }
+Error noLiveTrees(std::string why) {
+    return {"Dragged trees are not followed by their shadow", {}, std::move(why)};
+}
 
 }  // namespace
 
@@ -135,7 +130,8 @@ Result<std::shared_ptr<LiveTreeShade>> LiveTreeShade::of(std::shared_ptr<const S
                                                          const std::set<std::string>& moved,
                                                          const std::stop_token& stop) {
     if (moved.size() > maxMoved)
-        return tl::make_unexpected(noLiveTrees("Drag up to 20 trees, or measure again when they stand"));
+        return tl::make_unexpected(
+            noLiveTrees(fmt::format("Drag up to {} trees, or measure again when they stand", maxMoved)));
     if (findFieldWithTrees(*study) == nullptr)
         return tl::make_unexpected(noLiveTrees("Measure a study with trees first"));
     const City& city = study->city;
@@ -155,7 +151,7 @@ Result<std::shared_ptr<LiveTreeShade>> LiveTreeShade::of(std::shared_ptr<const S
     const bool seasons = study->field.trees->seasonal.has_value();
     const std::size_t maximum =
         std::min(maxPatches, maxPassBytes / std::max<std::size_t>(1, receivers.grid.size()));
-    live->patches_ = findSunPatches(study->sun, seasons ? &city.trees->leafDays : nullptr, maximum);
+    live->patches_ = findSuns(study->sun, seasons ? &city.trees->leafDays : nullptr, maximum);
     if (live->patches_.size() > maximum)
         return tl::make_unexpected(noLiveTrees("Measure a smaller region, or larger cells"));
     live->passed_.assign(live->patches_.size() * receivers.grid.size(), unknownPass);
@@ -189,6 +185,7 @@ std::vector<float> LiveTreeShade::measure(const std::vector<Crown>& crowns) {
             for (std::size_t task = range.begin(); task < range.end(); ++task) {
                 Sums& sums = sums_[task];
                 sums.minutes.resize(grid.size(), 0);
+                sums.depths.resize(grid.size(), 0);
                 sums.firstRow = grid.rows;
                 sums.lastRow = -1;
                 for (std::size_t k = task; k < patches_.size(); k += tasks)
@@ -204,26 +201,26 @@ std::vector<float> LiveTreeShade::measure(const std::vector<Crown>& crowns) {
     return all;
 }
 
-// Of crowns that overlap on a ray the depths add up: later ones count what earlier ones leave.
-void LiveTreeShade::shade(const SunPatch& patch, std::uint8_t* passed, const std::vector<Crown>& crowns,
+// Of crowns that overlap on a ray the depths add up.
+void LiveTreeShade::shade(const WeightedSun& patch, std::uint8_t* passed, const std::vector<Crown>& crowns,
                           Sums& sums) const {
-    for (std::size_t i = 0; i < crowns.size(); ++i)
-        visitShadow(crowns[i], patch.direction, [&](std::uint32_t cell) {
+    for (const Crown& crown : crowns)
+        visitShadow(crown, patch.direction, [&](std::uint32_t cell) {
             const glm::dvec3 origin(placeRayOrigin(study_->receivers.position(cell)));
-            const auto depthOf = [&](const Crown& crown) {
-                return computeChord(crown, origin, patch.direction) *
-                       (patch.inLeaf ? crown.leafOnPerM : crown.leafOffPerM);
-            };
-            const double depth = depthOf(crowns[i]);
+            const double depth = computeChord(crown, origin, patch.direction) *
+                                 (patch.inLeaf ? crown.leafOnPerM : crown.leafOffPerM);
             if (depth <= 0) return;
-            double earlier = 0;
-            for (std::size_t k = 0; k < i; ++k) earlier += depthOf(crowns[k]);
-            const int row = int(cell) / study_->receivers.grid.columns;
-            sums.firstRow = std::min(sums.firstRow, row);
-            sums.lastRow = std::max(sums.lastRow, row);
-            sums.minutes[cell] += float(patch.minutesPerDay * passOf(cell, patch, passed[cell]) *
-                                        std::exp(-earlier) * -std::expm1(-depth));
+            if (sums.depths[cell] == 0) sums.touched.push_back(cell);
+            sums.depths[cell] += float(depth);
         });
+    for (const std::uint32_t cell : sums.touched) {
+        const int row = int(cell) / study_->receivers.grid.columns;
+        sums.firstRow = std::min(sums.firstRow, row);
+        sums.lastRow = std::max(sums.lastRow, row);
+        const double taken = -std::expm1(-double(std::exchange(sums.depths[cell], 0.0F)));
+        sums.minutes[cell] += float(patch.minutesPerDay * passOf(cell, patch, passed[cell]) * taken);
+    }
+    sums.touched.clear();
 }
 
 // The receivers in a strip of the ground from below the crown's lower end to where its top casts its shadow.
@@ -262,7 +259,7 @@ void LiveTreeShade::visitShadow(const Crown& crown, glm::dvec3 direction, Visit&
     }
 }
 
-double LiveTreeShade::passOf(std::uint32_t cell, const SunPatch& patch, std::uint8_t& known) const {
+double LiveTreeShade::passOf(std::uint32_t cell, const WeightedSun& patch, std::uint8_t& known) const {
     if (known == unknownPass) {
         const glm::vec3 origin = placeRayOrigin(study_->receivers.position(cell));
         const bool blocked = scene_.occluded(origin, glm::vec3(patch.direction));

@@ -35,21 +35,21 @@ private:
 };
 
 /// Suns of a period that crowns take for one, and how many minutes a day they count in the mean.
-struct SunPatch {
+struct WeightedSun {
     glm::dvec3 direction{0, 0, 1};
     bool inLeaf = true;
     double minutesPerDay = 0;
 };
-/// At most `maximum` patches of 0.5 deg a side or of as little more as that takes; `leaves`: null: trees are
-/// in leaf all year.
-std::vector<SunPatch> findSunPatches(const SunSteps& sun, const LeafDays* leaves, std::size_t maximum);
+/// At most `maximum` of the patches of SunPatches, of 0.5 deg a side or of as little more as that takes;
+/// `leaves`: null: trees are in leaf all year.
+std::vector<WeightedSun> findSuns(const SunSteps& sun, const LeafDays* leaves, std::size_t maximum);
 
 /// Not thread-safe.
 class LiveTreeShade {
 public:
     /// Patches of the sun up to which a tree moved follows a hand.
     static constexpr std::size_t maxPatches = 600;
-    static constexpr std::size_t maxMoved = 20;
+    static constexpr std::size_t maxMoved = 200;
 
     /// `study`: of a city with trees that reach its receivers. `moved`: ids of the trees that are dragged.
     /// Error: none or too many of them, the study has no figures with trees, too little memory; cancelled().
@@ -70,22 +70,24 @@ private:
     /// Minutes a day by cell, of some of the patches; the others of its rows are 0.
     struct Sums {
         std::vector<float> minutes;
+        std::vector<float> depths;           ///< optical, of one patch; 0 between patches
+        std::vector<std::uint32_t> touched;  ///< cells with a depth
         int firstRow = 0, lastRow = -1;
     };
     static constexpr std::size_t tasks = 4;
     [[nodiscard]] std::vector<float> measure(const std::vector<Crown>& crowns);
-    void shade(const SunPatch& patch, std::uint8_t* passed, const std::vector<Crown>& crowns,
+    void shade(const WeightedSun& patch, std::uint8_t* passed, const std::vector<Crown>& crowns,
                Sums& sums) const;
     template <class Visit>
     void visitShadow(const Crown& crown, glm::dvec3 direction, Visit&& visit) const;
-    [[nodiscard]] double passOf(std::uint32_t cell, const SunPatch& patch, std::uint8_t& known) const;
+    [[nodiscard]] double passOf(std::uint32_t cell, const WeightedSun& patch, std::uint8_t& known) const;
 
     std::shared_ptr<const Study> study_;
     const ShadowField* before_;  // of the study, with trees
     RayScene scene_;             // buildings and terrain
     StandingCrowns others_;
     std::vector<Tree> moved_;
-    std::vector<SunPatch> patches_;
+    std::vector<WeightedSun> patches_;
     float lowestM_ = 0, highestM_ = 0;  // of the receivers
     std::vector<std::uint8_t> passed_;  // by patch and cell: share of the sun that the rest lets through
     std::array<Sums, tasks> sums_;      // 0 between calls

@@ -205,6 +205,12 @@ void LegendStrip::choose(const LegendChoice& choice) {
     if (switched) Q_EMIT shownChosen();
 }
 
+void LegendStrip::chooseTrees(TreeColumns trees) {
+    LegendChoice choice = choice_;
+    choice.trees = trees;
+    if (choice != choice_) choose(choice);
+}
+
 void LegendStrip::undoChoice() {
     if (before_.empty()) return;
     const LegendChoice last = before_.back();

@@ -44,6 +44,7 @@ public:
 
     [[nodiscard]] const LegendChoice& choice() const { return choice_; }
     void setChoice(const LegendChoice& choice);  ///< cannot be undone
+    void chooseTrees(TreeColumns trees);         ///< as a user's choice
     /// How the sun by place is shown: its switch is not that of other results, since it is asked for as sun.
     [[nodiscard]] ShownAs shownOfPlaces() const { return shownOfPlaces_; }
     void setShownOfPlaces(ShownAs show);

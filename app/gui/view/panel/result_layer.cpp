@@ -250,18 +250,24 @@ std::optional<std::size_t> ResultLayer::paintedTileAt(const glm::dvec3& place) c
     return view_.tiles().tileAt({eye, (place - eye) / distance}, distance + behindM);
 }
 
-// The result with the highest precedence; null: none yet.
-const GroundAnswer* ResultLayer::ground() const {
+// With the trees that the legend was chosen to show.
+GroundAnswer ResultLayer::inChosenColumn(const GroundAnswer& answer) const {
+    return inColumn(answer, strip_.choice().trees);
+}
+
+// The result with the highest precedence; none yet.
+std::optional<GroundAnswer> ResultLayer::ground() const {
     const std::optional<GroundAnswer> none;
     const auto* displayed = sides_ ? &sides_->displayed.ground : &study_;
     for (const auto* answer : {&live_, &partial_, sides_ ? &none : &inFront_, &time_, displayed})
-        if (*answer) return &**answer;
-    return nullptr;
+        if (*answer) return inChosenColumn(**answer);
+    return std::nullopt;
 }
 
-// The other scenario's, on its side; null: none.
-const GroundAnswer* ResultLayer::otherGround() const {
-    return sides_ && sides_->other.ground && showsAnswer() ? &*sides_->other.ground : nullptr;
+// The other scenario's, on its side.
+std::optional<GroundAnswer> ResultLayer::otherGround() const {
+    if (!sides_ || !sides_->other.ground || !showsAnswer()) return std::nullopt;
+    return inChosenColumn(*sides_->other.ground);
 }
 
 void ResultLayer::showExplored() {
@@ -275,10 +281,10 @@ void ResultLayer::showExplored() {
 }
 
 void ResultLayer::showGround() {
-    const GroundAnswer *displayed = ground(), *other = otherGround();
+    const auto displayed = ground(), other = otherGround();
     const GroundAnswer& answer = displayed ? *displayed : *other;
     const Legend legend = makeLegend(answer, strip_.measure(), strip_.changeScale(), strip_.choice());
-    const auto paint = [&](auto& city, const GroundAnswer* shown) {
+    const auto paint = [&](auto& city, const std::optional<GroundAnswer>& shown) {
         city.clearPicture();
         if (!shown) return;
         city.showPicture(makePicture(*shown, strip_.measure(), legend), !live_ && partial_.has_value());
@@ -343,8 +349,9 @@ QString ResultLayer::minutesAt(const Pick& pick, bool ofOther) const {
     }
     const glm::dvec2 place{pick.position.x, pick.position.y};
     if (showsPlaces()) return pick.building ? QString() : placeTextAt(place, false);
-    if (!ground() || (pick.building && !isOnRoof(*ground(), place))) return {};
-    return textAt(*ground(), place, strip_.choice().show);
+    const auto shown = ground();
+    if (!shown || (pick.building && !isOnRoof(*shown, place))) return {};
+    return textAt(*shown, place, strip_.choice().show);
 }
 
 // Of the scenario on that side; empty where its places were not measured.
@@ -358,7 +365,8 @@ QString ResultLayer::minutesOfOther(const Pick& pick) const {
     const glm::dvec2 place{pick.position.x, pick.position.y};
     if (!sides_ || pick.building) return {};
     if (showsPlaces()) return placeTextAt(place, true);
-    return otherGround() ? textAt(*otherGround(), place, strip_.choice().show) : QString();
+    const auto other = otherGround();
+    return other ? textAt(*other, place, strip_.choice().show) : QString();
 }
 
 }  // namespace noonmark

@@ -102,13 +102,14 @@ private:
     void showTiles();
     void showPlaces(const PlaceView& places);
     void showPlacesOfSides();
-    [[nodiscard]] const GroundAnswer* otherGround() const;
+    [[nodiscard]] std::optional<GroundAnswer> otherGround() const;
     [[nodiscard]] QString minutesOfOther(const Pick& pick) const;
     [[nodiscard]] QString placeTextAt(const glm::dvec2& place, bool ofOther) const;
     [[nodiscard]] std::optional<std::size_t> paintedTileAt(const glm::dvec3& place) const;
     void showFacades();
     [[nodiscard]] const ElementMap* shownElements() const;
-    [[nodiscard]] const GroundAnswer* ground() const;
+    [[nodiscard]] std::optional<GroundAnswer> ground() const;
+    [[nodiscard]] GroundAnswer inChosenColumn(const GroundAnswer& answer) const;
     void showNothing();
     void showMoment();
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -142,7 +143,8 @@ public:
         if (!status) return tl::make_unexpected(status.error());
         status_ = *std::move(status);
         report_.missingTiles = status_.allTiles - status_.doneTiles;
-        treeColumns_ = findTreeColumns();
+        treeColumns_ = status_.treeColumns();
+        findNamesWithTrees();
         const auto merged = makeMergedFolder(folder_);
         if (!merged) return tl::make_unexpected(merged.error());
         merged_ = *merged;
@@ -165,9 +167,8 @@ private:
         for (const auto& [tile, done] : finished) {
             results.push_back(&done.result);
             sums.add(done.result.sums);
-            if (done.result.hasTrees) ++tilesWithTrees_;
             waterM2 += findWaterM2(done.result.cost, district.tiles.whole);
-            for (const auto& [name, value] : done.result.figures) ownFigures[name] += value;
+            addUp(ownFigures, done.result);
             months.add(done.result);
             files[tile] =
                 done.result.empty()
@@ -187,10 +188,11 @@ private:
         const double cellAreaM2 = district.tiles.whole.cellAreaM2();
         const std::vector<ShadedTiles> withTrees = sumWithTrees(results, treeColumns_, own, *sun, cellAreaM2);
         addStatistics(district, figures, finished.size());
-        addTrees(withTrees);
+        if (!std::isnan(figures.meanGrossMin)) addTrees(withTrees);  // a score has no minutes of shadow
         addFigures(ownFigures);
         std::vector<TileMap> maps =
-            listWrittenMaps(merge_.maps.empty() ? listTileMaps(own, *sun, treeColumns_) : merge_.maps,
+            listWrittenMaps(merge_.maps.empty() ? listTileMaps(own, *sun, treeColumns_)
+                                                : addMapsWithTrees(merge_.maps, treeColumns_),
                             hasRuns(figures), haveRuns(withTrees));
         for (TileMap& map : maps)
             if (map.name.starts_with(monthMap)) map.colours = makeMonthScale(*sun, merge_.legend);
@@ -251,6 +253,25 @@ private:
                        fmt::format("Leave {} out", flags::places));
     }
 
+    // Figures with trees are those without in a tile that no tree reaches.
+    void addUp(std::map<std::string, double>& sums, const TileResult& tile) const {
+        for (const auto& [name, value] : tile.figures) sums[name] += value;
+        if (!tile.withTrees.empty()) return;
+        for (const std::string& name : namesWithTrees_) {
+            const auto without = tile.figures.find(name.substr(0, name.rfind('_')));
+            if (without != tile.figures.end()) sums[name] += without->second;
+        }
+    }
+
+    // The figures that some tile has with trees: "score_m2_seasonal".
+    void findNamesWithTrees() {
+        for (const auto& finished : status_.finished)
+            for (const auto& [tile, done] : finished)
+                for (const ShadedTile& with : done.result.withTrees)
+                    for (const auto& [name, value] : done.result.figures)
+                        if (name.ends_with(suffixOf(with.column))) namesWithTrees_.insert(name);
+    }
+
     void addFigures(const std::map<std::string, double>& figures) {
         if (!figures.empty()) districts_.back()["figures"] = figures;
         for (const auto& [name, value] : figures) report_.figures[name] += value;
@@ -262,14 +283,6 @@ private:
         ShadowStatistics& all = report_.statistics;
         const auto before = double(all.receivers), more = double(figures.receivers);
         addPiece(shadowFigures().rows(), &all, before, &figures, more);
-    }
-
-    // Districts that no tree reaches count as they are.
-    [[nodiscard]] TreeColumns findTreeColumns() const {
-        std::vector<const TileResult*> results;
-        for (const auto& finished : status_.finished)
-            for (const auto& [tile, done] : finished) results.push_back(&done.result);
-        return findColumns(results);
     }
 
     void addTrees(const std::vector<ShadedTiles>& withTrees) {
@@ -289,8 +302,6 @@ private:
         json["compute_seconds"] = status_.doneSeconds;
         json["districts"] = districts_;
         if (!report_.figures.empty()) json["figures"] = report_.figures;
-        if (tilesWithTrees_ > 0)
-            report_.warnings = {makeTreeWarning("in " + countOf(tilesWithTrees_, "tile"))};
         json["warnings"] = warningsJson(report_.warnings);
         auto written = writeFile("statistics.json", json.dump(2) + "\n");
         for (const auto& [name, places] : places_)
@@ -312,7 +323,7 @@ private:
     MergeReport report_;
     std::map<std::string, PlaceShadows> places_;  ///< by the beginning of their file's name
     Json districts_ = Json::array();
-    std::size_t tilesWithTrees_ = 0;                     ///< that are not measured
+    std::set<std::string> namesWithTrees_;               ///< of the measure's own figures
     TreeColumns treeColumns_ = TreeColumns::without;     ///< that trees reach tiles in
     std::map<TreeColumns, ShadowStatistics> withTrees_;  ///< of these columns
 };

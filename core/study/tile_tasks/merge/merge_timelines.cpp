@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/base/csv_text.h"
+#include "core/engines/shade_trees.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/files/write_text.h"
 
@@ -19,19 +20,28 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::array shadowNames{"baseline", "scenario", "incremental", "gained"};
-constexpr std::array shadowFields{"enters",     "exits",          "duration_min",    "largest_m2",
-                                  "largest_at", "area_hours_m2h", "longest_stay_min"};
+constexpr const char* areaHours = "area_hours_m2h";
+constexpr std::array shadowFields{"enters",     "exits",   "duration_min",    "largest_m2",
+                                  "largest_at", areaHours, "longest_stay_min"};
 constexpr std::array dayFields{"sunlit_min", "theoretical_m2h", "full_cover_min", "all_sun_taken_min"};
 
-std::vector<std::string> columnsOfTimelines() {
+// Of each kind of shadow. Areas x hours with trees follow those without.
+std::vector<std::string> listShadowFields(TreeColumns trees) {
+    std::vector<std::string> fields(shadowFields.begin(), shadowFields.end());
+    for (const TreeColumns column : {TreeColumns::evergreen, TreeColumns::seasonal})
+        if (isAmong(trees, column)) fields.push_back(areaHours + suffixOf(column));
+    return fields;
+}
+
+std::vector<std::string> listColumns(const std::vector<std::string>& ofShadow) {
     std::vector<std::string> columns{"place", "kind", "source", "day", "area_m2"};
     columns.insert(columns.end(), dayFields.begin(), dayFields.end());
     for (const char* shadow : shadowNames)
-        for (const char* name : shadowFields) columns.push_back(fmt::format("{}_{}", shadow, name));
+        for (const std::string& name : ofShadow) columns.push_back(fmt::format("{}_{}", shadow, name));
     return columns;
 }
 
-void addField(CsvText& csv, const Json& of, const char* name) {
+void addField(CsvText& csv, const Json& of, const std::string& name) {
     const auto found = of.find(name);
     if (found != of.end() && found->is_number())
         csv.number(found->get<double>());
@@ -39,21 +49,27 @@ void addField(CsvText& csv, const Json& of, const char* name) {
         csv.text(found != of.end() && found->is_string() ? found->get<std::string>() : std::string());
 }
 
-void addDay(CsvText& csv, const Json& place, const Json& day) {
+// That with trees is that without them where no tree reaches the place.
+void addShadowField(CsvText& csv, const Json& shadow, const std::string& name) {
+    const bool isKnown = shadow.contains(name) || !name.starts_with(areaHours);
+    addField(csv, shadow, isKnown ? name : areaHours);
+}
+
+void addDay(CsvText& csv, const Json& place, const Json& day, const std::vector<std::string>& ofShadow) {
     for (const char* name : {"place", "kind", "source"}) addField(csv, place, name);
     addField(csv, day, "day");
     addField(csv, place, "area_m2");
     for (const char* name : dayFields) addField(csv, day, name);
     for (const char* shadow : shadowNames) {
         const bool stated = shadow == shadowNames.front() || !place.at("to").is_null();
-        for (const char* name : shadowFields) addField(csv, stated ? day.at(shadow) : Json(), name);
+        for (const std::string& name : ofShadow) addShadowField(csv, stated ? day.at(shadow) : Json(), name);
     }
     csv.endRow();
 }
 
-void addDays(CsvText& csv, const Json& place) {
-    if (!place.contains("days")) return addDay(csv, place, place);
-    for (const Json& day : place.at("days")) addDay(csv, place, day);
+void addDays(CsvText& csv, const Json& place, const std::vector<std::string>& ofShadow) {
+    if (!place.contains("days")) return addDay(csv, place, place, ofShadow);
+    for (const Json& day : place.at("days")) addDay(csv, place, day, ofShadow);
 }
 
 /// A file that is complete, or not there.
@@ -80,8 +96,12 @@ private:
 /// One run of mergeTimelines().
 class TimelineMerge {
 public:
-    explicit TimelineMerge(const fs::path& merged)
-        : lines_(merged / "timelines.jsonl"), table_(merged / "timelines.csv") {
+    /// `trees`: the columns that trees reach places in.
+    TimelineMerge(const fs::path& merged, TreeColumns trees)
+        : lines_(merged / "timelines.jsonl"),
+          table_(merged / "timelines.csv"),
+          ofShadow_(listShadowFields(trees)),
+          csv_(listColumns(ofShadow_)) {
         table_.add(csv_.take());
     }
 
@@ -113,12 +133,13 @@ private:
         if (firstDistrict_.emplace(std::move(feature), district).first->second != district) return;
         ++places_;
         lines_.add(line + '\n');
-        addDays(csv_, place);
+        addDays(csv_, place, ofShadow_);
         table_.add(csv_.take());
     }
 
     GrowingFile lines_, table_;
-    CsvText csv_{columnsOfTimelines()};
+    std::vector<std::string> ofShadow_;
+    CsvText csv_;
     std::unordered_map<std::string, std::size_t>
         firstDistrict_;  ///< by the feature that a place was read from
     std::size_t places_ = 0;
@@ -132,7 +153,7 @@ Result<MergeReport> mergeTimelines(const fs::path& folder, const TaskPlan& plan,
     if (!status) return tl::make_unexpected(status.error());
     const auto merged = makeMergedFolder(folder);
     if (!merged) return tl::make_unexpected(merged.error());
-    TimelineMerge merge(*merged);
+    TimelineMerge merge(*merged, status->treeColumns());
     std::size_t done = 0;
     for (std::size_t district = 0; district < status->finished.size(); ++district)
         for (const auto& [number, tile] : status->finished[district]) {

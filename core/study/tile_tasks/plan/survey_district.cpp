@@ -6,11 +6,13 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <set>
 #include <span>
 #include <unordered_set>
 
 #include "core/io/read_region.h"
+#include "core/io/trees/read_trees.h"
 #include "core/measures/places/place_run.h"
 #include "core/measures/places/place_screening.h"
 #include "core/receivers/place_names.h"
@@ -50,6 +52,13 @@ double reliefM(const City& ground) {
     if (!ground.terrain) return 0;
     const auto [low, high] = std::ranges::minmax(ground.terrain->elevationM);
     return double(high) - double(low);
+}
+
+// How far the shadow of an inventory's trees may reach, where no building stands near.
+float reachOfTreesM(const ReadSettings& reading, const City& ground, const SunSteps& sun) {
+    constexpr double tallestTreeM = 60;
+    if (reading.treeFiles.empty()) return 0;
+    return float(std::min((tallestTreeM + reliefM(ground)) * findLengthFactor(sun), reading.farAwayM));
 }
 
 // The region, and every coarse cell of the scan that holds something tall enough to reach it.
@@ -175,6 +184,24 @@ Result<void> surveyByExtent(SurveyedDistrict& made, const Box2& box, const ReadS
     return {};
 }
 
+// Each inventory once, wherever its trees stand.
+Result<void> surveyTrees(SurveyedDistrict& made, const ReadSettings& reading, const std::stop_token& stop) {
+    if (reading.treeFiles.empty()) return {};
+    constexpr float everywhereM = 1e9F;
+    NoProgress quiet;
+    std::vector<ReadTree> trees;
+    for (const std::string& file : reading.treeFiles) {
+        auto read = readTrees(file, {.crs = reading.crs}, quiet, stop);
+        if (!read) return tl::make_unexpected(read.error());
+        std::ranges::move(read->trees, std::back_inserter(trees));
+    }
+    Warnings ofEachTask;
+    City city = made.ground;
+    city.trees = joinTrees(trees, city, reading.farAwayM, ofEachTask);
+    made.survey.add(city, {glm::vec2(-everywhereM), glm::vec2(everywhereM)});
+    return {};
+}
+
 Result<City> readGround(const District& district, const TaskPlanRequest& request, const InputsScan& scan,
                         Progress& progress, const std::stop_token& stop) {
     if (scan.terrain.empty()) return City{.frame = district.frame};
@@ -201,11 +228,15 @@ Result<SurveyedDistrict> surveyExtents(District& district, const TaskPlanRequest
     const Box2 measured = measuredBox(region, *places);
     Box2 box =
         whole ? grown(measured, borderM) : reachingBox(measured, scan, *ground, *sun, reading.farAwayM);
+    box.add(grown(measured, reachOfTreesM(reading, *ground, *sun)));
     SurveyedDistrict made{OccluderSurvey(box), *ground, *std::move(sun), *std::move(places)};
     if (ground->terrain) made.survey.addTerrain(*ground->terrain);
-    const auto surveyed = surveyWholeFiles(made, box, reading, scan, progress, stop).and_then([&] {
-        return surveyByExtent(made, box, reading, scan, progress, stop);
-    });
+    ReadSettings buildings = reading;
+    buildings.treeFiles.clear();
+    const auto surveyed =
+        surveyWholeFiles(made, box, buildings, scan, progress, stop)
+            .and_then([&] { return surveyByExtent(made, box, buildings, scan, progress, stop); })
+            .and_then([&] { return surveyTrees(made, reading, stop); });
     if (!surveyed) return tl::make_unexpected(surveyed.error());
     if (!whole) return made;
     district.region = makeRegionFromLocalBox(made.survey.buildingsBox());

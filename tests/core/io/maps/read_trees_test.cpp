@@ -10,6 +10,7 @@
 #include "core/base/gdal_calls.h"
 #include "core/io/heights/tree_fields.h"
 #include "core/io/read_city.h"
+#include "core/io/write_raster.h"
 #include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/footprint_files.h"
 #include "tests/core/io/terrain_files.h"
@@ -219,6 +220,22 @@ TEST_F(ReadTreesTest, OfOpenStreetMapComeWithTheCity) {
 
 // A square of 0.0004 x 0.0004 degrees at the equator, 44.5 x 44.2 m, beside the building: 30 squares of 8 m
 // have their middle in it, or one row or column more.
+TEST_F(ReadTreesTest, ASecondBandOfCanopyIsTheBaseOfItsCrowns) {
+    const Grid grid{0, 0, 1, 3, 1};
+    const std::vector<float> tops{10, 10, 10}, bases{6, 12, std::nanf("")};
+    const auto file = folder_.path("canopy.tif");
+    ASSERT_TRUE(
+        writeGeoTiff(file, Frame({-73.98, 40.75}), grid, {{"top", "m", &tops}, {"base", "m", &bases}}));
+    NoProgress quiet;
+    const auto read = readTrees(file, {}, quiet, {});
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->trees.size(), 3U);
+    const auto baseOf = [&](std::size_t i) { return completeTree(read->trees[i].facts).crownBaseM; };
+    EXPECT_FLOAT_EQ(baseOf(0), 6);
+    EXPECT_FLOAT_EQ(baseOf(1), 2.5F) << "above the top";
+    EXPECT_FLOAT_EQ(baseOf(2), 2.5F) << "not known";
+}
+
 TEST_F(ReadTreesTest, AWoodOfOpenStreetMapIsClosedCanopy) {
     const auto town = [](std::string_view tags) {
         return fmt::format(R"(<osm version="0.6">

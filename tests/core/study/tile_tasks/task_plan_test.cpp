@@ -259,6 +259,24 @@ TEST_F(TaskPlanTrees, CountAsOnOneMachineToTheLastBit) {
     EXPECT_THAT(mosaic, HasSubstr("<SourceBand>5</SourceBand>"));
 }
 
+// A kilometre from any building, and before the sun when it is low only.
+TEST_F(TaskPlanTrees, CountWhereNoBuildingStands) {
+    const LonLat at = Frame({-73.98, 40.75}).lonLatFromLocal({1200, 90});
+    request.reading.treeFiles = {
+        folder
+            .file("trees.csv", fmt::format("height,crown_diameter,latitude,longitude\n"
+                                           "50,30,{:.7f},{:.7f}\n",
+                                           at.latDeg, at.lonDeg))
+            .string()};
+    request.settings.period.window = SolarHours{};
+    request.settings.period.stepMinutes = 5;
+    const TaskPlan made = plan();
+    ASSERT_TRUE(runAndMerge(made));
+    const TiledStudy whole = onOneMachine();
+    ASSERT_EQ(whole.withTrees.size(), 2U) << "the shadow reaches the town";
+    expectEqualMaps(made, "plan/merged/shadow_evergreen.tif", "shadow_evergreen.tif", 2);
+}
+
 TEST_F(TaskPlanTrees, AnotherTreeIsAnotherContent) {
     const TaskPlan before = plan();
     plant("Betula pendula");

@@ -83,11 +83,12 @@ protected:
         auto places =
             readPlaces(timelines.places, timelines.reading, city.frame, progress, {}).value().places;
         const auto engine = makeEngine(request.settings.engine).value();
-        const PlaceStudy study =
-            runPlaceStudy(city, nullptr, places,
-                          {.period = request.settings.period, .cellM = request.settings.receivers.cellM},
-                          *engine, progress, {})
-                .value();
+        const PlaceStudy study = runPlaceStudy(city, nullptr, places,
+                                               {.period = request.settings.period,
+                                                .cellM = request.settings.receivers.cellM,
+                                                .trees = request.settings.trees},
+                                               *engine, progress, {})
+                                     .value();
         std::map<std::string, nlohmann::json> lines;
         for (const PlaceTimeline& place : study.places)
             lines[place.place.name] =
@@ -113,6 +114,30 @@ TEST_F(TimelinePlan, EqualsThePlacesMeasuredAtOnce) {
         EXPECT_GT(own.at("baseline").at("duration_min"), 0) << "shadow is there to be measured";
         EXPECT_EQ(line, own);
     }
+}
+
+TEST_F(TimelinePlan, CountsTreesAsThePlacesMeasuredAtOnce) {
+    std::string trees = "tree_dbh,spc_latin,latitude,longitude\n";
+    for (double x = 22; x < 44; x += 8) {
+        const LonLat at = frame.lonLatFromLocal({x, 24});
+        trees += std::to_string(16) + ",Tilia," + std::to_string(at.latDeg) + "," +
+                 std::to_string(at.lonDeg) + "\n";
+    }
+    request.reading.treeFiles = {folder.file("trees.csv", trees).string()};
+    const TaskPlan made = plan();
+    for (std::size_t task = 0; task < made.taskCount; ++task) ASSERT_TRUE(run(made, task));
+    ASSERT_TRUE(merge(made));
+    const auto expected = onOneMachine();
+    std::size_t shaded = 0;
+    for (const nlohmann::json& line : mergedLines()) {
+        EXPECT_EQ(line, expected.at(line.at("place")));
+        shaded += line.at("baseline").contains("area_hours_m2h_seasonal") ? 1 : 0;
+    }
+    EXPECT_GT(shaded, 0U);
+    std::ifstream table(folder.path("plan/merged/timelines.csv"));
+    std::string heading;
+    std::getline(table, heading);
+    EXPECT_THAT(heading, HasSubstr(",baseline_area_hours_m2h_seasonal,"));
 }
 
 TEST_F(TimelinePlan, APlaceIsMeasuredWholeWhereItsBoxReachesBeyondTheRegion) {

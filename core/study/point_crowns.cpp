@@ -1,0 +1,210 @@
+#include "core/study/point_crowns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/engines/common/shadow_reach.h"
+#include "core/engines/ray/surface_rays.h"
+#include "core/engines/shade_trees.h"
+#include "core/engines/trees/crowns.h"
+#include "core/engines/trees/crowns_around.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double smallestDeg =
+    0.5;  // the sun's own width: a crown that rises less above the skyline is not seen
+constexpr double columnDeg = 5;
+constexpr int minColumns = 9;
+
+double degrees(double radians) { return Radians{radians}.degrees().value; }
+
+/// The altitudes at which one crown is met from a place, by the chords that rays have in it.
+class CrownView {
+public:
+    CrownView(const Crown& crown, glm::dvec3 eye)
+        : crown_(crown),
+          eye_(eye),
+          distance_(std::hypot(crown.x - eye.x, crown.y - eye.y)),
+          isAround_(distance_ <= crown.radiusM) {}
+
+    [[nodiscard]] double distanceM() const { return distance_; }
+    /// The eye is below or inside the crown, which is then seen at all azimuths.
+    [[nodiscard]] bool isAround() const { return isAround_; }
+    /// Azimuth of its axis and half of its width, radians in the frame.
+    [[nodiscard]] double azimuth() const { return std::atan2(crown_.x - eye_.x, crown_.y - eye_.y); }
+    [[nodiscard]] double halfWidth() const {
+        return isAround_ ? std::numbers::pi : std::asin(crown_.radiusM / distance_);
+    }
+    /// No part of it is higher than this, radians.
+    [[nodiscard]] double highest() const {
+        if (isAround_) return std::numbers::pi / 2;
+        return std::atan2(crown_.topM - eye_.z, distance_ - crown_.radiusM);
+    }
+
+    struct Span {
+        double low = 0, high = 0;  // radians
+    };
+    /// None: a ray at this azimuth misses it. Crowns are convex: what is between two hits is hit.
+    [[nodiscard]] std::optional<Span> spanAt(double azimuth) const {
+        constexpr int samples = 48;
+        const double low = lowest(), step = (highest() - low) / samples;
+        int first = -1, last = -1;
+        for (int i = 0; i <= samples; ++i)
+            if (isHit(azimuth, low + step * i)) {
+                if (first < 0) first = i;
+                last = i;
+            }
+        if (first < 0) return std::nullopt;
+        return Span{first == 0 ? low : edge(azimuth, low + step * (first - 1), low + step * first),
+                    last == samples ? highest() : edge(azimuth, low + step * (last + 1), low + step * last)};
+    }
+    [[nodiscard]] double chord(double azimuth, double altitude) const {
+        return computeChord(crown_, eye_,
+                            {std::cos(altitude) * std::sin(azimuth), std::cos(altitude) * std::cos(azimuth),
+                             std::sin(altitude)});
+    }
+
+private:
+    [[nodiscard]] double lowest() const {
+        return std::max(0.0, std::atan2(crown_.bottomM - eye_.z, distance_ + crown_.radiusM));
+    }
+    [[nodiscard]] bool isHit(double azimuth, double altitude) const {
+        return chord(azimuth, altitude) > 1e-6;
+    }
+    // Between an altitude that misses and one that hits.
+    [[nodiscard]] double edge(double azimuth, double miss, double hit) const {
+        for (int i = 0; i < 14; ++i) {
+            const double middle = (miss + hit) / 2;
+            (isHit(azimuth, middle) ? hit : miss) = middle;
+        }
+        return hit;
+    }
+
+    const Crown& crown_;
+    glm::dvec3 eye_;
+    double distance_;
+    bool isAround_;
+};
+
+/// Sums up what a crown lets through over the sky that it covers.
+class MeanTransmissivity {
+public:
+    void add(const CrownView& view, const Crown& crown, double azimuth, const CrownView::Span& span) {
+        constexpr int samples = 8;
+        for (int i = 0; i < samples; ++i) {
+            const double altitude = span.low + (span.high - span.low) * (i + 0.5) / samples;
+            const double sky = (span.high - span.low) * std::cos(altitude);
+            const double chord = view.chord(azimuth, altitude);
+            sky_ += sky;
+            leafOn_ += sky * std::exp(-chord * crown.leafOnPerM);
+            leafOff_ += sky * std::exp(-chord * crown.leafOffPerM);
+        }
+    }
+    [[nodiscard]] double leafOn() const { return sky_ > 0 ? leafOn_ / sky_ : 1; }
+    [[nodiscard]] double leafOff() const { return sky_ > 0 ? leafOff_ / sky_ : 1; }
+
+private:
+    double sky_ = 0, leafOn_ = 0, leafOff_ = 0;
+};
+
+// True azimuths at which a crown is looked at, degrees: from its left end to its right end, and at north,
+// where drawings begin anew.
+std::vector<double> listAzimuths(const CrownView& view, double northDeg) {
+    constexpr double within = 0.9999;  // at its very ends a crown has no height
+    const double half = view.isAround() ? 180 : degrees(view.halfWidth()) * within;
+    double from = view.isAround() ? 0 : degrees(view.azimuth()) - northDeg - half;
+    from -= 360 * std::floor(from / 360);
+    const int parts = std::max(minColumns - 1, int(std::ceil(2 * half / columnDeg)));
+    std::vector<double> azimuths;
+    for (int i = 0; i <= parts; ++i) azimuths.push_back(from + 2 * half * i / parts);
+    const auto north = std::ranges::upper_bound(azimuths, 360.0);
+    if (north != azimuths.end() && north != azimuths.begin() && *std::prev(north) < 360)
+        azimuths.insert(north, 360);
+    return azimuths;
+}
+
+// None: it is hidden by the skyline, or too small to be seen.
+std::optional<SeenCrown> seeCrown(const Crown& crown, std::uint32_t tree, glm::dvec3 eye,
+                                  const Skyline& skyline, double northDeg) {
+    const CrownView view(crown, eye);
+    if (crown.topM <= eye.z || degrees(view.highest()) < smallestDeg) return std::nullopt;
+    SeenCrown seen{.tree = tree, .columns = {}, .distanceM = view.distanceM()};
+    MeanTransmissivity mean;
+    bool isSeen = false;
+    for (const double azimuthDeg : listAzimuths(view, northDeg)) {
+        const double azimuth = Degrees{std::fmod(azimuthDeg + northDeg + 720, 360)}.radians().value;
+        const auto span = view.spanAt(azimuth);
+        if (!span) continue;
+        seen.columns.push_back({azimuthDeg, degrees(span->low), degrees(span->high)});
+        mean.add(view, crown, azimuth, *span);
+        isSeen = isSeen || degrees(span->high) >=
+                               degrees(std::atan(std::max(0.0, skyline.tanAt(azimuth)))) + smallestDeg;
+    }
+    if (!isSeen || seen.columns.size() < 2) return std::nullopt;
+    seen.leafOnTransmissivity = mean.leafOn();
+    seen.leafOffTransmissivity = mean.leafOff();
+    return seen;
+}
+
+/// What crowns leave of the sun at each step.
+struct LitShares {
+    std::vector<float> evergreen, seasonal;
+};
+
+LitShares weighCrowns(const std::vector<Crown>& crowns, const LeafDays& leafDays, glm::dvec3 eye,
+                      const PointSteps& steps) {
+    const SunPatches patches(steps.sun);
+    CrownsOverPoint over(crowns, patches);
+    const bool any = over.begin(eye);
+    LitShares lit;
+    for (const SunDay& day : steps.sun.days) {
+        const bool inLeaf = isInLeaf(leafDays, day.date);
+        for (std::uint32_t i = day.first; i < day.first + day.count; ++i) {
+            const bool isShaded = steps.shaded[i] != 0;
+            const auto depth = isShaded || !any ? CrownsOverPoint::Depth{0, 0} : over.at(patches.ofStep(i));
+            lit.evergreen.push_back(isShaded ? 0 : float(1 - depth.takenShare(true)));
+            lit.seasonal.push_back(isShaded ? 0 : float(1 - depth.takenShare(inLeaf)));
+        }
+    }
+    return lit;
+}
+
+double sumMinutes(const std::vector<float>& shares, double stepMinutes) {
+    return std::accumulate(shares.begin(), shares.end(), 0.0) * stepMinutes;
+}
+
+}  // namespace
+
+std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point, const Skyline& skyline,
+                                        double northDeg, const PointSteps& year, const PointSteps& day,
+                                        const Zone& zone) {
+    if (!city.trees || city.trees->trees.empty()) return std::nullopt;
+    const City weighed = withTreesFor(city, TreeColumns::all);
+    const auto eye = glm::dvec3(placeSurfaceRayOrigin(point.position, point.normal));
+    PointCrowns all{.seen = {}, .leafDays = city.trees->leafDays};
+    for (std::uint32_t i = 0; i < city.trees->trees.size(); ++i)
+        if (auto seen = seeCrown(makeCrown(city.trees->trees[i]), i, eye, skyline, northDeg))
+            all.seen.push_back(*std::move(seen));
+    std::ranges::stable_sort(all.seen, std::ranges::greater{}, &SeenCrown::distanceM);
+    Box2 box;
+    box.add(glm::vec2(point.position));
+    std::vector<Crown> crowns;
+    for (const std::uint32_t tree : findTreesInReach(weighed, box, point.position.z, year.sun))
+        crowns.push_back(makeCrown(city.trees->trees[tree]));
+    all.weighed = crowns.size();
+    if (all.seen.empty() && crowns.empty()) return std::nullopt;
+    const LitShares ofYear = weighCrowns(crowns, all.leafDays, eye, year);
+    const LitShares ofDay = weighCrowns(crowns, all.leafDays, eye, day);
+    all.inLeaf = isInLeaf(all.leafDays, day.sun.days.front().date);
+    all.evergreen = sumSunlight(ofYear.evergreen, year.sun, zone);
+    all.seasonal = sumSunlight(ofYear.seasonal, year.sun, zone);
+    all.dayEvergreenMin = sumMinutes(ofDay.evergreen, day.sun.stepMinutes);
+    all.daySeasonalMin = sumMinutes(ofDay.seasonal, day.sun.stepMinutes);
+    return all;
+}
+
+}  // namespace noonmark

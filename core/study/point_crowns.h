@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/city/city.h"
+#include "core/city/trees/tree.h"
+#include "core/engines/points/point_sunlight.h"
+#include "core/engines/points/skyline.h"
+
+namespace noonmark {
+
+/// The altitudes between which a crown stands at one azimuth, degrees.
+struct CrownColumn {
+    double azimuthDeg = 0;  ///< from true north
+    double lowDeg = 0, highDeg = 0;
+};
+
+/// A crown as a point sees it.
+struct SeenCrown {
+    std::uint32_t tree = 0;  ///< index in City::trees
+    /// From its left end to its right end, at most 5 degrees apart: ascending azimuths, of which the first is
+    /// 0 to 360 and later ones may exceed 360.
+    std::vector<CrownColumn> columns;
+    /// Share of light that it lets through, mean over what is seen of it, in leaf and bare; of an evergreen
+    /// the same.
+    double leafOnTransmissivity = 0, leafOffTransmissivity = 0;
+    double distanceM = 0;  ///< of its axis, in the plan
+};
+
+/// The crowns around a point, and what they leave of its sun. A step counts the share of the sun that crowns
+/// let through, by the exact path through each, of suns within half a degree once.
+struct PointCrowns {
+    std::vector<SeenCrown> seen;  ///< those that rise above the skyline by half a degree, farthest first
+    LeafDays leafDays;            ///< of trees that lose their leaves
+    bool inLeaf = false;          ///< those, on the question's day
+    std::size_t weighed = 0;      ///< trees whose crown can stand before the sun on some day of the year
+    MonthHours evergreen{}, seasonal{};              ///< sunlit minutes of the year, as PointView::minutes
+    double dayEvergreenMin = 0, daySeasonalMin = 0;  ///< sunlit minutes of the question's day
+};
+
+/// The steps of one time, and at which of them the point is shaded without trees.
+struct PointSteps {
+    const SunSteps& sun;
+    const ShadedSteps& shaded;
+};
+
+/// None where no crown is seen or weighed. `northDeg`: true north, clockwise from the frame's +y. `year`:
+/// from sunrise to sunset; `day`: those of the question's day. O(trees), and some 20 us for each crown that
+/// is seen; 10 ns for each crown near the azimuth of each half degree of the sun's paths.
+std::optional<PointCrowns> lookAtCrowns(const City& city, const SkyPoint& point, const Skyline& skyline,
+                                        double northDeg, const PointSteps& year, const PointSteps& day,
+                                        const Zone& zone);
+
+}  // namespace noonmark

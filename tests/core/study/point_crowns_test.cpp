@@ -1,0 +1,139 @@
+#include "core/study/point_crowns.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/city/trees/tree.h"
+#include "core/study/point_study.h"
+#include "core/study/text/point_text.h"
+#include "tests/core/engines/scenes.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+
+const LonLat here{0, 50};
+
+// A cylinder of 6 m, from 4 m to 10 m above the ground, that lets through so much.
+Tree cylinderAt(glm::dvec2 place, float leafOn, float leafOff) {
+    return {.sourceId = "tree",
+            .place = place,
+            .heightM = 10,
+            .crownBaseM = 4,
+            .crownDiameterM = 6,
+            .shape = CrownShape::cylinder,
+            .leafOnTransmissivity = leafOn,
+            .leafOffTransmissivity = leafOff};
+}
+
+City cityWith(std::vector<Tree> trees, const std::vector<Box3>& boxes = {}) {
+    City city = cityOf(boxes);
+    city.frame = Frame(here);
+    city.trees = std::make_shared<const Trees>(Trees{.trees = std::move(trees), .leafDays = {106, 320}});
+    return city;
+}
+
+PointStudy lookAround(const City& city, CivilDate day, double stepMinutes = 10) {
+    return runPointStudy(city, nullptr, {.at = here, .heightM = 0, .day = day, .stepMinutes = stepMinutes},
+                         {})
+        .value();
+}
+
+constexpr CivilDate june{std::chrono::year(2026), std::chrono::June, std::chrono::day(21)};
+constexpr CivilDate december{std::chrono::year(2026), std::chrono::December, std::chrono::day(21)};
+
+TEST(PointCrowns, ACylinderIsSeenWhereItStands) {
+    // 20 m to the south: it is as wide as asin(3 / 20) to either side; its lower rim is lowest at the far
+    // side and its upper rim highest at the near side, 23 m and 17 m away.
+    const PointStudy study = lookAround(cityWith({cylinderAt({0, -20}, 0.1F, 0.7F)}), june);
+    ASSERT_TRUE(study.baseline.crowns);
+    ASSERT_EQ(study.baseline.crowns->seen.size(), 1U);
+    const SeenCrown& crown = study.baseline.crowns->seen.front();
+    const auto degrees = [](double radians) { return Radians{radians}.degrees().value; };
+    const double half = degrees(std::asin(3.0 / 20));
+    EXPECT_NEAR(crown.columns.front().azimuthDeg, 180 - half, 0.02);
+    EXPECT_NEAR(crown.columns.back().azimuthDeg, 180 + half, 0.02);
+    const CrownColumn& middle = crown.columns[crown.columns.size() / 2];
+    EXPECT_NEAR(middle.azimuthDeg, 180, 0.5);
+    EXPECT_NEAR(middle.lowDeg, degrees(std::atan2(4, 23)), 0.05);
+    EXPECT_NEAR(middle.highDeg, degrees(std::atan2(10, 17)), 0.05);
+    EXPECT_NEAR(crown.distanceM, 20, 1e-3);
+}
+
+TEST(PointCrowns, BelowACrownTheZenithIsCoveredAtAllAzimuths) {
+    const PointStudy study = lookAround(cityWith({cylinderAt({1, 0}, 0.1F, 0.7F)}), june);
+    ASSERT_TRUE(study.baseline.crowns);
+    const SeenCrown& crown = study.baseline.crowns->seen.at(0);
+    EXPECT_EQ(crown.columns.front().azimuthDeg, 0);
+    EXPECT_EQ(crown.columns.back().azimuthDeg, 360);
+    for (const CrownColumn& column : crown.columns) EXPECT_NEAR(column.highDeg, 90, 1e-9);
+}
+
+TEST(PointCrowns, ACrownAcrossNorthHasAColumnThere) {
+    const PointStudy study = lookAround(cityWith({cylinderAt({0, 20}, 0.1F, 0.7F)}), june);
+    const auto& columns = study.baseline.crowns->seen.at(0).columns;
+    EXPECT_LT(columns.front().azimuthDeg, 360);
+    EXPECT_GT(columns.back().azimuthDeg, 360);
+    EXPECT_TRUE(std::ranges::any_of(columns, [](const auto& one) { return one.azimuthDeg == 360; }));
+}
+
+TEST(PointCrowns, WhatStandsBehindAHouseIsNotSeen) {
+    const City city = cityWith({cylinderAt({0, -40}, 0.1F, 0.7F)}, {{{-30, -20, 0}, {30, -10, 30}}});
+    const PointStudy study = lookAround(city, december);
+    EXPECT_TRUE(!study.baseline.crowns || study.baseline.crowns->seen.empty());
+}
+
+TEST(PointCrowns, MinutesAreThoseOfTheSharesThatPass) {
+    // Opaque in leaf, clear when bare: by seasons a day is either that of a house like it, or an open one.
+    const PointStudy summer = lookAround(cityWith({cylinderAt({0, -16}, 1e-9F, 1)}), june, 2);
+    const PointStudy winter = lookAround(cityWith({cylinderAt({0, -16}, 1e-9F, 1)}), december, 2);
+    ASSERT_TRUE(winter.baseline.crowns);
+    const double openInWinter = winter.baseline.sunlit.front().minutes();
+    EXPECT_FALSE(winter.baseline.crowns->inLeaf);
+    EXPECT_NEAR(winter.baseline.crowns->daySeasonalMin, openInWinter, 2);
+    // The noon sun of 16.6 degrees stands behind the crown, from atan(4 / 19) = 11.9 to atan(10 / 13) = 37.6
+    // degrees, for asin(3 / 16) = 10.8 degrees of azimuth to either side: some 85 minutes.
+    EXPECT_LT(winter.baseline.crowns->dayEvergreenMin, openInWinter - 60);
+    EXPECT_TRUE(summer.baseline.crowns->inLeaf);
+    EXPECT_EQ(summer.baseline.crowns->daySeasonalMin, summer.baseline.crowns->dayEvergreenMin);
+    const auto all = sumMonths(winter.baseline.minutes),
+               seasonal = sumMonths(winter.baseline.crowns->seasonal),
+               evergreen = sumMonths(winter.baseline.crowns->evergreen);
+    EXPECT_NEAR(seasonal[0], all[0], 1e-3 * all[0]) << "bare in January";
+    EXPECT_LT(evergreen[0], 0.9 * all[0]);
+    EXPECT_NEAR(seasonal[6], evergreen[6], 1e-6) << "in leaf in July";
+}
+
+TEST(PointCrowns, TransmissivityIsTheMeanOverWhatIsSeen) {
+    // By chance or design most chords are shorter than the mean one, near the edges: more light passes.
+    const PointStudy study = lookAround(cityWith({cylinderAt({0, -40}, 0.1F, 0.7F)}), june);
+    const SeenCrown& crown = study.baseline.crowns->seen.at(0);
+    EXPECT_GT(crown.leafOnTransmissivity, 0.03);
+    EXPECT_LT(crown.leafOnTransmissivity, 0.3);
+    EXPECT_GT(crown.leafOffTransmissivity, 0.6);
+    EXPECT_LT(crown.leafOffTransmissivity, 0.85);
+}
+
+TEST(PointCrowns, FilesStateThem) {
+    const City city = cityWith({cylinderAt({0, -20}, 0.1F, 0.7F)});
+    const PointStudy study = lookAround(city, december);
+    const Zone zone = Zone::named("UTC").value();
+    const auto json = pointJson(study, city, nullptr, zone);
+    EXPECT_EQ(json.at("trees").at("crowns").size(), 1U);
+    EXPECT_EQ(json.at("trees").at("crowns").at(0).at("tree"), "tree");
+    EXPECT_EQ(json.at("trees").at("in_leaf_on_the_day"), false);
+    EXPECT_EQ(json.at("minutes_by_month_seasonal").size(), 12U);
+    EXPECT_LT(json.at("sunlit_min_seasonal"), study.baseline.sunlit.front().minutes());
+    EXPECT_THAT(pointCsv(study),
+                testing::StartsWith("month,hour,baseline_min,baseline_min_evergreen,baseline_min_seasonal"));
+    const PointStudy bare = lookAround(cityWith({}), june);
+    EXPECT_FALSE(bare.baseline.crowns);
+    EXPECT_FALSE(pointJson(bare, city, nullptr, zone).contains("trees"));
+}
+
+}  // namespace
+}  // namespace noonmark
