@@ -3,7 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAbstractItemModel>
+#include <QCompleter>
+#include <QFocusEvent>
+#include <QTest>
+#include <glm/geometric.hpp>
+
 #include "core/city/map_context.h"
+#include "tests/gui/project_window.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark {
@@ -71,6 +78,33 @@ TEST(CitySearch, ReadsPositionsInEitherOrder) {
     const auto found = townSearch().find("40.7536, -73.9832");
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].kind, FoundKind::coordinates);
+}
+
+using test::ProjectWindow;
+using test::waitFor;
+
+TEST_F(ProjectWindow, WhatIsChosenInTheListIsShownAlsoOnceTheFieldHasLostTheFocus) {
+    build();
+    auto* field = window->findChild<SearchField*>();
+    ASSERT_NE(field, nullptr);
+    const auto choose = [&](const QString& text) {
+        QFocusEvent in(QEvent::FocusIn), out(QEvent::FocusOut);
+        QCoreApplication::sendEvent(field, &in);
+        field->clear();
+        QTest::keyClicks(field, text);
+        const QAbstractItemModel& list = *field->completer()->completionModel();
+        EXPECT_GT(list.rowCount(), 0) << text.toStdString();
+        Q_EMIT field->completer()->activated(list.index(0, 0));
+        QCoreApplication::sendEvent(field, &out);
+        return window->panel().view().pose().target;
+    };
+    const QString house = QString::fromStdString(test::idOf(session().project(), 0));
+    const glm::dvec3 first = choose(house);
+    EXPECT_EQ(window->tools().building().selected(), 0U);
+    const glm::dvec3 tower = choose(QStringLiteral("New"));
+    EXPECT_EQ(window->tools().building().selected(), 3U);
+    EXPECT_GT(glm::distance(first, tower), 20);
+    EXPECT_LT(glm::distance(choose(house), first), 1);
 }
 
 }  // namespace
