@@ -21,7 +21,7 @@ namespace noonmark {
 namespace {
 
 constexpr double heightPt = 500;  // of a frame: all text scales with it
-constexpr double marginPt = 10, movieTitlePt = 24;
+constexpr double frameMarginPt = 10, movieTitlePt = 24;
 constexpr double longestShadowM = 500;   // that decides what is shown; the shadows themselves go on
 constexpr std::size_t timesAtOnce = 16;  // outlines of a year are not held together
 constexpr std::size_t swipeFrames = 48, restFrames = 8;
@@ -55,8 +55,8 @@ struct FrameLayout {
 
 FrameLayout layOut(const MovieFormat& format) {
     const QRectF frame(0, 0, format.size.width() * heightPt / format.size.height(), heightPt);
-    return {frame,
-            frame.adjusted(marginPt, marginPt + movieTitlePt, -marginPt, -marginPt - diagramFootPt(1))};
+    return {frame, frame.adjusted(frameMarginPt, frameMarginPt + movieTitlePt, -frameMarginPt,
+                                  -frameMarginPt - diagramFootPt(1))};
 }
 
 /// The area, widened to the proportions of the map in a frame: shadows are computed for all that is seen.
@@ -97,8 +97,8 @@ public:
 
 private:
     void paintTitle(const Canvas& canvas, const DrawnTime& time) const {
-        const QRectF line(frame_.left() + marginPt, marginPt / 2, frame_.width() - 2 * marginPt,
-                          movieTitlePt);
+        const QRectF line(frame_.left() + frameMarginPt, frameMarginPt / 2,
+                          frame_.width() - 2 * frameMarginPt, movieTitlePt);
         const double timeWidth = 150;
         paintFitted(canvas, line.adjusted(0, 0, -timeWidth, 0), plainText(movie_.title), 14, 8, QFont::Bold,
                     ink::heading);
