@@ -973,7 +973,7 @@ mit %2</translation>
     </message>
     <message>
         <source>Measured error against rays: %1 % of the area, %2 % of the minutes of a cell</source>
-        <translation>Gemessener Fehler gegen Strahlen: %1 % der Fläche, %2 % der Minuten einer Zelle</translation>
+        <translation>Fehler gegen Strahlen: %1 % der Fläche, %2 % der Minuten einer Zelle</translation>
     </message>
     <message>
         <source>Continuous shadow was not counted</source>
@@ -5876,7 +5876,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
     <message>
         <source>Save project first...</source>
-        <translation>Projekt zuerst speichern...</translation>
+        <translation>Projekt zuerst speichern ...</translation>
     </message>
     <message>
         <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
@@ -10654,7 +10654,7 @@ vom Jahr ebenso viele Wochen</translation>
     </message>
     <message>
         <source>&amp;Solid buildings</source>
-        <translation>&amp;Volle Gebäude</translation>
+        <translation>Gebäude ausge&amp;füllt</translation>
     </message>
     <message>
         <source>Off: wireframe, so that the ground behind buildings is visible</source>
