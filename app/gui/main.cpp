@@ -41,6 +41,12 @@ QStringList filesOf(const noonmark::WindowArguments& arguments) {
     return files.isEmpty() ? QStringList{QStringLiteral("sample:central-park-south")} : files;
 }
 
+// What Qt warns of tells its developers something, and users nothing.
+void reportQt(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    static const bool all = qEnvironmentVariableIsSet("QT_LOGGING_RULES");
+    if (all || type == QtCriticalMsg || type == QtFatalMsg) std::cerr << message.toStdString() << '\n';
+}
+
 int run(int argc, char** argv) {
     noonmark::WindowArguments arguments;
     if (const auto chosen = noonmark::useInstructionSetOfEnvironment(); !chosen) {
@@ -51,6 +57,7 @@ int run(int argc, char** argv) {
     if (asksAboutProgram(argc, argv)) return parse(argc, argv, arguments).value_or(0);
     noonmark::returnLargeBlocks();
     noonmark::chooseRenderer();
+    qInstallMessageHandler(reportQt);
     QApplication application(argc, argv);  // takes the options that are Qt's, such as -platform
     if (const auto code = parse(argc, argv, arguments)) return *code;
     noonmark::applyAppearance(application);

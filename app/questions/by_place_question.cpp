@@ -158,6 +158,17 @@ Result<std::shared_ptr<const Answer>> computeByPlace(const Asked& asked, Progres
     return makeByPlaceAnswer(*std::move(sun), asked.settings);
 }
 
+std::shared_ptr<const Book> bookOfSavedPlaces(const SavedContent& saved, const SavedSource& source,
+                                              const AnswerFiles& how) {
+    SunOfCities sun = saved.as<SavedSunByPlace>()->sun;
+    sun.baseline.city = source.city;
+    for (ComparedSun& one : sun.compared) one.sun.city = source.city;
+    const auto shared = std::make_shared<const SunOfCities>(std::move(sun));
+    return bundleBook(makeSavedBook(*saved.result, saved.answer.origin, source, *shared, bookOf(how),
+                                    {how.legend, how.thresholdHours}),
+                      shared);
+}
+
 SavedForm savedPlaces() {
     return {[](const SavedContent& saved) {
                 return savedPlaceNames(saved.as<SavedSunByPlace>()->sun.baseline.settings.dates);
@@ -166,10 +177,12 @@ SavedForm savedPlaces() {
                 return makePage(saved.as<SavedSunByPlace>()->sun, shown.show);
             },
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
-               const AnswerFiles& how) {
+               const AnswerFiles& how, const std::optional<std::string>& sheets) {
                 return writeSavedPlaces(*saved.result, saved.as<SavedSunByPlace>()->sun,
-                                        saved.answer.ofPlaces, source.city, folder, how.legend, how.rules);
-            }};
+                                        saved.answer.ofPlaces, source.city, folder,
+                                        {.legend = how.legend, .rules = how.rules, .sheets = sheets});
+            },
+            bookOfSavedPlaces};
 }
 
 }  // namespace

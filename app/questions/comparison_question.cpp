@@ -89,7 +89,8 @@ Result<std::shared_ptr<const Answer>> computeComparison(const Asked& asked, Prog
     prependWarnings(study->total.warnings, asked.loaded.read.warnings);
     auto impact = std::make_shared<const ImpactAnswer>(
         ImpactAnswer{asked.baseline, asked.scenario, settings, *std::move(study), asked.provenance,
-                     keepOwnBuildings(asked.loaded.read.city, *asked.before)});
+                     keepOwnBuildings(asked.loaded.read.city, *asked.before),
+                     keepOwnBuildings(*asked.before, asked.loaded.read.city)});
     return std::make_shared<ComparisonAnswer>(std::move(impact), watch.seconds());
 }
 
@@ -97,15 +98,24 @@ AnswerPage pageOfSavedImpact(const SavedImpact& impact, const SavedContent&, con
     return makePage(impact.impact, impact.figures, shown.show);
 }
 
+void addSavedComparison(SavedMapBook& book, const SavedImpact& impact, const SavedContent&) {
+    book.comparison = &impact.figures;
+    book.note = {
+        heading(QStringLiteral("Not shown")),
+        body(QStringLiteral("The shadow of both scenarios side by side: a saved comparison holds the "
+                            "change alone. Compared again, it has them."))};
+}
+
 }  // namespace
 
 const Question& comparisonQuestion() {
-    static const Question question{.key = "impact",
-                                   .label = NM_TEXT("Comparison"),
-                                   .fields = 2,
-                                   .compute = computeComparison,
-                                   .saved = savedMaps<SavedImpact>(pageOfSavedImpact, drawnOfComparison),
-                                   .filed = FiledForm{"impact", "impact.json", "impact.pdf"}};
+    static const Question question{
+        .key = "impact",
+        .label = NM_TEXT("Comparison"),
+        .fields = 2,
+        .compute = computeComparison,
+        .saved = savedMaps<SavedImpact>(pageOfSavedImpact, drawnOfComparison, addSavedComparison),
+        .filed = FiledForm{"impact", "impact.json", "impact.pdf"}};
     return question;
 }
 
@@ -190,15 +200,21 @@ AnswerPage pageOfSavedScore(const SavedScore& score, const SavedContent& saved, 
     return makePage(score.score, saved.result->scenario, shown.show);
 }
 
+void addSavedScore(SavedMapBook& book, const SavedScore& score, const SavedContent&) {
+    book.score = &score.score;
+    book.weights = score.weights;
+}
+
 }  // namespace
 
 const Question& scoreQuestion() {
-    static const Question question{.key = "score",
-                                   .label = NM_TEXT("Score"),
-                                   .ofRun = false,
-                                   .compute = computeWeighed,
-                                   .saved = savedMaps<SavedScore>(pageOfSavedScore, drawnOfScore),
-                                   .filed = FiledForm{"score", "score.json", "score.pdf"}};
+    static const Question question{
+        .key = "score",
+        .label = NM_TEXT("Score"),
+        .ofRun = false,
+        .compute = computeWeighed,
+        .saved = savedMaps<SavedScore>(pageOfSavedScore, drawnOfScore, addSavedScore),
+        .filed = FiledForm{"score", "score.json", "score.pdf"}};
     return question;
 }
 

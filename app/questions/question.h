@@ -50,10 +50,15 @@ struct SavedForm {
     /// The page of what savedKinds() reads for the question's key (scenarios/project/results/saved_answer.h),
     /// else of its figures.
     std::function<AnswerPage(const SavedContent&, const LegendChoice&)> page{};
-    /// None: it writes its figures.
+    /// None: it writes its figures. `sheets`: the PDF of its book, if one is wanted.
     std::function<Result<std::vector<std::filesystem::path>>(
-        const SavedContent&, const SavedSource&, const std::filesystem::path& folder, const AnswerFiles&)>
+        const SavedContent&, const SavedSource&, const std::filesystem::path& folder, const AnswerFiles&,
+        const std::optional<std::string>& sheets)>
         write{};
+    /// The book of sheets, which refers to the content and the source's city. None: that of its figures,
+    /// which is among the files that it always writes.
+    std::function<std::shared_ptr<const Book>(const SavedContent&, const SavedSource&, const AnswerFiles&)>
+        book{};
     /// The options that its command needs to draw the same; none: it draws nothing that can be chosen.
     std::function<std::vector<CommandOption>(const AnswerFiles&)> drawnOptions{};
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "app/report/book/print_book.h"
 #include "core/describe/text.h"
 
 namespace noonmark {
@@ -14,6 +15,15 @@ std::vector<std::string> listChanges(const SavedContent& saved) {
     std::vector<std::string> all = saved.changes;
     all.insert(all.end(), saved.weightChanges.begin(), saved.weightChanges.end());
     return all;
+}
+
+/// A book that refers to more than it shares.
+template <class... T>
+std::shared_ptr<const Book> keepWith(std::shared_ptr<const Book> book,
+                                     std::shared_ptr<const T>... referredTo) {
+    using Kept = std::tuple<std::shared_ptr<const Book>, std::shared_ptr<const T>...>;
+    const auto kept = std::make_shared<const Kept>(std::move(book), std::move(referredTo)...);
+    return {kept, std::get<0>(*kept).get()};
 }
 
 // Its JSON states it, or why there is none (addRepeat() in provenance_texts.h).
@@ -76,16 +86,32 @@ public:
     }
     [[nodiscard]] std::string json() const override { return content().result->settings; }
     [[nodiscard]] SavedResult toSave(const Project&) const override { return *content().result; }
-    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles&) const override {
-        return writesItself() ? of_.saved->fileNames(content()) : savedFigureNames();
+    [[nodiscard]] std::vector<std::string> fileNames(const AnswerFiles& how) const override {
+        if (!writesItself()) return savedFigureNames();
+        std::vector<std::string> names = of_.saved->fileNames(content());
+        if (how.sheets) names.emplace_back(sheetsFileName);
+        return names;
     }
     [[nodiscard]] Result<std::vector<std::filesystem::path>> write(const City& city,
                                                                    const std::filesystem::path& folder,
                                                                    const AnswerFiles& how) const override {
         const SavedSource source{city, listChanges(content()), how.regions};
-        if (writesItself()) return of_.saved->write(content(), source, folder, how);
-        return writeSavedFigures(*content().result, content().answer.origin, source, figures(), folder,
-                                 how.book, how.rules);
+        if (!writesItself())
+            return writeSavedFigures(*content().result, content().answer.origin, source, figures(), folder,
+                                     how.book, how.rules);
+        if (!how.sheets) return of_.saved->write(content(), source, folder, how, {});
+        const auto pdf = printBook(*of_.saved->book(content(), source, how));
+        if (!pdf) return tl::make_unexpected(pdf.error());
+        return of_.saved->write(content(), source, folder, how, pdf->toStdString());
+    }
+    [[nodiscard]] Result<std::shared_ptr<const Book>> layOut(const std::shared_ptr<const City>& city,
+                                                             const AnswerFiles& how) const override {
+        const SavedSource source{*city, listChanges(content()), how.regions};
+        if (!writesItself())
+            return bundleBook(
+                makeSavedBook(*content().result, content().answer.origin, source, figures(), bookOf(how)),
+                shared(), city);
+        return keepWith(of_.saved->book(content(), source, how), shared(), city);
     }
 
 private:
@@ -112,6 +138,20 @@ SavedKind kindOf(const Question& question) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Book> makeSavedMapBook(const SavedContent& saved, const SavedSource& source,
+                                             const AnswerFiles& how,
+                                             const std::function<SavedSheet(const SavedMaps&)>& makeSheetOf,
+                                             const std::function<void(SavedMapBook&)>& add) {
+    const SavedResult& result = *saved.result;
+    const SavedOrigin& origin = saved.answer.origin;
+    const auto region = std::make_shared<const Region>(makeSavedRegion(result, origin, source.regions));
+    SavedMapBook book{makeSheet(result, origin, makeSheetOf({source.city, *region, how.scale, how.legend}),
+                                *region, source),
+                      attributionOf(result)};
+    add(book);
+    return bundleBook(makeSavedBook(book, bookOf(how)), region);
+}
 
 Questions allQuestions() {
     static const std::array all{&studyQuestion(),  &comparisonQuestion(), &scoreQuestion(),

@@ -3,6 +3,7 @@
 #include <any>
 
 #include "app/questions/question.h"
+#include "app/report/book/answer_books.h"
 #include "app/report/files/saved_files.h"
 #include "scenarios/project/results/saved_answer.h"
 
@@ -32,23 +33,39 @@ const Question& savedQuestion();
 Result<std::shared_ptr<const Answer>> readSaved(const std::shared_ptr<const SavedResult>& result,
                                                 const Project& project, Questions questions = allQuestions());
 
+/// What the book of a saved result with maps has of its kind.
+template <class T>
+using AddSaved = void (*)(SavedMapBook& book, const T&, const SavedContent&);
+
+/// The book of a saved result with maps. `makeSheetOf`: as of writeSavedMaps().
+std::shared_ptr<const Book> makeSavedMapBook(const SavedContent& saved, const SavedSource& source,
+                                             const AnswerFiles& how,
+                                             const std::function<SavedSheet(const SavedMaps&)>& makeSheetOf,
+                                             const std::function<void(SavedMapBook&)>& add);
+
 /// How results with maps are written: see writeSavedMaps().
 template <class T>
 SavedForm savedMaps(AnswerPage (*page)(const T&, const SavedContent&, const LegendChoice&),
-                    std::vector<CommandOption> (*drawnOptions)(const AnswerFiles&)) {
-    return {[](const SavedContent&) { return savedMapNames(); },
-            [page](const SavedContent& saved, const LegendChoice& shown) {
-                return page(*saved.as<T>(), saved, shown);
-            },
-            [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
-               const AnswerFiles& how) {
-                const auto sheet = [&](const SavedMaps& maps) {
-                    return makeSavedSheet(*saved.result, *saved.as<T>(), maps);
-                };
-                return writeSavedMaps(*saved.result, saved.answer.origin, source, sheet, folder,
-                                      {how.scale, how.legend, how.pictureWidth, how.rules});
-            },
-            drawnOptions};
+                    std::vector<CommandOption> (*drawnOptions)(const AnswerFiles&), AddSaved<T> add) {
+    const auto sheetOf = [](const SavedContent& saved) {
+        return
+            [&saved](const SavedMaps& maps) { return makeSavedSheet(*saved.result, *saved.as<T>(), maps); };
+    };
+    return {
+        [](const SavedContent&) { return savedMapNames(); },
+        [page](const SavedContent& saved, const LegendChoice& shown) {
+            return page(*saved.as<T>(), saved, shown);
+        },
+        [sheetOf](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
+                  const AnswerFiles& how, const std::optional<std::string>& sheets) {
+            return writeSavedMaps(*saved.result, saved.answer.origin, source, sheetOf(saved), folder,
+                                  {how.scale, how.legend, how.pictureWidth, how.rules, sheets});
+        },
+        [sheetOf, add](const SavedContent& saved, const SavedSource& source, const AnswerFiles& how) {
+            return makeSavedMapBook(saved, source, how, sheetOf(saved),
+                                    [&](SavedMapBook& book) { add(book, *saved.as<T>(), saved); });
+        },
+        drawnOptions};
 }
 
 }  // namespace noonmark

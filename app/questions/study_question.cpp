@@ -114,14 +114,19 @@ AnswerPage pageOfSavedStudy(const SavedStudy& study, const SavedContent& saved, 
                       makeMonthBars(study.months, study.start, study.field.days));
 }
 
+void addSavedMonths(SavedMapBook& book, const SavedStudy& study, const SavedContent&) {
+    book.months = makeMonthBars(study.months, study.start, study.field.days);
+}
+
 }  // namespace
 
 const Question& studyQuestion() {
-    static const Question question{.key = "study",
-                                   .label = NM_TEXT("Study"),
-                                   .compute = computeStudy,
-                                   .saved = savedMaps<SavedStudy>(pageOfSavedStudy, drawnByLegend),
-                                   .filed = FiledForm{"study", "study.json", "report.pdf"}};
+    static const Question question{
+        .key = "study",
+        .label = NM_TEXT("Study"),
+        .compute = computeStudy,
+        .saved = savedMaps<SavedStudy>(pageOfSavedStudy, drawnByLegend, addSavedMonths),
+        .filed = FiledForm{"study", "study.json", "report.pdf"}};
     return question;
 }
 
@@ -217,9 +222,15 @@ SavedForm savedPoints() {
                 return makePage(points.map, points.figures);
             },
             [](const SavedContent& saved, const SavedSource& source, const std::filesystem::path& folder,
-               const AnswerFiles& how) {
+               const AnswerFiles& how, const std::optional<std::string>& sheets) {
                 return writeSavedPoints(*saved.result, *saved.as<SavedElements>(), source.city, folder,
-                                        how.legend, how.rules);
+                                        {.legend = how.legend, .rules = how.rules, .sheets = sheets});
+            },
+            [](const SavedContent& saved, const SavedSource& source, const AnswerFiles& how) {
+                const auto& points = *saved.as<SavedElements>();
+                return std::make_shared<const Book>(
+                    makeSavedBook(*saved.result, saved.answer.origin, source, points,
+                                  listElementLines(points.figures, {}), bookOf(how)));
             },
             drawnByLegend};
 }

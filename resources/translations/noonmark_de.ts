@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>The project has no lots, and this rule is about parcels</source>
-        <translation>Das Projekt hat keine Grundstücke, und diese Regel gilt Parzellen</translation>
+        <translation>Das Projekt hat keine Grundstücke, und diese Regel gilt für Flurstücke</translation>
     </message>
     <message>
         <source>Draw the lot of the proposal: Edit &gt; Draw lot</source>
@@ -272,7 +272,7 @@
     </message>
     <message>
         <source>What the chart of a range of days shows: shadow in the scenario, in the baseline, or what the scenario adds.</source>
-        <translation>Was das Diagramm einer Spanne von Tagen zeigt: Schatten im Szenario, im Vergleich oder was das Szenario hinzufügt.</translation>
+        <translation>Was das Diagramm einer Spanne von Tagen zeigt: Schatten im Szenario, in der Ausgangslage oder was das Szenario hinzufügt.</translation>
     </message>
     <message>
         <source>The places with their verdicts, and below each its days with the numbers behind it. A click shows the timeline, a double click zooms to the place.</source>
@@ -340,7 +340,7 @@
     </message>
     <message>
         <source>The windows with their verdicts before and after, those that get worse first. A click on a column sorts by it, a click on a row tells when its window has sun.</source>
-        <translation>Die Fenster mit ihren Urteilen vorher und nachher, zuerst die, die schlechter werden. Ein Klick auf eine Spalte sortiert danach, ein Klick auf eine Zeile sagt, wann ihr Fenster Sonne hat.</translation>
+        <translation>Die Fenster mit ihren Befunden vorher und nachher, zuerst die, die schlechter werden. Ein Klick auf eine Spalte sortiert danach, ein Klick auf eine Zeile sagt, wann ihr Fenster Sonne hat.</translation>
     </message>
     <message>
         <source>The places with their hours of sun. A click on a heading sorts them, a click on a row shows its place in the view.</source>
@@ -637,7 +637,7 @@
     </message>
     <message>
         <source>3D models and meshes</source>
-        <translation>3D-Modelle und Netze</translation>
+        <translation>3D-Modelle</translation>
     </message>
     <message>
         <source>Terrain</source>
@@ -821,7 +821,7 @@
     </message>
     <message>
         <source>baseline</source>
-        <translation>Vergleich</translation>
+        <translation>Ausgangslage</translation>
     </message>
     <message>
         <source>Press Enter or double-click to show it</source>
@@ -973,7 +973,7 @@ mit %2</translation>
     </message>
     <message>
         <source>Measured error against rays: %1 % of the area, %2 % of the minutes of a cell</source>
-        <translation>Gemessener Fehler gegen Strahlen: %1 % der Fläche, %2 % der Minuten einer Zelle</translation>
+        <translation>Fehler gegen Strahlen: %1 % der Fläche, %2 % der Minuten einer Zelle</translation>
     </message>
     <message>
         <source>Continuous shadow was not counted</source>
@@ -1133,7 +1133,7 @@ Zellen von %2 m</translation>
     </message>
     <message>
         <source>Of a theoretical sum of %1, %2 % are in shadow in the baseline and %3 % in the scenario; incremental shadow takes %4 (%5 %)</source>
-        <translation>Von einer theoretischen Summe von %1 liegen %2 % im Vergleich und %3 % im Szenario im Schatten; zusätzlicher Schatten nimmt %4 (%5 %)</translation>
+        <translation>Von einer theoretischen Summe von %1 liegen %2 % in der Ausgangslage und %3 % im Szenario im Schatten; zusätzlicher Schatten nimmt %4 (%5 %)</translation>
     </message>
     <message>
         <source>, most on %1</source>
@@ -1329,7 +1329,7 @@ Zellen von %2 m</translation>
     </message>
     <message>
         <source>Own dates</source>
-        <translation>Eigene Daten</translation>
+        <translation>Eigene Stichtage</translation>
     </message>
     <message>
         <source>How many minutes each spot is in shadow on a mean day of the period, and the longest time without a break</source>
@@ -1553,7 +1553,7 @@ Alle Seiten %2, Fläche %3</translation>
     </message>
     <message>
         <source>the floor plate is smaller</source>
-        <translation>die Geschossfläche ist kleiner</translation>
+        <translation>die Geschossplatte ist kleiner</translation>
     </message>
     <message>
         <source>the tower is not turned</source>
@@ -1935,7 +1935,7 @@ Alle Seiten %2, Fläche %3</translation>
     </message>
     <message>
         <source>The month&apos;s contribution to the score</source>
-        <translation>Der Beitrag des Monats zum Wert</translation>
+        <translation>Der Beitrag des Monats zur Bewertung</translation>
     </message>
     <message>
         <source>Interval of the table: its weight, and its contribution to the score</source>
@@ -2197,7 +2197,7 @@ Die Untersuchung: %2</translation>
     </message>
     <message>
         <source>Attributed by: %1</source>
-        <translation>Zugeordnet durch: %1</translation>
+        <translation>Zugerechnet mit: %1</translation>
     </message>
     <message>
         <source>– figures only</source>
@@ -2345,7 +2345,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>&amp;Layer</source>
-        <translation>&amp;Layer</translation>
+        <translation>&amp;Ebene</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -2656,7 +2656,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Field with the heights (default: found by its name)</source>
-        <translation>Feld mit den Höhen (Standard: am Namen erkannt)</translation>
+        <translation>Feld mit den Höhen (Vorgabe: am Namen erkannt)</translation>
     </message>
     <message>
         <source>found by name</source>
@@ -2668,7 +2668,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Field with the storeys above the ground (default: found by its name)</source>
-        <translation>Feld mit den Geschossen über dem Boden (Standard: am Namen erkannt)</translation>
+        <translation>Feld mit den Geschossen über dem Boden (Vorgabe: am Namen erkannt)</translation>
     </message>
     <message>
         <source>Unit of heights</source>
@@ -2696,11 +2696,11 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Terrain from building bases</source>
-        <translation>Gelände aus Gebäudefüßen</translation>
+        <translation>Gelände aus den Fußpunkten der Gebäude</translation>
     </message>
     <message>
         <source>If there is no terrain, derive one from the ground elevations of the buildings; auto (default): only where neighbours stand at different heights</source>
-        <translation>Ohne Gelände eines aus den Bodenhöhen der Gebäude ableiten; auto (Standard): nur wo Nachbarn verschieden hoch stehen</translation>
+        <translation>Ohne Gelände eines aus den Bodenhöhen der Gebäude ableiten; auto (Vorgabe): nur wo Nachbarn verschieden hoch stehen</translation>
     </message>
     <message>
         <source>Terrain shows</source>
@@ -2708,7 +2708,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>What terrain rasters show: the bare ground, or a surface with the buildings on it; auto (default): a surface where they jump at the outlines of buildings</source>
-        <translation>Was Geländeraster zeigen: den bloßen Boden oder eine Oberfläche mit Gebäuden; auto (Standard): eine Oberfläche, wo sie an Umrissen springen</translation>
+        <translation>Was Geländeraster zeigen: den bloßen Boden oder eine Oberfläche mit Gebäuden; auto (Vorgabe): eine Oberfläche, wo sie an Umrissen springen</translation>
     </message>
     <message>
         <source>Missing heights from the surface model</source>
@@ -2764,7 +2764,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Meshes: azimuth of the mesh&apos;s north axis from true north, clockwise, degrees</source>
-        <translation>Netze: Azimut der Nordachse des Netzes von geografisch Nord, im Uhrzeigersinn, Grad</translation>
+        <translation>3D-Modelle: Azimut der Nordachse des Modells von geografisch Nord, im Uhrzeigersinn, Grad</translation>
     </message>
     <message>
         <source>Origin located at</source>
@@ -2772,7 +2772,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Meshes: position of the mesh&apos;s origin, degrees</source>
-        <translation>Netze: Lage des Ursprungs des Netzes, Grad</translation>
+        <translation>3D-Modelle: Lage des Ursprungs des Modells, Grad</translation>
     </message>
     <message>
         <source>Buildings stand</source>
@@ -2780,7 +2780,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Where buildings stand: each on the terrain, or at the elevations that the file states (absolute); auto (default): as its bases lie against the terrain</source>
-        <translation>Wo Gebäude stehen: jedes auf dem Gelände oder auf den Höhen der Datei (absolute); auto (Standard): je nachdem, wie ihre Fußpunkte zum Gelände liegen</translation>
+        <translation>Wo Gebäude stehen: jedes auf dem Gelände oder auf den Höhen der Datei (absolute); auto (Vorgabe): je nachdem, wie ihre Fußpunkte zum Gelände liegen</translation>
     </message>
     <message>
         <source>Up axis</source>
@@ -2788,7 +2788,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Meshes: the axis that points up, y or z; auto (default): as the format says or the shape suggests</source>
-        <translation>Netze: die Achse nach oben, y oder z; auto (Standard): wie das Format sagt oder die Form nahelegt</translation>
+        <translation>3D-Modelle: die Achse nach oben, y oder z; auto (Vorgabe): wie das Format sagt oder die Form nahelegt</translation>
     </message>
     <message>
         <source>Unit of coordinates</source>
@@ -2856,7 +2856,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Facades: width of a bay, one point or window each</source>
-        <translation>Fassaden: Breite eines Feldes mit je einem Punkt oder Fenster</translation>
+        <translation>Fassaden: Breite einer Achse mit je einem Punkt oder Fenster</translation>
     </message>
     <message>
         <source>Storey</source>
@@ -2924,7 +2924,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Title block: the date as printed (default: today)</source>
-        <translation>Schriftfeld: das Datum, wie gedruckt (Standard: heute)</translation>
+        <translation>Schriftfeld: das Datum, wie gedruckt (Vorgabe: heute)</translation>
     </message>
     <message>
         <source>Sheet numbers</source>
@@ -2992,11 +2992,11 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Unit of numbers without a unit in it: m, ft, us-ft, dm, cm, mm or in (default m)</source>
-        <translation>Einheit der Zahlen ohne Einheit: m, ft, us-ft, dm, cm, mm oder in (Standard m)</translation>
+        <translation>Einheit der Zahlen ohne Einheit: m, ft, us-ft, dm, cm, mm oder in (Vorgabe m)</translation>
     </message>
     <message>
         <source>Meshes: unit of the coordinates: m, ft, us-ft, dm, cm, mm or in (default m)</source>
-        <translation>Netze: Einheit der Koordinaten: m, ft, us-ft, dm, cm, mm oder in (Standard m)</translation>
+        <translation>3D-Modelle: Einheit der Koordinaten: m, ft, us-ft, dm, cm, mm oder in (Vorgabe m)</translation>
     </message>
     <message>
         <source>Comparison</source>
@@ -3020,7 +3020,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Baseline</source>
-        <translation>Vergleich</translation>
+        <translation>Ausgangslage</translation>
     </message>
     <message>
         <source>area in shadow in the baseline</source>
@@ -3260,7 +3260,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Any more shadow</source>
-        <translation>Irgendwie mehr Schatten</translation>
+        <translation>Überhaupt mehr Schatten</translation>
     </message>
     <message>
         <source>area where the minutes rose at all</source>
@@ -3268,7 +3268,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Any less shadow</source>
-        <translation>Irgendwie weniger Schatten</translation>
+        <translation>Überhaupt weniger Schatten</translation>
     </message>
     <message>
         <source>area where the minutes fell at all</source>
@@ -3336,7 +3336,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Floor plate, % of the lot (default: all of it)</source>
-        <translation>Geschossplatte, % des Grundstücks (Standard: ganz)</translation>
+        <translation>Geschossplatte, % des Grundstücks (Vorgabe: ganz)</translation>
     </message>
     <message>
         <source>Area</source>
@@ -3824,7 +3824,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Any less sun</source>
-        <translation>Irgendwie weniger Sonne</translation>
+        <translation>Überhaupt weniger Sonne</translation>
     </message>
     <message>
         <source>area that lost any sun</source>
@@ -3832,7 +3832,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Any more sun</source>
-        <translation>Irgendwie mehr Sonne</translation>
+        <translation>Überhaupt mehr Sonne</translation>
     </message>
     <message>
         <source>area that gained any sun</source>
@@ -3964,7 +3964,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Error target</source>
-        <translation>Zielfehler</translation>
+        <translation>Fehlerziel</translation>
     </message>
     <message>
         <source>Mean error of a cell&apos;s gross shadow, of the period: the sweep&apos;s azimuth bins are as wide as it lets them be; half of it takes twice as long</source>
@@ -4124,7 +4124,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Verdicts on windows</source>
-        <translation>Urteile über Fenster</translation>
+        <translation>Befunde über Fenster</translation>
     </message>
     <message>
         <source>before</source>
@@ -4136,7 +4136,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Change of verdicts</source>
-        <translation>Änderung der Urteile</translation>
+        <translation>Änderung der Befunde</translation>
     </message>
     <message>
         <source>from before to after</source>
@@ -4188,7 +4188,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>CityGML, CityJSON: level of detail (default: the highest)</source>
-        <translation>CityGML, CityJSON: Detaillierungsgrad (Standard: der höchste)</translation>
+        <translation>CityGML, CityJSON: Detaillierungsgrad (Vorgabe: der höchste)</translation>
     </message>
     <message>
         <source>%1, with 99 % certainty within %2</source>
@@ -4220,7 +4220,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Verdicts on places</source>
-        <translation>Urteile über Orte</translation>
+        <translation>Befunde über Orte</translation>
     </message>
     <message>
         <source>Review of windows</source>
@@ -4588,7 +4588,7 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Field with the names of the buildings (default: found by its name)</source>
-        <translation>Feld mit den Namen der Gebäude (Standard: am Namen erkannt)</translation>
+        <translation>Feld mit den Namen der Gebäude (Vorgabe: am Namen erkannt)</translation>
     </message>
     <message>
         <source>terrain far from the city was left out</source>
@@ -5431,7 +5431,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
     <message>
         <source>No live facades. %1</source>
-        <translation>Keine Live-Fassaden. %1</translation>
+        <translation>Keine mitlaufenden Fassaden. %1</translation>
     </message>
     <message numerus="yes">
         <source>Facades: %1 point(s) while it moves</source>
@@ -5508,7 +5508,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
     <message>
         <source>Li&amp;ve facades</source>
-        <translation>Live-&amp;Fassaden</translation>
+        <translation>Mitlaufende &amp;Fassaden</translation>
     </message>
     <message>
         <source>Shift+F</source>
@@ -5524,7 +5524,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
     <message>
         <source>Live change</source>
-        <translation>Live-Änderung</translation>
+        <translation>Mitlaufende Änderung</translation>
     </message>
     <message>
         <source>Shift+L</source>
@@ -5532,7 +5532,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
     <message>
         <source>Shows what a building changes while it is designed or changed, compared with the baseline, instead of the shadow with it</source>
-        <translation>Zeigt, was ein Gebäude gegenüber dem Vergleich ändert, während es entworfen oder geändert wird, statt des Schattens mit ihm</translation>
+        <translation>Zeigt, was ein Gebäude gegenüber der Ausgangslage ändert, während es entworfen oder geändert wird, statt des Schattens mit ihm</translation>
     </message>
     <message>
         <source>Click corners on the ground, or type the length of a side; Shift: right angles, Ctrl: no snapping; Enter finishes, Esc cancels</source>
@@ -5876,7 +5876,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     </message>
     <message>
         <source>Save project first...</source>
-        <translation>Projekt zuerst speichern...</translation>
+        <translation>Projekt zuerst speichern ...</translation>
     </message>
     <message>
         <source>A result can be verified only with the project that it comes from, and this project is not saved</source>
@@ -6080,24 +6080,24 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <name>noonmark::GlazingPanel</name>
     <message>
         <source>Verdicts after</source>
-        <translation>Urteile nachher</translation>
+        <translation>Befunde nachher</translation>
     </message>
     <message>
         <source>Verdicts before</source>
-        <translation>Urteile vorher</translation>
+        <translation>Befunde vorher</translation>
     </message>
     <message>
         <source>Changed verdicts</source>
-        <translation>Geänderte Urteile</translation>
+        <translation>Geänderte Befunde</translation>
     </message>
     <message>
         <source>No verdicts</source>
-        <translation>Keine Urteile</translation>
+        <translation>Keine Befunde</translation>
     </message>
     <message>
         <source>What the 3D view shows on the walls: a tile for each window in the colour of its verdict.
 A click on a tile selects its row, a click on a row frames its window.</source>
-        <translation>Was die 3D-Ansicht auf den Wänden zeigt: eine Kachel je Fenster in der Farbe seines Urteils.
+        <translation>Was die 3D-Ansicht auf den Wänden zeigt: eine Kachel je Fenster in der Farbe seines Befunds.
 Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr Fenster.</translation>
     </message>
     <message>
@@ -6310,7 +6310,7 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     </message>
     <message>
         <source>Reading saved results</source>
-        <translation>Lese gespeicherte Ergebnisse</translation>
+        <translation>Gespeicherte Ergebnisse werden gelesen</translation>
     </message>
     <message>
         <source>Comparing buildings</source>
@@ -6531,7 +6531,7 @@ Dauerschatten bleibt, wie er ist: Die längste Sonne ohne Unterbrechung folgt ni
     <name>noonmark::LiveFacades</name>
     <message>
         <source>Live facades</source>
-        <translation>Live-Fassaden</translation>
+        <translation>Mitlaufende Fassaden</translation>
     </message>
 </context>
 <context>
@@ -6774,7 +6774,7 @@ Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfa
     </message>
     <message>
         <source>Shows where the tower adds shadow to the baseline, or takes it away, instead of all shadow with it. A pin marks the worst spot.</source>
-        <translation>Zeigt, wo das Hochhaus dem Vergleich Schatten hinzufügt oder wegnimmt, statt des gesamten Schattens mit ihm. Eine Nadel zeigt die am stärksten betroffene Stelle.</translation>
+        <translation>Zeigt, wo der Turm der Ausgangslage Schatten hinzufügt oder wegnimmt, statt des gesamten Schattens mit ihm. Eine Nadel zeigt die am stärksten betroffene Stelle.</translation>
     </message>
     <message>
         <source>Edit lot</source>
@@ -6800,15 +6800,15 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
     </message>
     <message>
         <source>Edit tower</source>
-        <translation>Hochhaus bearbeiten</translation>
+        <translation>Turm bearbeiten</translation>
     </message>
     <message>
         <source>Designs the tower on this lot further, with the values it was built with</source>
-        <translation>Entwirft das Hochhaus auf diesem Grundstück weiter, mit den Werten, mit denen es gebaut wurde</translation>
+        <translation>Entwirft den Turm auf diesem Grundstück weiter, mit den Werten, mit denen er gebaut wurde</translation>
     </message>
     <message>
         <source>Takes the nearest value with which the tower can be built</source>
-        <translation>Nimmt den nächsten Wert, mit dem das Hochhaus gebaut werden kann</translation>
+        <translation>Nimmt den nächsten Wert, mit dem der Turm gebaut werden kann</translation>
     </message>
     <message>
         <source>Use %1</source>
@@ -6946,7 +6946,7 @@ Niedrigstes %3, Median %4, höchstes %5.</numerusform>
     </message>
     <message>
         <source>From baseline to scenario</source>
-        <translation>Vom Vergleich zum Szenario</translation>
+        <translation>Von der Ausgangslage zum Szenario</translation>
     </message>
     <message>
         <source> min of the day in each frame</source>
@@ -7388,7 +7388,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     </message>
     <message>
         <source>Which layer of %1 holds the places?</source>
-        <translation>Welcher Layer von %1 enthält die Orte?</translation>
+        <translation>Welche Ebene von %1 enthält die Orte?</translation>
     </message>
     <message>
         <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
@@ -7798,7 +7798,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     </message>
     <message>
         <source>Measures the places in all scenarios and compares each with the baseline, which is chosen at the top</source>
-        <translation>Misst die Orte in allen Szenarien und vergleicht jedes mit dem Vergleich, der oben gewählt wird</translation>
+        <translation>Misst die Orte in allen Szenarien und vergleicht jedes mit der Ausgangslage, die oben gewählt wird</translation>
     </message>
     <message>
         <source>Own regions %1</source>
@@ -7979,7 +7979,7 @@ Nachher: %3
     </message>
     <message>
         <source>Read CSV...</source>
-        <translation>CSV lesen...</translation>
+        <translation>CSV lesen ...</translation>
     </message>
     <message>
         <source>Replaces the list by a CSV file with columns id, lon, lat, height, facing</source>
@@ -8229,7 +8229,7 @@ Nachher: %3
     </message>
     <message>
         <source>D&amp;uplicate</source>
-        <translation>&amp;Verdoppeln</translation>
+        <translation>&amp;Duplizieren</translation>
     </message>
     <message>
         <source>&amp;Remove step	Del</source>
@@ -8357,7 +8357,7 @@ Nachher: %3
     </message>
     <message>
         <source>Shadow in the baseline</source>
-        <translation>Schatten im Vergleich</translation>
+        <translation>Schatten in der Ausgangslage</translation>
     </message>
     <message>
         <source>Shadow by month</source>
@@ -8430,7 +8430,7 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
     </message>
     <message>
         <source>Meshes (%1)</source>
-        <translation>Netze (%1)</translation>
+        <translation>3D-Modelle (%1)</translation>
     </message>
     <message>
         <source>Heights and names</source>
@@ -8678,8 +8678,8 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message numerus="yes">
         <source>%1 warning(s) about the data</source>
         <translation>
-            <numerusform>%1 Warnung zu den Daten</numerusform>
-            <numerusform>%1 Warnungen zu den Daten</numerusform>
+            <numerusform>%1 Hinweis zu den Daten</numerusform>
+            <numerusform>%1 Hinweise zu den Daten</numerusform>
         </translation>
     </message>
     <message>
@@ -8829,7 +8829,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>Evaluate the rule on the ticked places, or on the windows</source>
-        <translation>Wertet die Regel an den angehakten Orten oder an den Fenstern aus</translation>
+        <translation>Wertet die Regel an den angekreuzten Orten oder an den Fenstern aus</translation>
     </message>
     <message>
         <source>A rule about windows has no timeline: click a row to read when its window has sun.</source>
@@ -8837,7 +8837,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>Press Run review to evaluate the rule on the windows.</source>
-        <translation>„Prüfung ausführen“ wertet die Regel an den Fenstern aus.</translation>
+        <translation>Prüfen drücken, um die Regel an den Fenstern auszuwerten.</translation>
     </message>
     <message>
         <source>Press Run review to see which places fail as the city stands, or design a tower.</source>
@@ -8899,7 +8899,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>Baseline</source>
-        <translation>Vergleich</translation>
+        <translation>Ausgangslage</translation>
     </message>
     <message>
         <source>Scenario</source>
@@ -9079,7 +9079,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>&amp;Export buildings...</source>
-        <translation>Gebäude &amp;exportieren...</translation>
+        <translation>Gebäude &amp;exportieren ...</translation>
     </message>
     <message>
         <source>Writes the buildings that the displayed scenario proposes as glTF, OBJ, DXF or GeoPackage; of the existing city all buildings</source>
@@ -9140,19 +9140,19 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>No differences: the baseline %1 lacks this figure</source>
-        <translation>Keine Unterschiede: dem Vergleich %1 fehlt diese Zahl</translation>
+        <translation>Keine Unterschiede: der Ausgangslage %1 fehlt diese Zahl</translation>
     </message>
     <message>
         <source>CSV…</source>
-        <translation>CSV…</translation>
+        <translation>CSV ...</translation>
     </message>
     <message>
         <source>Saves all figures of the months of all scenarios, with their differences to the baseline</source>
-        <translation>Speichert alle Zahlen der Monate aller Szenarien mit ihren Unterschieden zum Vergleich</translation>
+        <translation>Speichert alle Zahlen der Monate aller Szenarien mit ihren Unterschieden zur Ausgangslage</translation>
     </message>
     <message>
         <source>A chart of the months of all scenarios, and of their differences to the baseline</source>
-        <translation>Ein Diagramm der Monate aller Szenarien und ihrer Unterschiede zum Vergleich</translation>
+        <translation>Ein Diagramm der Monate aller Szenarien und ihrer Unterschiede zur Ausgangslage</translation>
     </message>
     <message>
         <source>No chart</source>
@@ -9223,7 +9223,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>Change of the shadow area from the chosen baseline, else from the existing city, on the receivers of both</source>
-        <translation>Änderung der Schattenfläche gegenüber dem gewählten Vergleich, sonst gegenüber dem Bestand, auf den Messpunkten von beiden</translation>
+        <translation>Änderung der Schattenfläche gegenüber der gewählten Ausgangslage, sonst gegenüber dem Bestand, auf den Messpunkten von beiden</translation>
     </message>
     <message>
         <source>Verdicts</source>
@@ -9231,7 +9231,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>By the rule and the baseline that the dock Review shows; sorted by the number that fail, then by borderline ones</source>
-        <translation>Nach der Regel und dem Vergleich im Feld Prüfung; sortiert nach der Zahl der nicht bestandenen, dann der grenzwertigen</translation>
+        <translation>Nach der Regel und der Ausgangslage im Feld Prüfung; sortiert nach der Zahl der nicht bestandenen, dann der grenzwertigen</translation>
     </message>
     <message>
         <source>The scenario adds no building</source>
@@ -9403,7 +9403,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>Reviews the scenarios without verdicts by the rule, the baseline and the places that are chosen in the dock Review</source>
-        <translation>Prüft die Szenarien ohne Befunde nach Regel, Vergleich und Orten, die im Feld Prüfung gewählt sind</translation>
+        <translation>Prüft die Szenarien ohne Befunde nach Regel, Ausgangslage und Orten, die im Feld Prüfung gewählt sind</translation>
     </message>
     <message>
         <source>Differences</source>
@@ -9431,7 +9431,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>CSV…</source>
-        <translation>CSV…</translation>
+        <translation>CSV ...</translation>
     </message>
     <message>
         <source>Saves the table with what each scenario lacks, in metres and square metres</source>
@@ -9643,11 +9643,11 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>Edit tower</source>
-        <translation>Hochhaus bearbeiten</translation>
+        <translation>Turm bearbeiten</translation>
     </message>
     <message>
         <source>Designs the tower further, with the values it was built with</source>
-        <translation>Entwirft das Hochhaus weiter, mit den Werten, mit denen es gebaut wurde</translation>
+        <translation>Entwirft den Turm weiter, mit den Werten, mit denen er gebaut wurde</translation>
     </message>
 </context>
 <context>
@@ -10028,7 +10028,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>What the tower shall have; press a button below to reach it</source>
-        <translation>Was das Hochhaus haben soll; eine Schaltfläche darunter erreicht es</translation>
+        <translation>Was der Turm haben soll; eine Schaltfläche darunter erreicht es</translation>
     </message>
     <message>
         <source>Fit storeys</source>
@@ -10040,11 +10040,11 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     </message>
     <message>
         <source>Fit plate</source>
-        <translation>Grundriss anpassen</translation>
+        <translation>Platte anpassen</translation>
     </message>
     <message>
         <source>The floor plate with which these storeys reach it</source>
-        <translation>Der Grundriss, mit dem diese Geschosse es erreichen</translation>
+        <translation>Die Geschossplatte, mit der diese Geschosse es erreichen</translation>
     </message>
     <message>
         <source> sq ft</source>
@@ -10428,7 +10428,7 @@ vom Jahr ebenso viele Wochen</translation>
     </message>
     <message>
         <source>Reading the trees...</source>
-        <translation>Die Bäume werden gelesen...</translation>
+        <translation>Die Bäume werden gelesen ...</translation>
     </message>
 </context>
 <context>
@@ -10518,7 +10518,7 @@ vom Jahr ebenso viele Wochen</translation>
     </message>
     <message>
         <source>Read trees of a file...</source>
-        <translation>Bäume einer Datei lesen...</translation>
+        <translation>Bäume einer Datei lesen ...</translation>
     </message>
     <message>
         <source>Adds an inventory, OpenStreetMap or a raster of canopy heights to the existing city</source>
@@ -10654,7 +10654,7 @@ vom Jahr ebenso viele Wochen</translation>
     </message>
     <message>
         <source>&amp;Solid buildings</source>
-        <translation>&amp;Volle Gebäude</translation>
+        <translation>Gebäude ausge&amp;füllt</translation>
     </message>
     <message>
         <source>Off: wireframe, so that the ground behind buildings is visible</source>
@@ -11489,11 +11489,11 @@ Zuerst ein Gebäude anklicken.</translation>
     </message>
     <message>
         <source>Gross, trees as evergreens</source>
-        <translation>Brutto, Bäume als immergrün</translation>
+        <translation>Gesamtschatten, Bäume als immergrün</translation>
     </message>
     <message>
         <source>Gross, trees with their seasons</source>
-        <translation>Brutto, Bäume mit Jahreszeiten</translation>
+        <translation>Gesamtschatten, Bäume mit Jahreszeiten</translation>
     </message>
     <message>
         <source>Sun, trees as evergreens</source>

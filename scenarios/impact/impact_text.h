@@ -18,6 +18,7 @@ struct ImpactAnswer {
     ImpactStudy study;
     Provenance provenance{};
     City proposal{};  ///< the buildings that only the city after has; empty: not known, or none
+    City removed{};   ///< those that only the city before has, likewise
 };
 
 /// The figures of an impact without its fields, for lists in the window.

@@ -49,7 +49,8 @@ struct AnswersWindow : ::testing::Test {
     QStringList figures() {
         QStringList texts;
         for (const QLabel* label : window->findChild<ResultsDock*>()->findChildren<QLabel*>())
-            if (label->objectName() != QStringLiteral("resultNote")) texts << label->text();
+            if (label->objectName() != QStringLiteral("resultNote"))
+                texts << label->text().replace(QChar::Nbsp, u' ');
         return texts;
     }
     void study() {

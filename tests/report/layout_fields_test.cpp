@@ -13,6 +13,7 @@ static_assert(countMembers<BookSettings>() == 8);
 TEST(SettingsFields, NoneOfTheLayoutOfSheetsIsForgotten) {
     expectNoticed(pageFields(), PageSetup{});
     expectNoticed(scaleFields(), BookSettings{});
+    expectNoticed(bookFields(), BookSettings{});
     expectNoticed(extentFields(), BookSettings{});
 }
 

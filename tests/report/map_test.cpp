@@ -51,6 +51,34 @@ TEST(Map, BuildingsAreGreyAndPaleOutsideTheRegion) {
     EXPECT_EQ(colourAt(image, study, 60.5, 55.5), shadowColour(1)) << "the ground below an overhang is shown";
 }
 
+TEST(Map, ProposalsAreTintedAndWhatIsDemolishedIsOutlined) {
+    Study study = tests::syntheticStudy();
+    const auto box = [](float west, float south) {
+        Building building{.sourceId = "b"};
+        building.parts.push_back(
+            {.footprint = {{{west, south}, {west + 8, south}, {west + 8, south + 8}, {west, south + 8}}, {}},
+             .topM = 30,
+             .heightSource = HeightSource::designed});
+        return std::make_shared<const Building>(std::move(building));
+    };
+    study.city.buildings.push_back(box(80, 10));
+    MapScene scene = makeMapScene(study, ShadowMeasure::gross);
+    City removed = study.city;
+    removed.buildings = {box(20, 60)};
+    scene.removed = std::make_shared<const City>(std::move(removed));
+    QImage image(1200, 900, QImage::Format_RGB32);
+    QPainter painter(&image);
+    const MapView view = makeMapView(scene, QRectF(image.rect()));
+    const auto at = [&](double x, double y) { return image.pixelColor(view.at({x, y}).toPoint()); };
+    paintMap({painter, 6}, view, scene);  // lines of several pixels
+    EXPECT_EQ(at(84, 14), shade::proposal);
+    EXPECT_EQ(at(20, 64), shade::incremental) << "its western wall";
+    const QColor inside = at(24, 64);
+    scene.removed.reset();
+    paintMap({painter, 6}, view, scene);  // lines of several pixels
+    EXPECT_EQ(at(24, 64), inside) << "the ground is shown where it stood";
+}
+
 TEST(Map, EdgesOfCellsAreExact) {
     const Study study = tests::syntheticStudy();
     const QImage image = mapOf(study);

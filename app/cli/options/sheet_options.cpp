@@ -14,6 +14,7 @@ namespace noonmark::cli {
 
 void addSheetOptions(CLI::App& command, SheetOptions& options, const FlagNames& names) {
     addFieldOptions(command, pageFields().of(options.layout.setup));
+    addFieldOptions(command, bookFields().of(options.layout));
     addFieldOptions(command, titleFields().of(options.layout.titleBlock),
                     {.names = names, .given = &options.given});
     command.add_option("--logo", options.logo, "Title block: a PNG or JPEG picture of at most 1 MiB")

@@ -272,6 +272,7 @@ void MainWindow::connectJobs() {
 // What fills the table of scenarios is seen beside it.
 void MainWindow::connectScenarioJobs() {
     ScenarioTable& table = docks_.scenarios->table();
+    workbench_.setScenarioTable([&table] { return table.csv(); });
     const auto follow = [this, &table](JobSlot& slot, ScenarioWork work) {
         docks_.scenarios->progress().follow(slot);
         connect(&slot, &JobSlot::ended, &table, [&table, work] { table.setWorking(work, false); });

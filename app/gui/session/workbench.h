@@ -161,6 +161,11 @@ public:
     /// What an export of all scenarios states beside their studies, asked for when it begins.
     using ListAnswers = std::function<std::map<std::string, ScenarioAnswers>()>;
     void setScenarioAnswers(ListAnswers answers) { scenarioAnswers_ = std::move(answers); }
+    /// Writes the table of scenarios as CSV, for an export of it.
+    using TableText = std::function<std::string()>;
+    void setScenarioTable(TableText text) { scenarioTable_ = std::move(text); }
+    /// Whether that has scores, verdicts, impacts or sun of places, measured or not.
+    [[nodiscard]] bool hasScenarioAnswers() const;
     /// What an export of a place writes: its contributions in study(); null: there is none.
     using FindPlace = std::function<std::shared_ptr<const PlaceContributions>()>;
     void setPlaceShown(FindPlace find) { placeShown_ = std::move(find); }
@@ -268,6 +273,7 @@ private:
     using Write =
         std::function<Files(const std::filesystem::path& folder, Progress&, const std::stop_token&)>;
     [[nodiscard]] Write whatToWrite(const ExportChoice& choice) const;
+    [[nodiscard]] Write tableToWrite() const;
     [[nodiscard]] Write placeToWrite() const;
     [[nodiscard]] ScenarioStudies scenariosToShow();
     [[nodiscard]] Write scenariosToWrite(const ExportChoice& choice);
@@ -303,6 +309,7 @@ private:
     SharedAnswer base_, front_, past_;
     std::map<SharedAnswer, SharedAnswer> listed_;  ///< base_ and front_ as lists have them, if renamed since
     ListAnswers scenarioAnswers_;
+    TableText scenarioTable_;
     FindPlace placeShown_;
     Start long_;  ///< the run announced by longRun()
     double answerSeconds_ = 0;

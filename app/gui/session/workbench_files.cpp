@@ -7,6 +7,7 @@
 #include "app/questions/review_question.h"
 #include "app/questions/saved_question.h"
 #include "app/report/files/answer_files.h"
+#include "app/report/files/output_folder.h"
 #include "app/report/scenarios/scenario_book.h"
 #include "app/report/scenarios/scenario_study.h"
 #include "core/study/provenance/command_text.h"
@@ -21,6 +22,7 @@ namespace {
 using WrittenPaths = std::vector<std::filesystem::path>;
 constexpr std::size_t commandLetters = 120;
 constexpr const char* viewFileName = "view.png";
+constexpr const char* tableFileName = "scenario_table.csv";
 
 // With what each was made from.
 ScenarioStudies stateOrigin(ScenarioStudies scenarios, const AnswerOrigin& origin) {
@@ -88,6 +90,23 @@ Workbench::Write Workbench::placeToWrite() const {
     };
 }
 
+bool Workbench::hasScenarioAnswers() const {
+    if (!scenarioAnswers_ || !scenarioTable_) return false;
+    return std::ranges::any_of(scenarioAnswers_(), [](const auto& one) {
+        const ScenarioAnswers& answers = one.second;
+        return answers.score || answers.verdicts || answers.impact || answers.sun;
+    });
+}
+
+// The text is that of the table now, whatever changes until it is written.
+Workbench::Write Workbench::tableToWrite() const {
+    return [text = scenarioTable_(), rules = exportRules()](const auto& folder, auto&&...) {
+        OutputFolder files(folder, rules);
+        files.add(tableFileName, textContent(text));
+        return std::move(files).result();
+    };
+}
+
 OutputRules Workbench::exportRules() const {
     std::vector<std::string> named;
     if (session_.file()) named.push_back(session_.file()->path().string());
@@ -100,6 +119,8 @@ QStringList Workbench::filesOf(const ExportChoice& choice) {
         names = scenarioFileNames();
     else if (choice.subject == ExportChoice::Subject::place)
         names = contributionFileNames();
+    else if (choice.subject == ExportChoice::Subject::table)
+        names = {tableFileName};
     else if (choice.subject == ExportChoice::Subject::view)
         names = {viewFileName};
     else if (choice.subject == ExportChoice::Subject::shown && answer())
@@ -149,12 +170,14 @@ void Workbench::exportShown(const std::filesystem::path& folder, const ExportCho
     using Subject = ExportChoice::Subject;
     const bool scenarios = choice.subject == Subject::scenarios;
     const bool place = choice.subject == Subject::place && study_ && placeShown();
-    if (!scenarios && !place && !answer())
+    const bool table = choice.subject == Subject::table && hasScenarioAnswers();
+    if (!scenarios && !place && !table && !answer())
         return report({"There is no result to export", {}, "Press Run first"});
     writing_.start<WrittenPaths>(
         tr("Exporting"),
         [write = scenarios ? scenariosToWrite(choice)
                  : place   ? placeToWrite()
+                 : table   ? tableToWrite()
                            : whatToWrite(choice),
          project = choice.withProject ? session_.file() : std::nullopt,
          folder](Progress& progress, const std::stop_token& stop) -> Result<WrittenPaths> {

@@ -10,6 +10,7 @@
 #include "core/engines/shade_trees.h"
 #include "core/measures/shadow_figures.h"
 #include "core/study/provenance/repeat_command.h"
+#include "core/study/review_study.h"
 #include "core/study/text/breakdown_text.h"
 #include "scenarios/impact/impact_figures.h"
 #include "scenarios/settings_json.h"
@@ -19,7 +20,44 @@ namespace noonmark {
 
 namespace {
 
+/// What the map refers to, for as long as the page is there.
+struct MapOfHeights {
+    City city;
+    Region region;
+    std::optional<SheetMap> map{};
+};
+
+/// "assumed: 12"
+std::vector<LegendPatch> countedPatches(const SourceCounts& counts) {
+    std::vector<LegendPatch> patches;
+    for (const HeightSourceColour& one : heightSourceColours())
+        if (const std::size_t count = counts[std::size_t(one.source)]; count > 0)
+            patches.push_back({one.colour, plainText(std::string(one.label)) + QStringLiteral(": ") +
+                                               describeCount(count)});
+    return patches;
+}
+
+}  // namespace
+
+BookPage makeHeightMapPage(const City& city, const Box2& shown, const PageSetup& setup) {
+    auto owned = std::make_shared<MapOfHeights>(MapOfHeights{city, {}});
+    Legend legend{QStringLiteral("Source of height"),
+                  QStringLiteral("of the highest part of each building; counts are of the whole city")};
+    legend.classes = countedPatches(countSources(owned->city));
+    MapScene scene{owned->city, owned->region, {}, {}};
+    scene.shown = shown.empty() ? bounds(city) : shown;
+    scene.fillOf = [](const Building& building) { return colourOf(sourceOfHeight(building)).colour; };
+    owned->map.emplace(SheetMap{std::move(scene), std::move(legend)});
+    const QString title = QStringLiteral("Where the heights come from");
+    BookPage page{title, {}, title, 0, {}};
+    page.items.push_back({contentArea(setup), PageMap{{owned, &*owned->map}}});
+    return page;
+}
+
+namespace {
+
 constexpr double tablePt = 7.8;
+constexpr std::size_t maxRows = 300;  // of a table, unless all pages are asked for
 
 /// The answer in a sentence at the top of a page. Returns the y below it.
 double addFinding(BookPage& page, const QString& finding, const QRectF& all, double scale) {
@@ -31,31 +69,48 @@ double addFinding(BookPage& page, const QString& finding, const QRectF& all, dou
     return all.top() + height + 4 * scale;
 }
 
-/// The map of a sheet beside its figures, or above them.
-BookPage mapPage(const PageSetup& setup, const Sheet& sheet, const SheetMap& map, const QString& bookmark,
-                 bool hasFigures) {
+PageTable tableOfFigures(const Sheet& sheet, const PageSetup& setup) {
+    PageTable table{
+        {QStringLiteral("Figure"), QStringLiteral("Value")}, {}, {}, {}, tablePt * textScale(setup)};
+    for (const FigureText& figure : sheet.figures)
+        table.rows.push_back({plainText(figure.name), plainText(figure.value)});
+    const double width = contentArea(setup).width();
+    table.widthsPt = fitColumns(table, setup.landscape ? width * 0.3 : width);
+    return table;
+}
+
+/// More than beside or below a map are on pages of their own.
+bool fitsBesideMap(const PageTable& table, const PageSetup& setup) {
+    constexpr double ofPortrait = 0.52, ofLandscape = 0.9;
+    const double room = contentArea(setup).height() * (setup.landscape ? ofLandscape : ofPortrait);
+    return tableHeightPt(table) <= room;
+}
+
+BookPage beginMapPage(const Sheet& sheet, const QString& bookmark) {
     const Headline& headline = sheet.headline;
-    BookPage page{headline.what, headline.when + QStringLiteral(". ") + headline.where, bookmark, 0, {}};
+    return {headline.what, headline.when + QStringLiteral(". ") + headline.where, bookmark, 0, {}};
+}
+
+PageMap pageMap(const SheetMap& map) { return {std::make_shared<const SheetMap>(map)}; }
+
+/// The finding, the map of a sheet, and beside it or below it the figures where they have room.
+BookPage mapPageWithFigures(const PageSetup& setup, const Sheet& sheet, const PageTable& table) {
+    BookPage page = beginMapPage(sheet, QStringLiteral("Map"));
     QRectF all = contentArea(setup);
     const double scale = textScale(setup), gap = 14 * scale;
-    if (hasFigures && !sheet.finding.isEmpty()) all.setTop(addFinding(page, sheet.finding, all, scale));
+    if (!sheet.finding.isEmpty()) all.setTop(addFinding(page, sheet.finding, all, scale));
     QRectF area = all;
-    if (hasFigures) {
-        PageTable table{{QStringLiteral("Figure"), QStringLiteral("Value")}, {}, {}, {}, tablePt * scale};
-        for (const FigureText& figure : sheet.figures)
-            table.rows.push_back({plainText(figure.name), plainText(figure.value)});
-        const double width = setup.landscape ? all.width() * 0.3 : all.width();
-        table.widthsPt = fitColumns(table, width);
-        const double height = std::min(tableHeightPt(table), all.height() * 0.52);
-        if (setup.landscape) {
+    if (fitsBesideMap(table, setup)) {
+        const double height = tableHeightPt(table), width = setup.landscape ? all.width() * 0.3 : all.width();
+        if (setup.landscape)
             area.setWidth(all.width() - width - gap);
-            page.items.push_back({{area.right() + gap, all.top(), width, all.height()}, table});
-        } else {
+        else
             area.setHeight(all.height() - height - gap);
-            page.items.push_back({{all.left(), area.bottom() + gap, width, height}, table});
-        }
+        const QPointF corner = setup.landscape ? QPointF(area.right() + gap, all.top())
+                                               : QPointF(all.left(), area.bottom() + gap);
+        page.items.push_back({{corner, QSizeF(width, height)}, table});
     }
-    page.items.push_back({area, PageMap{std::make_shared<const SheetMap>(map)}});
+    page.items.push_back({area, pageMap(sheet.map)});
     return page;
 }
 
@@ -80,18 +135,39 @@ std::span<const TextBlocks> withoutCommand(const Sheet& sheet) {
 }
 
 void addMaps(Book& book, const Sheet& sheet) {
-    book.pages.push_back(mapPage(book.setup, sheet, sheet.map, QStringLiteral("Map"), true));
-    if (sheet.smallMap)
-        book.pages.push_back(
-            mapPage(book.setup, sheet, *sheet.smallMap, sheet.smallMap->legend.title, false));
+    const PageTable table = tableOfFigures(sheet, book.setup);
+    book.pages.push_back(mapPageWithFigures(book.setup, sheet, table));
+    if (!fitsBesideMap(table, book.setup)) {
+        const QString title = QStringLiteral("Figures");
+        appendPages(book, makeTablePages(book.setup, {title, {}, title, 0, {}}, {{title, {}, table}}));
+    }
+    if (!sheet.smallMap) return;
+    BookPage page = beginMapPage(sheet, sheet.smallMap->legend.title);
+    page.items.push_back({contentArea(book.setup), pageMap(*sheet.smallMap)});
+    book.pages.push_back(std::move(page));
 }
 
+/// A map with the city that it refers to.
+struct MapOfCity {
+    City city;
+    std::optional<SheetMap> map{};
+};
+
 /// Gross shadow of one scenario, on a scale that both share.
-PageMap grossMap(const ImpactAnswer& answer, const AnswerSource& source, const ShadowField& field,
-                 const Legend& legend, const std::string& name) {
-    const SheetMap map{makeGrossScene(source.city, answer.settings.study.region, field, coloursOf(legend)),
-                       legend};
-    return {std::make_shared<const SheetMap>(map), {plainText(name), legend.unit}};
+PageMap grossMap(const ImpactAnswer& answer, City city, const ShadowField& field, const Legend& legend,
+                 const std::string& name) {
+    auto owned = std::make_shared<MapOfCity>(MapOfCity{std::move(city)});
+    owned->map.emplace(SheetMap{
+        makeGrossScene(owned->city, answer.settings.study.region, field, coloursOf(legend)), legend});
+    return {{owned, &*owned->map}, {plainText(name), legend.unit}};
+}
+
+/// The city before the change, from that after it.
+City findCityBefore(const ImpactAnswer& answer, const City& after) {
+    City before = keepOwnBuildings(after, answer.proposal);
+    before.buildings.insert(before.buildings.end(), answer.removed.buildings.begin(),
+                            answer.removed.buildings.end());
+    return before;
 }
 
 BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, const PageSetup& setup,
@@ -102,20 +178,17 @@ BookPage sideBySide(const ImpactAnswer& answer, const AnswerSource& source, cons
     const bool beforeIsDarker = topOf(before, ShadowMeasure::gross) > topOf(after, ShadowMeasure::gross);
     Legend legend = makeLegend(beforeIsDarker ? before : after, ShadowMeasure::gross, choice);
     if (!answer.study.withTrees.empty()) nameTrees(legend, choice.trees);
-    BookPage page{
-        title,
-        QStringLiteral("%1 on one scale. Buildings are those of %2.").arg(legend.title, plainText(answer.to)),
-        title,
-        0,
-        {}};
+    BookPage page{title, QStringLiteral("%1 on one scale.").arg(legend.title), title, 0, {}};
     const QRectF all = contentArea(setup);
     const double gap = 12 * textScale(setup);
     const QSizeF half = setup.landscape ? QSizeF((all.width() - gap) / 2, all.height())
                                         : QSizeF(all.width(), (all.height() - gap) / 2);
     const QPointF second = setup.landscape ? QPointF(all.left() + half.width() + gap, all.top())
                                            : QPointF(all.left(), all.top() + half.height() + gap);
-    page.items.push_back({{all.topLeft(), half}, grossMap(answer, source, before, legend, answer.from)});
-    page.items.push_back({{second, half}, grossMap(answer, source, after, legend, answer.to)});
+    page.items.push_back(
+        {{all.topLeft(), half},
+         grossMap(answer, findCityBefore(answer, source.city), before, legend, answer.from)});
+    page.items.push_back({{second, half}, grossMap(answer, source.city, after, legend, answer.to)});
     return page;
 }
 
@@ -129,9 +202,8 @@ void addCells(std::vector<QString>& row, const DescribedFigures& figures, const 
 }
 
 /// The sole contribution of each new building.
-std::vector<BookPage> contributionPages(const ImpactAnswer& answer, const BookSettings& settings,
+std::vector<BookPage> contributionPages(const ComparisonFigures& figures, const BookSettings& settings,
                                         ShownAs show) {
-    const ComparisonFigures figures = computeFigures(answer);
     if (figures.byBuilding.empty()) return {};
     PageTable table{{QStringLiteral("Building"), QStringLiteral("Threshold")},
                     {},
@@ -140,14 +212,21 @@ std::vector<BookPage> contributionPages(const ImpactAnswer& answer, const BookSe
                     tablePt * textScale(settings.setup)};
     for (const Figure& figure : changeFigures().rows())
         if (isShownAs(figure, show)) table.titles.push_back(titleOf(figure));
+    QString note;
     for (const auto& building : figures.byBuilding) {
+        if (!settings.allPages && table.rows.size() == maxRows) {
+            note = QStringLiteral("The first %1 of %2.")
+                       .arg(describeCount(maxRows), describeCount(figures.byBuilding.size()));
+            break;
+        }
         table.rows.push_back({plainText(building.name), describeAmount(building.figures.thresholdMin, 2) +
                                                             QStringLiteral(" min a day")});
         addCells(table.rows.back(), changeFigures().of(building.figures.gross), settings, show);
     }
     const QString title = QStringLiteral("Contributions");
-    return makeTablePages(settings.setup, {title, {}, title, 0, {}},
-                          {{QStringLiteral("Sole contribution of each new building"), {}, std::move(table)}});
+    return makeTablePages(
+        settings.setup, {title, {}, title, 0, {}},
+        {{QStringLiteral("Sole contribution of each new building"), note, std::move(table)}});
 }
 
 BookPage sunByMonthPage(const Bars& months, const BookSettings& settings) {
@@ -202,18 +281,19 @@ BookPage monthPage(const Score& score, const BookSettings& settings, ShownAs sho
     return page;
 }
 
-std::vector<BookPage> intervalPages(const ScoreAnswer& answer, const BookSettings& settings, ShownAs show) {
+std::vector<BookPage> intervalPages(const Score& score, const std::string& weights,
+                                    const BookSettings& settings, ShownAs show) {
     PageTable table{{QStringLiteral("Interval")}, {}, {}, {}, tablePt * textScale(settings.setup)};
     for (const Figure& figure : scoreIntervalFigures().rows())
         if (isShownAs(figure, show)) table.titles.push_back(titleOf(figure));
-    for (const IntervalFigures& interval : answer.score.intervals) {
+    for (const IntervalFigures& interval : score.intervals) {
         table.rows.push_back({plainText(interval.name)});
         addCells(table.rows.back(), scoreIntervalFigures().of(interval), settings, show);
     }
     if (table.rows.empty()) return {};
     const QString title = QStringLiteral("Weights");
     return makeTablePages(settings.setup, {title, {}, title, 0, {}},
-                          {{plainText(answer.weights.name), {}, std::move(table)}});
+                          {{plainText(weights), {}, std::move(table)}});
 }
 
 // With the maps of the sheet.
@@ -224,6 +304,10 @@ Book beginAnswerBook(const BookSettings& settings, const Sheet& sheet, const std
     return book;
 }
 
+void addHeightMap(Book& book, const City& city, const Region& region, const BookSettings& settings) {
+    if (settings.heightMap) book.pages.push_back(makeHeightMapPage(city, bounds(region), settings.setup));
+}
+
 }  // namespace
 
 Book makeStudyBook(const Study& study, const BookSettings& settings) {
@@ -231,6 +315,7 @@ Book makeStudyBook(const Study& study, const BookSettings& settings) {
     Book book = beginAnswerBook(settings, sheet, study.provenance.attribution);
     if (const Bars months = makeMonthBarsWithTrees(study); !months.groups.empty())
         book.pages.push_back(sunByMonthPage(months, settings));
+    addHeightMap(book, study.city, study.settings.region, settings);
     addText(book, sheet, sheet.sections,
             repeatBlocks(makeRepeatCommand(study, bookCharacters), needsRegionFile(study.provenance),
                          listLegendOptions(settings.legend, false), bookCharacters));
@@ -242,7 +327,8 @@ Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, cons
     const Sheet sheet = makeSheet(answer, source, scale, legend);
     Book book = beginAnswerBook(settings, sheet, answer.provenance.attribution);
     book.pages.push_back(sideBySide(answer, source, settings.setup, legend));
-    appendPages(book, contributionPages(answer, settings, legend.show));
+    appendPages(book, contributionPages(computeFigures(answer), settings, legend.show));
+    addHeightMap(book, source.city, answer.settings.study.region, settings);
     addText(book, sheet, withoutCommand(sheet),
             repeatBlocks(makeRepeatCommand(answer, bookCharacters), needsRegionFile(answer.provenance),
                          drawnOptions(scale, legend), bookCharacters));
@@ -254,15 +340,35 @@ Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const 
     const Sheet sheet = makeSheet(answer, source, legend);
     Book book = beginAnswerBook(settings, sheet, answer.provenance.attribution);
     if (!answer.score.months.empty()) book.pages.push_back(monthPage(answer.score, settings, legend.show));
-    appendPages(book, intervalPages(answer, settings, legend.show));
+    appendPages(book, intervalPages(answer.score, answer.weights.name, settings, legend.show));
+    addHeightMap(book, source.city, answer.settings.region, settings);
     addText(book, sheet, withoutCommand(sheet),
             repeatBlocks(makeRepeatCommand(answer, bookCharacters), needsRegionFile(answer.provenance),
                          listLegendOptions(legend, true), bookCharacters));
     return book;
 }
 
+Book makeSavedBook(const SavedMapBook& saved, const BookSettings& settings) {
+    const Sheet& sheet = saved.sheet;
+    Book book = beginBook(settings, plainText(sheet.headline.what), saved.attribution);
+    book.record = sheet.record;
+    addMaps(book, sheet);
+    if (!saved.months.groups.empty()) book.pages.push_back(sunByMonthPage(saved.months, settings));
+    if (saved.comparison)
+        appendPages(book, contributionPages(*saved.comparison, settings, settings.legend.show));
+    if (saved.score) {
+        if (!saved.score->months.empty())
+            book.pages.push_back(monthPage(*saved.score, settings, settings.legend.show));
+        appendPages(book, intervalPages(*saved.score, saved.weights, settings, settings.legend.show));
+    }
+    addHeightMap(book, sheet.map.scene.city, sheet.map.scene.region, settings);
+    addText(book, sheet, sheet.sections, saved.note);
+    return book;
+}
+
 Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
-                   const std::vector<FigureLine>& lines, const BookSettings& settings) {
+                   const std::vector<FigureLine>& lines, const BookSettings& settings,
+                   std::vector<BookPage> more) {
     const QString title = plainText(result.name);
     Book book = beginBook(settings, title, attributionOf(result));
     book.record = {QStringLiteral("result.json"), result.settings};
@@ -272,6 +378,7 @@ Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const S
         table.rows.push_back({plainText(labelOf(line)), plainText(valueOf(line, settings.units))});
     book.pages = makeTablePages(book.setup, {title, plainText(result.scenario), title, 0, {}},
                                 {{QStringLiteral("Figures"), {}, std::move(table)}});
+    appendPages(book, std::move(more));
     TextBlocks blocks{heading(QStringLiteral("Definitions")), body(defineFigures(lines))};
     for (const TextBlocks& section : makeSavedSections(result, origin, source))
         blocks.insert(blocks.end(), section.begin(), section.end());

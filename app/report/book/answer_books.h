@@ -9,6 +9,7 @@
 #include "core/study/by_place/sun_by_place.h"
 #include "core/study/elements/element_map.h"
 #include "core/study/study.h"
+#include "core/study/text/breakdown_text.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score_text.h"
 
@@ -29,13 +30,33 @@ Book makeImpactBook(const ImpactAnswer& answer, const AnswerSource& source, cons
 Book makeScoreBook(const ScoreAnswer& answer, const AnswerSource& source, const BookSettings& settings,
                    const LegendChoice& legend = {});
 
-/// The pages of a saved result of any question: its figures, what they mean, and where they are from.
+/// What the book of a saved result with maps holds. The sheet's maps refer to what was saved.
+struct SavedMapBook {
+    Sheet sheet;
+    std::string attribution{};
+    Bars months{};                                  ///< of a study; no groups: not measured
+    const ComparisonFigures* comparison = nullptr;  ///< of a comparison
+    const Score* score = nullptr;
+    std::string weights{};  ///< of the score: the name of its weight table
+    TextBlocks note{};      ///< what was not saved and so is not shown; may be empty
+};
+/// The same pages as of a new result, but for what was not saved, which the text states.
+Book makeSavedBook(const SavedMapBook& saved, const BookSettings& settings);
+
+/// The pages of a saved result of any question: its figures, more pages, what the figures mean, and where
+/// they are from.
 Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
-                   const std::vector<FigureLine>& lines, const BookSettings& settings);
+                   const std::vector<FigureLine>& lines, const BookSettings& settings,
+                   std::vector<BookPage> more = {});
+
+/// The same with the sides of the buildings that have points, drawn with those that stand now.
+Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
+                   const SavedElements& points, const std::vector<FigureLine>& lines,
+                   const BookSettings& settings);
 
 /// The book of a study at points: figures, method and sources; and each side of each building that has
 /// points, coloured by hours of sun a day on one scale, those with least sun first. Points of a level plane
-/// and roof windows have no elevation. At most 40 pages of elevations, at `settings.scale` where they fit.
+/// and roof windows have no elevation. At most maxSidePages() of them, at `settings.scale` where they fit.
 Book makeElementBook(const ElementStudy& study, const ElementMap& map, const BookSettings& settings);
 
 /// The book of the contributions of a study: a map that numbers the buildings that make most shadow, bars of
@@ -48,6 +69,9 @@ Book makeContributionBook(const Study& study, const BookSettings& settings);
 /// sun. Tables list so many rows at most; the heading names the file with the others.
 Book makeSunByPlaceBook(const SunOfCities& sun, const BookSettings& settings,
                         const PlaceColours& colours = {});
+/// The same of a saved result, whose cities must be set.
+Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
+                   const SunOfCities& sun, const BookSettings& settings, const PlaceColours& colours);
 /// Its map alone, with legend, scale bar and north: of the smallest box that holds the places. `city`: the
 /// buildings around them.
 QImage paintPlacesMap(const SunByPlace& sun, const City& city, const PlaceColours& colours, int widthPx);
@@ -55,5 +79,9 @@ QImage paintPlacesMap(const SunByPlace& sun, const City& city, const PlaceColour
 /// said.
 std::vector<CommandOption> listColourOptions(const PlaceColours& colours);
 inline constexpr std::size_t maxRowsOfPlaces = 150;
+
+/// A map of the city's buildings in the colours of where their heights come from, and a legend that counts
+/// them. `shown`: the part of the ground, local metres; empty: all buildings. The page owns what it shows.
+BookPage makeHeightMapPage(const City& city, const Box2& shown, const PageSetup& setup);
 
 }  // namespace noonmark

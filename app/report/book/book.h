@@ -72,26 +72,31 @@ struct BookSettings {
     std::optional<double> scale;  ///< of diagrams, 1:scale; none: a round one that shows all shadows
     TitleBlock titleBlock;
     UnitSystem units = UnitSystem::metric;
-    /// In the book of a review every place is in all tables and timelines, on as many pages as that takes.
+    /// Everything is in all tables, maps and timelines, on as many pages as that takes; else a book has at
+    /// most `defaultPages`.
     bool allPages = false;
-    double minPlaceM2 = 100;  ///< of such a book: smaller places without a name are listed together
-    bool heightMap = false;   ///< a page with the buildings by source of height, in that of a review
+    static constexpr std::size_t defaultPages = 30;
+    double minPlaceM2 = 100;  ///< in the book of a review: smaller places without a name are listed together
+    bool heightMap = false;   ///< a page with the buildings by source of height
     LegendChoice legend{};    ///< of maps, places, points and windows
     bool operator==(const BookSettings&) const = default;
 };
 
 /// The scale alone; page and title block have fields of their own.
 const Fields<BookSettings>& scaleFields();
-/// What the book of a review of places holds.
+/// What any book holds.
+const Fields<BookSettings>& bookFields();
+/// What the book of a review of places holds besides.
 const Fields<BookSettings>& extentFields();
 
 struct Book {
     PageSetup setup;
     TitleBlock titleBlock;
-    QString title;         ///< of the PDF and in the title block: "Shadow review: New York, CEQR chapter 8"
-    QString date;          ///< as printed in the title block
-    QString credit;        ///< credit of the data, at the foot of each page
-    SheetRecord record{};  ///< attached to the PDF
+    QString title;   ///< of the PDF and in the title block: "Shadow review: New York, CEQR chapter 8"
+    QString date;    ///< as printed in the title block
+    QString credit;  ///< credit of the data, at the foot of each page
+    UnitSystem units = UnitSystem::metric;  ///< of scale bars and heights on maps
+    SheetRecord record{};                   ///< attached to the PDF
     std::vector<BookPage> pages;
 };
 

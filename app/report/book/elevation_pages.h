@@ -19,6 +19,9 @@ struct ElevationBuilding {
 /// "Floors of 3.5 m", and that designed towers have their own.
 QString describeFloors(const ElementSettings& elements);
 
+/// Pages of elevations in a book: the rest of it has some ten.
+inline std::size_t maxSidePages(const BookSettings& settings) { return settings.allPages ? 40 : 18; }
+
 /// What all pages of elevations of a book share.
 struct ElevationSheets {
     QString title, subtitle;
@@ -26,7 +29,7 @@ struct ElevationSheets {
     std::vector<QString> panels;  ///< titles: "Baseline", "Scenario", "Change"
     ElevationFoot foot;
     Frame frame;  ///< of the city, for azimuths from true north
-    std::size_t maxPages = 40;
+    std::size_t maxPages = 18;
     std::optional<double> scale{};  ///< 1:scale, of all sides that fit on a page at it; none: chosen for each
 };
 

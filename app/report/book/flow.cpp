@@ -195,16 +195,28 @@ const Fields<BookSettings>& scaleFields() {
     return fields;
 }
 
-const Fields<BookSettings>& extentFields() {
+const Fields<BookSettings>& bookFields() {
     static const Fields<BookSettings> fields{
         field(&BookSettings::allPages,
               {.key = "all_pages",
                .flag = "--all-pages",
-               .label = NM_TEXT("All places in full"),
-               .help = NM_TEXT("Sheets of places: every place in all tables and timelines, on as many pages "
-                               "as that takes (default: at most 30 pages, with what the proposal changes and "
-                               "timelines of what fails or is borderline)"),
+               .label = NM_TEXT("Everything in full"),
+               .help = NM_TEXT("Sheets: all tables, maps, elevations and timelines in full, on as many pages "
+                               "as that takes (default: at most 30 pages, with what changes most and what "
+                               "fails or is borderline)"),
                .role = SettingRole::none}),
+        field(&BookSettings::heightMap,
+              {.key = "height_map",
+               .flag = "--height-map",
+               .label = NM_TEXT("Map of sources of heights"),
+               .help = NM_TEXT("Sheets: a page with the buildings coloured by where their heights come from: "
+                               "measured, from storeys, assumed, of a 3D model, designed"),
+               .role = SettingRole::none})};
+    return fields;
+}
+
+const Fields<BookSettings>& extentFields() {
+    static const Fields<BookSettings> fields{
         field(&BookSettings::minPlaceM2,
               {.key = "least_place_m2",
                .flag = "--least-place",
@@ -214,13 +226,6 @@ const Fields<BookSettings>& extentFields() {
                .hint = "M2",
                .unit = "m2",
                .range = ValueRange{0, 1e6},
-               .role = SettingRole::none}),
-        field(&BookSettings::heightMap,
-              {.key = "height_map",
-               .flag = "--height-map",
-               .label = NM_TEXT("Map of sources of heights"),
-               .help = NM_TEXT("Sheets of places: a page with the buildings coloured by where their heights "
-                               "come from: measured, from storeys, assumed, of a 3D model, designed"),
                .role = SettingRole::none})};
     return fields;
 }
@@ -232,6 +237,7 @@ Book beginBook(const BookSettings& settings, const QString& title, const std::st
             title,
             date.empty() ? describeToday() : plainText(date),
             describeData(attribution),
+            settings.units,
             {},
             {}};
 }

@@ -50,7 +50,8 @@ void paintChart(const Canvas& canvas, const QRectF& area, const PageChart& page,
     std::visit(ChartPainter{larger, area.adjusted(0, caption, 0, 0)}, page.chart);
 }
 
-void paintPageMap(const Canvas& canvas, const QRectF& area, const PageMap& map, double scale) {
+void paintPageMap(const Canvas& canvas, const QRectF& area, const PageMap& map, double scale,
+                  UnitSystem units) {
     const Canvas larger{canvas.painter, canvas.point * scale};
     const double foot = (legendHeightPt + 8) * larger.point;
     const bool hasCaption = !map.caption.first.isEmpty();
@@ -59,9 +60,9 @@ void paintPageMap(const Canvas& canvas, const QRectF& area, const PageMap& map, 
     if (hasCaption)
         paintCaption(canvas, {area.left(), area.top(), area.width(), caption}, map.caption, scale);
     const MapView view = makeMapView(map.map->scene, room);
-    paintMap(canvas, view, map.map->scene);
+    paintMap(canvas, view, map.map->scene, units);
     paintMapFoot(larger, {area.left(), room.bottom() + 8 * larger.point, area.width(), foot}, view,
-                 map.map->legend, map.map->scene.city);
+                 map.map->legend, map.map->scene, units);
 }
 
 /// Paints the content of an item in its area.
@@ -69,6 +70,7 @@ struct ContentPainter {
     const Canvas& canvas;
     QRectF area;
     double scale;
+    UnitSystem units;
 
     void operator()(const PageText& text) const { paintBlocks(canvas, text.blocks, area, text.points); }
     void operator()(const PageTable& table) const { paintTable(canvas, area, table); }
@@ -77,7 +79,7 @@ struct ContentPainter {
     void operator()(const ElevationDrawing& drawing) const { paintElevation(canvas, area, drawing); }
     void operator()(const ElevationFoot& foot) const { paintElevationFoot(canvas, area, foot); }
     void operator()(const PageChart& chart) const { paintChart(canvas, area, chart, scale); }
-    void operator()(const PageMap& map) const { paintPageMap(canvas, area, map, scale); }
+    void operator()(const PageMap& map) const { paintPageMap(canvas, area, map, scale, units); }
     void operator()(const PagePicture& picture) const { paintPicture(canvas, area, picture, scale); }
 };
 
@@ -194,7 +196,8 @@ void paintPage(const Book& book, std::size_t index, const Canvas& canvas) {
     if (std::abs(canvas.point - unit) > 1e-9) painter.scale(canvas.point / unit, canvas.point / unit);
     const Canvas inner{painter, unit};
     for (const PageItem& item : book.pages[index].items)
-        std::visit(ContentPainter{inner, scaled(item.area, unit), textScale(book.setup)}, item.content);
+        std::visit(ContentPainter{inner, scaled(item.area, unit), textScale(book.setup), book.units},
+                   item.content);
     FramePainter(book, index, inner).paint();
     painter.restore();
 }

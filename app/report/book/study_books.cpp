@@ -1,6 +1,7 @@
 #include "app/report/book/answer_books.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "app/report/book/elevation_pages.h"
@@ -20,9 +21,18 @@ namespace noonmark {
 
 namespace {
 
+/// What elevations of points need to know besides the points.
+struct PointsOnBuildings {
+    const City& city;
+    const ElementMap& map;
+    std::vector<std::size_t> buildings;  ///< by point: index in City::buildings; beyond them: of none
+    std::function<double(const Building&)> storeyOf;
+    QString subtitle;
+};
+
 /// The points of one building that elevations show, as indices of the map.
 struct PointsOfBuilding {
-    std::uint32_t building = 0;
+    std::size_t building = 0;
     std::vector<std::size_t> points;
     double meanMin = 0;
 };
@@ -32,15 +42,16 @@ ElevationPane paneOf(const MeasuredElement& element) {
             element.pane.isKnown() ? element.pane : defaultPane};
 }
 
-std::vector<PointsOfBuilding> groupPoints(const ElementStudy& study, const ElementMap& map) {
-    std::map<std::uint32_t, PointsOfBuilding> byBuilding;
-    for (std::size_t i = 0; i < map.elements.size(); ++i) {
-        if (map.elements[i].kind == ElementKind::plane || !hasElevation(paneOf(map.elements[i]))) continue;
-        const std::uint32_t building = study.receivers.elements[i].building;
+std::vector<PointsOfBuilding> groupPoints(const PointsOnBuildings& from) {
+    const std::vector<MeasuredElement>& elements = from.map.elements;
+    std::map<std::size_t, PointsOfBuilding> byBuilding;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        if (elements[i].kind == ElementKind::plane || !hasElevation(paneOf(elements[i]))) continue;
+        const std::size_t building = from.buildings[i];
         PointsOfBuilding& group =
             byBuilding.try_emplace(building, PointsOfBuilding{building, {}, 0}).first->second;
         group.points.push_back(i);
-        group.meanMin += map.elements[i].sunlitMin;
+        group.meanMin += elements[i].sunlitMin;
     }
     std::vector<PointsOfBuilding> groups;
     for (auto& [building, group] : byBuilding) {
@@ -51,45 +62,65 @@ std::vector<PointsOfBuilding> groupPoints(const ElementStudy& study, const Eleme
     return groups;
 }
 
-ElevationBuilding drawBuilding(const ElementStudy& study, const ElementMap& map,
-                               const PointsOfBuilding& group, const ColourScale& scale) {
-    const MeasuredElement& first = map.elements[group.points.front()];
+ElevationBuilding drawBuilding(const PointsOnBuildings& from, const PointsOfBuilding& group,
+                               const ColourScale& scale) {
+    const MeasuredElement& first = from.map.elements[group.points.front()];
     const std::string& name = first.buildingName.empty() ? first.building : first.buildingName;
     ElevationBuilding drawn{
         name.empty() ? QStringLiteral("Points at no building") : plainText(name), nullptr, {}, {{}}, {}};
-    if (group.building < study.city.buildings.size()) {
-        drawn.building = study.city.buildings[group.building].get();
-        drawn.storeyM = findStoreyM(*drawn.building, study.elements.facades, study.elements.parts.storeys);
+    if (group.building < from.city.buildings.size()) {
+        drawn.building = from.city.buildings[group.building].get();
+        drawn.storeyM = from.storeyOf(*drawn.building);
     }
     for (const std::size_t i : group.points) {
-        drawn.panes.push_back(paneOf(map.elements[i]));
-        const Rgb colour = scale.colourOf(scale.shownOf(map.elements[i].grossMin));
+        drawn.panes.push_back(paneOf(from.map.elements[i]));
+        const Rgb colour = scale.colourOf(scale.shownOf(from.map.elements[i].grossMin));
         drawn.cells[0].push_back({toColour(colour), ElevationMark::none});
     }
     return drawn;
 }
 
-std::vector<BookPage> makeElevations(const ElementStudy& study, const ElementMap& map,
-                                     const BookSettings& settings) {
-    const Legend legend = makeSunLegend(map, settings.legend);
+std::vector<BookPage> makeElevations(const PointsOnBuildings& from, const BookSettings& settings) {
+    const Legend legend = makeSunLegend(from.map, settings.legend);
     const ColourScale scale = coloursOf(legend);
     ElevationSheets sheets{
-        QStringLiteral("Elevations: ") + legend.title.toLower(),
-        QStringLiteral("%1. %2.").arg(describePeriod(study.settings.period), describeFloors(study.elements)),
-        QStringLiteral("Elevations"),
-        {legend.title + QStringLiteral(", mean over the days")},
-        {{legend}},
-        study.city.frame};
+        QStringLiteral("Elevations: ") + legend.title.toLower(), from.subtitle, QStringLiteral("Elevations"),
+        {legend.title + QStringLiteral(", mean over the days")}, {{legend}},    from.city.frame};
     sheets.foot.hasMarks = false;
     sheets.foot.note = QStringLiteral("Seen square to the wall, from outside.");
     sheets.scale = settings.scale;
+    sheets.maxPages = maxSidePages(settings);
     // Each side takes a third of a page at least: more buildings cannot be drawn.
     const std::size_t maxDrawn = 3 * sheets.maxPages;
     std::vector<ElevationBuilding> buildings;
-    for (const PointsOfBuilding& group : groupPoints(study, map))
+    for (const PointsOfBuilding& group : groupPoints(from))
         buildings.push_back(buildings.size() > maxDrawn ? ElevationBuilding{}
-                                                        : drawBuilding(study, map, group, scale));
+                                                        : drawBuilding(from, group, scale));
     return makeElevationPages(settings.setup, std::move(sheets), buildings);
+}
+
+PointsOnBuildings pointsOf(const ElementStudy& study, const ElementMap& map) {
+    PointsOnBuildings from{study.city, map, {}, {}, {}};
+    for (const auto& element : study.receivers.elements) from.buildings.push_back(element.building);
+    from.storeyOf = [&study](const Building& building) {
+        return findStoreyM(building, study.elements.facades, study.elements.parts.storeys);
+    };
+    from.subtitle =
+        QStringLiteral("%1. %2.").arg(describePeriod(study.settings.period), describeFloors(study.elements));
+    return from;
+}
+
+// The buildings of a city as it is now: by their ids.
+PointsOnBuildings pointsOf(const ElementMap& map, const City& city, QString subtitle) {
+    std::map<std::string, std::size_t> byId;
+    for (std::size_t i = 0; i < city.buildings.size(); ++i) byId.try_emplace(city.buildings[i]->sourceId, i);
+    PointsOnBuildings from{
+        city, map, {}, [](const Building&) { return defaultStoreyM; }, std::move(subtitle)};
+    for (const MeasuredElement& element : map.elements) {
+        const auto known = byId.find(element.building);
+        from.buildings.push_back(known == byId.end() ? city.buildings.size() : known->second);
+    }
+    return from;
 }
 
 TextBlocks summariseElements(const ElementStudy& study) {
@@ -132,10 +163,21 @@ Book makeElementBook(const ElementStudy& study, const ElementMap& map, const Boo
         std::ranges::move(pages, std::back_inserter(book.pages));
     };
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, summariseElements(study)));
-    append(makeElevations(study, map, settings));
+    append(makeElevations(pointsOf(study, map), settings));
+    if (settings.heightMap)
+        book.pages.push_back(makeHeightMapPage(study.city, bounds(study.settings.region), settings.setup));
     append(makeTextPages(settings.setup, {QStringLiteral("Sources"), {}, QStringLiteral("Sources")},
                          describeSources(study, settings.legend)));
     return book;
+}
+
+Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
+                   const SavedElements& points, const std::vector<FigureLine>& lines,
+                   const BookSettings& settings) {
+    return makeSavedBook(
+        result, origin, source, lines, settings,
+        makeElevations(pointsOf(points.map, source.city, plainText(origin.period) + QStringLiteral(".")),
+                       settings));
 }
 
 namespace {
@@ -294,6 +336,8 @@ Book makeContributionBook(const Study& study, const BookSettings& settings) {
     book.pages.push_back(makeNumberedMapPage(study, all, settings));
     book.pages.push_back(makeBarPage(all, settings));
     std::ranges::move(makeShareTablePages(study, all, settings), std::back_inserter(book.pages));
+    if (settings.heightMap)
+        book.pages.push_back(makeHeightMapPage(study.city, bounds(study.settings.region), settings.setup));
     return book;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "app/report/book/flow.h"
 #include "app/report/maps/city_painter.h"
@@ -13,6 +14,7 @@
 #include "app/report/sheets/report_sections.h"
 #include "app/report/sheets/study_text.h"
 #include "core/base/units.h"
+#include "core/city/footprints/plan_overlay.h"
 #include "core/describe/command_options.h"
 #include "core/describe/figure_text.h"
 #include "core/describe/shown_as.h"
@@ -190,7 +192,7 @@ QImage paintMap(const SunByPlace& sun, const City& city, const Box2& shown, cons
     const MapView view(shown, map);
     painter.setClipRect(map);
     paintPlaces(canvas, view, sun, of);
-    paintBuildings(canvas, view, city, {shade::building, shade::buildingLine, 0.1});
+    paintBuildings(canvas, view, city, withProposals({shade::building, shade::buildingLine, 0.1}));
     paintNames(canvas, view, sun, map);
     painter.setClipping(false);
     const QRectF foot(all.left(), all.bottom() - footPx, all.width(), footPx);
@@ -206,17 +208,83 @@ QString describeShown(bool isShadow, bool onDate) {
     return onDate ? unit + QStringLiteral(" on this day") : QStringLiteral("mean %1 a day").arg(unit);
 }
 
+constexpr std::size_t maxNumbered = 40;
+constexpr double placeKeyPt = 6.8;
+
+/// What a page with a map of places refers to besides the places.
+struct PlacesScene {
+    Region noRegion;  // the places stand for it
+    PlaceMap map;
+    std::optional<SheetMap> sheet{};
+};
+
+/// The number of each place in the table, from 1.
+MapMark makeMark(const Place& place, std::size_t number) {
+    const Footprint& largest =
+        *std::ranges::max_element(place.polygons, {}, [](const Footprint& polygon) { return area(polygon); });
+    return {findPointInside(largest), QString::number(number)};
+}
+
+/// "1 Elm Park   2 Mill Lane": the names of the numbers on a map.
+QString describeKey(const SunByPlace& sun, const std::vector<std::size_t>& order) {
+    constexpr qsizetype maxName = 40;
+    QStringList names;
+    for (std::size_t i = 0; i < std::min(maxNumbered, order.size()); ++i) {
+        QString name = plainText(sun.places[order[i]].name);
+        if (name.size() > maxName) name = name.left(maxName - 1) + QChar(0x2026);
+        names << QStringLiteral("%1\u00a0%2").arg(i + 1).arg(name.replace(u' ', QChar(0x00a0)));
+    }
+    QString key = names.join(QStringLiteral("   "));
+    if (order.size() > maxNumbered)
+        key += QStringLiteral("   Further places: table, %1 and on.").arg(maxNumbered + 1);
+    return key;
+}
+
+// A saved result has no region.
+Box2 groundOf(const SunByPlace& sun) {
+    const Box2 region = bounds(sun.settings.study.region);
+    return region.empty() ? bounds(sun.places) : region;
+}
+
+/// The places of a city, in the order of the table that lists them.
+struct OrderedPlaces {
+    const SunByPlace& sun;
+    const std::vector<std::size_t>& order;
+};
+
+SheetMap makeSheetMap(const OrderedPlaces& of, const std::shared_ptr<PlacesScene>& scene) {
+    SheetMap sheet{{of.sun.city, scene->noRegion, {}, {}}, scene->map.legend};
+    sheet.scene.shown = groundOf(of.sun);
+    sheet.scene.ground = [&sun = of.sun, map = scene.get()](const Canvas& canvas, const MapView& view) {
+        paintPlaces(canvas, view, sun, map->map);
+    };
+    for (std::size_t i = 0; i < std::min(maxNumbered, of.order.size()); ++i)
+        if (const Place& place = of.sun.places[of.order[i]]; !place.polygons.empty())
+            sheet.scene.marks.push_back(makeMark(place, i + 1));
+    return sheet;
+}
+
 // `shown`: in a sentence.
-BookPage pageOf(const SunByPlace& sun, const PlaceMap& map, const QString& title, const QString& when,
+BookPage pageOf(const OrderedPlaces& of, PlaceMap map, const QString& title, const QString& when,
                 const QString& shown, const PageSetup& setup) {
-    const QRectF content = contentArea(setup);
+    QRectF area = contentArea(setup);
     BookPage page{title, when, QStringLiteral("Map"), 0, {}};
-    const QSizeF size(content.width(), content.height() - captionPt(textScale(setup)));
+    const double points = placeKeyPt * textScale(setup);
+    constexpr double unit = MeasuringCanvas::unitsPerPoint;
+    MeasuringCanvas measure;
+    const TextBlocks key{body(describeKey(of.sun, of.order))};
+    const double height = heightOf(measure.canvas(), key, area.width() * unit, points) / unit + 1;
+    area.setHeight(area.height() - height - points);
     page.items.push_back(
-        {content,
-         PagePicture{paintMap(sun, sun.city, bounds(sun.settings.study.region), map, size, 300.0 / 72),
-                     {QStringLiteral("Places by their %1").arg(shown),
-                      QStringLiteral("Outlines without colour: places without figures.")}}});
+        {{area.left(), area.bottom() + points, area.width(), height}, PageText{key, points}});
+    auto scene = std::make_shared<PlacesScene>(PlacesScene{{}, std::move(map)});
+    scene->sheet.emplace(makeSheetMap(of, scene));
+    page.items.push_back(
+        {area,
+         PageMap{{scene, &*scene->sheet},
+                 {QStringLiteral("Places by their %1").arg(shown),
+                  QStringLiteral("Numbers as in the key and the table; a number that would cover another "
+                                 "one is left out. Outlines without colour: places without figures.")}}});
     return page;
 }
 
@@ -224,18 +292,19 @@ QString titleWith(const QString& title, const SunByPlace& sun) {
     return sun.name.empty() ? title : title + QStringLiteral(": ") + plainText(sun.name);
 }
 
-BookPage mapPage(const SunByPlace& sun, const PlaceColours& colours, const PageSetup& setup) {
+BookPage mapPage(const OrderedPlaces& of, const PlaceColours& colours, const PageSetup& setup) {
+    const SunByPlace& sun = of.sun;
     const bool isShadow = chooseShown(sun, colours).isShadow;
     const QString title =
         isShadow ? QStringLiteral("Minutes of shadow by place") : QStringLiteral("Hours of sun by place");
-    return pageOf(sun, makeMap(sun, colours), titleWith(title, sun),
+    return pageOf(of, makeMap(sun, colours), titleWith(title, sun),
                   colours.date ? nameOfDate(sun, *colours.date) : describePeriod(sun.settings.study.period),
                   describeShown(isShadow, colours.date.has_value()), setup);
 }
 
-BookPage changePage(const ComparedSun& compared, const std::string& baseline, const LegendChoice& choice,
-                    const PageSetup& setup) {
-    return pageOf(compared.sun, makeChangeMap(compared, choice),
+BookPage changePage(const ComparedSun& compared, const std::vector<std::size_t>& order,
+                    const std::string& baseline, const LegendChoice& choice, const PageSetup& setup) {
+    return pageOf({compared.sun, order}, makeChangeMap(compared, choice),
                   titleWith(QStringLiteral("Change of sun by place"), compared.sun),
                   describePeriod(compared.sun.settings.study.period),
                   QStringLiteral("change of mean sun a day against %1, minutes").arg(plainText(baseline)),
@@ -300,7 +369,7 @@ QString timeText(double sunHours, const ShownSunOrShadow& shown) {
 }
 
 std::vector<QString> titlesOf(const SunOfCities& all, const ShownSunOrShadow& shown) {
-    std::vector<QString> titles{QStringLiteral("Place"), QStringLiteral("Kind")};
+    std::vector<QString> titles{QStringLiteral("No."), QStringLiteral("Place"), QStringLiteral("Kind")};
     for (const Figure& figure : sunOfPlaceFigures().rows()) titles.push_back(titleOf(figure, shown));
     for (const SunWithTrees& with : shownCity(all).withTrees) titles.push_back(meanTitle(with.column, shown));
     for (const CivilDate& date : shownCity(all).settings.dates)
@@ -317,10 +386,12 @@ QString remarksOf(const SunOfPlace& of) {
     return words.join(QStringLiteral("; "));
 }
 
-std::vector<QString> rowOf(const SunOfCities& all, std::size_t i, const ShownSunOrShadow& shown) {
+std::vector<QString> rowOf(const SunOfCities& all, std::size_t i, std::size_t number,
+                           const ShownSunOrShadow& shown) {
     const SunByPlace& sun = shownCity(all);
     const SunOfPlace& of = sun.sun[i];
-    std::vector<QString> row{plainText(sun.places[i].name), plainText(nameOf(sun.places[i].kind))};
+    std::vector<QString> row{QString::number(number), plainText(sun.places[i].name),
+                             plainText(nameOf(sun.places[i].kind))};
     for (const Figure& figure : sunOfPlaceFigures().rows())
         row.push_back(findShadow(figure) ? timeText(figure.get(&of), shown)
                                          : textOf(figure, figure.get(&of)));
@@ -346,7 +417,7 @@ NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order
     if (!all.compared.empty())
         table.note += QStringLiteral(" The figures are those of %1; changes are from %2.")
                           .arg(plainText(shownCity(all).name), plainText(all.baseline.name));
-    for (std::size_t i = 0; i < listed; ++i) table.table.rows.push_back(rowOf(all, order[i], shown));
+    for (std::size_t i = 0; i < listed; ++i) table.table.rows.push_back(rowOf(all, order[i], i + 1, shown));
     return table;
 }
 
@@ -399,32 +470,66 @@ std::vector<CommandOption> listColourOptions(const PlaceColours& colours) {
     return options;
 }
 
+namespace {
+
+/// Maps of scenarios and of dates, unless all pages are asked for.
+constexpr std::size_t maxMapsOfKind = 6;
+
+// Maps, and what the tables list.
+void addPlaces(Book& book, const SunOfCities& all, const BookSettings& settings,
+               const PlaceColours& colours) {
+    const SunByPlace &sun = sunOf(all), &shown = shownCity(all);
+    const std::vector<std::size_t> order = sortByInterest(all);
+    const OrderedPlaces places{shown, order};
+    const auto limited = [&](std::size_t count) {
+        return settings.allPages ? count : std::min(maxMapsOfKind, count);
+    };
+    book.pages.push_back(mapPage(places, colours, settings.setup));
+    for (const ComparedSun& one : std::span(all.compared).first(limited(all.compared.size())))
+        book.pages.push_back(changePage(one, order, sun.name, colours.legend, settings.setup));
+    PlaceColours ofDate = colours;
+    for (std::size_t date = 0; date < limited(sun.settings.dates.size()); ++date) {
+        ofDate.date = date;
+        book.pages.push_back(mapPage(places, ofDate, settings.setup));
+    }
+    if (settings.heightMap)
+        book.pages.push_back(makeHeightMapPage(shown.city, groundOf(shown), settings.setup));
+    std::ranges::move(makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
+                                     tablesOf(all, chooseShown(shown, colours))),
+                      std::back_inserter(book.pages));
+}
+
+void addSummary(Book& book, const TextBlocks& blocks) {
+    std::ranges::move(makeTextPages(book.setup, {book.title, {}, QStringLiteral("Summary")}, blocks),
+                      std::back_inserter(book.pages));
+}
+
+}  // namespace
+
 Book makeSunByPlaceBook(const SunOfCities& all, const BookSettings& settings, const PlaceColours& colours) {
     const SunByPlace& sun = sunOf(all);
-    const QString title = QStringLiteral("Sun by place");
-    Book book = beginBook(settings, title, sun.provenance.attribution);
+    Book book = beginBook(settings, QStringLiteral("Sun by place"), sun.provenance.attribution);
     book.record = {QStringLiteral("places.json"),
                    extendRepeat(toJson(sun, all.compared), listColourOptions(colours))};
-    const auto append = [&](std::vector<BookPage> pages) {
-        std::ranges::move(pages, std::back_inserter(book.pages));
-    };
     TextBlocks blocks = describeFinding(all, settings.units, colours.legend.show);
     const TextBlocks repeat = repeatBlocks(makeRepeatCommand(sun, all.compared, bookCharacters), false,
                                            listColourOptions(colours), bookCharacters);
     for (const TextBlocks& more : {describeMethod(all), repeat, describeSources(sun)})
         blocks.insert(blocks.end(), more.begin(), more.end());
-    append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, blocks));
-    const SunByPlace& shown = shownCity(all);
-    book.pages.push_back(mapPage(shown, colours, settings.setup));
-    for (const ComparedSun& one : all.compared)
-        book.pages.push_back(changePage(one, sun.name, colours.legend, settings.setup));
-    PlaceColours ofDate = colours;
-    for (std::size_t date = 0; date < sun.settings.dates.size(); ++date) {
-        ofDate.date = date;
-        book.pages.push_back(mapPage(shown, ofDate, settings.setup));
-    }
-    append(makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
-                          tablesOf(all, chooseShown(shownCity(all), colours))));
+    addSummary(book, blocks);
+    addPlaces(book, all, settings, colours);
+    return book;
+}
+
+Book makeSavedBook(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
+                   const SunOfCities& sun, const BookSettings& settings, const PlaceColours& colours) {
+    Book book = beginBook(settings, QStringLiteral("Sun by place"), attributionOf(result));
+    book.record = {QStringLiteral("result.json"), result.settings};
+    TextBlocks blocks = describeFinding(sun, settings.units, colours.legend.show);
+    for (const TextBlocks& section : makeSavedSections(result, origin, source))
+        blocks.insert(blocks.end(), section.begin(), section.end());
+    addSummary(book, blocks);
+    addPlaces(book, sun, settings, colours);
     return book;
 }
 

@@ -200,6 +200,11 @@ std::size_t bandOfTrees(const SavedResult& result, TreeColumns trees) {
     return found == result.layers.end() ? 1 : std::size_t(found - result.layers.begin()) + 1;
 }
 
+void addSettings(OutputFolder& files, const SavedResult& result, const SavedStyle& look) {
+    files.add("result.json", textContent(result.settings));
+    if (look.sheets) files.add(sheetsFileName, textContent(*look.sheets));
+}
+
 }  // namespace
 
 WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin, const SavedSource& source,
@@ -222,42 +227,40 @@ WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin
         return writePng(makePicture(sheet, look.pictureWidth), tags, device);
     });
     files.add("result.pdf", [&](QIODevice& device) { return writePdf(sheet, device); });
-    files.add("result.json", textContent(result.settings));
+    addSettings(files, result, look);
     return std::move(files).result();
 }
 
 WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& points, const City& city,
-                              const std::filesystem::path& folder, const LegendChoice& legend,
-                              const OutputRules& rules) {
+                              const std::filesystem::path& folder, const SavedStyle& look) {
     const ElementTable table = makeElementTable(points.map, city, points.source);
-    const LayerStyle style = makeStyle(coloursOf(makeLegend(points.map, ShadowMeasure::gross, legend)));
-    OutputFolder files(folder, rules);
+    const LayerStyle style = makeStyle(coloursOf(makeLegend(points.map, ShadowMeasure::gross, look.legend)));
+    OutputFolder files(folder, look.rules);
     files.add("elements.csv", textContent(toCsv(table)));
     files.add("elements.gpkg",
               [&](const std::filesystem::path& file) { return writeElementsGeoPackage(file, table, style); });
     files.add("elements.glb", textContent(toGlb(points.map)));
-    files.add("result.json", textContent(result.settings));
+    addSettings(files, result, look);
     return std::move(files).result();
 }
 
 WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
                               const std::vector<ContributionTable>& ofPlaces, const City& city,
-                              const std::filesystem::path& folder, const LegendChoice& legend,
-                              const OutputRules& rules) {
+                              const std::filesystem::path& folder, const SavedStyle& look) {
     sun.baseline.city = city;
     const ElementTable table = makeTable(sun.baseline, sun.compared);
-    OutputFolder files(folder, rules);
+    OutputFolder files(folder, look.rules);
     files.add("places.csv", textContent(toCsv(table)));
     files.add("places.gpkg", [&](const std::filesystem::path& file) {
         return writePlacesGeoPackage(file, city.frame, sun.baseline.places, table,
-                                     makeStyle(sun.baseline, {legend, {}}));
+                                     makeStyle(sun.baseline, {look.legend, {}}));
     });
     addPlaceMaps(files, std::make_shared<const SunOfCities>(sun), city,
-                 {.colours = {legend, {}},
+                 {.colours = {look.legend, {}},
                   .cellM = result.grid.cellM > 0 ? result.grid.cellM : PlaceMapStyle().cellM,
                   .tags = {{"RESULT", result.name}, {"SCENARIO", result.scenario}}});
     addPlaceContributions(files, ofPlaces, city, {});
-    files.add("result.json", textContent(result.settings));
+    addSettings(files, result, look);
     return std::move(files).result();
 }
 

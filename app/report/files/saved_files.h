@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,7 +50,9 @@ struct SavedStyle {
     LegendChoice legend{};
     int pictureWidth = noonmark::pictureWidth;  ///< pixels: see makePicture()
     OutputRules rules{};
+    std::optional<std::string> sheets{};  ///< a PDF, written as sheetsFileName
 };
+inline constexpr const char* sheetsFileName = "sheets.pdf";
 
 /// The maps, a band each, with their style; picture, page (study_report.h), settings and figures.
 const std::vector<std::string>& savedMapNames();
@@ -60,15 +63,13 @@ WrittenFiles writeSavedMaps(const SavedResult& result, const SavedOrigin& origin
 /// The tables of points, settings and figures.
 const std::vector<std::string>& savedPointNames();
 WrittenFiles writeSavedPoints(const SavedResult& result, const SavedElements& points, const City& city,
-                              const std::filesystem::path& folder, const LegendChoice& legend = {},
-                              const OutputRules& rules = {});
+                              const std::filesystem::path& folder, const SavedStyle& look = {});
 
 /// The tables of places and of what buildings take from some of them, settings and figures.
 std::vector<std::string> savedPlaceNames(std::span<const CivilDate> dates);
 WrittenFiles writeSavedPlaces(const SavedResult& result, SunOfCities sun,
                               const std::vector<ContributionTable>& ofPlaces, const City& city,
-                              const std::filesystem::path& folder, const LegendChoice& legend = {},
-                              const OutputRules& rules = {});
+                              const std::filesystem::path& folder, const SavedStyle& look = {});
 
 /// The figures of any result as a table, its pages, settings and figures.
 const std::vector<std::string>& savedFigureNames();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/city/building_heights.h"
 #include "core/city/terrain/building_ground.h"
 
 namespace noonmark {
@@ -45,6 +46,13 @@ void paintOverhangs(const Canvas& canvas, const QPainterPath& path, const Footpr
 }
 
 }  // namespace
+
+FootprintStyle withProposals(FootprintStyle style) {
+    style.fillOf = [fill = style.fill](const Building& building) {
+        return isProposal(building) ? shade::proposal : fill;
+    };
+    return style;
+}
 
 void paintBuildings(const Canvas& canvas, const MapView& view, const City& city,
                     const FootprintStyle& style) {

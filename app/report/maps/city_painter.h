@@ -20,6 +20,11 @@ struct FootprintStyle {
     std::function<QColor(const Building&)> fillOf{};  ///< instead of `fill`; empty: all are alike
 };
 
+/// The same with proposed buildings (isProposal()) in the colour of proposals.
+FootprintStyle withProposals(FootprintStyle style);
+/// Of buildings that were demolished: outlines alone.
+inline const FootprintStyle demolishedStyle{Qt::transparent, shade::incremental, 0.9};
+
 /// Paints the footprints of all buildings in `view` as vectors. Parts that stand on the ground are filled;
 /// overhangs have a dashed outline, because the ground below them is shown. The caller clips. O(points).
 void paintBuildings(const Canvas& canvas, const MapView& view, const City& city, const FootprintStyle& style);

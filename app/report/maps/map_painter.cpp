@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QPaintEngine>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -9,6 +10,7 @@
 
 #include "app/report/maps/city_painter.h"
 #include "core/base/units.h"
+#include "core/city/building_heights.h"
 #include "core/engines/shade_trees.h"
 
 namespace noonmark {
@@ -188,10 +190,10 @@ void paintField(const Canvas& canvas, const MapView& view, const MapScene& scene
 void paintCity(const Canvas& canvas, const MapView& view, const MapScene& scene, const QPainterPath& region) {
     const City& city = scene.city;
     if (scene.fillOf) return paintBuildings(canvas, view, city, {{}, ink::quiet, 0.25, scene.fillOf});
-    paintBuildings(canvas, view, city, {ink::context, ink::contextLine});
+    paintBuildings(canvas, view, city, withProposals({ink::context, ink::contextLine}));
     canvas.painter.save();
     canvas.painter.setClipPath(region, Qt::IntersectClip);
-    paintBuildings(canvas, view, city, {ink::building, ink::buildingLine});
+    paintBuildings(canvas, view, city, withProposals({ink::building, ink::buildingLine}));
     canvas.painter.restore();
 }
 
@@ -203,9 +205,10 @@ void paintOutline(const Canvas& canvas, const QPainterPath& region) {
     canvas.painter.drawPath(region);
 }
 
+constexpr double markRadiusPt = 5;
+
 void paintMark(const Canvas& canvas, const QPointF& centre, const QString& text) {
-    constexpr double radiusPt = 5;
-    const double radius = radiusPt * canvas.point;
+    const double radius = markRadiusPt * canvas.point;
     const QRectF disc(centre - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
     canvas.painter.setBrush(ink::paper);
     canvas.painter.setPen(linePen(canvas, ink::text, 0.6));
@@ -215,12 +218,22 @@ void paintMark(const Canvas& canvas, const QPointF& centre, const QString& text)
 }
 
 void paintMarks(const Canvas& canvas, const MapView& view, const std::vector<MapMark>& marks) {
-    for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
-        paintMark(canvas, view.at(mark->at), mark->text);
+    const double apart = 2 * markRadiusPt * canvas.point;
+    const QRectF room = view.target().adjusted(apart / 2, apart / 2, -apart / 2, -apart / 2);
+    std::vector<QPointF> painted;
+    for (const MapMark& mark : marks) {
+        const QPointF at = view.at(mark.at);
+        const auto covers = [&](const QPointF& other) {
+            return std::hypot(at.x() - other.x(), at.y() - other.y()) < apart;
+        };
+        if (!room.contains(at) || std::ranges::any_of(painted, covers)) continue;
+        paintMark(canvas, at, mark.text);
+        painted.push_back(at);
+    }
 }
 
 /// Above the building; "120 m". Buildings whose label would cover another one's have none.
-void paintProposal(const Canvas& canvas, const MapView& view, const City& proposal) {
+void paintProposal(const Canvas& canvas, const MapView& view, const City& proposal, UnitSystem units) {
     paintBuildings(canvas, view, proposal, {shade::proposal, ink::text, 0.9});
     const QFont font = textFont(canvas, 6.6, QFont::Bold);
     const QFontMetricsF metrics(font, canvas.painter.device());
@@ -229,8 +242,8 @@ void paintProposal(const Canvas& canvas, const MapView& view, const City& propos
     for (const auto& building : proposal.buildings) {
         const Box2 box = bounds(*building);
         const glm::dvec2 middle = glm::dvec2(box.low + box.high) / 2.0;
-        const QString text = QString::fromStdString(formatLength(
-            double(topM(*building)) - double(groundAt(proposal, middle)), UnitSystem::metric, 0));
+        const QString text = QString::fromStdString(
+            formatLength(double(topM(*building)) - double(groundAt(proposal, middle)), units, 0));
         QRectF label(0, 0, metrics.horizontalAdvance(text) + 3 * canvas.point, 9 * canvas.point);
         label.moveCenter(view.at(middle));
         label.moveBottom(view.at({middle.x, double(box.high.y)}).y() - 2 * canvas.point);
@@ -287,7 +300,7 @@ MapView makeMapView(const Study& study, const QRectF& frame) {
     return {worldOf(study.settings.region, study.field.grid), frame};
 }
 
-void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene) {
+void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene, UnitSystem units) {
     const QPainterPath region = pathOf(scene.region, view);
     canvas.painter.save();
     canvas.painter.setClipRect(view.target());
@@ -296,8 +309,10 @@ void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene) 
         paintContext(canvas.painter, *scene.city.context, view.transform(), 0.4 * canvas.point);
     paintField(canvas, view, scene);
     canvas.painter.setRenderHint(QPainter::Antialiasing);
+    if (scene.ground) scene.ground(canvas, view);
     paintCity(canvas, view, scene, region);
-    if (scene.proposal) paintProposal(canvas, view, *scene.proposal);
+    if (scene.removed) paintBuildings(canvas, view, *scene.removed, demolishedStyle);
+    if (scene.proposal) paintProposal(canvas, view, *scene.proposal, units);
     paintOutline(canvas, region);
     paintMarks(canvas, view, scene.marks);
     canvas.painter.restore();
@@ -310,8 +325,45 @@ void paintMap(const Canvas& canvas, const MapView& view, const Study& study, Sha
     paintMap(canvas, view, makeMapScene(study, measure));
 }
 
+namespace {
+
+// What the colours and lines of buildings mean, of those that are in sight.
+QStringList listNotes(const MapView& view, const MapScene& scene) {
+    const auto isSeen = [&](const auto& building) { return view.sees(bounds(*building)); };
+    const auto isSeenProposal = [&](const auto& building) {
+        return isProposal(*building) && isSeen(building);
+    };
+    QStringList notes;
+    const bool hasProposal = scene.proposal && std::ranges::any_of(scene.proposal->buildings, isSeen);
+    if (hasProposal || (!scene.fillOf && std::ranges::any_of(scene.city.buildings, isSeenProposal)))
+        notes << QStringLiteral("violet: proposed");
+    if (scene.removed && std::ranges::any_of(scene.removed->buildings, isSeen))
+        notes << QStringLiteral("orange line: demolished");
+    if (showsOverhangs(view, scene.city)) notes << QStringLiteral("dashed: open below");
+    return notes;
+}
+
+// In one line where they fit, else in two, which end where the legend's numbers do.
+void paintNotes(const Canvas& canvas, const QRectF& area, const QStringList& notes) {
+    constexpr double notePt = 6.5, baselinePt = 32, linePt = 7.5;
+    canvas.painter.setFont(textFont(canvas, notePt));
+    canvas.painter.setPen(canvas.inks.quiet);
+    const QString separator = QStringLiteral(", ");
+    const QFontMetricsF metrics(canvas.painter.font(), canvas.painter.device());
+    const bool isLong = metrics.horizontalAdvance(notes.join(separator)) > area.width();
+    const qsizetype first = isLong ? notes.size() - 1 : notes.size();
+    const QStringList lines{notes.mid(0, first).join(separator), notes.mid(first).join(separator)};
+    double baseline = baselinePt - (isLong ? linePt : 0);
+    for (const QString& line : lines) {
+        canvas.painter.drawText(QPointF(area.left(), area.top() + baseline * canvas.point), line);
+        baseline += linePt;
+    }
+}
+
+}  // namespace
+
 void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Legend& legend,
-                  const City& city) {
+                  const MapScene& scene, UnitSystem units) {
     const double point = canvas.point;
     const double arrowWidth = 16 * point;
     const double barRoom = std::min(area.width() * 0.3, 140 * point);
@@ -321,13 +373,8 @@ void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view,
     const QRectF barArea(area.right() - arrowWidth - 10 * point - barRoom, area.top(), barRoom,
                          area.height());
     const double longestM = (barRoom - 20 * point) / view.unitsPerM();
-    paintScaleBar(canvas, barArea, scaleBarWithin(longestM), view.unitsPerM());
-    if (!showsOverhangs(view, city)) return;
-    constexpr double notePt = 6.5, baselinePt = 32;  // that of the legend's numbers
-    canvas.painter.setFont(textFont(canvas, notePt));
-    canvas.painter.setPen(canvas.inks.quiet);
-    canvas.painter.drawText(QPointF(barArea.left(), area.top() + baselinePt * point),
-                            QStringLiteral("dashed: open below"));
+    paintScaleBar(canvas, barArea, scaleBarWithin(longestM, units), view.unitsPerM());
+    paintNotes(canvas, barArea, listNotes(view, scene));
 }
 
 }  // namespace noonmark

@@ -8,12 +8,14 @@
 #include <QColor>
 #include <QImage>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "app/report/maps/legend_painter.h"
 #include "app/report/maps/map_view.h"
 #include "app/report/maps/shadow_measure.h"
 #include "app/report/maps/style.h"
+#include "core/base/units.h"
 #include "core/measures/colour_scale.h"
 #include "core/receivers/receivers.h"
 #include "core/study/study.h"
@@ -44,18 +46,23 @@ struct MapMark {
     QString text;
 };
 
-/// The contents of a map of any measure: the colours of a grid with a city's buildings over them. Owns
-/// nothing: city, region, proposal and the data used by `image` must outlive it.
+/// The contents of a map of any measure: the colours of a grid with a city's buildings over them, proposed
+/// ones (isProposal()) in a colour of their own. Owns nothing but `removed`: city, region, proposal and the
+/// data used by `image` and `ground` must outlive it.
 struct MapScene {
     const City& city;
     const Region& region;
     Grid grid;
     std::function<FieldImage(int wantedPixels)> image;  ///< as makeFieldImage(); empty: no field
-    std::vector<MapMark> marks{};                       ///< the first lies on top
-    const City* proposal = nullptr;  ///< new buildings, drawn darker over the city, each with its height
+    std::vector<MapMark> marks{};                       ///< one that would cover an earlier one is left out
+    const City* proposal = nullptr;  ///< new buildings, drawn over the city, each with its height
     std::optional<Box2> shown{};     ///< none: grid and region
     /// The colour of each building; empty: grey, and pale outside the region.
     std::function<QColor(const Building&)> fillOf{};
+    /// Demolished buildings, drawn as outlines; shared with whoever knows them. Null: none.
+    std::shared_ptr<const City> removed{};
+    /// Painted below the buildings, over the field; empty: nothing.
+    std::function<void(const Canvas&, const MapView&)> ground{};
 };
 /// The ground that a map of the scene shows.
 Box2 shownGround(const MapScene& scene);
@@ -75,12 +82,13 @@ MapView makeMapView(const Study& study, const QRectF& frame);
 /// Paints only the map, inside the view's target: the field as a picture, the buildings as outlines over it
 /// (pale outside the region), the outline of the region, the marks, a thin frame. Nothing is painted outside
 /// the target.
-void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene);
+void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene,
+              UnitSystem units = UnitSystem::metric);
 void paintMap(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure);
 
 /// Paints the foot of a map, legendHeightPt high: legend at the left, scale bar and north arrow at the right,
-/// and what dashed outlines are where the city has them.
+/// and what tints and outlines of buildings mean where the map has them.
 void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Legend& legend,
-                  const City& city);
+                  const MapScene& scene, UnitSystem units = UnitSystem::metric);
 
 }  // namespace noonmark

@@ -21,6 +21,7 @@
 #include "core/receivers/rasterize.h"
 #include "core/study/provenance/command_text.h"
 #include "core/study/provenance/provenance_texts.h"
+#include "core/study/review_study.h"
 #include "core/study/text/region_text.h"
 #include "scenarios/project/title_fields.h"
 #include "scenarios/settings_json.h"
@@ -86,11 +87,21 @@ Legend commonLegend(const ScenarioStudies& scenarios, const LegendChoice& choice
 
 namespace {
 
-BookPage mapPage(const ScenarioStudy& scenario, const Legend& legend, const PageSetup& setup) {
+/// Of a scenario, with what it demolishes of the first one.
+SheetMap makeScenarioMap(const ScenarioStudies& scenarios, const ScenarioStudy& scenario,
+                         const Legend& legend) {
+    const Study& study = *scenario.study;
+    SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)), legend};
+    City removed = keepOwnBuildings(scenarios.front().study->city, study.city);
+    if (!removed.buildings.empty()) map.scene.removed = std::make_shared<const City>(std::move(removed));
+    return map;
+}
+
+BookPage mapPage(const ScenarioStudies& scenarios, const ScenarioStudy& scenario, const Legend& legend,
+                 const PageSetup& setup) {
     const Study& study = *scenario.study;
     const QString name = plainText(scenario.name);
-    const SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)),
-                       legend};
+    const SheetMap map = makeScenarioMap(scenarios, scenario, legend);
     return {name,
             describePeriod(study.settings.period) + QStringLiteral(". ") + describeWhere(study),
             name,
@@ -156,9 +167,7 @@ std::vector<BookPage> sideBySidePages(const ScenarioStudies& scenarios, const Le
         if (at == 0)
             pages.push_back(
                 {title, legend.title + QStringLiteral(", on one scale"), i == 0 ? title : QString(), 0, {}});
-        const Study& study = *scenarios[i].study;
-        SheetMap map{makeGrossScene(study.city, study.settings.region, study.field, coloursOf(legend)),
-                     legend};
+        SheetMap map = makeScenarioMap(scenarios, scenarios[i], legend);
         map.scene.shown = zoomOn(difference, map.scene);
         const QPointF corner(all.left() + (at % columns) * (size.width() + gap),
                              all.top() + (at / columns) * (size.height() + gap));
@@ -242,6 +251,12 @@ TextBlocks describeOrigin(const ScenarioStudies& scenarios, const BookSettings& 
     return blocks;
 }
 
+// Each scenario has a small map in any case.
+std::size_t countLargeMaps(const ScenarioStudies& scenarios, const BookSettings& settings) {
+    constexpr std::size_t maximum = 10;
+    return settings.allPages ? scenarios.size() : std::min(maximum, scenarios.size());
+}
+
 }  // namespace
 
 Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& settings,
@@ -258,8 +273,8 @@ Book makeScenarioBook(const ScenarioStudies& scenarios, const BookSettings& sett
     std::vector<BookPage> maps = sideBySidePages(scenarios, legend, settings);
     book.pages.insert(book.pages.begin(), std::make_move_iterator(maps.begin()),
                       std::make_move_iterator(maps.end()));
-    for (const ScenarioStudy& scenario : scenarios)
-        book.pages.push_back(mapPage(scenario, legend, settings.setup));
+    for (const ScenarioStudy& scenario : std::span(scenarios).first(countLargeMaps(scenarios, settings)))
+        book.pages.push_back(mapPage(scenarios, scenario, legend, settings.setup));
     const QString origin = QStringLiteral("How this was made");
     for (BookPage& page :
          makeTextPages(settings.setup, {origin, {}, origin, 0, {}}, describeOrigin(scenarios, stated)))

@@ -74,8 +74,10 @@ std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSourc
 }
 
 /// Cells whose shadow changes by more than the threshold, and what is built.
-Box2 changedGround(const Impact& impact, const City& proposal, double thresholdMin) {
-    Box2 box = bounds(proposal);
+Box2 changedGround(const ImpactAnswer& answer, double thresholdMin) {
+    const Impact& impact = answer.study.total;
+    Box2 box = bounds(answer.proposal);
+    box.add(bounds(answer.removed));
     const Grid& grid = impact.grid;
     for (std::size_t cell = 0; cell < grid.size(); ++cell) {
         if (std::abs(double(impact.grossMin[cell])) > thresholdMin)  // NaN: no receiver
@@ -95,9 +97,9 @@ double mappedChangeMin(const ImpactAnswer& answer) {
 }
 
 void zoomOnChange(const ImpactAnswer& answer, SheetMap& map) {
-    map.scene.shown =
-        zoomOn(changedGround(answer.study.total, answer.proposal, mappedChangeMin(answer)), map.scene);
+    map.scene.shown = zoomOn(changedGround(answer, mappedChangeMin(answer)), map.scene);
     if (!answer.proposal.buildings.empty()) map.scene.proposal = &answer.proposal;
+    if (!answer.removed.buildings.empty()) map.scene.removed = std::make_shared<const City>(answer.removed);
 }
 
 /// Rows for the new buildings: "New building", "Mill Tower, 62 m high".

@@ -4,6 +4,7 @@
 
 #include "app/report/maps/shadow_measure.h"
 #include "app/report/sheets/study_text.h"
+#include "core/city/trees/tree.h"
 #include "core/measures/shadow_figures.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/text/error_text.h"
@@ -143,12 +144,17 @@ QString describeEngineError(const Study& study) {
         .arg(describeAmount(study.field.stepMinutes, 3), describeAmount(study.field.grid.cellM, 2));
 }
 
-QString describeModelError() {
+QString describeModelError(const Study& study) {
+    const bool hasTrees = study.city.trees && !study.city.trees->trees.empty();
     return QStringLiteral(
-        "Limits of the model: roofs are flat unless the data contains their shape; trees and street "
-        "furniture are not included; the sun is a point, whereas its real disc of 0.53° blurs a shadow's "
-        "edge by about 1 m per 100 m of distance from the occluder. An error in height moves the end of a "
-        "shadow by error / tan(altitude of the sun): see the sources of the heights.");
+               "Limits of the model: roofs are flat unless the data contains their shape; %1; the sun is a "
+               "point, whereas its real disc of 0.53° blurs a shadow's edge by about 1 m per 100 m of "
+               "distance "
+               "from the occluder. An error in height moves the end of a shadow by error / tan(altitude of "
+               "the "
+               "sun): see the sources of the heights.")
+        .arg(hasTrees ? QStringLiteral("trees count only in figures that name them, street furniture in none")
+                      : QStringLiteral("trees and street furniture are not included"));
 }
 
 }  // namespace
@@ -190,7 +196,7 @@ std::vector<TextBlocks> methodSections(const Study& study, const QString& errorO
     for (const QString& words : {describeStep(study), describeSun(study), describeFrame(study)})
         method.push_back(body(words));
     TextBlocks error{heading(QStringLiteral("Error")), body(describeEngineError(study)),
-                     body(describeModelError())};
+                     body(describeModelError(study))};
     if (!errorOf.isEmpty() && study.error) error.insert(error.begin() + 1, body(errorOf));
     if (study.monthError)
         error.push_back(body(

@@ -16,20 +16,34 @@ namespace {
 
 constexpr double rowHeight = 1.62;  // times the font size
 
+/// The font in which a text fits, at least three quarters as large.
+QFont narrowFont(QFont font, const QString& text, double room) {
+    constexpr double minShare = 0.75;
+    const double width = QFontMetricsF(font).horizontalAdvance(text);
+    if (width > room) font.setPixelSize(int(font.pixelSize() * std::max(minShare, room / width)));
+    return font;
+}
+
 void paintRow(const Canvas& canvas, const QRectF& row, const FigureText& figure) {
-    const QFontMetricsF metrics(canvas.painter.font());
+    const QFont font = canvas.painter.font();
+    const QFontMetricsF metrics(font);
     const double valueWidth = metrics.horizontalAdvance(figure.value);
     const double room = row.width() - valueWidth - metrics.averageCharWidth();
     canvas.painter.setPen(ink::text);
-    canvas.painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter,
-                            metrics.elidedText(figure.name, Qt::ElideRight, room));
     canvas.painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, figure.value);
+    const QFont smaller = narrowFont(font, figure.name, room);
+    canvas.painter.setFont(smaller);
+    // Names of figures differ at their ends.
+    canvas.painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter,
+                            QFontMetricsF(smaller).elidedText(figure.name, Qt::ElideMiddle, room));
+    canvas.painter.setFont(font);
     canvas.painter.setPen(linePen(canvas, ink::line, 0.4));
     canvas.painter.drawLine(row.bottomLeft(), row.bottomRight());
 }
 
 /// Paints a table of names and values from the top of `area`, a hairline below each row, the first row in
-/// bold. Values are right-aligned; a name that does not fit beside its value is cut with an ellipsis. Returns
+/// bold. Values are right-aligned; a name that does not fit beside its value is smaller, then cut in its
+/// middle. Returns
 /// the y below the table.
 double paintFigures(const Canvas& canvas, const QRectF& area, const std::vector<FigureText>& figures,
                     double points) {
@@ -90,7 +104,7 @@ private:
         paintMap(canvas_, view, sheet_.map.scene);
         const double foot = top + height + 8;
         paintMapFoot(canvas_, area(sidePt, foot, largeMapPt, legendHeightPt), view, sheet_.map.legend,
-                     sheet_.map.scene.city);
+                     sheet_.map.scene);
         return paintDefinitions(foot + legendHeightPt + 2);
     }
 
@@ -234,7 +248,7 @@ QImage makePicture(const Sheet& sheet, int width) {
     const MapView view = makeMapView(sheet.map.scene, places.map);
     paintHeadline(canvas, places.headline, sheet.headline);
     paintMap(canvas, view, sheet.map.scene);
-    paintMapFoot(canvas, places.foot, view, sheet.map.legend, sheet.map.scene.city);
+    paintMapFoot(canvas, places.foot, view, sheet.map.legend, sheet.map.scene);
     paintSmallPrint(canvas, places.smallPrint, sheet.credit);
     return image;
 }

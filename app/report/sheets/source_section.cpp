@@ -36,20 +36,20 @@ TextBlocks inputsOf(const Study& study) {
     return blocks;
 }
 
-QString qtText(const std::string& text) { return QString::fromStdString(text); }
+QString quoteText(const std::string& text) { return QString::fromStdString(text); }
 
 // Lists the first edits and the number of the others.
 void addEdits(TextBlocks& blocks, const ScenarioRecord& scenario) {
     const std::size_t shown = std::min(maxEdits, scenario.edits.size());
     for (std::size_t i = 0; i < shown; ++i)
-        blocks.push_back(body(QStringLiteral("%1. %2").arg(i + 1).arg(qtText(scenario.edits[i]))));
+        blocks.push_back(body(QStringLiteral("%1. %2").arg(i + 1).arg(quoteText(scenario.edits[i]))));
     if (shown < scenario.edits.size())
         blocks.push_back(
             body(QStringLiteral("and %1 more: see the JSON file").arg(scenario.edits.size() - shown)));
 }
 
 void addScenario(TextBlocks& blocks, const QString& role, const ScenarioRecord& scenario) {
-    const QString name = qtText(scenario.name);
+    const QString name = quoteText(scenario.name);
     const std::size_t edits = scenario.edits.size();
     blocks.push_back(body(edits == 0
                               ? QStringLiteral("%1: %2, the city without edits.").arg(role, name)
@@ -60,8 +60,8 @@ void addScenario(TextBlocks& blocks, const QString& role, const ScenarioRecord& 
 QString describeFile(const ProjectRecord& project) {
     if (project.file.empty()) return QStringLiteral("The project has not been saved yet.");
     if (!project.saved())
-        return QStringLiteral("%1, which does not contain the latest changes.").arg(qtText(project.file));
-    return QStringLiteral("%1, SHA-256 of the file:").arg(qtText(project.file));
+        return QStringLiteral("%1, which does not contain the latest changes.").arg(quoteText(project.file));
+    return QStringLiteral("%1, SHA-256 of the file:").arg(quoteText(project.file));
 }
 
 /// Empty for a city read directly from its files.
@@ -69,10 +69,10 @@ TextBlocks projectOf(const Study& study) {
     const auto& project = study.provenance.project;
     if (!project) return {};
     TextBlocks blocks{heading(QStringLiteral("Project and scenario")), body(describeFile(*project))};
-    if (project->saved()) blocks.push_back({TextKind::code, qtText(project->fileSha256)});
+    if (project->saved()) blocks.push_back({TextKind::code, quoteText(project->fileSha256)});
     blocks.push_back(
         body(QStringLiteral("SHA-256 of the content behind the result (defined in the JSON file):")));
-    blocks.push_back({TextKind::code, qtText(project->contentSha256)});
+    blocks.push_back({TextKind::code, quoteText(project->contentSha256)});
     addScenario(blocks, QStringLiteral("Scenario"), project->scenario);
     if (project->baseline) addScenario(blocks, QStringLiteral("Baseline"), *project->baseline);
     return blocks;

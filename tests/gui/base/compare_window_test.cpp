@@ -101,6 +101,24 @@ TEST_F(CompareWindow, OnlyOneWayIsChosen) {
     EXPECT_EQ(view().sides().layout, SideLayout::one);
 }
 
+TEST_F(CompareWindow, EachOfTwoSidesShowsAllThatWasInSightAndTheCameraReturns) {
+    const CameraPose before = view().pose();
+    const auto widthM = [this] {
+        return metresPerPixel(view().pose(), view().lens()) * view().lens().widthPx;
+    };
+    const double seenM = widthM();
+    show("compareBeside");
+    EXPECT_NEAR(widthM(), seenM, seenM / 100);
+    way("compareBeside").trigger();
+    EXPECT_EQ(view().pose(), before);
+    show("compareBeside");
+    CameraPose moved = view().pose();
+    moved.headingDeg += 30;
+    view().setPose(moved);
+    way("compareBeside").trigger();
+    EXPECT_EQ(view().pose(), moved) << "it was moved meanwhile";
+}
+
 // The tower is in the middle of the picture.
 TEST_F(CompareWindow, ASwipeShowsTheOtherScenarioToTheLeftOfItsDivider) {
     window->mode().setMode(ViewMode::analysis);  // without a study nothing is computed meanwhile

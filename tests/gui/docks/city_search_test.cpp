@@ -3,13 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QAbstractItemView>
+#include <QAbstractItemModel>
 #include <QCompleter>
-#include <QSignalSpy>
+#include <QFocusEvent>
 #include <QTest>
-#include <QVBoxLayout>
+#include <glm/geometric.hpp>
 
 #include "core/city/map_context.h"
+#include "tests/gui/project_window.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark {
@@ -79,28 +80,31 @@ TEST(CitySearch, ReadsPositionsInEitherOrder) {
     EXPECT_EQ(found[0].kind, FoundKind::coordinates);
 }
 
-// An entry that begins as the text does is chosen by Enter in the list; the list must serve more than once.
-TEST(SearchField, FindsAgainAfterTheFocusWasElsewhere) {
-    QWidget window;
-    auto* layout = new QVBoxLayout(&window);
-    auto* field = new SearchField;
-    auto* other = new QLineEdit;
-    layout->addWidget(field);
-    layout->addWidget(other);
-    field->setIndex([] { return townSearch(); });
-    QSignalSpy found(field, &SearchField::found);
-    window.show();
-    window.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-    for (int round = 1; round <= 3; ++round) {
-        field->begin();
-        QTest::keyClicks(field, QStringLiteral("Tower Street"));
-        QTest::keyClick(field->completer()->popup(), Qt::Key_Return);
-        ASSERT_EQ(found.count(), round);
-        EXPECT_EQ(found.back().at(0).value<Found>().kind, FoundKind::street);
-        EXPECT_EQ(field->text(), QStringLiteral("Tower Street"));
-        other->setFocus();
-    }
+using test::ProjectWindow;
+using test::waitFor;
+
+TEST_F(ProjectWindow, WhatIsChosenInTheListIsShownAlsoOnceTheFieldHasLostTheFocus) {
+    build();
+    auto* field = window->findChild<SearchField*>();
+    ASSERT_NE(field, nullptr);
+    const auto choose = [&](const QString& text) {
+        QFocusEvent in(QEvent::FocusIn), out(QEvent::FocusOut);
+        QCoreApplication::sendEvent(field, &in);
+        field->clear();
+        QTest::keyClicks(field, text);
+        const QAbstractItemModel& list = *field->completer()->completionModel();
+        EXPECT_GT(list.rowCount(), 0) << text.toStdString();
+        Q_EMIT field->completer()->activated(list.index(0, 0));
+        QCoreApplication::sendEvent(field, &out);
+        return window->panel().view().pose().target;
+    };
+    const QString house = QString::fromStdString(test::idOf(session().project(), 0));
+    const glm::dvec3 first = choose(house);
+    EXPECT_EQ(window->tools().building().selected(), 0U);
+    const glm::dvec3 tower = choose(QStringLiteral("New"));
+    EXPECT_EQ(window->tools().building().selected(), 3U);
+    EXPECT_GT(glm::distance(first, tower), 20);
+    EXPECT_LT(glm::distance(choose(house), first), 1);
 }
 
 }  // namespace

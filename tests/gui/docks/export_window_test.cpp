@@ -129,6 +129,21 @@ TEST_F(ExportWindow, ASavedResultHasItsPictureAndPage) {
     EXPECT_THAT(contentOfFile(inFolder("result.json")).toStdString(), HasSubstr("shadow_area_m2"));
 }
 
+TEST_F(ExportWindow, ASavedResultHasItsSheets) {
+    study();
+    keep("June");
+    showSaved("June");
+    auto* dialog = openDialog<ExportDialog>("Ctrl+E");
+    ASSERT_NE(dialog, nullptr);
+    auto* sheets = fieldOf<QCheckBox>(*dialog, "exportSheets");
+    ASSERT_TRUE(sheets->isEnabled());
+    sheets->setChecked(true);
+    EXPECT_TRUE(waitFor([&] { return !dialog->busy() && !dialog->pages().picture().isNull(); }))
+        << "the page is shown before it is filed";
+    write(*dialog);
+    EXPECT_TRUE(contentOfFile(inFolder("sheets.pdf")).startsWith("%PDF")) << message();
+}
+
 TEST_F(ExportWindow, MeasuredScenariosAreExportedSideBySide) {
     workbench().measureAll();
     ASSERT_TRUE(waitFor([this] { return workbench().measuredScenarios().size() == 2; }));

@@ -513,6 +513,20 @@ TEST_F(ScenarioTableWindow, AScenarioThatFailsSaysWhyInItsRowAndTheOthersAreMeas
     EXPECT_THAT(csv, HasSubstr("shadow_area_m2: ")) << "what it lacks, and why";
 }
 
+TEST_F(ScenarioTableWindow, ScoresAloneAreExportedAsATable) {
+    EXPECT_FALSE(workbench().hasScenarioAnswers());
+    press("scoreAll");
+    ASSERT_TRUE(workbench().hasScenarioAnswers());
+    ExportChoice choice;
+    choice.subject = ExportChoice::Subject::table;
+    const std::filesystem::path out = folder.filePath(QStringLiteral("out")).toStdString();
+    workbench().exportShown(out, choice);
+    ASSERT_TRUE(waitFor([&] { return !workbench().writing().busy(); }));
+    QFile file(QString::fromStdString((out / "scenario_table.csv").string()));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << message().toStdString();
+    EXPECT_EQ(file.readAll().toStdString(), window->findChild<ScenariosDock*>()->table().csv());
+}
+
 struct ScenarioChartsWindow : ScenarioTableWindow {
     void choose(const char* figure) {
         auto* list = window->findChild<QComboBox*>(QStringLiteral("scenarioChart"));

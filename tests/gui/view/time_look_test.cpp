@@ -1,12 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
-#include <QDateEdit>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 
+#include "app/gui/base/widgets/number_text.h"
 #include "app/gui/view/time/moment_preview.h"
 #include "app/gui/view/time/time_strip.h"
 #include "core/engines/projected/projected_shadows.h"
@@ -65,17 +66,24 @@ TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
     EXPECT_EQ(strip.look().date, CivilDate(2026y, std::chrono::June, 1d));
 }
 
-TEST(TimeStrip, ADateIsTypedWhole) {
+TEST(TimeStrip, TakesADateAsItIsTyped) {
     TimeStrip strip;
-    strip.setPeriod({.start = {2026y, std::chrono::November, 28d}});
-    strip.show();
-    auto* field = strip.findChild<QDateEdit*>(QStringLiteral("lookDateField"));
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, QLocale().toString(QDate(2026, 12, 21), field->displayFormat()));
-    QTest::keyClick(field, Qt::Key_Return);
-    EXPECT_EQ(strip.look().date, CivilDate(2026y, std::chrono::December, 21d));
-    EXPECT_EQ(strip.look().span, ShownSpan::moment) << "what is typed is shown";
+    strip.setPeriod({.start = {2026y, std::chrono::November, 28d}, .hours = 4});
+    auto* field = strip.findChild<QLineEdit*>(QStringLiteral("lookDateField"));
+    const auto type = [&](const char* text) {
+        field->selectAll();
+        QTest::keyClicks(field, QLatin1String(text));
+        QTest::keyClick(field, Qt::Key_Return);
+        return strip.look().date;
+    };
+    EXPECT_EQ(type("21 Dec"), CivilDate(2026y, std::chrono::December, 21d));
+    EXPECT_EQ(type("june 3"), CivilDate(2026y, std::chrono::June, 3d));
+    EXPECT_EQ(type("4"), CivilDate(2026y, std::chrono::June, 4d));
+    EXPECT_EQ(type("24.12."), CivilDate(2026y, std::chrono::December, 24d));
+    EXPECT_EQ(type("2026-02-28"), CivilDate(2026y, std::chrono::February, 28d));
+    EXPECT_EQ(type("30 Feb"), CivilDate(2026y, std::chrono::February, 28d)) << "there is no such day";
+    EXPECT_EQ(field->text(), QStringLiteral("28 Feb"));
+    EXPECT_EQ(parseDay(QStringLiteral("x"), QDate(2026, 1, 1)), QDate());
 }
 
 // Bins of half a degree misplace a shadow's edge by up to a quarter of a degree of azimuth.

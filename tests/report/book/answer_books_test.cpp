@@ -1,10 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QPainter>
+#include <algorithm>
 #include <stdexcept>
 
 #include "app/report/book/answer_books.h"
+#include "app/report/book/flow.h"
 #include "app/report/book/print_book.h"
+#include "tests/report/book/book_texts.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {
@@ -115,9 +119,38 @@ const PageTable& tableOf(const Book& book) {
     throw std::logic_error("a book without a table");
 }
 
-QImage mapOf(const Book& book) {
-    return std::get<PagePicture>(book.pages[book.pages.size() - 2].items.front().content).image;
+const SheetMap& mapOf(const Book& book) {
+    for (const BookPage& page : book.pages)
+        for (const PageItem& item : page.items)
+            if (const auto* map = std::get_if<PageMap>(&item.content)) return *map->map;
+    throw std::logic_error("a book without a map");
 }
+
+QImage pictureOf(const Book& book) {
+    const SheetMap& map = mapOf(book);
+    QImage image(600, 600, QImage::Format_RGB32);
+    QPainter painter(&image);
+    paintMap({painter, 1}, makeMapView(map.scene, QRectF(image.rect())), map.scene);
+    return image;
+}
+
+/// Every page can be read, and there are not too many of them.
+void expectReadable(const Book& book) {
+    EXPECT_LE(book.pages.size(), BookSettings::defaultPages) << book.title.toStdString();
+    for (std::size_t i = 0; i < book.pages.size(); ++i) {
+        const auto texts = tests::textsOfPage(book, i);
+        EXPECT_THAT(tests::listMeetings(texts), testing::IsEmpty())
+            << book.title.toStdString() << ", page " << i;
+        constexpr double unit = MeasuringCanvas::unitsPerPoint;
+        const QRectF frame = frameArea(book.setup);
+        const QRectF inside(frame.topLeft() * unit, frame.size() * unit);
+        for (const tests::PaintedText& text : texts)
+            EXPECT_TRUE(inside.adjusted(-1, -1, 1, 1).contains(text.box))
+                << book.title.toStdString() << ", page " << i << ": " << text.text.toStdString();
+    }
+}
+
+constexpr PageSetup bothSetups[]{{Paper::a4, false}, {Paper::a4, true}};
 
 TEST(SunByPlaceBook, StatesTheCommandThatRepeatsIt) {
     EXPECT_THAT(wordsOf(makeSunByPlaceBook(twoPlaces(), {})),
@@ -153,9 +186,10 @@ TEST(SunByPlaceBook, ItsCommandBreaksOnlyBeforeOptions) {
 }
 
 TEST(SunByPlaceBook, ItsMapIsDrawnWithTheLegendOfTheWindow) {
-    const QImage plain = mapOf(makeSunByPlaceBook(twoPlaces(), {}));
-    EXPECT_NE(mapOf(makeSunByPlaceBook(twoPlaces(), {}, {{.ramp = Ramp::viridis}, {}})), plain);
-    EXPECT_NE(mapOf(makeSunByPlaceBook(twoPlaces(), {}, {{}, 0.5})), plain) << "above the threshold";
+    const SunOfCities sun = twoPlaces();
+    const QImage plain = pictureOf(makeSunByPlaceBook(sun, {}));
+    EXPECT_NE(pictureOf(makeSunByPlaceBook(sun, {}, {{.ramp = Ramp::viridis}, {}})), plain);
+    EXPECT_NE(pictureOf(makeSunByPlaceBook(sun, {}, {{}, 0.5})), plain) << "above the threshold";
     EXPECT_TRUE(printBook(makeSunByPlaceBook(twoPlaces(), {})));
 }
 
@@ -165,6 +199,7 @@ TEST(SunByPlaceBook, ItsTableNamesFiguresAsTheWindowDoesAndListsRemarks) {
     const QStringList titles(table.titles.begin(), table.titles.end());
     EXPECT_TRUE(titles.contains(QStringLiteral("Mean sun, h"))) << titles.join(u'|').toStdString();
     EXPECT_EQ(titles.back(), QStringLiteral("Remarks"));
+    EXPECT_EQ(table.rows[1].front(), QStringLiteral("2")) << "its number on the map";
     EXPECT_TRUE(table.rows[1].back().startsWith(QStringLiteral("mostly on water")))
         << table.rows[1].back().toStdString();
     SunOfCities dry = twoPlaces();
@@ -184,6 +219,90 @@ TEST(SunByPlaceBook, ErrorsAreRowsOfATableThatTheSummaryNames) {
     EXPECT_EQ(errors.rows[0].back(), QStringLiteral("2"));
     EXPECT_EQ(errors.rows[1][1], QStringLiteral("21 December 2026"));
     EXPECT_THAT(wordsOf(book), HasSubstr("in the table at the end"));
+}
+
+/// Many places with long names, dates and scenarios.
+SunOfCities manyPlaces() {
+    SunOfCities all = twoPlaces();
+    SunByPlace& sun = all.baseline;
+    sun.places.clear(), sun.sun.clear(), sun.partOf.clear();
+    for (int i = 0; i < 400; ++i) {
+        const float west = float(i % 20) * 6, south = float(i / 20) * 4;
+        const Footprint outline{{{west, south}, {west + 5, south}, {west + 5, south + 3}, {west, south + 3}},
+                                {}};
+        sun.places.push_back({"Garden of the Seven Hills and Rivers, number " + std::to_string(i),
+                              PlaceKind::park,
+                              {outline},
+                              "drawn"});
+        SunOfPlace of;
+        of.meanHours = of.minHours = of.maxHours = i / 100.0;
+        of.areaM2 = 15;
+        of.dateHours.assign(12, 1);
+        of.belowShare.assign(12, 0.5);
+        sun.sun.push_back(of);
+    }
+    sun.partOf.resize(sun.places.size());
+    for (unsigned month = 1; month <= 12; ++month)
+        sun.settings.dates.push_back(
+            CivilDate{std::chrono::year{2026}, std::chrono::month{month}, std::chrono::day{21}});
+    for (int i = 0; i < 9; ++i) {
+        ComparedSun one{sun, std::vector<SunChange>(sun.places.size())};
+        one.sun.name = "Scenario " + std::to_string(i);
+        all.compared.push_back(std::move(one));
+    }
+    return all;
+}
+
+TEST(SunByPlaceBook, OfManyPlacesDatesAndScenariosCanBeReadAndHasAKey) {
+    const SunOfCities many = manyPlaces();
+    for (const PageSetup& setup : bothSetups) {
+        const Book book = makeSunByPlaceBook(many, {.setup = setup});
+        expectReadable(book);
+        const auto map = std::ranges::find(book.pages, QStringLiteral("Map"), &BookPage::bookmark);
+        const QString text = tests::textOfPage(book, std::size_t(map - book.pages.begin()));
+        EXPECT_TRUE(text.contains(QStringLiteral("Further places: table"))) << text.toStdString();
+    }
+    EXPECT_GT(makeSunByPlaceBook(many, {.allPages = true}).pages.size(), BookSettings::defaultPages);
+}
+
+TEST(ContributionBook, OfManyBuildingsCanBeRead) {
+    Study study = studyWithContributions();
+    study.city.buildings.clear();
+    study.breakdown->buildings.clear();
+    for (std::uint32_t i = 0; i < 600; ++i) {
+        study.city.buildings.push_back(std::make_shared<Building>(
+            tower("House of the Seven Gables and its Gardens " + std::to_string(i), float(i % 100))));
+        study.breakdown->buildings.push_back(shadowOf(i, 10, 5));
+    }
+    for (const PageSetup& setup : bothSetups) expectReadable(makeContributionBook(study, {.setup = setup}));
+}
+
+TEST(StudyBook, CanBeReadAndShowsOnRequestWhereHeightsComeFrom) {
+    const Study study = tests::syntheticStudy();
+    for (const PageSetup& setup : bothSetups) expectReadable(makeStudyBook(study, {.setup = setup}));
+    const auto hasHeights = [&](bool wanted) {
+        return std::ranges::any_of(
+            makeStudyBook(study, {.heightMap = wanted}).pages,
+            [](const BookPage& page) { return page.title == QStringLiteral("Where the heights come from"); });
+    };
+    EXPECT_FALSE(hasHeights(false));
+    EXPECT_TRUE(hasHeights(true));
+}
+
+// As the figures of a comparison with trees and several thresholds are.
+TEST(StudyBook, MoreFiguresThanBesideAMapAreOnPagesOfTheirOwn) {
+    const Study study = tests::syntheticStudy();
+    SavedMapBook saved{makeSheet(study)};
+    for (int i = 0; i < 90; ++i)
+        saved.sheet.figures.push_back(
+            {"Gross, trees with their seasons, more than 30 min: number " + QString::number(i), "1,000 m²"});
+    for (const PageSetup& setup : bothSetups) {
+        const Book book = makeSavedBook(saved, {.setup = setup});
+        expectReadable(book);
+        QString all;
+        for (std::size_t i = 0; i < book.pages.size(); ++i) all += tests::textOfPage(book, i);
+        EXPECT_TRUE(all.contains(QStringLiteral("number 89"))) << "none is lost";
+    }
 }
 
 }  // namespace

@@ -85,6 +85,12 @@ QString describeHeight(double aboveGroundM, double groundElevationM) {
                                                             : QObject::tr("%1 above ground").arg(text);
 }
 
+QString keepUnits(QString text) {
+    static const QRegularExpression unit(
+        QStringLiteral("(?<=\\d) (?=(?:%|°|h|min|s|m|m²|km|ha|ft|sq ft)(?:\\W|$))"));
+    return text.replace(unit, QString(QChar(QChar::Nbsp)));
+}
+
 QString shortDay() { return QObject::tr("d MMM"); }
 QString longDay() { return QObject::tr("d MMMM"); }
 QString dayOfYear() { return QObject::tr("d MMM yyyy"); }
@@ -101,6 +107,18 @@ QString describeHoursOfDay(const Period& period) {
     return QObject::tr("%1 to %2").arg(text(formatText(period.from)), text(formatText(end)));
 }
 
+/// 1 to 12; 0: no month begins like this.
+int parseMonth(const QString& name) {
+    constexpr int minLetters = 3;
+    if (name.size() < minLetters) return 0;
+    for (const QLocale& locale : {QLocale(), QLocale::c()})
+        for (int month = 1; month <= 12; ++month)
+            for (const QString& known : {locale.monthName(month, QLocale::LongFormat),
+                                         locale.monthName(month, QLocale::ShortFormat)})
+                if (known.startsWith(name, Qt::CaseInsensitive)) return month;
+    return 0;
+}
+
 }  // namespace
 
 QString describeWhen(const Period& period) {
@@ -110,6 +128,25 @@ QString describeWhen(const Period& period) {
                              ? text(first)
                              : QObject::tr("%1 to %2").arg(text(first), text(first.addDays(period.days - 1)));
     return QObject::tr("%1, %2").arg(days, describeHoursOfDay(period));
+}
+
+QDate parseDay(const QString& text, QDate shown) {
+    static const QRegularExpression dayName(QStringLiteral(R"(^(\d{1,2})\.?\s*(\p{L}+)\.?$)")),
+        nameDay(QStringLiteral(R"(^(\p{L}+)\.?\s*(\d{1,2})\.?$)")),
+        dots(QStringLiteral(R"(^(\d{1,2})\.(\d{1,2})\.?$)")),
+        iso(QStringLiteral(R"(^(?:\d{4}-)?(\d{1,2})-(\d{1,2})$)")), day(QStringLiteral(R"(^(\d{1,2})\.?$)"));
+    const QString typed = text.simplified();
+    const auto in = [&](int month, const QString& of) { return QDate(shown.year(), month, of.toInt()); };
+    if (const auto match = dayName.match(typed); match.hasMatch())
+        return in(parseMonth(match.captured(2)), match.captured(1));
+    if (const auto match = nameDay.match(typed); match.hasMatch())
+        return in(parseMonth(match.captured(1)), match.captured(2));
+    if (const auto match = dots.match(typed); match.hasMatch())
+        return in(match.captured(2).toInt(), match.captured(1));
+    if (const auto match = iso.match(typed); match.hasMatch())
+        return in(match.captured(1).toInt(), match.captured(2));
+    const auto match = day.match(typed);
+    return match.hasMatch() ? in(shown.month(), match.captured(1)) : QDate();
 }
 
 QDate dateOf(CivilDate date) {

@@ -43,7 +43,14 @@ double heightZeroM(double groundElevationM);
 QString describeHeight(double aboveGroundM, double groundElevationM);
 
 // Formats of dates as the language of the window writes them, for QLocale::toString() and fields.
-QString shortDay();   ///< "21 Mar"
+/// A text whose lines do not break between a number and its unit.
+QString keepUnits(QString text);
+
+QString shortDay();  ///< "21 Mar"
+/// A day as it is typed: "21 Dec", "December 21", "21.12.", "12-21", "2026-12-21" or "21" of the shown month;
+/// names of months in the window's language or in English, at least three letters. In the year of `shown`.
+/// Invalid: it is none.
+QDate parseDay(const QString& text, QDate shown);
 QString longDay();    ///< "21 March"
 QString dayOfYear();  ///< "21 Mar 2026"
 QString longDate();   ///< "21 March 2026"

@@ -247,11 +247,9 @@ void ExportDialog::update() {
     files_->setText(names.join(QStringLiteral(", ")));
     cells_->setEnabled(differs(&ExportChoice::cells));
     sheets_->setEnabled(differs(&ExportChoice::sheets));
-    sheets_->setToolTip(
-        sheets_->isEnabled()
-            ? tr("A PDF with maps, figures, charts and method on several pages")
-            : tr("A saved answer has figures and tables, but not all that sheets show: run it "
-                 "again to print it"));
+    sheets_->setToolTip(sheets_->isEnabled()
+                            ? tr("A PDF with maps, figures, charts and method on several pages")
+                            : tr("What is exported has its sheets always, or has none"));
     const bool hasPicture = names.join(QLatin1Char(' ')).contains(QStringLiteral(".png"));
     for (QWidget* field : std::initializer_list<QWidget*>{width_, pixels_}) field->setEnabled(hasPicture);
     const bool isView = now.subject == ExportChoice::Subject::view;

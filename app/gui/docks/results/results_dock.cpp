@@ -68,7 +68,7 @@ void fillRows(QWidget& widget, const std::vector<ResultRow>& rows, bool ofMethod
     grid->setColumnStretch(1, 1);
     for (const ResultRow& row : rows) {
         if (row.isMethod != ofMethod) continue;
-        QLabel* value = rowLabel(row.value, row.meaning);
+        QLabel* value = rowLabel(keepUnits(row.value), row.meaning);
         value->setWordWrap(true);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
         const int at = grid->rowCount();
@@ -202,15 +202,15 @@ void ResultsDock::addSection(QWidget* section) {
     sections_->setVisible(filled_);
 }
 
-QString ResultsDock::headline() const { return headline_->text(); }
+QString ResultsDock::headline() const { return headline_->text().replace(QChar::Nbsp, u' '); }
 
 void ResultsDock::show(const AnswerPage& page, const std::vector<ResultRow>& rows) {
     filled_ = !rows.empty();
     rows_ = rows;
     QStringList findings;
     for (const Sentence& finding : page.findings) findings << sentenceText(finding);
-    headline_->setText(sentenceText(page.headline));
-    findings_->setText(findings.join(QLatin1Char(' ')));
+    headline_->setText(keepUnits(sentenceText(page.headline)));
+    findings_->setText(keepUnits(findings.join(QLatin1Char(' '))));
     charts_->show(page.charts);
     fillRows(*figures_, rows, false);
     fillRows(*method_, rows, true);

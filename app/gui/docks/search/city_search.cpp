@@ -140,17 +140,23 @@ SearchField::SearchField(QWidget* parent)
     setToolTip(
         tr("A building by name or id, a street, a place, a lot, or a position such as 40.7536, -73.9832"));
     setClearButtonEnabled(true);
-    setMinimumWidth(220);
+    setFixedHeight(sizeHint().height());
     completer_->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
     completer_->setCompletionRole(titleRole);
     setCompleter(completer_);
     completer_->popup()->setMinimumWidth(listWidth);
     connect(this, &QLineEdit::textEdited, this, &SearchField::search);
-    // Not as a connection to this field: QLineEdit cuts all that its completer has to it when the focus
-    // leaves.
-    connect(completer_, qOverload<const QModelIndex&>(&QCompleter::activated), completer_,
+    // Not with this field as the receiver: where it loses the focus, QLineEdit ends all connections of its
+    // completer with itself.
+    connect(completer_, qOverload<const QModelIndex&>(&QCompleter::activated), model_,
             [this](const QModelIndex& index) { take(std::size_t(index.row())); });
     connect(this, &QLineEdit::returnPressed, this, &SearchField::takeFirst);
+}
+
+// A menu bar makes no room for more than this, and is no higher than its titles.
+QSize SearchField::sizeHint() const {
+    constexpr int widthPx = 220, aroundPx = 6;
+    return {widthPx, fontMetrics().height() + aroundPx};
 }
 
 void SearchField::setIndex(MakeIndex make) {

@@ -70,6 +70,7 @@ public:
     void setIndex(MakeIndex make);
     /// Puts the cursor into the field and selects its text.
     void begin();
+    [[nodiscard]] QSize sizeHint() const override;
 
 Q_SIGNALS:
     void found(const noonmark::Found& found);

@@ -54,6 +54,7 @@ QString nameIn(std::string_view name) { return QString::fromUtf8(name.data(), qs
 SheetForm::SheetForm(QWidget* parent)
     : QWidget(parent),
       title_(new FieldRows(titleFields().rows(), this)),
+      book_(new FieldRows(bookFields().rows(), this)),
       extent_(new FieldRows(extentFields().rows(), this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -95,8 +96,10 @@ void SheetForm::makePaper(QFormLayout& form) {
     units_ = addList(form, tr("Units"), "sheetUnits", tr("Of areas, lengths and heights"));
     for (const KeyedLabel& choice : std::ranges::find(sheetFields().rows(), "--units", &Field::flag)->choices)
         units_->addItem(translated(choice.label), int(*parseUnitSystem(choice.key)));
-    extent_->addRows(form);
-    connect(extent_, &FieldRows::edited, this, &SheetForm::edited);
+    for (FieldRows* rows : {book_, extent_}) {
+        rows->addRows(form);
+        connect(rows, &FieldRows::edited, this, &SheetForm::edited);
+    }
 }
 
 void SheetForm::makeTitleBlock(QFormLayout& form) {
@@ -144,6 +147,7 @@ void SheetForm::show(const BookSettings& settings) {
     scale_->setCurrentText(settings.scale ? scaleText(*settings.scale) : scale_->itemText(0));
     units_->setCurrentIndex(units_->findData(int(settings.units)));
     title_->show(titleFields().of(settings.titleBlock));
+    book_->show(bookFields().of(settings));
     extent_->show(extentFields().of(settings));
     logo_ = settings.titleBlock.logo;
     showLogo();
@@ -158,6 +162,7 @@ BookSettings SheetForm::settings() const {
     if (isNumber) settings.scale = std::clamp(scale, BookSettings::minScale, BookSettings::maxScale);
     settings.units = UnitSystem(units_->currentData().toInt());
     title_->take(titleFields().of(settings.titleBlock));
+    book_->take(bookFields().of(settings));
     extent_->take(extentFields().of(settings));
     settings.titleBlock.logo = logo_;
     return settings;

@@ -51,6 +51,7 @@ private:
     QFormLayout* page_;  // the rows of the paper
     QComboBox *paper_, *orientation_, *scale_, *units_;
     FieldRows* title_;
+    FieldRows* book_;
     FieldRows* extent_;
     QLabel* logoPicture_;
     QPushButton* removeLogo_;

@@ -105,6 +105,8 @@ std::vector<ExportDialog::Subject> ResultActions::exportSubjects() const {
         subjects.push_back(
             {Subject::scenarios, tr("All %1 scenario(s) measured", "", pluralNumber(measured.size()))
                                      .arg(formatCount(measured.size()))});
+    if (workbench_.hasScenarioAnswers())
+        subjects.push_back({Subject::table, tr("Table of scenarios: scores, verdicts, sun of places")});
     if (workbench_.city()) subjects.push_back({Subject::view, tr("Picture of the view")});
     return subjects;
 }

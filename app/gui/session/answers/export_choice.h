@@ -15,6 +15,7 @@ struct ExportChoice : AnswerFiles {
         shown,      ///< the answer displayed
         place,      ///< what the buildings take from the place of the dock Contributions
         scenarios,  ///< the studies of all scenarios that were measured, side by side
+        table,      ///< the table of scenarios: scores, verdicts and sun of places, also without studies
         view,       ///< the picture of the view
     };
     static constexpr int minHeight = 200, maxSide = 8192;  ///< of the view's picture, pixels

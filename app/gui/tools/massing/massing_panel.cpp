@@ -134,6 +134,7 @@ MassingPanel::MassingPanel(QWidget* parent)
       on_(new QLabel),
       name_(new QLineEdit),
       form_(new MassingForm) {
+    on_->setWordWrap(true);
     name_->setMaxLength(80);
     name_->setToolTip(tr("Name and id of the new building"));
     auto* names = new QFormLayout;
@@ -177,6 +178,9 @@ QWidget* MassingPanel::makeLotRow() {
     lot_ = new QComboBox;
     lot_->setObjectName(QStringLiteral("lot"));
     lot_->setToolTip(tr("The project's lots, and those of buildings that towers have replaced"));
+    // A long name shall not widen the panel.
+    lot_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    lot_->setMinimumContentsLength(12);
     design_ = pushButton(tr("Design tower"), "designTower",
                          tr("Designs a tower on this lot; building it demolishes the buildings on the lot"));
     editTower_ = pushButton(tr("Edit tower"), "editTower",
@@ -338,7 +342,7 @@ void MassingPanel::listLots() {
     if (lots_.empty()) lot_->addItem(tr("No lots yet: draw one"));
     lot_->setCurrentIndex(std::max(0, lot_->findText(chosen)));
     lot_->setEnabled(!lots_.empty());
-    hint_->setVisible(lots_.empty());
+    hint_->setVisible(lots_.empty() && body_->isHidden());
     enableLotButtons();
 }
 
@@ -357,6 +361,7 @@ void MassingPanel::enableLotButtons() {
 void MassingPanel::setDesigning(bool designing) {
     const bool begins = designing && body_->isHidden();
     for (QWidget* one : {body_, footer_}) one->setVisible(designing);
+    hint_->setVisible(!designing && lots_.empty());
     if (begins)  // when all has its place
         QTimer::singleShot(0, this, [this] { scroll_->verticalScrollBar()->setValue(body_->y()); });
 }
@@ -393,7 +398,7 @@ void MassingPanel::showFigures(const Massing& massing, std::size_t demolished, d
     for (QWidget* one : std::initializer_list<QWidget*>{figures_, effect_, apply_}) one->setEnabled(true);
 }
 
-// The last figures stay, in grey: they describe the tower still in the view.
+// The last figures stay, paler: they describe the tower still in the view.
 void MassingPanel::showError(const Error& error, const NearestFit* nearest) {
     error_->setText(describeError(Error{error.what, {}, error.advice}));  // the field is marked
     error_->show();

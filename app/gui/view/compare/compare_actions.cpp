@@ -249,6 +249,7 @@ void CompareActions::end() {
     divider_.setActive(false);
     panel_.setComparison({});
     panel_.view().setSides({});
+    stepForward();
     panel_.results().setSides(std::nullopt);
     time_.setOtherCity(nullptr);
     other_.clear();
@@ -272,9 +273,29 @@ void CompareActions::layOut() {
     sides.layout = beside_->isChecked() ? SideLayout::beside : SideLayout::swipe;
     if (flicker_->isChecked()) sides.divider = 1;
     divider_.setActive(swipe_->isChecked());
+    const double widthBefore = panel_.view().lens().widthPx;
     panel_.view().setSides(sides);
+    sides.layout == SideLayout::beside ? stepBack(widthBefore) : stepForward();
     panel_.setComparison(nameSides());
     showSides();
+}
+
+// A half shows half of the width: from farther away it still shows all that was in sight, so that no place is
+// cut at the seam.
+void CompareActions::stepBack(double widthBefore) {
+    const double narrower = widthBefore / panel_.view().lens().widthPx;
+    if (step_ || narrower <= 1) return;
+    const CameraPose before = panel_.view().pose();
+    CameraPose after = before;
+    after.distanceM *= narrower;
+    panel_.view().setPose(after);
+    step_ = Step{before, panel_.view().pose()};
+}
+
+// Unless the camera has moved since.
+void CompareActions::stepForward() {
+    if (step_ && panel_.view().pose() == step_->after) panel_.view().setPose(step_->before);
+    step_.reset();
 }
 
 QString CompareActions::nameSides() const {

@@ -139,6 +139,8 @@ private:
     void end();
     void follow();
     void layOut();
+    void stepBack(double widthBefore);
+    void stepForward();
     void showSides();
     /// What each side shows in place of the displayed answer: of a comparison both scenarios, else the
     /// answers to the same question. None: the question is not about cells of the ground.
@@ -156,6 +158,10 @@ private:
     QAction* beside_;
     QAction* swipe_;
     QAction* flicker_;
+    struct Step {
+        CameraPose before, after;
+    };
+    std::optional<Step> step_;  ///< that the camera took back for two sides
 };
 
 }  // namespace noonmark

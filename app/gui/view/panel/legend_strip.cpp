@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "app/gui/base/looks/theme.h"
+#include "app/gui/base/looks/units.h"
 #include "app/gui/base/widgets/error_text.h"
 #include "app/gui/base/widgets/number_text.h"
 #include "app/gui/view/panel/legend_editor.h"
@@ -86,20 +87,25 @@ QToolButton* shownButton(const char* name, const QString& text, const QString& t
     button->setToolTip(tip);
     button->setCheckable(true);
     button->setAutoExclusive(true);
+    // In the dark theme the style's own pressed button looks like the other.
+    button->setStyleSheet(QStringLiteral(
+        "QToolButton:checked { background: palette(highlight); color: palette(highlighted-text); "
+        "border: 1px solid palette(mid); }"));
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return button;
 }
 
+bool fits(const QString& words, const QFont& font, const QSizeF& room) {
+    const QSizeF size = sizeOf(words, font, room.width());
+    return size.width() <= room.width() && size.height() <= room.height();
+}
+
 // The note, shortened to its first words if it does not fit.
 QString elideNote(const QString& note, const QFont& font, const QSizeF& room) {
-    const auto fits = [&](const QString& words) {
-        const QSizeF size = sizeOf(words, font, room.width());
-        return size.width() <= room.width() && size.height() <= room.height();
-    };
-    if (fits(note)) return note;
+    if (fits(note, font, room)) return note;
     QStringList words = note.split(QLatin1Char(' '));
     const auto some = [&words] { return words.join(QLatin1Char(' ')) + QChar(0x2026); };
-    while (words.size() > 1 && !fits(some())) words.removeLast();
+    while (words.size() > 1 && !fits(some(), font, room)) words.removeLast();
     return some();
 }
 
@@ -316,7 +322,7 @@ void LegendStrip::setScale(double pixelsPerM) {
 void LegendStrip::paintScale(const Canvas& canvas) const {
     if (pixelsPerM_ <= 0 || width() < minWithScale) return;
     const QRectF area(width() - compassWidth(width()) + 8.0, 16, scaleRoom - 8.0, stripHeight - 24.0);
-    paintScaleBar(canvas, area, scaleBarWithin(longestBarPx / pixelsPerM_), pixelsPerM_);
+    paintScaleBar(canvas, area, scaleBarWithin(longestBarPx / pixelsPerM_, unitsInUse()), pixelsPerM_);
 }
 
 ShadowMeasure LegendStrip::measure() const { return ShadowMeasure(measure_->currentIndex()); }
@@ -325,10 +331,14 @@ void LegendStrip::setMeasure(ShadowMeasure measure) { measure_->setCurrentIndex(
 
 bool LegendStrip::narrow() const { return width() < minWidth; }
 
+// Smaller where a long note needs it.
 QFont LegendStrip::noteFont() const {
+    constexpr double minPt = 7, smallerPt = 0.5;
     QFont font = this->font();
-    font.setPointSizeF(std::max(7.0, font.pointSizeF() - 1));
     font.setBold(partial_);
+    font.setPointSizeF(std::max(minPt, font.pointSizeF() - 1));
+    while (font.pointSizeF() > minPt && !fits(note_, font, noteRoom()))
+        font.setPointSizeF(std::max(minPt, font.pointSizeF() - smallerPt));
     return font;
 }
 

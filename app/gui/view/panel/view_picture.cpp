@@ -4,6 +4,7 @@
 #include <QObject>
 #include <algorithm>
 
+#include "app/gui/base/looks/units.h"
 #include "app/report/maps/map_view.h"
 
 namespace noonmark {
@@ -70,7 +71,7 @@ void paintFurniture(const Canvas& canvas, const QRectF& foot, const PictureFrame
     const QRectF bar(arrow.left() - barWidthPx - 10, foot.top(), barWidthPx, furniturePx);
     const double longestM = (barWidthPx - 40) / frame.pixelsPerM;
     if (!(longestM > 0)) return;
-    paintScaleBar(canvas, bar, scaleBarWithin(longestM), frame.pixelsPerM);
+    paintScaleBar(canvas, bar, scaleBarWithin(longestM, unitsInUse()), frame.pixelsPerM);
     if (frame.fromAbove) return;
     canvas.painter.setFont(textFont(canvas, 6.5));
     canvas.painter.setPen(ink::quiet);

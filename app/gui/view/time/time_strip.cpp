@@ -1,10 +1,10 @@
 #include "app/gui/view/time/time_strip.h"
 
 #include <QComboBox>
-#include <QDateEdit>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
@@ -38,6 +38,17 @@ MarkedSlider* slider(const char* name, const QString& tip, int last, int page) {
 
 QDate firstOfYear(CivilDate date) { return {int(date.year()), 1, 1}; }
 
+/// Of the longest date.
+int widthOfDay() {
+    int widest = 0;
+    const QLineEdit field;
+    for (int month = 1; month <= 12; ++month)
+        widest = std::max(widest, field.fontMetrics().horizontalAdvance(
+                                      QLocale().toString(QDate(2026, month, 28), shortDay())));
+    constexpr int framePx = 16;
+    return widest + framePx;
+}
+
 QTime timeOf(std::chrono::minutes at) { return QTime(0, 0).addSecs(int(at.count()) * 60); }
 
 QComboBox* shortList(const char* name, const QStringList& entries, const QString& tip) {
@@ -69,18 +80,16 @@ void TimeStrip::makeFields() {
         slider("lookTime",
                tr("The wall-clock time; yellow: the sun is up. Arrows: a minute; Page Up and Down: an hour"),
                minutesOfDay - 1, 60);
-    dateField_ = new QDateEdit;
+    dateField_ = new QLineEdit;
     dateField_->setObjectName(QStringLiteral("lookDateField"));
-    dateField_->setDisplayFormat(shortDay());
-    dateField_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    dateField_->setToolTip(tr("The date: 21 Dec, 12-21, or 21 for a day of this month"));
+    dateField_->setFixedWidth(widthOfDay());
     timeField_ = new QTimeEdit;
     timeField_->setObjectName(QStringLiteral("lookTimeField"));
     timeField_->setDisplayFormat(QStringLiteral("HH:mm"));
     timeField_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    // The fields follow what is shown: told of every key, they would overwrite what is being typed.
-    for (QDateTimeEdit* field :
-         {static_cast<QDateTimeEdit*>(dateField_), static_cast<QDateTimeEdit*>(timeField_)})
-        field->setKeyboardTracking(false);
+    // The field follows what is shown: told of every key, it would overwrite what is being typed.
+    timeField_->setKeyboardTracking(false);
     words_ = new QLabel;
     words_->setObjectName(QStringLiteral("lookText"));
     sunWords_ = new QLabel;
@@ -160,8 +169,12 @@ void TimeStrip::connectFields() {
         look.at = std::chrono::minutes(minutes);
         takeMoment(look);
     });
-    connect(dateField_, &QDateEdit::dateChanged, this,
-            [this](QDate date) { date_->setValue(int(firstOfYear(look_.date).daysTo(date))); });
+    connect(dateField_, &QLineEdit::editingFinished, this, [this] {
+        const QDate date = parseDay(dateField_->text(), dateOf(look_.date));
+        if (!date.isValid()) return showLook();
+        date_->setValue(int(firstOfYear(look_.date).daysTo(date)));
+        showLook();  // a day that was shown already keeps its text
+    });
     connect(timeField_, &QTimeEdit::timeChanged, this,
             [this](QTime time) { time_->setValue(time.hour() * 60 + time.minute()); });
     connect(use_, &QPushButton::clicked, this, [this] { Q_EMIT taken(look_); });
@@ -250,8 +263,7 @@ void TimeStrip::showLook() {
     date_->setMaximum(first.daysInYear() - 1);
     date_->setValue(int(first.daysTo(dateOf(look_.date))));
     time_->setValue(int(look_.at.count()));
-    dateField_->setDateRange(first, first.addDays(first.daysInYear() - 1));
-    dateField_->setDate(dateOf(look_.date));
+    dateField_->setText(locale().toString(dateOf(look_.date), shortDay()));
     timeField_->setTime(timeOf(look_.at));
     if (look_.span == ShownSpan::period) words_->clear();
     use_->setVisible(look_.span != ShownSpan::period);

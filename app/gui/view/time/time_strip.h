@@ -11,7 +11,7 @@
 #include "app/gui/view/time/sun_at_moment.h"
 
 class QComboBox;
-class QDateEdit;
+class QLineEdit;
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -69,7 +69,7 @@ private:
     QComboBox* span_;
     MarkedSlider* date_;  // days since the first of the year
     MarkedSlider* time_;  // minutes since midnight
-    QDateEdit* dateField_;
+    QLineEdit* dateField_;
     QTimeEdit* timeField_;
     QLabel* words_;
     QLabel* sunWords_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/report/book/answer_books.h"
 #include "app/report/book/flow.h"
 #include "app/report/maps/answer_legends.h"
 #include "app/report/sheets/report_sections.h"
@@ -47,7 +48,7 @@ TextBlocks summaryOf(const GlazingBookSource& source) {
     return blocks;
 }
 
-NamedTable buildingTable(const GlazingBookSource& source, double points) {
+NamedTable buildingTable(const GlazingBookSource& source, double points, std::size_t maxRows) {
     PageTable table{{QStringLiteral("Building"), QStringLiteral("Windows"), QStringLiteral("Fail before"),
                      QStringLiteral("Fail after"), QStringLiteral("Worse"), QStringLiteral("Verdict before"),
                      QStringLiteral("Verdict after")},
@@ -56,6 +57,7 @@ NamedTable buildingTable(const GlazingBookSource& source, double points) {
                     {},
                     points};
     for (const BuildingReview& building : source.study.buildings) {
+        if (table.rows.size() == maxRows) break;
         const std::string& name = building.name.empty() ? building.id : building.name;
         table.rows.push_back(
             {plainText(name.empty() ? "none" : name), describeCount(building.windows.after.all()),
@@ -64,7 +66,12 @@ NamedTable buildingTable(const GlazingBookSource& source, double points) {
              plainText(nameOf(building.verdict))});
         table.marks.push_back(verdictMark(building.verdict));
     }
-    return {QStringLiteral("Buildings"), {}, std::move(table)};
+    const std::size_t more = source.study.buildings.size() - table.rows.size();
+    const QString note =
+        more > 0
+            ? QStringLiteral("The windows of %1 more buildings are in windows.csv").arg(describeCount(more))
+            : QString();
+    return {QStringLiteral("Buildings"), note, std::move(table)};
 }
 
 std::vector<QString> glazingRow(const GlazingStudy& study, const GlazingReview& review) {
@@ -84,7 +91,7 @@ std::vector<QString> glazingRow(const GlazingStudy& study, const GlazingReview& 
     return row;
 }
 
-NamedTable glazingTable(const GlazingBookSource& source, double points) {
+NamedTable glazingTable(const GlazingBookSource& source, double points, std::size_t maxRows) {
     const GlazingStudy& study = source.study;
     PageTable table{{QStringLiteral("Window"), QStringLiteral("Floor"), QStringLiteral("Faces, deg")},
                     {},
@@ -98,7 +105,7 @@ NamedTable glazingTable(const GlazingBookSource& source, double points) {
     for (const auto* title : {"Sun before", "Sun after", "Verdict before", "Verdict after"})
         table.titles.push_back(QString::fromLatin1(title));
     for (const GlazingReview* review : sortWorstFirst(study.windows)) {
-        if (table.rows.size() == maxGlazingRows) break;
+        if (table.rows.size() == maxRows) break;
         table.rows.push_back(glazingRow(study, *review));
         table.marks.push_back(verdictMark(review->verdict));
     }
@@ -146,13 +153,16 @@ Result<Book> makeGlazingBook(const GlazingBookSource& source, const BookSettings
         for (BookPage& page : pages) book.pages.push_back(std::move(page));
     };
     const double points = glazingTablePt * textScale(settings.setup);
+    const std::size_t maxRows = settings.allPages ? maxGlazingRows : defaultGlazingRows;
     append(makeTextPages(settings.setup, {title, {}, QStringLiteral("Summary")}, summaryOf(source)));
     append(makeGlazingElevations(source, settings));
+    if (settings.heightMap)
+        book.pages.push_back(makeHeightMapPage(source.scenario, bounds(source.scenario), settings.setup));
     auto views = makeGlazingSunViews(source, settings, progress, stop);
     if (!views) return tl::make_unexpected(views.error());
     append(*std::move(views));
     append(makeTablePages(settings.setup, {QStringLiteral("Tables"), {}, QStringLiteral("Tables")},
-                          {buildingTable(source, points), glazingTable(source, points)}));
+                          {buildingTable(source, points, maxRows), glazingTable(source, points, maxRows)}));
     append(makeTextPages(settings.setup,
                          {QStringLiteral("Method and sources"), {}, QStringLiteral("Method and sources")},
                          methodOf(source)));

@@ -16,17 +16,19 @@ struct GlazingBookSource {
 };
 
 /// The book of a review of windows: summary with counts, elevations and, where the rule asks for them, views
-/// from the sun (glazing_pictures.cpp), buildings, windows (the worst first; of more than `maxGlazingRows`
-/// the rest is in windows.csv only), method and sources. Errors of makeGlazingSunViews().
+/// from the sun (glazing_pictures.cpp), buildings, windows (the worst first; of more than
+/// `defaultGlazingRows` or, where all pages are asked for, `maxGlazingRows` the rest is in windows.csv only),
+/// method and sources. Errors of makeGlazingSunViews().
 Result<Book> makeGlazingBook(const GlazingBookSource& source, const BookSettings& settings,
                              Progress& progress, const std::stop_token& stop);
-inline constexpr std::size_t maxGlazingRows = 2000;
+inline constexpr std::size_t maxGlazingRows = 2000, defaultGlazingRows = 150;
 
 /// The sides of the reviewed buildings, coloured by each of listGlazingMeasures(): baseline, scenario and
 /// change on locked scales, with marks of verdicts. Buildings whose windows get worse come first, then those
-/// that fail. At most `maxElevationPages` a measure.
+/// that fail. At most `maxElevationPages` a measure or, unless all pages are asked for,
+/// `defaultElevationPages` of all measures.
 std::vector<BookPage> makeGlazingElevations(const GlazingBookSource& source, const BookSettings& settings);
-inline constexpr std::size_t maxElevationPages = 40;
+inline constexpr std::size_t maxElevationPages = 40, defaultElevationPages = 12;
 
 /// Whether the diagrams of a rule have views from the sun.
 bool hasSunViews(const Rule& rule);

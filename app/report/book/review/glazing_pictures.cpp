@@ -112,7 +112,8 @@ Legend legendOf(const GlazingMeasure& measure, const LegendChoice& choice, bool 
 }
 
 std::vector<BookPage> makePagesOf(const GlazingBookSource& source, const BookSettings& settings,
-                                  const GlazingMeasure& measure, const std::vector<PanesOfBuilding>& groups) {
+                                  const GlazingMeasure& measure, const std::vector<PanesOfBuilding>& groups,
+                                  std::size_t maxPages) {
     const GlazingStudy& study = source.study;
     const GlazingLegends legends{legendOf(measure, settings.legend, false),
                                  legendOf(measure, settings.legend, true)};
@@ -126,13 +127,13 @@ std::vector<BookPage> makePagesOf(const GlazingBookSource& source, const BookSet
         {plainText(source.labels.from), plainText(source.labels.to), QStringLiteral("Change")},
         {{legends.value, legends.change}},
         source.scenario.frame,
-        maxElevationPages};
+        maxPages};
     sheets.scale = settings.scale;
     sheets.foot.note = QStringLiteral("Grey: no value. Seen square to the wall, from outside.");
     // Each side takes a quarter of a page at least: more buildings cannot be drawn.
     std::vector<ElevationBuilding> buildings;
     for (const PanesOfBuilding& group : groups) {
-        if (buildings.size() > 4 * maxElevationPages) {
+        if (buildings.size() > 4 * maxPages) {
             buildings.push_back({nameOfBuilding(study, group), nullptr, {}, {}, {}});
             continue;
         }
@@ -146,8 +147,12 @@ std::vector<BookPage> makePagesOf(const GlazingBookSource& source, const BookSet
 std::vector<BookPage> makeGlazingElevations(const GlazingBookSource& source, const BookSettings& settings) {
     const std::vector<PanesOfBuilding> groups = groupPanes(source.study);
     std::vector<BookPage> pages;
-    for (const GlazingMeasure& measure : listGlazingMeasures(source.study.rule))
-        for (BookPage& page : makePagesOf(source, settings, measure, groups))
+    const auto measures = listGlazingMeasures(source.study.rule);
+    const std::size_t maxPages = settings.allPages
+                                     ? maxElevationPages
+                                     : defaultElevationPages / std::max<std::size_t>(1, measures.size());
+    for (const GlazingMeasure& measure : measures)
+        for (BookPage& page : makePagesOf(source, settings, measure, groups, maxPages))
             pages.push_back(std::move(page));
     return pages;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "app/report/book/answer_books.h"
 #include "app/report/book/flow.h"
 #include "app/report/book/review/review_pages.h"
 #include "app/report/sheets/report_sections.h"
@@ -53,7 +54,7 @@ std::vector<MakePages> pictureChapters(const Rule& rule) {
 
 std::vector<CommandOption> makeRepeatOptions(const BookSettings& settings) {
     std::vector<CommandOption> options = listOptions(pageFields().of(settings.setup));
-    for (const auto* fields : {&scaleFields(), &extentFields()})
+    for (const auto* fields : {&scaleFields(), &bookFields(), &extentFields()})
         for (CommandOption& option : listOptions(fields->of(settings))) options.push_back(std::move(option));
     for (CommandOption& option : listOptions(legendFields().of(settings.legend)))
         options.push_back(std::move(option));

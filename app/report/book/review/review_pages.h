@@ -115,9 +115,6 @@ Result<std::vector<BookPage>> makeFanPages(const ReviewScene& scene, Progress& p
                                            const std::stop_token& stop);
 Result<std::vector<BookPage>> makeSunViewPages(const ReviewScene& scene, Progress& progress,
                                                const std::stop_token& stop);
-/// A map of the city's buildings in the colours of where their heights come from, and a legend that counts
-/// them. `shown`: the part of the ground, local metres; empty: all buildings. The page owns what it shows.
-BookPage makeHeightMapPage(const City& city, const Box2& shown, const PageSetup& setup);
 /// The charts of each place, or of those that fail or are borderline.
 std::vector<BookPage> makeChartPages(const ReviewScene& scene);
 std::vector<BookPage> makeReviewTablePages(const ReviewScene& scene);
