@@ -19,7 +19,7 @@ std::vector<std::string> listChanges(const SavedContent& saved) {
 
 /// A book that refers to more than it shares.
 template <class... T>
-std::shared_ptr<const Book> keepWith(std::shared_ptr<const Book> book,
+std::shared_ptr<const Book> withOwners(std::shared_ptr<const Book> book,
                                      std::shared_ptr<const T>... referredTo) {
     using Kept = std::tuple<std::shared_ptr<const Book>, std::shared_ptr<const T>...>;
     const auto kept = std::make_shared<const Kept>(std::move(book), std::move(referredTo)...);
@@ -111,7 +111,7 @@ public:
             return bundleBook(
                 makeSavedBook(*content().result, content().answer.origin, source, figures(), bookOf(how)),
                 shared(), city);
-        return keepWith(of_.saved->book(content(), source, how), shared(), city);
+        return withOwners(of_.saved->book(content(), source, how), shared(), city);
     }
 
 private:
