@@ -1820,10 +1820,6 @@ Alle Seiten %2, Fläche %3</translation>
         <translation>Neuer Schatten: %1</translation>
     </message>
     <message>
-        <source>New shadow a day: %1</source>
-        <translation>Neuer Schatten am Tag: %1</translation>
-    </message>
-    <message>
         <source>Worst spot: +%1 min a day</source>
         <translation>Stärkste Zunahme: +%1 min am Tag</translation>
     </message>
@@ -2476,6 +2472,22 @@ Opens the panel Review.</source>
     <message>
         <source>%1 as it stands</source>
         <translation>%1 im jetzigen Zustand</translation>
+    </message>
+    <message>
+        <source>Without trees: %1</source>
+        <translation>Ohne Bäume: %1</translation>
+    </message>
+    <message>
+        <source>sunrise to sunset</source>
+        <translation>Sonnenaufgang bis Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>; sun comes back on %1 (%2 %)</source>
+        <translation>; auf %1 kommt Sonne zurück (%2 %)</translation>
+    </message>
+    <message>
+        <source>New shadow a day, by cells of %1: %2</source>
+        <translation>Neuer Schatten am Tag, nach Zellen von %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4950,6 +4962,34 @@ Opens the panel Review.</source>
         <source>a tree far from the buildings: its longitude and latitude are swapped</source>
         <translation>ein Baum weit von den Gebäuden: seine Länge und Breite sind vertauscht</translation>
     </message>
+    <message>
+        <source>This is without trees.</source>
+        <translation>Dies ist ohne Bäume.</translation>
+    </message>
+    <message>
+        <source>This is with trees as evergreens.</source>
+        <translation>Dies ist mit Bäumen als Immergrünen.</translation>
+    </message>
+    <message>
+        <source>This is with trees by their seasons.</source>
+        <translation>Dies ist mit Bäumen nach ihren Jahreszeiten.</translation>
+    </message>
+    <message>
+        <source>Trees on maps</source>
+        <translation>Bäume auf Karten</translation>
+    </message>
+    <message>
+        <source>Which shadow maps and sheets of studies and comparisons show where trees reach; files of values hold all that were measured</source>
+        <translation>Welchen Schatten Karten und Blätter von Studien und Vergleichen zeigen, wo Bäume hinreichen; Dateien mit Werten enthalten alles Gemessene</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens their number is %1, at most %2 at one spot.</source>
+        <translation>Mit Bäumen als Immergrünen sind es %1, höchstens %2 an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season their number is %1, at most %2 at one spot.</source>
+        <translation>Mit Bäumen, die nach Jahreszeit ihr Laub verlieren, sind es %1, höchstens %2 an einer Stelle.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5883,8 +5923,8 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
         <translation>Ein Ergebnis lässt sich nur mit dem Projekt prüfen, aus dem es stammt, und dieses Projekt ist nicht gespeichert</translation>
     </message>
     <message>
-        <source>A saved answer has figures and tables, but not all that sheets show: run it again to print it</source>
-        <translation>Eine gespeicherte Antwort hat Zahlen und Tabellen, aber nicht alles, was Blätter zeigen: rechnen Sie neu, um sie zu drucken</translation>
+        <source>What is exported has its sheets always, or has none</source>
+        <translation>Was ausgegeben wird, hat seine Blätter immer oder hat keine</translation>
     </message>
 </context>
 <context>
@@ -6717,10 +6757,6 @@ Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfa
         <translation>Name</translation>
     </message>
     <message>
-        <source>The project&apos;s lots</source>
-        <translation>Die Grundstücke des Projekts</translation>
-    </message>
-    <message>
         <source>Design tower</source>
         <translation>Turm entwerfen</translation>
     </message>
@@ -6816,7 +6852,11 @@ Doppelklick, Eingabe oder Rechtsklick beendet, die Rücktaste entfernt die letzt
     </message>
     <message>
         <source>Draw a lot on the ground, or click a building and make a lot from its footprint. Ctrl+T replaces the building that is selected by a tower.</source>
-        <translation>Zeichnen Sie ein Grundstück auf den Boden, oder klicken Sie auf ein Gebäude und machen Sie aus seinem Grundriss ein Grundstück. Strg+T ersetzt das gewählte Gebäude durch ein Hochhaus.</translation>
+        <translation>Zeichnen Sie ein Grundstück auf den Boden, oder klicken Sie auf ein Gebäude und machen Sie aus seinem Grundriss ein Grundstück. Strg+T ersetzt das gewählte Gebäude durch einen Turm.</translation>
+    </message>
+    <message>
+        <source>The project&apos;s lots, and those of buildings that towers have replaced</source>
+        <translation>Die Grundstücke des Projekts und die von Gebäuden, die Türme ersetzt haben</translation>
     </message>
 </context>
 <context>
@@ -7959,6 +7999,16 @@ After: %3
 Nachher: %3
 %4</translation>
     </message>
+    <message>
+        <source>%1 min on the day and %2 h in the year with their seasons; %3 min and %4 h as evergreens</source>
+        <translation>%1 min am Tag und %2 h im Jahr mit ihren Jahreszeiten; %3 min und %4 h als Immergrüne</translation>
+    </message>
+    <message>
+        <source>
+With trees: %1</source>
+        <translation>
+Mit Bäumen: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PointInspector</name>
@@ -8583,6 +8633,10 @@ Aus: am Ursprung der Stadt aus den anderen Dateien.</translation>
         <source>Picture of the view</source>
         <translation>Bild der Ansicht</translation>
     </message>
+    <message>
+        <source>Table of scenarios: scores, verdicts, sun of places</source>
+        <translation>Tabelle der Szenarien: Bewertungen, Urteile, Sonne der Orte</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
@@ -8708,6 +8762,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Show an earlier result</source>
         <translation>Ein früheres Ergebnis zeigen</translation>
+    </message>
+    <message>
+        <source>Which trees count in what is shown here and in the view</source>
+        <translation>Welche Bäume hier und in der Ansicht zählen</translation>
     </message>
 </context>
 <context>
@@ -10252,6 +10310,10 @@ vom Jahr ebenso viele Wochen</translation>
     <message>
         <source>d MMM</source>
         <translation>d.M.</translation>
+    </message>
+    <message>
+        <source>The date: 21 Dec, 12-21, or 21 for a day of this month</source>
+        <translation>Das Datum: 21. Dez, 12-21 oder 21 für einen Tag dieses Monats</translation>
     </message>
 </context>
 <context>

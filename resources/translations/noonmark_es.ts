@@ -1820,10 +1820,6 @@ Todos los lados %2, área %3</translation>
         <translation>Sombra nueva: %1</translation>
     </message>
     <message>
-        <source>New shadow a day: %1</source>
-        <translation>Sombra nueva al día: %1</translation>
-    </message>
-    <message>
         <source>Worst spot: +%1 min a day</source>
         <translation>Peor punto: +%1 min al día</translation>
     </message>
@@ -2476,6 +2472,22 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>%1 as it stands</source>
         <translation>%1 tal como está</translation>
+    </message>
+    <message>
+        <source>Without trees: %1</source>
+        <translation>Sin árboles: %1</translation>
+    </message>
+    <message>
+        <source>sunrise to sunset</source>
+        <translation>del amanecer al ocaso</translation>
+    </message>
+    <message>
+        <source>; sun comes back on %1 (%2 %)</source>
+        <translation>; el sol vuelve a %1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>New shadow a day, by cells of %1: %2</source>
+        <translation>Sombra nueva al día, por celdas de %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4950,6 +4962,34 @@ Abre el panel Evaluación.</translation>
         <source>a tree far from the buildings: its longitude and latitude are swapped</source>
         <translation>un árbol lejos de los edificios: su longitud y latitud están intercambiadas</translation>
     </message>
+    <message>
+        <source>This is without trees.</source>
+        <translation>Esto es sin árboles.</translation>
+    </message>
+    <message>
+        <source>This is with trees as evergreens.</source>
+        <translation>Esto es con los árboles como perennes.</translation>
+    </message>
+    <message>
+        <source>This is with trees by their seasons.</source>
+        <translation>Esto es con los árboles según sus estaciones.</translation>
+    </message>
+    <message>
+        <source>Trees on maps</source>
+        <translation>Árboles en los mapas</translation>
+    </message>
+    <message>
+        <source>Which shadow maps and sheets of studies and comparisons show where trees reach; files of values hold all that were measured</source>
+        <translation>Qué sombra muestran los mapas y las hojas de estudios y comparaciones donde llegan los árboles; los archivos de valores contienen todo lo medido</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens their number is %1, at most %2 at one spot.</source>
+        <translation>Con los árboles como perennes son %1, como máximo %2 en un punto.</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season their number is %1, at most %2 at one spot.</source>
+        <translation>Con árboles que pierden las hojas según la estación son %1, como máximo %2 en un punto.</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5883,8 +5923,8 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
         <translation>Un resultado solo puede verificarse con el proyecto del que procede, y este proyecto no está guardado</translation>
     </message>
     <message>
-        <source>A saved answer has figures and tables, but not all that sheets show: run it again to print it</source>
-        <translation>Una respuesta guardada tiene cifras y tablas, pero no todo lo que muestran las hojas: vuelva a calcularla para imprimirla</translation>
+        <source>What is exported has its sheets always, or has none</source>
+        <translation>Lo que se exporta tiene siempre sus hojas, o no tiene ninguna</translation>
     </message>
 </context>
 <context>
@@ -6717,10 +6757,6 @@ Aproximado: la leyenda indica el error medido. Deshacer recupera el método ante
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>The project&apos;s lots</source>
-        <translation>Las parcelas del proyecto</translation>
-    </message>
-    <message>
         <source>Design tower</source>
         <translation>Diseñar torre</translation>
     </message>
@@ -6817,6 +6853,10 @@ Doble clic, Intro o clic derecho termina, Retroceso quita la última esquina.</t
     <message>
         <source>Draw a lot on the ground, or click a building and make a lot from its footprint. Ctrl+T replaces the building that is selected by a tower.</source>
         <translation>Dibuje una parcela en el suelo, o haga clic en un edificio y cree una parcela a partir de su planta. Ctrl+T sustituye el edificio seleccionado por una torre.</translation>
+    </message>
+    <message>
+        <source>The project&apos;s lots, and those of buildings that towers have replaced</source>
+        <translation>Las parcelas del proyecto y las de los edificios que las torres han sustituido</translation>
     </message>
 </context>
 <context>
@@ -7959,6 +7999,16 @@ After: %3
 Después: %3
 %4</translation>
     </message>
+    <message>
+        <source>%1 min on the day and %2 h in the year with their seasons; %3 min and %4 h as evergreens</source>
+        <translation>%1 min en el día y %2 h en el año según sus estaciones; %3 min y %4 h como perennes</translation>
+    </message>
+    <message>
+        <source>
+With trees: %1</source>
+        <translation>
+Con árboles: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PointInspector</name>
@@ -8583,6 +8633,10 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <source>Picture of the view</source>
         <translation>Imagen de la vista</translation>
     </message>
+    <message>
+        <source>Table of scenarios: scores, verdicts, sun of places</source>
+        <translation>Tabla de escenarios: puntuaciones, veredictos, sol de los lugares</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
@@ -8708,6 +8762,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Show an earlier result</source>
         <translation>Mostrar un resultado anterior</translation>
+    </message>
+    <message>
+        <source>Which trees count in what is shown here and in the view</source>
+        <translation>Qué árboles cuentan en lo que se muestra aquí y en la vista</translation>
     </message>
 </context>
 <context>
@@ -10252,6 +10310,10 @@ del año, otras tantas semanas</translation>
     <message>
         <source>d MMM</source>
         <translation>d MMM</translation>
+    </message>
+    <message>
+        <source>The date: 21 Dec, 12-21, or 21 for a day of this month</source>
+        <translation>La fecha: 21 dic, 12-21, o 21 para un día de este mes</translation>
     </message>
 </context>
 <context>

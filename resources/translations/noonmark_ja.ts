@@ -1800,10 +1800,6 @@ All sides %2, area %3</source>
         <translation>新しい影: %1</translation>
     </message>
     <message>
-        <source>New shadow a day: %1</source>
-        <translation>1日の新しい影: %1</translation>
-    </message>
-    <message>
         <source>Worst spot: +%1 min a day</source>
         <translation>最大の地点: 1日 +%1 分</translation>
     </message>
@@ -2446,6 +2442,22 @@ Opens the panel Review.</source>
     <message>
         <source>%1 as it stands</source>
         <translation>現状の %1</translation>
+    </message>
+    <message>
+        <source>Without trees: %1</source>
+        <translation>樹木なし: %1</translation>
+    </message>
+    <message>
+        <source>sunrise to sunset</source>
+        <translation>日の出から日の入りまで</translation>
+    </message>
+    <message>
+        <source>; sun comes back on %1 (%2 %)</source>
+        <translation>。日照が戻る分は %1(%2 %)</translation>
+    </message>
+    <message>
+        <source>New shadow a day, by cells of %1: %2</source>
+        <translation>1 日の新しい日陰(セル %1): %2</translation>
     </message>
 </context>
 <context>
@@ -4920,6 +4932,34 @@ Opens the panel Review.</source>
         <source>a tree far from the buildings: its longitude and latitude are swapped</source>
         <translation>建物から遠い樹木: 経度と緯度が入れ替わっています</translation>
     </message>
+    <message>
+        <source>This is without trees.</source>
+        <translation>樹木は含みません。</translation>
+    </message>
+    <message>
+        <source>This is with trees as evergreens.</source>
+        <translation>樹木を常緑として含みます。</translation>
+    </message>
+    <message>
+        <source>This is with trees by their seasons.</source>
+        <translation>樹木を季節に応じて含みます。</translation>
+    </message>
+    <message>
+        <source>Trees on maps</source>
+        <translation>地図の樹木</translation>
+    </message>
+    <message>
+        <source>Which shadow maps and sheets of studies and comparisons show where trees reach; files of values hold all that were measured</source>
+        <translation>樹木の影が届く範囲で、調査と比較の地図とシートが示す日陰。値のファイルには測定したすべてが入ります</translation>
+    </message>
+    <message>
+        <source>With trees as evergreens their number is %1, at most %2 at one spot.</source>
+        <translation>樹木を常緑とすると %1、一点で最大 %2。</translation>
+    </message>
+    <message>
+        <source>With trees that lose their leaves by season their number is %1, at most %2 at one spot.</source>
+        <translation>季節で葉を落とす樹木を含めると %1、一点で最大 %2。</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5848,8 +5888,8 @@ as published. Approximate: the legend states the measured error</source>
         <translation>結果は元のプロジェクトがなければ検証できず、このプロジェクトは保存されていない</translation>
     </message>
     <message>
-        <source>A saved answer has figures and tables, but not all that sheets show: run it again to print it</source>
-        <translation>保存された回答には数値と表がありますが、シートに必要なものがすべては含まれません。印刷するには再計算してください</translation>
+        <source>What is exported has its sheets always, or has none</source>
+        <translation>書き出す対象には常にシートがあるか、まったくありません</translation>
     </message>
 </context>
 <context>
@@ -6681,10 +6721,6 @@ Approximate: the legend states the measured error. Undo takes the method of the 
         <translation>名称</translation>
     </message>
     <message>
-        <source>The project&apos;s lots</source>
-        <translation>プロジェクトの敷地</translation>
-    </message>
-    <message>
         <source>Design tower</source>
         <translation>塔を設計</translation>
     </message>
@@ -6781,6 +6817,10 @@ Double click, Enter or right click finishes, Backspace removes the last corner.<
     <message>
         <source>Draw a lot on the ground, or click a building and make a lot from its footprint. Ctrl+T replaces the building that is selected by a tower.</source>
         <translation>地面に敷地を描くか、建物をクリックしてその外形から敷地を作ります。Ctrl+T は選んだ建物をタワーに置き換えます。</translation>
+    </message>
+    <message>
+        <source>The project&apos;s lots, and those of buildings that towers have replaced</source>
+        <translation>プロジェクトの敷地と、タワーが置き換えた建物の敷地</translation>
     </message>
 </context>
 <context>
@@ -7911,6 +7951,16 @@ After: %3
 変更後: %3
 %4</translation>
     </message>
+    <message>
+        <source>%1 min on the day and %2 h in the year with their seasons; %3 min and %4 h as evergreens</source>
+        <translation>季節に応じて、その日 %1 分、年間 %2 時間。常緑として %3 分、%4 時間</translation>
+    </message>
+    <message>
+        <source>
+With trees: %1</source>
+        <translation>
+樹木を含む: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::PointInspector</name>
@@ -8534,6 +8584,10 @@ Off: at the origin of the city from the other files.</source>
         <source>Picture of the view</source>
         <translation>表示の画像</translation>
     </message>
+    <message>
+        <source>Table of scenarios: scores, verdicts, sun of places</source>
+        <translation>シナリオの表: スコア、判定、場所の日照</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ResultDisplay</name>
@@ -8657,6 +8711,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Show an earlier result</source>
         <translation>以前の結果を表示</translation>
+    </message>
+    <message>
+        <source>Which trees count in what is shown here and in the view</source>
+        <translation>ここと表示画面で数える樹木</translation>
     </message>
 </context>
 <context>
@@ -10199,6 +10257,10 @@ of the year, as many weeks</source>
     <message>
         <source>d MMM</source>
         <translation>M/d</translation>
+    </message>
+    <message>
+        <source>The date: 21 Dec, 12-21, or 21 for a day of this month</source>
+        <translation>日付: 21 Dec、12-21、または今月の日として 21</translation>
     </message>
 </context>
 <context>
