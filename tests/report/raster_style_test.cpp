@@ -4,6 +4,7 @@
 
 #include <QXmlStreamReader>
 
+#include "app/report/maps/answer_legends.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {
