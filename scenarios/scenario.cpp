@@ -137,6 +137,18 @@ Result<void> duplicateScenario(std::vector<Scenario>& scenarios, const std::stri
     return keepSound(scenarios, std::move(changed));
 }
 
+std::size_t replaceImports(std::vector<Scenario>& scenarios, const ImportMesh& edition) {
+    std::size_t replaced = 0;
+    for (Scenario& scenario : scenarios)
+        for (Edit& edit : scenario.edits)
+            if (auto* import = std::get_if<ImportMesh>(&edit);
+                import != nullptr && import->shape->sourceId == edition.shape->sourceId) {
+                *import = edition;
+                ++replaced;
+            }
+    return replaced;
+}
+
 Result<void> removeScenario(std::vector<Scenario>& scenarios, const std::string& name) {
     const auto place = placeOf(scenarios, name);
     if (!place) return tl::make_unexpected(place.error());

@@ -71,4 +71,8 @@ Result<void> duplicateScenario(std::vector<Scenario>& scenarios, const std::stri
 /// Error also where other scenarios are based on it; the Error lists their names.
 Result<void> removeScenario(std::vector<Scenario>& scenarios, const std::string& name);
 
+/// Puts `edition` in the place of every import of the same building; the edits that follow stay. Returns how
+/// many.
+std::size_t replaceImports(std::vector<Scenario>& scenarios, const ImportMesh& edition);
+
 }  // namespace noonmark

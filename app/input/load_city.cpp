@@ -104,17 +104,26 @@ Project withLoadedPhotograph(Project project, Warnings& warnings, Progress& prog
     return withGroundPicture(std::move(project), file, std::move(loaded->raster));
 }
 
+namespace {
+
+void addPlaces(PlacesRead read, PlacesRead& to) {
+    std::ranges::move(read.places, std::back_inserter(to.places));
+    std::ranges::move(read.warnings, std::back_inserter(to.warnings));
+    std::ranges::move(read.layers, std::back_inserter(to.layers));
+    to.features += read.features;
+    to.streetsOfAssumedWidth += read.streetsOfAssumedWidth;
+    if (to.attribution.empty()) to.attribution = read.attribution;
+}
+
+}  // namespace
+
 Result<PlacesRead> loadPlaceFiles(const std::vector<std::string>& files, const PlaceSettings& settings,
                                   const Frame& frame, PlacesRead before, Progress& progress,
                                   const std::stop_token& stop) {
     for (const std::string& file : files) {
         auto read = readPlaces(file, settings, frame, progress, stop);
         if (!read) return tl::make_unexpected(read.error());
-        std::ranges::move(read->places, std::back_inserter(before.places));
-        std::ranges::move(read->warnings, std::back_inserter(before.warnings));
-        before.features += read->features;
-        before.streetsOfAssumedWidth += read->streetsOfAssumedWidth;
-        if (before.attribution.empty()) before.attribution = read->attribution;
+        addPlaces(*std::move(read), before);
     }
     makeNamesUnique(before.places);
     return before;
@@ -137,10 +146,14 @@ Result<PlacesRead> withStreetsOf(const std::vector<std::string>& files, PlaceSet
                                  const std::stop_token& stop) {
     if (!settings.streets) return before;
     settings.kinds = {PlaceKind::street};
-    std::vector<std::string> withLines;
-    std::ranges::copy_if(files, std::back_inserter(withLines),
-                         [](const std::string& file) { return !isSample(file) && hasStreetLines(file); });
-    return loadPlaceFiles(withLines, settings, frame, std::move(before), progress, stop);
+    for (const std::string& file : files) {
+        if (isSample(file)) continue;
+        auto read = readStreetLines(file, settings, frame, progress, stop);
+        if (!read) return read;
+        addPlaces(*std::move(read), before);
+    }
+    makeNamesUnique(before.places);
+    return before;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/input/load_project.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -116,20 +117,78 @@ OwnStoreys findDesignedStoreys(const std::vector<Scenario>& scenarios) {
     return storeys;
 }
 
+std::optional<ModelPlace> placeOfMeshes(const ReadSettings& reading) {
+    if (!reading.meshAnchor) return std::nullopt;
+    return ModelPlace{*reading.meshAnchor, reading.meshNorthDeg};
+}
+
+/// A proposal's own zero, and the middle of its outlines, as the edits of a scenario move them.
+struct MovedModel {
+    std::string id;
+    glm::dvec2 zero, middle;
+    double clockwiseDeg, scale;
+
+    static MovedModel of(const ImportMesh& import) {
+        const Placement& placement = import.placement;
+        return {import.shape->sourceId, applyTo({0, 0}, placement),
+                applyTo(findMiddle(*import.shape), placement), placement.clockwiseDeg,
+                placement.scale * import.readScale};
+    }
+    void take(const Edit& edit) {
+        if (const auto* move = std::get_if<Move>(&edit); move != nullptr && move->building == id) {
+            zero += move->byM;
+            middle += move->byM;
+        }
+        if (const auto* turn = std::get_if<Rotate>(&edit); turn != nullptr && turn->building == id) {
+            zero = applyTo(zero, {.about = middle, .clockwiseDeg = turn->clockwiseDeg});
+            clockwiseDeg += turn->clockwiseDeg;
+        }
+    }
+};
+
+bool standsIn(const City& city, const MovedModel& model) {
+    constexpr double sameM = 0.1;
+    return std::ranges::any_of(city.buildings, [&](const auto& building) {
+        return building->sourceId == model.id && glm::distance(findMiddle(*building), model.middle) < sameM;
+    });
+}
+
+// Of scenarios with other editions or other places of the proposal, that of the city.
+std::optional<ModelPlace> placeOfProposal(const std::string& file, const Project& project, const City& city) {
+    for (const Scenario& scenario : project.scenarios) {
+        const auto edits = collectEdits(project.scenarios, scenario.name);
+        if (!edits) continue;
+        std::vector<MovedModel> models;
+        for (const Edit& edit : *edits) {
+            const auto* import = std::get_if<ImportMesh>(&edit);
+            if (import != nullptr && import->file == file) models.push_back(MovedModel::of(*import));
+            for (MovedModel& model : models) model.take(edit);
+        }
+        for (const MovedModel& model : models)
+            if (standsIn(city, model))
+                return ModelPlace{city.frame.lonLatFromLocal(model.zero), model.clockwiseDeg, model.scale};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Result<ElementSettings> findElementParts(ElementSettings elements, const Project& project, const City& city) {
     elements.parts = {};
     elements.parts.storeys = findDesignedStoreys(project.scenarios);
     if (elements.proposed) findProposed(elements, *project.city, city);
+    elements.parts.model = placeOfProposal(elements.windows.filename().string(), project, city);
+    if (!elements.parts.model && project.reading->settings)
+        elements.parts.model = placeOfMeshes(*project.reading->settings);
     return findFacedPlace(elements, project.places)
         .and_then([&] { return findParcel(elements, project, city.frame); })
         .map([&] { return std::move(elements); });
 }
 
 Result<ElementSettings> findElementParts(ElementSettings elements, const std::vector<Place>& places,
-                                         const City& city) {
+                                         const ReadSettings& reading, const City& city) {
     elements.parts = {};
+    elements.parts.model = placeOfMeshes(reading);
     if (elements.proposed)
         return failure("Only a project has proposed buildings", "--facades-of proposed",
                        "Give one project file, NAME.noonmark.gpkg");

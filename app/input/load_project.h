@@ -20,11 +20,13 @@ Project projectOf(const LoadedCity& loaded);
 
 /// The settings with their parts (ElementParts) looked up: the place that faces look at among the project's
 /// places, the parcel among its lots, regions and places or else as readRegion() reads it, and the buildings
-/// of `city` that the project's existing city lacks, if these are asked for. Error: one of them is not found.
+/// of `city` that the project's existing city lacks, if these are asked for, and where the IFC of windows was
+/// placed: as a proposal of that file name in `city`, else as the meshes of the existing city. Error: one of
+/// them is not found.
 Result<ElementSettings> findElementParts(ElementSettings elements, const Project& project, const City& city);
 
 /// The same of a city without a project. Error: it has no proposed buildings.
 Result<ElementSettings> findElementParts(ElementSettings elements, const std::vector<Place>& places,
-                                         const City& city);
+                                         const ReadSettings& reading, const City& city);
 
 }  // namespace noonmark

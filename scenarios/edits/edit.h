@@ -68,6 +68,9 @@ struct ImportMesh {
     Placement placement;
     std::string file;          ///< source file, for display only
     double storeyHeightM = 0;  ///< 2 to 10, of its storeys from the ground up; 0: not known
+    /// How the user had the file read, for its next edition (read_shape.h).
+    std::string reading;   ///< formatText() of axes, unit, stand, reference system and level of detail
+    double readScale = 1;  ///< ReadSettings::meshScale, 0.001 to 1000
     bool operator==(const ImportMesh&) const = default;
 };
 

@@ -99,6 +99,8 @@ Building cutOrRaised(Building building, float oldTop, float newTop) {
 
 }  // namespace
 
+glm::dvec2 applyTo(glm::dvec2 point, const Placement& placement) { return Motion(placement)(point); }
+
 Building placeBuilding(const Building& building, const Placement& placement) {
     if (placement == Placement{.about = placement.about}) return building;
     const Motion motion(placement);

@@ -16,6 +16,9 @@ struct Placement {
     bool operator==(const Placement&) const = default;
 };
 
+/// Where a placement puts a point of the shape.
+glm::dvec2 applyTo(glm::dvec2 point, const Placement& placement);
+
 /// Returns the building at its placement. Outlines that rounding to float32 broke are repaired; an outline
 /// that falls into pieces becomes several parts. The identity placement returns the building unchanged.
 Building placeBuilding(const Building& building, const Placement& placement);

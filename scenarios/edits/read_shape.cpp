@@ -12,6 +12,17 @@ namespace noonmark {
 
 namespace {
 
+// What a user states of one file: the project knows the rest.
+std::string formatReading(const ReadSettings& settings) {
+    ReadSettings chosen;
+    chosen.upAxis = settings.upAxis;
+    chosen.meshUnit = settings.meshUnit;
+    chosen.stand = settings.stand;
+    chosen.crs = settings.crs;
+    chosen.lod = settings.lod;
+    return formatText(chosen);
+}
+
 Building joinBuildings(const City& city, const std::string& id) {
     Building whole{.sourceId = id, .name = id};
     for (const auto& building : city.buildings)
@@ -44,6 +55,24 @@ Warning describeLowered(const Building& mesh, const std::filesystem::path& file)
 
 }  // namespace
 
+void applyReading(const ImportMesh& import, ReadSettings& settings) {
+    const auto chosen = readSettingsFrom(import.reading).value_or(ReadSettings{});
+    settings.upAxis = chosen.upAxis;
+    settings.meshUnit = chosen.meshUnit;
+    settings.stand = chosen.stand;
+    settings.crs = chosen.crs;
+    settings.lod = chosen.lod;
+    settings.meshScale = import.readScale;
+}
+
+ImportMesh asEditionOf(ImportMesh edition, const ImportMesh& earlier) {
+    Building shape = *edition.shape;
+    shape.sourceId = earlier.shape->sourceId;
+    shape.name = earlier.shape->name;
+    edition.shape = std::make_shared<const Building>(std::move(shape));
+    return edition;
+}
+
 Result<ImportMesh> readShape(const std::filesystem::path& file, const std::string& id,
                              const ReadSettings& settings, const Frame& frame, Warnings& warnings,
                              Progress& progress, std::stop_token stop) {
@@ -69,7 +98,11 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
         whole = liftBuilding(std::move(whole), -footM);
         redetectOverhangs(whole, [](glm::dvec2) { return 0.0F; });
     }
-    return ImportMesh{std::make_shared<const Building>(std::move(whole)), {}, file.filename().string()};
+    return ImportMesh{.shape = std::make_shared<const Building>(std::move(whole)),
+                      .placement = {},
+                      .file = file.filename().string(),
+                      .reading = formatReading(settings),
+                      .readScale = settings.meshScale};
 }
 
 }  // namespace noonmark

@@ -9,13 +9,19 @@
 
 namespace noonmark {
 
+/// The settings that an import remembers of how its file was read, into those of its next edition.
+void applyReading(const ImportMesh& import, ReadSettings& settings);
+
+/// The edition in the place of an earlier one: under its id and name, so that the edits that follow hold.
+ImportMesh asEditionOf(ImportMesh edition, const ImportMesh& earlier);
+
 /// Reads a mesh file or CityJSON file as one new building whose id and name are
 /// `id`; the user places it. A mesh keeps its own metres, with its origin at local (0, 0) and its own zero
 /// height, unless it begins more than 2 m above that, or more than 20 m and more than half of it lie below:
 /// then its lowest point gets to z = 0, with a warning, as that of CityJSON does, which gets its place in
 /// `frame`. `settings`: axes, unit, north, CRS, and stand (terrain: the lowest point at z = 0 in any case;
 /// absolute: a mesh keeps its zero). Error: the file cannot be read or contains no solid. Warnings are
-/// appended to `warnings`.
+/// appended to `warnings`. The import remembers the settings that the user chose of these.
 Result<ImportMesh> readShape(const std::filesystem::path& file, const std::string& id,
                              const ReadSettings& settings, const Frame& frame, Warnings& warnings,
                              Progress& progress, std::stop_token stop);

@@ -7,6 +7,7 @@
 #include "core/base/safe_text.h"
 #include "core/describe/field_json.h"
 #include "core/describe/field_values.h"
+#include "core/io/settings/read_settings.h"
 #include "scenarios/massing/massing_fields.h"
 #include "scenarios/massing/tower_design.h"
 #include "scenarios/project/tables/geometry_blob.h"
@@ -202,6 +203,17 @@ double storeyHeightOf(const Json& json) {
     return json.contains("storey_height_m") ? numberFrom(json.at("storey_height_m"), storeyOrNoneM) : 0;
 }
 
+// Those of a later version are not understood and left.
+std::string readingOf(const Json& json) {
+    if (!json.contains("reading")) return {};
+    const auto reading = readSettingsFrom(json.at("reading").dump());
+    return reading ? formatText(*reading) : std::string();
+}
+
+double readScaleOf(const Json& json) {
+    return json.contains("read_scale") ? numberFrom(json.at("read_scale"), scaleLimits) : 1;
+}
+
 struct Writer {
     Json operator()(const Demolish& edit) const { return {{"building", edit.building}}; }
     Json operator()(const Replace& edit) const {
@@ -228,6 +240,8 @@ struct Writer {
                   {"east_m", edit.placement.byM.x},
                   {"north_m", edit.placement.byM.y}};
         if (edit.storeyHeightM > 0) json["storey_height_m"] = edit.storeyHeightM;
+        if (!edit.reading.empty()) json["reading"] = Json::parse(edit.reading);
+        if (edit.readScale != 1) json["read_scale"] = edit.readScale;
         return json;
     }
     Json operator()(const PlantTree& edit) const { return {{"with", treeJson(edit.tree)}}; }
@@ -269,7 +283,7 @@ Edit read(const std::string& kind, const Json& json) {
     if (kind == "rotate") return Rotate{building(), numberFrom(json.at("clockwise_deg"), angleLimitsDeg)};
     if (kind == "import")
         return ImportMesh{shapeOf(json.at("with")), placementOf(json), wordsIn(json, "file"),
-                          storeyHeightOf(json)};
+                          storeyHeightOf(json),     readingOf(json),   readScaleOf(json)};
     const auto tree = [&] { return wordsIn(json, "tree"); };
     const auto lengthM = [&](const char* key) { return numberFrom(json.at(key), treeLimitsM); };
     if (kind == "plant") return PlantTree{treeOf(json.at("with"))};

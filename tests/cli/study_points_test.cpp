@@ -8,6 +8,7 @@
 
 #include "tests/cli/command_output.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/shared/shared_data.h"
 
 namespace noonmark::cli::tests {
 namespace {
@@ -51,6 +52,26 @@ protected:
     std::filesystem::path out_ = folder_.path("out");
     std::string windows_ = folder_.file("windows.geojson", windows).string();
 };
+
+TEST_F(StudyPoints, WindowsOfAnIfcStandWhereItsMeshWasAnchored) {
+    const auto house = noonmark::tests::sharedData("world/FZK.ifc");
+    if (!house) GTEST_SKIP() << "shared data is missing";
+    const CommandOutput output = noonmarkCli({"study",         house->string(),
+                                              "--mesh-anchor", "-73.984,40.753",
+                                              "--mesh-north",  "15",
+                                              "--start",       "2026-03-21",
+                                              "--window",      "sunrise..sunset",
+                                              "--step",        "10",
+                                              "--zone",        "America/New_York",
+                                              "--region",      "-73.985,40.752,-73.983,40.754",
+                                              "--out",         out_.string(),
+                                              "--json",        "--receivers",
+                                              "windows",       "--windows",
+                                              house->string()});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    EXPECT_EQ(output.json()["receivers"], 13);
+    EXPECT_THAT(writtenText(out_ / "elements.csv"), HasSubstr("EG-Fenster-1,window,FZK-Haus,"));
+}
 
 TEST_F(StudyPoints, FacadesAreTablesAndAGeoPackage) {
     const CommandOutput output =

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/io/settings/read_settings.h"
+#include "scenarios/edits/read_shape.h"
 #include "tests/scenarios/sample_project.h"
 
 namespace noonmark::tests {
@@ -27,6 +29,25 @@ TEST(EditJson, CornersThatNoWholeNumberNamesAreRefused) {
         ASSERT_FALSE(edit) << corner;
         EXPECT_THAT(edit.error().what, HasSubstr("An edit cannot be read"));
     }
+}
+
+TEST(EditJson, AnImportRemembersHowItsFileWasRead) {
+    const Project project = sampleProject();
+    auto import = std::get<ImportMesh>(project.scenarios.at(1).edits.back());
+    EXPECT_THAT(toJson(import), testing::Not(HasSubstr("read_scale")));
+    import.reading = formatText(ReadSettings{.upAxis = UpAxis::y, .meshUnit = LengthUnit::inches});
+    import.readScale = 0.5;
+    const auto read = parseEdit("import", toJson(import));
+    ASSERT_TRUE(read) << read.error().text();
+    ReadSettings settings{.upAxis = UpAxis::z, .meshNorthDeg = 5};
+    applyReading(std::get<ImportMesh>(*read), settings);
+    EXPECT_EQ(settings.upAxis, UpAxis::y);
+    EXPECT_EQ(settings.meshUnit, LengthUnit::inches);
+    EXPECT_EQ(settings.meshScale, 0.5);
+    EXPECT_EQ(settings.meshNorthDeg, 5) << "is not part of it";
+    const auto later = parseEdit("import", replaced(toJson(import), "\"mesh_unit\"", "\"mesh_yard\""));
+    ASSERT_TRUE(later) << "of a later version";
+    EXPECT_FALSE(parseEdit("import", replaced(toJson(import), "\"read_scale\":0.5", "\"read_scale\":0")));
 }
 
 TEST(EditJson, EditsOfTreesComeBack) {

@@ -29,9 +29,10 @@ struct ShapeOptions : EditOptions {
     std::optional<LonLat> originAt;  // the mesh's own origin
     double eastM = 0;
     double northM = 0;
-    double scale = 1;
-    double clockwiseDeg = 0;
-    std::string replaced;  // the building to replace
+    std::optional<double> scale, clockwiseDeg;
+    std::string replaced;                      // the building to replace
+    bool reload = false;                       // the file's next edition
+    std::set<std::string, std::less<>> given;  // flags of settings of reading
 };
 
 struct Shape {
@@ -50,7 +51,8 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
     const Interrupt interrupt;
     NoProgress progress;
     ReadSettings read = options.read;
-    if (!shape.hasPlace) read.meshScale = options.scale;  // before the limits of what a building can be
+    // Before the limits of what a building can be
+    if (!shape.hasPlace && options.scale) read.meshScale = *options.scale;
     auto import = readShape(options.mesh, id, read, frame, shape.warnings, progress, interrupt.token());
     if (!import) return tl::make_unexpected(import.error());
     shape.import = *std::move(import);
@@ -60,7 +62,8 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
 // `standard`: position of the centre if the user gives none.
 Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, const Frame& frame,
                               std::optional<glm::dvec2> standard) {
-    Placement placement{.scale = shape.hasPlace ? options.scale : 1, .clockwiseDeg = options.clockwiseDeg};
+    Placement placement{.scale = shape.hasPlace ? options.scale.value_or(1) : 1,
+                        .clockwiseDeg = options.clockwiseDeg.value_or(0)};
     if (!options.originAt) placement.about = findMiddle(*shape.import.shape);
     std::optional<glm::dvec2> target = standard;
     if (shape.hasPlace) target = placement.about;
@@ -81,21 +84,87 @@ Result<Building> standOnTerrain(const ShapeOptions& options, const Shape& shape,
                    "A mesh's heights count from its own zero: check --up, or raise it in the file");
 }
 
+std::string describeShape(const std::string& words, const Shape& shape, const Building& there) {
+    const Box2 box = bounds(there);
+    std::ostringstream all;
+    all << words
+        << fmt::format("  {:.1f} m from west to east, {:.1f} m from south to north, {:.1f} m high\n",
+                       double(box.high.x - box.low.x), double(box.high.y - box.low.y), double(topM(there)));
+    printWarnings(all, shape.warnings);
+    return all.str();
+}
+
 Result<std::string> withShape(const ShapeOptions& options, Project& project, const Shape& shape,
                               const Building& there, const Edit& edit) {
     return withEdits(project, options.scenario, {edit}).map([&](const std::string& words) {
-        const Box2 box = bounds(there);
-        std::ostringstream all;
-        all << words
-            << fmt::format("  {:.1f} m from west to east, {:.1f} m from south to north, {:.1f} m high\n",
-                           double(box.high.x - box.low.x), double(box.high.y - box.low.y),
-                           double(topM(there)));
-        printWarnings(all, shape.warnings);
-        return all.str();
+        return describeShape(words, shape, there);
+    });
+}
+
+// The import of this file in a scenario, else of the building with this id.
+Result<const ImportMesh*> findEarlier(const ShapeOptions& options, Project& project) {
+    const auto scenario = scenarioToChange(project, options.scenario);
+    if (!scenario) return tl::make_unexpected(scenario.error());
+    const std::string file = std::filesystem::path(options.mesh).filename().string();
+    std::vector<const ImportMesh*> found;
+    for (const Edit& edit : (*scenario)->edits)
+        if (const auto* import = std::get_if<ImportMesh>(&edit))
+            if (options.id.empty() ? import->file == file : import->shape->sourceId == options.id)
+                found.push_back(import);
+    if (found.size() == 1) return found.front();
+    return failure(
+        found.empty() ? "No earlier edition of it is in the scenario"
+                      : "Several buildings of the scenario come from it",
+        options.id.empty() ? file : options.id,
+        found.empty() ? "Name its building with --id, or import it without --reload" : "Name one with --id");
+}
+
+// What the user states anew comes before what the earlier edition was read and placed with.
+ShapeOptions optionsOfEdition(const ShapeOptions& options, const ImportMesh& earlier) {
+    ShapeOptions edition = options;
+    applyReading(earlier, edition.read);
+    copyFields(readSettingsFields().of(options.read), readSettingsFields().of(edition.read), options.given);
+    if (options.read.crs) edition.read.crs = options.read.crs;
+    if (!options.read.lod.empty()) edition.read.lod = options.read.lod;
+    if (!edition.clockwiseDeg) edition.clockwiseDeg = earlier.placement.clockwiseDeg;
+    return edition;
+}
+
+// Where the earlier edition's base point stands, unless the user names another place.
+Result<Placement> placementOfEdition(const ShapeOptions& options, const Shape& shape, const Frame& frame,
+                                     const ImportMesh& earlier) {
+    if (options.at || options.originAt) return placementOf(options, shape, frame, {});
+    Placement placement = earlier.placement;
+    placement.clockwiseDeg = *options.clockwiseDeg;
+    if (shape.hasPlace && options.scale) placement.scale = *options.scale;
+    placement.byM += glm::dvec2(options.eastM, options.northM);
+    return placement;
+}
+
+Result<std::string> reload(const ShapeOptions& options, Project& project) {
+    const auto earlier = findEarlier(options, project);
+    if (!earlier) return tl::make_unexpected(earlier.error());
+    const ShapeOptions all = optionsOfEdition(options, **earlier);
+    const Frame& frame = project.city->frame;
+    auto shape = shapeFrom(all, (*earlier)->shape->sourceId, frame);
+    if (!shape) return tl::make_unexpected(shape.error());
+    const auto placement = placementOfEdition(all, *shape, frame, **earlier);
+    if (!placement) return tl::make_unexpected(placement.error());
+    shape->import.placement = *placement;
+    shape->import.storeyHeightM = (*earlier)->storeyHeightM;
+    const auto there = standOnTerrain(all, *shape, *placement);
+    if (!there) return tl::make_unexpected(there.error());
+    replaceImports(project.scenarios, asEditionOf(shape->import, **earlier));
+    return checkApplies(project, options.scenario).map([&] {
+        return describeShape(fmt::format("{}: reload {}\n", options.scenario, shape->import.file), *shape,
+                             *there);
     });
 }
 
 Result<std::string> import(const ShapeOptions& options, Project& project) {
+    if (options.reload) return reload(options, project);
+    if (options.id.empty())
+        return failure("The new building has no id", options.mesh, "Give --id NAME, or --reload");
     const Frame& frame = project.city->frame;
     auto shape = shapeFrom(options, options.id, frame);
     if (!shape) return tl::make_unexpected(shape.error());
@@ -136,8 +205,7 @@ void addPlaceOptions(CLI::App& command, ShapeOptions& options) {
     command.add_option("--north", options.northM, "Offset from there to the north, m")
         ->check(within(-20000, 20000))
         ->type_name("M");
-    command.add_option("--scale", options.scale, "Scale factor, also of the heights")
-        ->capture_default_str()
+    command.add_option("--scale", options.scale, "Scale factor, also of the heights (default 1)")
         ->check(within(0.001, 1000))
         ->type_name("FACTOR");
     command.add_option("--clockwise", options.clockwiseDeg, "Turn it clockwise, degrees seen from above")
@@ -147,8 +215,8 @@ void addPlaceOptions(CLI::App& command, ShapeOptions& options) {
 
 void addShapeOptions(CLI::App& command, ShapeOptions& options) {
     addPlaceOptions(command, options);
-    addFieldOptions(command, meshAxesFields().of(options.read));
-    addFieldOptions(command, standFields().of(options.read));
+    addFieldOptions(command, meshAxesFields().of(options.read), {.given = &options.given});
+    addFieldOptions(command, standFields().of(options.read), {.given = &options.given});
     command
         .add_option("--crs", options.read.crs, "CityJSON that does not state its reference system: EPSG:2263")
         ->type_name("CRS");
@@ -169,9 +237,11 @@ void addProjectImport(CLI::App& project, Run& run) {
                      "The file (" + shapeFormats() + "); all its solids are one building")
         ->required()
         ->type_name("FILE");
-    command->add_option("--id", options->id, "Id and name of the new building")
-        ->required()
-        ->type_name("NAME");
+    command->add_option("--id", options->id, "Id and name of the new building")->type_name("NAME");
+    command->add_flag("--reload", options->reload,
+                      "The file's next edition: it takes the place of the building that was imported from a "
+                      "file of this name (or has this --id), read and placed as that was; edits that follow "
+                      "stay");
     addShapeOptions(*command, *options);
 }
 

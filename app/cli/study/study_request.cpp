@@ -92,7 +92,7 @@ Result<ElementSettings> elementsOfFiles(const StudyOptions& options, const City&
         if (!places) return tl::make_unexpected(places.error());
         read = *std::move(places);
     }
-    return findElementParts(*std::move(elements), read.places, city);
+    return findElementParts(*std::move(elements), read.places, options.read.settings, city);
 }
 
 Result<Period> periodOfFiles(const StudyOptions& options) {

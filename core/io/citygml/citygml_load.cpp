@@ -27,11 +27,7 @@ bool isBlankText(std::string_view text) { return text.find_first_not_of(" \t\r\n
 class CityGmlListener final : public XmlListener {
 public:
     CityGmlListener(std::string file, const ReadSettings& settings, LodChoice choice, GmlContent wanted)
-        : file_(std::move(file)),
-          values_(file_, settings),
-          choice_(choice),
-          wanted_(wanted),
-          settings_(settings) {}
+        : file_(std::move(file)), values_(settings), choice_(choice), wanted_(wanted), settings_(settings) {}
     CityGmlData data;
     std::unordered_set<std::string> wantedIds;  ///< that an object refers to and another one may have
     GmlShared shared;                           ///< what has these ids

@@ -1,12 +1,16 @@
 #include "core/io/cityjson/cityjson_load.h"
 
 #include <fmt/format.h>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <istream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <streambuf>
 #include <string>
 
+#include "core/io/files/json_nesting.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/heights/tree_fields.h"
 
@@ -235,7 +239,7 @@ void collectVertices(const Json& boundaries, std::size_t vertexCount, std::vecto
 class Loader {
 public:
     Loader(std::string file, const ReadSettings& settings, LodChoice choice, std::stop_token stop)
-        : file_(std::move(file)), values_(file_, settings), choice_(choice), stop_(std::move(stop)) {}
+        : file_(std::move(file)), values_(settings), choice_(choice), stop_(std::move(stop)) {}
     CityJsonData data;
 
     Result<void> addHeader(const Json& root) {
@@ -351,16 +355,58 @@ private:
     Transform transform_;
 };
 
+constexpr std::uintmax_t maxValueBytes = std::uintmax_t(1) << 30;  // some 10 GB of memory
+
+/// The file's bytes, which end where the first value is nested too deep, and where one is too long.
+class BoundedJson : private std::streambuf, public std::istream {
+public:
+    explicit BoundedJson(std::istream& from) : std::istream(this), from_(from) {}
+
+    /// What ended the bytes; nothing: the file itself.
+    [[nodiscard]] std::optional<Error> limit() const { return limit_; }
+    void beginLine() { isFirst_ = false, left_ = maxValueBytes; }
+
+private:
+    using Traits = std::char_traits<char>;
+    int underflow() override {
+        if (limit_ || !from_) return Traits::eof();
+        from_.read(piece_.data(), std::streamsize(piece_.size()));
+        const auto count = std::size_t(from_.gcount());
+        if (isFirst_ && !nesting_.take({piece_.data(), count}))
+            limit_ =
+                limitReached(fmt::format("Its values are nested more than {} deep", JsonNesting::maxLevels))
+                    .value();
+        else if (count > left_)
+            limit_ = limitReached("One of its values has more than 1 GB", {},
+                                  "Divide it, or export it as CityJSONSeq, a feature a line")
+                         .value();
+        if (limit_ || count == 0) return Traits::eof();
+        left_ -= count;
+        setg(piece_.data(), piece_.data(), piece_.data() + count);
+        return Traits::to_int_type(piece_[0]);
+    }
+
+    std::istream& from_;
+    JsonNesting nesting_;
+    bool isFirst_ = true;
+    std::uintmax_t left_ = maxValueBytes;
+    std::optional<Error> limit_;
+    std::array<char, 1U << 16U> piece_{};
+};
+
 bool isBlank(const std::string& line) { return line.find_first_not_of(" \t\r\n") == line.npos; }
 
 // Reads what follows the first value: the features of a sequence. False when stopped.
-bool readSequence(StoppableStream& stream, Loader& loader, Progress& progress, const std::stop_token& stop) {
+bool readSequence(BoundedJson& json, const StoppableStream& stream, Loader& loader, Progress& progress,
+                  const std::stop_token& stop) {
     std::string line;
-    for (std::size_t number = 1; std::getline(stream, line); ++number) {
+    for (std::size_t number = 1; json.beginLine(), std::getline(json, line); ++number) {
         if (stop.stop_requested()) return false;
         if (isBlank(line)) continue;
         loader.data.sequence = true;
-        loader.addFeature(Json::parse(line, nullptr, false), number);
+        const bool isShallow = JsonNesting().take(line);
+        loader.addFeature(isShallow ? Json::parse(line, nullptr, false) : Json(Json::value_t::discarded),
+                          number);
         if (number % 256 == 0) progress.report(stream.share(), "reading the features");
     }
     return true;
@@ -386,15 +432,21 @@ Result<CityJsonData> loadCityJson(const std::filesystem::path& file, const ReadS
         return failure("The file cannot be opened", file.string(),
                        "Check that it is there and that you may read it");
     progress.report(0, "reading the city");
-    const Json first = firstValue(stream);
+    BoundedJson json(stream);
+    const Json first = firstValue(json);
     if (stop.stop_requested()) return cancelled();
+    const auto refused = [&] {
+        return limitReached(json.limit()->what, file.string(), json.limit()->advice);
+    };
+    if (json.limit()) return refused();
     if (first.is_discarded())
         return failure("The file is not valid JSON; it may be incomplete", file.string(),
                        "Export or download it again");
     Loader loader(file.filename().string(), settings, *choice, stop);
     if (const auto header = loader.addHeader(first); !header) return tl::make_unexpected(header.error());
     if (stop.stop_requested()) return cancelled();
-    if (!readSequence(stream, loader, progress, stop)) return cancelled();
+    if (!readSequence(json, stream, loader, progress, stop)) return cancelled();
+    if (json.limit()) return refused();
     return std::move(loader.data);
 }
 

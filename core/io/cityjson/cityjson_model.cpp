@@ -56,7 +56,7 @@ void ObjectValues::learnFields(const std::vector<ObjectAttribute>& attributes, C
     unknown_ = names_;
     std::erase_if(unknown_, [](const std::string& name) { return findMeaning(name).has_value(); });
     fields_ = knownFields(names_, {settings_.heightField, settings_.levelsField, settings_.nameField}, false);
-    settleUnits(fields_, {settings_.heightUnit, false}, file_, data.warnings);
+    settleUnits(fields_, {settings_.heightUnit, false});
     for (const KnownField& field : fields_)
         if (std::ranges::find(data.fields, field.name, &KnownField::name) == data.fields.end())
             data.fields.push_back(field);

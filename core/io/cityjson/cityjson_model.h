@@ -109,9 +109,8 @@ struct ObjectAttribute {
 /// Finds out which attributes of the objects of a file determine heights.
 class ObjectValues {
 public:
-    /// `settings` must outlive it. `file`: for warnings.
-    ObjectValues(std::string file, const ReadSettings& settings)
-        : file_(std::move(file)), settings_(settings) {}
+    /// `settings` must outlive it.
+    explicit ObjectValues(const ReadSettings& settings) : settings_(settings) {}
 
     /// Fills the object's values and adds to the data's fields and unknown fields. Objects may have different
     /// attributes: the meaning of a field is decided among the attributes of the same object.
@@ -120,7 +119,6 @@ public:
 private:
     void learnFields(const std::vector<ObjectAttribute>& attributes, CityJsonData& data);
 
-    std::string file_;
     const ReadSettings& settings_;
     // Of the previous object: most have the attributes of the one before.
     std::vector<std::string> names_, unknown_;

@@ -275,20 +275,30 @@ Error checkOpenings(const GlazingRead& read, const std::filesystem::path& file) 
         .value();
 }
 
+std::optional<ModelPlace> findModelPlace(const std::filesystem::path& file,
+                                         const GlazingFileSettings& settings, const std::stop_token& stop) {
+    if (settings.place) return settings.place;
+    const auto stated = findPlace(readIfcSite(file, stop));
+    return stated ? std::optional(ModelPlace{stated->origin, stated->northDeg}) : std::nullopt;
+}
+
 Result<ReadSettings> placeOfIfc(const std::filesystem::path& file, const GlazingFileSettings& settings,
                                 const City& city, const std::stop_token& stop) {
-    const auto place = findPlace(readIfcSite(file, stop));
+    const auto place = findModelPlace(file, settings, stop);
     if (!place)
-        return failure("The IFC does not state where it stands", file.string(),
-                       "Export it with the latitude and longitude of its IfcSite, or with an "
-                       "IfcMapConversion");
+        return failure(
+            "The IFC does not state where it stands", file.string(),
+            fmt::format("Read it as part of the city with {}, import it into a scenario, or export "
+                        "it with the latitude and longitude of its IfcSite",
+                        readOption("mesh_anchor", "LON,LAT")));
     if (computeGreatCircleM(place->origin, city.frame.origin()) > settings.farAwayM)
         return failure("All windows are too far from the city", file.string(),
-                       fmt::format("The IFC states that it stands at {:.6f},{:.6f}; check that",
-                                   place->origin.lonDeg, place->origin.latDeg));
+                       fmt::format("The IFC stands at {:.6f},{:.6f}; check that", place->origin.lonDeg,
+                                   place->origin.latDeg));
     ReadSettings reading;
     reading.meshAnchor = place->origin;
     reading.meshNorthDeg = place->northDeg;
+    reading.meshScale = place->scale;
     reading.frame = city.frame;
     return reading;
 }

@@ -13,6 +13,7 @@
 #include "core/geo/lon_lat.h"
 #include "core/io/citygml/citygml_load.h"
 #include "core/io/cityjson/cityjson_load.h"
+#include "core/io/files/json_nesting.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/settings/read_settings.h"
 #include "core/receivers/place_names.h"
@@ -224,6 +225,9 @@ Result<void> parseInto(OpeningFinder& finder, const std::filesystem::path& file,
     if (!stream.opened()) return failure("The file cannot be read", file.string());
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     if (stop.stop_requested()) return cancelled();
+    if (!JsonNesting().take(text))
+        return limitReached(fmt::format("Its values are nested more than {} deep", JsonNesting::maxLevels),
+                            file.string());
     bool isFirst = true;
     for (std::size_t at = 0; at < text.size();) {
         if (stop.stop_requested()) return cancelled();

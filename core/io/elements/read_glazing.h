@@ -18,6 +18,14 @@
 
 namespace noonmark {
 
+/// Where a model that a user placed stands.
+struct ModelPlace {
+    LonLat origin;
+    double northDeg = 0;  ///< azimuth of its y axis from true north, clockwise
+    double scale = 1;     ///< factor on its coordinates
+    bool operator==(const ModelPlace&) const = default;
+};
+
 struct GlazingFileSettings {
     static constexpr std::size_t maxWindows = 2'000'000;
 
@@ -26,6 +34,7 @@ struct GlazingFileSettings {
     /// Heights of the file are metres above the ground below the window; else they are elevations above the
     /// datum of the city, on flat ground without an elevation also metres above it.
     bool aboveGround = false;
+    std::optional<ModelPlace> place;  ///< of an IFC; nothing: where it states
     double farAwayM = 60000;  ///< windows farther from the frame's origin are left out, with a warning
     bool operator==(const GlazingFileSettings&) const = default;
 };
@@ -69,10 +78,11 @@ Result<GlazingRead> readCityJsonGlazing(const std::filesystem::path& file,
 Result<GlazingRead> readCityGmlGlazing(const std::filesystem::path& file, const GlazingFileSettings& settings,
                                        const City& city, Progress& progress, const std::stop_token& stop);
 
-/// Reads the windows and doors of an IFC (2x3 or 4) where the file states that it stands: each the rectangle
+/// Reads the windows and doors of an IFC (2x3 or 4) where the user placed it, else where the file states that
+/// it stands: each the rectangle
 /// around its body in the outer face of its wall, with its name and the number of its storey. It stands as
 /// high as the building of the city at its place that is as tall as the file's, else on the ground. Those
-/// that open to no side, as inner doors, are left out with a warning. Error: the file cannot be read, states
+/// that open to no side, as inner doors, are left out with a warning. Error: the file cannot be read, has
 /// no place, has no windows or too many, all are too far away. Some 20 ms for each window in a building of
 /// 100,000 triangles.
 Result<GlazingRead> readIfcGlazing(const std::filesystem::path& file, const GlazingFileSettings& settings,

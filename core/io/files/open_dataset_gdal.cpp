@@ -171,6 +171,31 @@ Result<void> checkLimits(GDALDataset& dataset, DatasetContent content, const std
                         file, "Export the layers of buildings alone");
 }
 
+// The column of a table whose first value is the outline of a polygon, whatever it is called. Empty where
+// none is, or where a text before it makes columns hard to count.
+std::string findOutlineColumn(const fs::path& file) {
+    const std::string head = readFileHead(file).bytes;
+    const std::size_t end = head.find('\n');
+    if (end == head.npos) return {};
+    const std::string_view names = std::string_view(head).substr(0, end);
+    std::string_view row = std::string_view(head).substr(end + 1);
+    row = row.substr(0, row.find('\n'));
+    std::string_view before = row.substr(0, std::min(row.find("POLYGON"), row.find("MULTIPOLYGON")));
+    if (before.size() == row.size()) return {};
+    if (before.ends_with('"')) before.remove_suffix(1);
+    if (before.find('"') != before.npos) return {};
+    const char divider = names.find(';') != names.npos ? ';' : names.find('\t') != names.npos ? '\t' : ',';
+    std::string_view rest = names;
+    for (auto columns = std::ranges::count(before, divider); columns > 0; --columns) {
+        const std::size_t next = rest.find(divider);
+        if (next == rest.npos) return {};
+        rest.remove_prefix(next + 1);
+    }
+    std::string name(rest.substr(0, rest.find_first_of("\r;\t,")));
+    std::erase(name, '"');
+    return name;
+}
+
 // Options so that nothing is written or fetched, no code from the file runs, and a file that nobody is
 // writing to is not locked.
 CPLStringList optionsFor(std::string_view driver, const fs::path& file) {
@@ -180,9 +205,11 @@ CPLStringList optionsFor(std::string_view driver, const fs::path& file) {
         options.AddString("DOWNLOAD_SCHEMA=NO");
     }
     if (driver == "CSV")  // besides WKT, as GDAL calls it
-        options.AddString(
-            "GEOM_POSSIBLE_NAMES=WKT,geom,geometry,the_geom,wkt_geom,geom_wkt,wkb_geometry,shape,polygon,geo_"
-            "shape");
+        options.AddString(("GEOM_POSSIBLE_NAMES=WKT,geom,geometry,the_geom,wkt_geom,geom_wkt,wkb_geometry,"
+                           "shape,polygon,geo_"
+                           "shape," +
+                           findOutlineColumn(file))
+                              .c_str());
     if (driver == "GPKG") {
         options.AddString("LIST_ALL_TABLES=NO");
         options.AddString("PRELUDE_STATEMENTS=PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON");

@@ -113,31 +113,26 @@ bool repeatsStoreys(const KnownField& field, const std::vector<KnownField>& fiel
     return ratio && isBetween(*ratio, 0.95, 1.05);
 }
 
-void weighHeight(KnownField& field, const std::vector<KnownField>& all, const LayerSample& sample,
-                 const std::string& where, Warnings& warnings) {
-    const auto assume = [&](const std::string& what) {
-        warnings.push_back({WarningKind::assumed, what, where + ": " + field.name});
-    };
+void weighHeight(KnownField& field, const std::vector<KnownField>& all, const LayerSample& sample) {
     if (repeatsStoreys(field, all, sample)) {
         field.meaning = {FieldRole::levels, field.meaning.rank, {}, {}, {}};
-        return assume("its values repeat the storeys; they are counted as storeys, not as heights");
+        field.assumption = "its values repeat the storeys; they are counted as storeys, not as heights";
+        return;
     }
     const auto found = findUnit(field, all, sample);
     if (!found) return;
     field.meaning.unit = found->unit;
     field.meaning.inFeetIn = {};
-    assume(
-        fmt::format("no unit is stated; {} are assumed, since {}", entryOf(found->unit).plural, found->why));
+    field.assumption =
+        fmt::format("no unit is stated; {} are assumed, since {}", entryOf(found->unit).plural, found->why);
 }
 
 }  // namespace
 
-void weighHeights(std::vector<KnownField>& fields, const LayerSample& sample, const std::string& where,
-                  Warnings& warnings) {
+void weighHeights(std::vector<KnownField>& fields, const LayerSample& sample) {
     const std::vector<KnownField> all = fields;
     for (KnownField& field : fields)
-        if (field.meaning.role == FieldRole::height && !field.meaning.unit)
-            weighHeight(field, all, sample, where, warnings);
+        if (field.meaning.role == FieldRole::height && !field.meaning.unit) weighHeight(field, all, sample);
     std::ranges::stable_sort(fields, {}, [](const KnownField& field) {
         return std::pair(field.meaning.role, field.meaning.rank);
     });

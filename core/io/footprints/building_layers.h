@@ -39,9 +39,8 @@ LayerSample sampleLayer(OGRLayer& layer);
 
 /// Sets the unit of height fields whose name states none where the values show it: by storeys or by another
 /// height (height_text.h), or as inches if the name ends in "in". A field of heights that repeats the
-/// storeys becomes one of storeys. Each gives a warning. `where`: the layer.
-void weighHeights(std::vector<KnownField>& fields, const LayerSample& sample, const std::string& where,
-                  Warnings& warnings);
+/// storeys becomes one of storeys. Each is noted as the field's assumption.
+void weighHeights(std::vector<KnownField>& fields, const LayerSample& sample);
 
 /// What makes the unit of the heights doubtful, with units settled: values that no town has, or a name that
 /// may have been cut off before its unit. `file`: for HeightDoubt.

@@ -194,8 +194,8 @@ void FootprintLayer::learn(OGRLayer& layer, const LayerSample& sample, const Rea
                                         nameOf(sample.encoding)),
                             source_.file});
     publishedPlane_ = system.IsProjected() != 0 && system.GetAuthorityCode(nullptr) != nullptr;
-    if (!settings.heightUnit) weighHeights(fields_, sample, source_.file, warnings);
-    settleUnits(fields_, {settings.heightUnit, isInFeet(system)}, source_.file, warnings);
+    if (!settings.heightUnit) weighHeights(fields_, sample);
+    settleUnits(fields_, {settings.heightUnit, isInFeet(system)});
     if (settings.heightField.empty()) dropRoofsAlone(fields_, sample, source_.file, warnings);
     if (!settings.heightUnit) doubts_ = doubtHeights(fields_, sample, source_.file);
     unknownFields_ = unknownFields(names_, fields_, source_.shapefile);

@@ -105,6 +105,8 @@ std::string_view nameOfRole(std::optional<FieldRole> role) {
             return "elevation of the roof";
         case FieldRole::groundElevation:
             return "elevation of the ground";
+        case FieldRole::bottomElevation:
+            return "elevation of the underside";
         default:
             return {};
     }

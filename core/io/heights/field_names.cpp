@@ -45,6 +45,7 @@ constexpr auto listedFieldNames() {
         {"hoehe", height},
         {"gebaeudehoehe", height},
         {"gebhoehe", height},
+        {"hoh", height, "", m},  // ALKIS: height of the object
         {"objekthoehe", height},
         {"gesamthoehe", height, top, m},  // swissBUILDINGS3D
         {"altura", height},
@@ -163,8 +164,9 @@ constexpr auto listedFieldNames() {
         {"anzahlgeschosse", levels},
         {"anzahlderoberirdischengeschosse", levels},
         {"anzahlderunterirdischengeschosse", other},
-        {"aog", levels},    // ALKIS
-        {"gastw", levels},  // Switzerland's register of buildings
+        {"aog", levels},       // ALKIS
+        {"gastw", levels},     // Switzerland's register of buildings
+        {"anzahlgs", levels},  // ALKIS, simplified
         {"geschosse", levels},
         {"geschosszahl", levels},
         {"vollgeschosse", levels},
@@ -201,6 +203,7 @@ constexpr auto listedFieldNames() {
         {"renderminheight", minHeight},
         {"baseheight", minHeight},
         {"buildingminlevel", minLevel},
+        {"ukote", bottomElevation, "", m},  // Vienna, of passages and what is built over streets
         {"minlevel", minLevel},
         {"minfloor", minLevel},
         {"roofheight", roofHeight},

@@ -48,7 +48,7 @@ std::size_t rankOf(std::string_view letters) {
 
 bool isLength(FieldRole role) {
     return role == height || role == minHeight || role == roofHeight || role == groundElevation ||
-           role == topElevation;
+           role == topElevation || role == bottomElevation;
 }
 
 std::optional<FieldMeaning> meaningWithUnit(std::string_view letters) {
@@ -98,8 +98,9 @@ FieldMeaning lengthOfWords(const NameWords& words, FieldRole role) {
 }
 
 std::optional<FieldMeaning> heightOfWords(const NameWords& words) {
-    if (words.has(NameWord::below) || words.has(NameWord::minimum)) return std::nullopt;
     const bool overGround = words.has(NameWord::above);
+    if (words.has(NameWord::terrainModel) && !overGround) return lengthOfWords(words, groundElevation);
+    if (words.has(NameWord::below) || words.has(NameWord::minimum)) return std::nullopt;
     if (words.has(NameWord::elevation))
         return lengthOfWords(words, words.has(NameWord::ground) ? groundElevation : topElevation);
     if (words.has(NameWord::ground) && !overGround) return std::nullopt;  // an elevation, or above the ground
@@ -134,6 +135,7 @@ std::optional<FieldMeaning> meaningOfWords(std::string_view name) {
     if (isHeight && isStoreys) return std::nullopt;
     if (isHeight) return heightOfWords(words);
     if (isStoreys) return storeysOfWords(words);
+    if (words.has(NameWord::terrainModel)) return heightOfWords(words);
     const bool place = words.has(NameWord::roof) != words.has(NameWord::ground);
     if (!words.has(NameWord::elevation) || !place) return std::nullopt;
     return lengthOfWords(words, words.has(NameWord::roof) ? topElevation : groundElevation);
@@ -217,6 +219,12 @@ public:
                 fields_.push_back({i, names[std::size_t(i)], *meaning});
     }
 
+    void takeUndersidesAsGround() {
+        if (hasRole(fields_, groundElevation)) return;
+        for (KnownField& field : fields_)
+            if (field.meaning.role == bottomElevation) field.meaning.role = groundElevation;
+    }
+
     void takeBasesAsElevations() {
         if (std::ranges::none_of(fields_, [](const auto& field) { return isNamed(field, "topheight"); }))
             return;
@@ -265,6 +273,7 @@ std::vector<KnownField> knownFields(const std::vector<std::string>& names, const
     chooser.dropStatisticsAsUndersides();
     chooser.takeBasesAsElevations();
     chooser.takeGroundHeightsAsElevations(names);
+    chooser.takeUndersidesAsGround();
     chooser.takeRoofHeightsAsHeights();
     chooser.take(choice.height, height, names);
     chooser.take(choice.levels, levels, names);
@@ -283,11 +292,10 @@ bool isNewYork(const std::vector<KnownField>& fields) {
     return heightroof && hasRole(fields, groundElevation);
 }
 
-void settleUnit(KnownField& field, bool mapInFeet, bool inNewYork, const std::string& where,
-                Warnings& warnings) {
-    const auto assume = [&](LengthUnit unit, const std::string& what) {
+void settleUnit(KnownField& field, bool mapInFeet, bool inNewYork) {
+    const auto assume = [&](LengthUnit unit, std::string what) {
         field.unit = unit;
-        warnings.push_back({WarningKind::assumed, what, where + ": " + field.name});
+        field.assumption = std::move(what);
     };
     std::string_view city = field.meaning.inFeetIn;
     if (inNewYork && field.meaning.role == groundElevation) city = newYork;
@@ -308,15 +316,14 @@ void settleUnit(KnownField& field, bool mapInFeet, bool inNewYork, const std::st
 
 }  // namespace
 
-void settleUnits(std::vector<KnownField>& fields, const UnitRules& rules, const std::string& where,
-                 Warnings& warnings) {
+void settleUnits(std::vector<KnownField>& fields, const UnitRules& rules) {
     const bool inNewYork = isNewYork(fields);
     for (KnownField& field : fields) {
         if (!isLength(field.meaning.role)) continue;
         if (rules.stated || field.meaning.unit)
             field.unit = rules.stated ? *rules.stated : *field.meaning.unit;
         else
-            settleUnit(field, rules.mapInFeet, inNewYork, where, warnings);
+            settleUnit(field, rules.mapInFeet, inNewYork);
     }
 }
 

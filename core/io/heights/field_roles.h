@@ -23,7 +23,8 @@ enum class FieldRole {
     roofLevels,
     roofShape,
     groundElevation,
-    topElevation,  ///< elevation of the roof, above the data's vertical datum
+    topElevation,     ///< elevation of the roof, above the data's vertical datum
+    bottomElevation,  ///< likewise of the underside: that of a passage, else the lowest ground
     building,
     buildingPart,
     location,
@@ -88,6 +89,7 @@ struct KnownField {
     std::string name;
     FieldMeaning meaning;
     LengthUnit unit = LengthUnit::metres;  ///< unit of numbers without a unit; see settleUnits
+    std::string assumption = {};           ///< what was assumed of its values; empty: nothing
 };
 
 /// FieldMeaning::meaning of a height of the roof that stands for that of the building.
@@ -104,7 +106,7 @@ struct FieldChoice {
 /// role; as a height it is the elevation of the roof if its name says so. A name's meaning may depend on
 /// other fields: next to other statistics of the roof, min_height is the lowest point of the roof and not an
 /// underside; next to topheight, baseheight is the ground's elevation, and so is ground_height next to the
-/// elevation of the roof.
+/// elevation of the roof, and an elevation of the underside where nothing else states the ground.
 std::vector<KnownField> knownFields(const std::vector<std::string>& names, const FieldChoice& choice,
                                     bool cutShort);
 
@@ -116,9 +118,9 @@ struct UnitRules {
 
 /// Decides every field's unit: the user's; else the one in its name or of its dataset; else feet for names
 /// that some cities use in feet (New York's heightroof and groundelev), if both such fields are there or the
-/// map is in feet; else metres. Assumptions give warnings. `where`: the layer, for warnings.
-void settleUnits(std::vector<KnownField>& fields, const UnitRules& rules, const std::string& where,
-                 Warnings& warnings);
+/// map is in feet; else metres. Assumptions are noted in the fields; addHeightFacts() warns of those that
+/// mattered.
+void settleUnits(std::vector<KnownField>& fields, const UnitRules& rules);
 
 bool hasRole(const std::vector<KnownField>& fields, FieldRole role);
 

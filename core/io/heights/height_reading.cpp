@@ -24,7 +24,8 @@ public:
         const auto groundM = ground();
         if (groundM) reading.groundElevationM = groundM->number;
         readTop(reading, canopy, groundM);
-        const auto bottom = underside(reading);
+        auto bottom = underside(reading);
+        if (!bottom) bottom = undersideOverGround(groundM);
         if (bottom && *bottom >= minHeightM) reading.bottomM = *bottom;
         if (reading.bottomM > reading.topM - minHeightM) settle(reading);
         if (canopy && !bottom) makeSlab(reading);
@@ -149,6 +150,16 @@ private:
         reading.origin = from.field;
     }
 
+    // What is not above the ground by half a metre stands on it.
+    std::optional<double> undersideOverGround(const std::optional<Found>& groundM) {
+        const auto bottom = first(
+            FieldRole::bottomElevation, [](double m) { return m >= minLandM && m <= maxLandM; },
+            "an underside's elevation that cannot be read; it is ignored",
+            "an underside's elevation below -500 m or over 9,000 m; it is ignored");
+        if (!bottom || !groundM || bottom->number - groundM->number < 0.5) return std::nullopt;
+        return bottom->number - groundM->number;
+    }
+
     // Counted in storeys, the underside is at most at the eaves of a measured height: what lies below a
     // storey of its own is below its roof.
     std::optional<double> underside(const HeightReading& reading) {
@@ -216,6 +227,20 @@ bool manyLackHeights(const HeightOrigins& origins) {
     return without != origins.end() && 10 * without->second > all;
 }
 
+// Heights that are outranked decide nothing; of the other roles the best field is read.
+bool isUsed(const KnownField& field, const std::vector<KnownField>& fields, const HeightOrigins& origins) {
+    const bool gaveHeights = std::ranges::any_of(origins, [&](const auto& origin) {
+        const std::string& name = origin.first;
+        return name == field.name || name.starts_with(field.name + std::string(elevationsMinus));
+    });
+    const FieldRole role = field.meaning.role;
+    if (role == FieldRole::height || role == FieldRole::topElevation || role == FieldRole::levels)
+        return gaveHeights;
+    const auto best =
+        std::ranges::find(fields, role, [](const KnownField& known) { return known.meaning.role; });
+    return best->name == field.name;
+}
+
 bool stateHeights(const std::vector<KnownField>& fields) {
     return hasRole(fields, FieldRole::height) || hasRole(fields, FieldRole::levels) ||
            hasRole(fields, FieldRole::topElevation);
@@ -233,6 +258,9 @@ void addHeightFacts(const HeightOrigins& origins, const std::vector<KnownField>&
         field->features = features;
         facts.fields.push_back(*std::move(field));
     }
+    for (const KnownField& field : fields)
+        if (!field.assumption.empty() && isUsed(field, fields, origins))
+            warnings.push_back({WarningKind::assumed, field.assumption, file + ": " + field.name});
     if (!manyLackHeights(origins)) return;
     const std::vector<UnknownField> could = unknown.listPossibleHeights(file);
     if (!stateHeights(fields)) warnings.push_back(noKnownField(could, file));

@@ -68,8 +68,9 @@ HeightReading readHeights(const FeatureValues& values, const HeightRules& rules,
 /// Number of features by HeightReading::origin; "" is the default height.
 using HeightOrigins = std::map<std::string, std::size_t>;
 
-/// Adds the fields that the heights of `file` came from. If more than a tenth of its features have none, adds
-/// the unknown fields that could hold them; warns if no field of heights or storeys is known.
+/// Adds the fields that the heights of `file` came from, and warns of what was assumed of them. If more than
+/// a tenth of its features have none, adds the unknown fields that could hold them; warns if no field of
+/// heights or storeys is known.
 void addHeightFacts(const HeightOrigins& origins, const std::vector<KnownField>& fields,
                     const UnknownFields& unknown, const std::string& file, HeightFacts& facts,
                     Warnings& warnings);

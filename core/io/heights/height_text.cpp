@@ -228,8 +228,23 @@ std::string withDecimalPoint(std::string_view text) {
     return pointed;
 }
 
+namespace {
+
+// "5R", "12RC": so many storeys of concrete, as Taiwan's and Japan's maps write them. Longest first.
+std::string_view withoutStructure(std::string_view text) {
+    constexpr std::array<std::string_view, 9> structures{"SRC", "RC", "SS", "R", "S", "B", "W", "M", "T"};
+    for (const std::string_view structure : structures)
+        if (text.size() > structure.size() && text.ends_with(structure)) {
+            const std::string_view count = text.substr(0, text.size() - structure.size());
+            return count.find_first_not_of("0123456789") == count.npos ? count : text;
+        }
+    return text;
+}
+
+}  // namespace
+
 std::optional<double> parseLevels(std::string_view text) {
-    const std::string folded = foldText(text);
+    const std::string folded = foldText(withoutStructure(text));
     TextReader reader(folded);
     const auto levels = reader.takeNumber();
     return reader.atEnd() ? levels : std::nullopt;

@@ -28,7 +28,8 @@ std::optional<std::string> doubtUnit(double median, LengthUnit readIn);
 /// "concrete", "7-7", "1,2 m", "nan", "inf"): the caller warns.
 std::optional<double> parseMetres(std::string_view text, LengthUnit bareUnit = LengthUnit::metres);
 
-/// Parses a number of storeys: "12", "3.5", full-width digits. Nothing for words, ranges, lists and negative
+/// Parses a number of storeys: "12", "3.5", full-width digits, "5R" with
+/// a letter of its structure. Nothing for words, ranges, lists and negative
 /// numbers.
 std::optional<double> parseLevels(std::string_view text);
 

@@ -59,12 +59,14 @@ constexpr std::array vocabularies{
     Vocabulary{NameWord::ground,
                "ground gnd grnd terrain gelaende gelande boden sol suelo terreno maaiveld mark maapind teren "
                "земля 地盤 地面 지반 tanah"},
+    Vocabulary{NameWord::terrainModel, "dgm dtm mnt mdt"},
     Vocabulary{
         NameWord::elevation,
         "absolute abs elevation elev nn nhn nap msl amsl asl sealevel sea absolut absolu absolue absoluta "
         "absolut altitude altitud cota quota 標高 海拔 해발 표고"},
     Vocabulary{NameWord::above,
-               "above aboveground agl over relative rel oberirdisch oberirdische oberirdischen sobre rasante "
+               "above aboveground agl over ueber uber relative rel oberirdisch oberirdische oberirdischen "
+               "sobre rasante "
                "nadzemni nadzemnich nadzemne nadziemne nadziemnych надземных 地上 지상"},
     Vocabulary{NameWord::below,
                "below belowground under underground basement basements bsmt cellar cellars unterirdisch "
@@ -102,7 +104,7 @@ constexpr std::array vocabularies{
         "orientation rotation rank class type typ category status usage use source width breite depth "
         "tiefe age reject valid pw snapping layer mat material materials materiau materiaux materialien 面積 "
         "用途 "
-        "番号 면적"},
+        "番号 編號 编号 면적"},
     Vocabulary{
         NameWord::otherLayer,
         "plot plots parcel parcels parcelle parcelles lot lots flurstueck flurstuecke tessellation "

@@ -16,10 +16,11 @@ enum class NameWord {
     roof,
     eaves,
     ground,
-    elevation,  ///< above sea level or another datum
-    above,      ///< above the ground
-    below,      ///< below the ground
-    typical,    ///< mean or median
+    terrainModel,  ///< the bare ground, as an elevation: DTM
+    elevation,     ///< above sea level or another datum
+    above,         ///< above the ground
+    below,         ///< below the ground
+    typical,       ///< mean or median
     greatest,
     minimum,
     feet,

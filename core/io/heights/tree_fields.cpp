@@ -95,7 +95,15 @@ constexpr std::array listedTreeFields{
     TreeFieldName{"baumtyp", TreeRole::leafType},
     TreeFieldName{"status", TreeRole::status},  // New York
     TreeFieldName{"treestatus", TreeRole::status},
-    TreeFieldName{"currentstatus", TreeRole::status},  // Seattle
+    TreeFieldName{"currentstatus", TreeRole::status},    // Seattle
+    TreeFieldName{"pflanzjahr", TreeRole::planted},      // Berlin, Vienna, Hamburg, Zurich
+    TreeFieldName{"standalter", TreeRole::planted},      // Berlin
+    TreeFieldName{"yearplanted", TreeRole::planted},     // Melbourne
+    TreeFieldName{"plantdate", TreeRole::planted},       // San Francisco
+    TreeFieldName{"planteddate", TreeRole::planted},     // Seattle
+    TreeFieldName{"dateplantation", TreeRole::planted},  // Montreal
+    TreeFieldName{"anneeplantation", TreeRole::planted},
+    TreeFieldName{"plantingyear", TreeRole::planted},
     TreeFieldName{"longitude", TreeRole::longitude},
     TreeFieldName{"shapelng", TreeRole::longitude},  // Seattle
     TreeFieldName{"lon", TreeRole::longitude},
@@ -179,6 +187,16 @@ public:
              metres ? "a measure of a tree that no tree has" : "a measure of a tree that is no number",
              where_ + ": " + field->field + " " + std::string(written)});
         return std::nullopt;
+    }
+
+    // Of a tree without any measure.
+    void notePlanting() {
+        const std::string_view written = text(TreeRole::planted);
+        if (written.empty() || written == "0") return;
+        warnings_.push_back(
+            {WarningKind::assumed,
+             "a tree has a year of planting or an age and no size; its size is the default of its genus",
+             where_ + ": " + findRole(fields_, TreeRole::planted)->field + " " + std::string(written)});
     }
 
 private:
@@ -379,6 +397,7 @@ TreeFacts collectTreeFacts(std::span<const KnownTreeField> fields, std::span<con
     facts.stemDiameterM = values.length(TreeRole::stemDiameter, isPlausibleStem);
     if (!facts.stemDiameterM)
         facts.stemDiameterM = values.length(TreeRole::stemGirth, isPlausibleStem, 1 / std::numbers::pi);
+    if (!facts.heightM && !facts.crownDiameterM && !facts.stemDiameterM) values.notePlanting();
     facts.evergreen = readEvergreen(values.text(TreeRole::leafCycle));
     facts.needles = readNeedles(values.text(TreeRole::leafType));
     return facts;

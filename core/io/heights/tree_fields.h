@@ -26,6 +26,7 @@ enum class TreeRole {
     leafCycle,  ///< "evergreen", "deciduous"
     leafType,   ///< "needleleaved", "broadleaved"
     status,     ///< "Alive", "Stump"
+    planted,    ///< year of planting or age: no size, which a warning says
     longitude,
     latitude,
     latLon,    ///< both in one field, latitude first: "48.85, 2.35"

@@ -57,7 +57,9 @@ public:
         const std::string id = plain.substr(0, equals), body = plain.substr(equals + 1);
         const Words words = ifcArguments(body);
         if (body.starts_with("IFCSITE(")) takeSite(words);
-        if (body.starts_with("IFCDIRECTION(") && directions_.size() < maxDirections)
+        constexpr std::size_t maxName = 24, maxNumbers = 200;  // of statements, of three numbers
+        const bool isShort = id.size() <= maxName && words.front().size() <= maxNumbers;
+        if (body.starts_with("IFCDIRECTION(") && isShort && directions_.size() < maxDirections)
             directions_.emplace(id, words.front());
         if (body.starts_with("IFCGEOMETRICREPRESENTATIONCONTEXT(") && words.size() > 5 && north_.empty())
             north_ = words[5].starts_with('#') ? words[5] : "";
@@ -83,11 +85,17 @@ public:
     }
 
 private:
+    // In any unit; what no place on earth has is left out.
+    static std::optional<double> heightOf(const std::string& text) {
+        constexpr double maxHeight = 1e8;
+        const auto height = numberOf(text);
+        return height && std::abs(*height) <= maxHeight ? height : std::nullopt;
+    }
     void takeConversion(const Words& words) {
         origin_ = words[2] + ", " + words[3];
         const auto east = numberOf(words[2]), north = numberOf(words[3]);
         if (east && north) site_.mapOrigin = glm::dvec2(*east, *north);
-        if (words.size() > 4) site_.mapHeightM = numberOf(words[4]);
+        if (words.size() > 4) site_.mapHeightM = heightOf(words[4]);
         if (words.size() < 7) return;
         const auto x = numberOf(words[5]), y = numberOf(words[6]);
         if (x && y && std::hypot(*x, *y) > 1e-9) site_.mapAxis = {*x, *y};
@@ -96,7 +104,7 @@ private:
         if (words.size() < 12) return;
         const auto latitude = degreesOf(words[9]), longitude = degreesOf(words[10]);
         if (latitude && longitude) site_.place = LonLat{*longitude, *latitude};
-        site_.elevationM = numberOf(words[11]);
+        site_.elevationM = heightOf(words[11]);
     }
 
     IfcSite site_;

@@ -61,15 +61,19 @@ double metresOfPrefix(std::string_view prefix) {
 
 void IfcLengthUnit::take(const std::string& id, std::string_view body,
                          const std::vector<std::string>& words) {
-    constexpr std::size_t maxMeasures = 100'000;
+    // Of models of a whole town there are some hundred; names of statements are numbers.
+    constexpr std::size_t maxUnits = 10'000, maxName = 24;
+    constexpr double minUnitM = 1e-6, maxUnitM = 1e6;
+    if (id.size() > maxName || siM_.size() + conversions_.size() + measures_.size() > maxUnits) return;
     const bool isLength = words.size() > 2 && words[1] == ".LENGTHUNIT.";
     if (isLength && body.starts_with("IFCSIUNIT(")) siM_[id] = metresOfPrefix(words[2]);
-    if (isLength && body.starts_with("IFCCONVERSIONBASEDUNIT(") && words.size() > 3)
+    if (isLength && body.starts_with("IFCCONVERSIONBASEDUNIT(") && words.size() > 3 &&
+        words[3].size() <= maxName)
         conversions_[id] = words[3];
     if (body.starts_with("IFCUNITASSIGNMENT(")) assigned_ = ifcArguments(words.front());
-    if (!body.starts_with("IFCMEASUREWITHUNIT(") || words.size() < 2) return;
+    if (!body.starts_with("IFCMEASUREWITHUNIT(") || words.size() < 2 || words[1].size() > maxName) return;
     const auto value = ifcNumber(ifcArguments(words[0]).front());
-    if (value && *value > 0 && measures_.size() < maxMeasures) measures_[id] = {*value, words[1]};
+    if (value && *value >= minUnitM && *value <= maxUnitM) measures_[id] = {*value, words[1]};
 }
 
 std::optional<double> IfcLengthUnit::conversionM(const std::string& id) const {
@@ -131,12 +135,26 @@ std::string_view trimmedLine(std::string_view line) {
                               : line.substr(first, line.find_last_not_of(blanks) - first + 1);
 }
 
+// False at the end of the file, and at a line that is longer than those of a DXF may be.
+bool takeShortLine(std::streambuf& bytes, std::string& line) {
+    constexpr std::size_t longest = 65536;
+    using Traits = std::streambuf::traits_type;
+    line.clear();
+    auto c = bytes.sbumpc();
+    for (; !Traits::eq_int_type(c, Traits::eof()) && c != '\n'; c = bytes.sbumpc()) {
+        if (line.size() == longest) return false;
+        line += Traits::to_char_type(c);
+    }
+    return c == '\n' || !line.empty();
+}
+
 // The value of $INSUNITS in the header of a DXF; "" where it is absent.
 std::string findInsUnits(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
+    std::filebuf bytes;
+    if (bytes.open(file, std::ios::in | std::ios::binary) == nullptr) return {};
     std::string line;
     bool found = false;
-    for (int i = 0; i < maxHeaderLines && std::getline(stream, line); ++i) {
+    for (int i = 0; i < maxHeaderLines && takeShortLine(bytes, line); ++i) {
         const std::string_view word = trimmedLine(line);
         if (word == "ENDSEC" || (found && word != "70" && !word.empty())) break;
         found = found || word == "$INSUNITS";

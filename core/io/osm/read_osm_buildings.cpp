@@ -134,11 +134,10 @@ std::vector<std::string> buildingKeys(const ReadSettings& settings) {
 /// Collects the facts of buildings from tags, as FootprintLayer does from fields.
 class BuildingTags {
 public:
-    BuildingTags(const std::vector<std::string>& keys, const ReadSettings& settings, const std::string& file,
-                 Warnings& warnings)
+    BuildingTags(const std::vector<std::string>& keys, const ReadSettings& settings)
         : fields_(
               knownFields(keys, {settings.heightField, settings.levelsField, settings.nameField}, false)) {
-        settleUnits(fields_, {settings.heightUnit, false}, file, warnings);
+        settleUnits(fields_, {settings.heightUnit, false});
         rules_.heights = {settings.metresPerLevel, settings.defaultHeightM};
         rules_.heights.decimalComma = false;
         rules_.tagged = true;
@@ -230,7 +229,7 @@ Result<OsmBuildings> readOsmBuildings(const std::filesystem::path& file, OsmForm
     if (!map) return tl::make_unexpected(map.error());
     OsmBuildings buildings;
     const std::string name = file.filename().string();
-    BuildingTags tags(keys, settings, name, buildings.warnings);
+    BuildingTags tags(keys, settings);
     forEachOsmArea(
         *map,
         [&](OsmArea area) {

@@ -77,15 +77,4 @@ private:
     std::size_t usableFeatures_ = 0;
 };
 
-/// A layer of which nobody but the user knows whether it holds places.
-struct UnknownLayer {
-    std::string name;
-    std::size_t features = 0;             ///< as the file states it
-    std::vector<std::string> textFields;  ///< one may hold the names
-};
-
-/// The layers of which a user has to choose one with places, or with lines of streets; none where nobody has
-/// to, or where the file cannot be read.
-std::vector<UnknownLayer> listUnknownLayers(const std::filesystem::path& file, const PlaceSettings& settings);
-
 }  // namespace noonmark

@@ -38,6 +38,14 @@ struct PlaceSettings {
     PlaceKind kind = PlaceKind::park;  ///< of features whose kind the file does not state
     std::string layer;                 ///< empty: the only one, or those that state kinds
     std::optional<std::string> crs;    ///< "EPSG:2263", for files that state none
+    bool listLayers = false;           ///< several layers that state nothing are listed, not refused
+};
+
+/// A layer of which nobody but the user knows whether it holds places.
+struct UnknownLayer {
+    std::string name;
+    std::size_t features = 0;             ///< as the file states it
+    std::vector<std::string> textFields;  ///< one may hold the names
 };
 
 struct PlacesRead {
@@ -46,6 +54,8 @@ struct PlacesRead {
     std::size_t features = 0;  ///< number of features read
     std::size_t streetsOfAssumedWidth = 0;
     std::string attribution;  ///< of the data, if known
+    /// Where layers are listed, nothing was read: the user has to choose one (PlaceSettings::listLayers).
+    std::vector<UnknownLayer> layers = {};
 };
 
 /// Reads the places of a file into the frame of a city: areas (and streets) of an OpenStreetMap file by their
@@ -62,8 +72,10 @@ struct PlacesRead {
 Result<PlacesRead> readPlaces(const std::filesystem::path& file, const PlaceSettings& settings,
                               const Frame& frame, Progress& progress, const std::stop_token& stop);
 
-/// Whether a file other than OpenStreetMap's has a layer of lines, which may be streets.
-bool hasStreetLines(const std::filesystem::path& file);
+/// The same of a file that may have no streets: none of OpenStreetMap's own files, of one without a layer of
+/// lines, and of what is no map. The file is opened once.
+Result<PlacesRead> readStreetLines(const std::filesystem::path& file, const PlaceSettings& settings,
+                                   const Frame& frame, Progress& progress, const std::stop_token& stop);
 
 /// Whether places can be read from the file by its tags: OpenStreetMap XML and PBF.
 bool isOsmFile(const std::filesystem::path& file);

@@ -11,7 +11,6 @@
 #include "core/base/gdal_calls.h"
 #include "core/io/files/open_dataset.h"
 #include "core/io/files/plain_file.h"
-#include "core/io/formats/format.h"
 #include "core/io/layers/feature_stream.h"
 #include "core/io/osm/osm_layers.h"
 #include "core/io/osm/read_osm_buildings.h"
@@ -72,23 +71,42 @@ tl::unexpected<Error> noShapes(const std::string& file, const PlaceSettings& set
                    "Export the places as polygons; lines can be read as streets");
 }
 
-Result<std::vector<OGRLayer*>> layersToRead(GDALDataset& dataset, const PlaceSettings& settings,
-                                            const std::string& file) {
+// A project's own layer of places alone, else all that may hold some.
+std::vector<OGRLayer*> findWantedLayers(GDALDataset& dataset, const PlaceSettings& settings) {
     std::vector<OGRLayer*> layers;
-    std::vector<std::string> names;
     for (OGRLayer* layer : dataset.GetLayers()) {
-        if (settings.layer.empty() && PlaceLayer::isOfProject(*layer)) return std::vector{layer};
-        names.emplace_back(layer->GetName());
+        if (settings.layer.empty() && PlaceLayer::isOfProject(*layer)) return {layer};
         if (isWantedLayer(*layer, isFromOsm(dataset), settings)) layers.push_back(layer);
     }
-    if (!isFromOsm(dataset)) layers = keepStated(layers);
-    if (layers.size() > 1 && !isFromOsm(dataset) && !PlaceLayer::statesKinds(*layers.front()))
+    return isFromOsm(dataset) ? layers : keepStated(layers);
+}
+
+// Of several layers that state nothing, only the user knows which holds places.
+bool isUndecided(const std::vector<OGRLayer*>& layers, GDALDataset& dataset) {
+    return layers.size() > 1 && !isFromOsm(dataset) && !PlaceLayer::statesKinds(*layers.front());
+}
+
+UnknownLayer describeLayer(OGRLayer& layer) {
+    UnknownLayer made{layer.GetName(), std::size_t(std::max<GIntBig>(0, layer.GetFeatureCount())), {}};
+    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
+    for (int i = 0; i < fields.GetFieldCount(); ++i)
+        if (fields.GetFieldDefn(i)->GetType() == OFTString)
+            made.textFields.emplace_back(fields.GetFieldDefn(i)->GetNameRef());
+    return made;
+}
+
+Result<std::vector<OGRLayer*>> layersToRead(GDALDataset& dataset, const PlaceSettings& settings,
+                                            const std::string& file) {
+    const std::vector<OGRLayer*> layers = findWantedLayers(dataset, settings);
+    if (isUndecided(layers, dataset))
         return failure("It holds several layers, and none says what kinds of places it has", file,
                        fmt::format("Choose the one with the places: {}", fmt::join(namesOf(layers), ", ")));
     if (!layers.empty()) return layers;
     if (settings.layer.empty()) return noShapes(file, settings);
+    const auto all = dataset.GetLayers();
     return failure(fmt::format("There is no layer \"{}\"", settings.layer), file,
-                   fmt::format("Its layers are: {}", fmt::join(names, ", ")));
+                   fmt::format("Its layers are: {}",
+                               fmt::join(namesOf(std::vector<OGRLayer*>(all.begin(), all.end())), ", ")));
 }
 
 class PlaceFile {
@@ -201,6 +219,25 @@ Result<DatasetPointer> openPlaces(const Path& file, const PlaceSettings& setting
     return openDataset(file, DatasetContent::vectors);
 }
 
+Result<PlacesRead> readFrom(GDALDataset& dataset, const Path& file, const PlaceSettings& settings,
+                            const Frame& frame, const GdalCalls& calls, Progress& progress,
+                            const std::stop_token& stop) {
+    if (settings.listLayers)
+        if (auto layers = findWantedLayers(dataset, settings); isUndecided(layers, dataset)) {
+            PlacesRead undecided;
+            for (OGRLayer* layer : layers) undecided.layers.push_back(describeLayer(*layer));
+            return undecided;
+        }
+    PlaceFile reader(dataset, file, settings, progress, stop);
+    if (auto read = reader.read(calls); !read) return tl::make_unexpected(read.error());
+    return reader.place(frame);
+}
+
+tl::unexpected<Error> notRead(const std::exception& exception, const Path& file) {
+    return failure(fmt::format("The places cannot be read ({})", exception.what()), file.string(),
+                   "Check that the file is complete, or export it again");
+}
+
 }  // namespace
 
 Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, const Frame& frame,
@@ -208,58 +245,31 @@ Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, c
     const GdalCalls calls(stop);
     const auto dataset = openPlaces(file, settings, progress, stop);
     if (!dataset) return tl::make_unexpected(dataset.error());
-    PlaceFile reader(**dataset, file, settings, progress, stop);
-    if (auto read = reader.read(calls); !read) return tl::make_unexpected(read.error());
-    return reader.place(frame);
+    return readFrom(**dataset, file, settings, frame, calls, progress, stop);
 } catch (const std::exception& exception) {
-    return failure(fmt::format("The places cannot be read ({})", exception.what()), file.string(),
-                   "Check that the file is complete, or export it again");
+    return notRead(exception, file);
 }
 
 namespace {
 
-// Formats that hold no second layer need not be opened, which reads all of a text file.
-bool hasOneLayer(const Path& file) {
-    constexpr std::array<std::string_view, 4> formats{"GeoJSON", "GeoJSONSeq", "CSV", "FlatGeobuf"};
-    const auto format = detectFormat(file);
-    return format && std::ranges::find(formats, (*format)->driver) != formats.end();
-}
-
-UnknownLayer describeLayer(OGRLayer& layer) {
-    UnknownLayer made{layer.GetName(), std::size_t(std::max<GIntBig>(0, layer.GetFeatureCount())), {}};
-    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
-    for (int i = 0; i < fields.GetFieldCount(); ++i)
-        if (fields.GetFieldDefn(i)->GetType() == OFTString)
-            made.textFields.emplace_back(fields.GetFieldDefn(i)->GetNameRef());
-    return made;
+bool hasLines(GDALDataset& dataset) {
+    for (OGRLayer* layer : dataset.GetLayers())
+        if (wkbFlatten(layer->GetGeomType()) != wkbUnknown && mayHoldLines(*layer)) return true;
+    return false;
 }
 
 }  // namespace
 
-std::vector<UnknownLayer> listUnknownLayers(const Path& file, const PlaceSettings& settings) {
-    if (!settings.layer.empty() || !checkPlainFile(file) || findOsmFormat(file)) return {};
-    if (hasOneLayer(file)) return {};
+Result<PlacesRead> readStreetLines(const Path& file, const PlaceSettings& settings, const Frame& frame,
+                                   Progress& progress, const std::stop_token& stop) try {
+    if (!checkPlainFile(file) || findOsmFormat(file)) return PlacesRead{};
+    const GdalCalls calls(stop);
     const auto dataset = openDataset(file, DatasetContent::vectors);
-    if (!dataset) return {};
-    std::vector<OGRLayer*> layers;
-    for (OGRLayer* layer : (*dataset)->GetLayers()) {
-        if (PlaceLayer::isOfProject(*layer)) return {};
-        if (isWantedLayer(*layer, false, settings)) layers.push_back(layer);
-    }
-    layers = keepStated(layers);
-    if (layers.size() < 2 || PlaceLayer::statesKinds(*layers.front())) return {};
-    std::vector<UnknownLayer> unknown;
-    for (OGRLayer* layer : layers) unknown.push_back(describeLayer(*layer));
-    return unknown;
-}
-
-bool hasStreetLines(const Path& file) {
-    if (!checkPlainFile(file) || findOsmFormat(file)) return false;
-    const auto dataset = openDataset(file, DatasetContent::vectors);
-    if (!dataset) return false;
-    for (OGRLayer* layer : (*dataset)->GetLayers())
-        if (wkbFlatten(layer->GetGeomType()) != wkbUnknown && mayHoldLines(*layer)) return true;
-    return false;
+    if (stop.stop_requested()) return cancelled();
+    if (!dataset || !hasLines(**dataset)) return PlacesRead{};
+    return readFrom(**dataset, file, settings, frame, calls, progress, stop);
+} catch (const std::exception& exception) {
+    return notRead(exception, file);
 }
 
 bool isOsmFile(const Path& file) { return checkPlainFile(file) && findOsmFormat(file); }

@@ -130,7 +130,9 @@ Result<PlacedElements> placeFacades(const City& city, const Region& region, cons
 Result<PlacedElements> placeAllGlazing(const City& city, const Region& region,
                                        const ElementSettings& elements, Progress& progress,
                                        const std::stop_token& stop) {
-    auto read = readGlazing(elements.windows, elements.glazingFile, city, progress, stop);
+    GlazingFileSettings file = elements.glazingFile;
+    file.place = elements.parts.model;
+    auto read = readGlazing(elements.windows, file, city, progress, stop);
     if (!read) return tl::make_unexpected(read.error());
     GlazingPlaced placed = placeGlazing(city, region, read->windows,
                                         {elements.facades.storeyM, elements.glazingFile.aboveGround}, stop);

@@ -38,6 +38,7 @@ struct ElementParts {
     std::vector<Footprint> parcel;      ///< the polygons of ElementSettings::parcel
     std::vector<std::string> proposed;  ///< ids of the buildings that the existing city lacks
     OwnStoreys storeys;                 ///< of towers that were designed in the project
+    std::optional<ModelPlace> model;    ///< of the windows' IFC, where a user placed it
     bool operator==(const ElementParts& /*other*/) const { return true; }
 };
 

@@ -5,6 +5,7 @@
 #include "scenarios/edits/placed_building.h"
 #include "tests/cli/project_command.h"
 #include "tests/shared/box_obj.h"
+#include "tests/shared/shared_data.h"
 
 namespace noonmark::cli::tests {
 namespace {
@@ -56,6 +57,64 @@ TEST_F(ProjectEdits, EveryKindGoesIntoTheFileAndBack) {
     EXPECT_THAT(kinds(), testing::ElementsAre("move", "rotate", "height", "height", "demolish", "add",
                                               "import", "replace"));
     EXPECT_THAT(done("info", {}), HasSubstr("   8 Replace One57 with One57"));
+}
+
+// The next edition of a file is read, placed, turned and scaled as the one before; what the user states anew
+// holds, and so do the edits that follow.
+TEST_F(ProjectEdits, AnotherEditionIsReadAndStandsAsTheOneBefore) {
+    done("import", {mesh_, "--scenario", "A", "--id", "Box", "--at", "-73.975,40.77", "--mesh-unit", "ft",
+                    "--up", "y", "--scale", "2", "--clockwise", "90"});
+    done("move", {"Box", "--scenario", "A", "--east", "7"});
+    const Box2 first = bounds(building("Box"));
+    EXPECT_NEAR(topM(building("Box")), 200 * 0.3048, 0.01);
+    (void)folder_.file("box.obj", noonmark::tests::boxObj(20, 30, 80));
+    EXPECT_THAT(done("import", {mesh_, "--scenario", "A", "--reload"}), HasSubstr("A: reload box.obj"));
+    EXPECT_NEAR(topM(building("Box")), 160 * 0.3048, 0.01) << "feet, y up, twice as large";
+    const Box2 second = bounds(building("Box"));
+    EXPECT_NEAR(second.low.x, first.low.x, 0.02) << "placed, turned and moved";
+    EXPECT_NEAR(second.high.y, first.high.y, 0.02);
+    EXPECT_THAT(kinds(), testing::ElementsAre("import", "move"));
+
+    done("import", {mesh_, "--scenario", "A", "--reload", "--mesh-unit", "m", "--north", "3"});
+    EXPECT_NEAR(topM(building("Box")), 160, 0.01);
+    done("import", {mesh_, "--scenario", "A", "--reload", "--scale", "1"});
+    EXPECT_NEAR(topM(building("Box")), 80, 0.01) << "in metres, which the edition before was read in";
+
+    EXPECT_THAT(refused("import", {mesh_, "--scenario", "A"}), HasSubstr("--id NAME, or --reload"));
+    EXPECT_THAT(refused("import", {mesh_, "--scenario", "A", "--reload", "--id", "Tower"}),
+                HasSubstr("No earlier edition"));
+    done("import", {mesh_, "--scenario", "A", "--id", "Twin", "--at", "-73.97,40.77"});
+    EXPECT_THAT(refused("import", {mesh_, "--scenario", "A", "--reload"}), HasSubstr("Name one with --id"));
+    EXPECT_THAT(done("import", {mesh_, "--scenario", "A", "--reload", "--id", "Twin", "--mesh-unit", "ft"}),
+                HasSubstr("reload box.obj"));
+    EXPECT_NEAR(topM(building("Twin")), 80 * 0.3048, 0.01);
+    EXPECT_NEAR(topM(building("Box")), 80, 0.01);
+}
+
+// The windows of a proposal's IFC lie in its walls, wherever it was placed and moved to; its own place is in
+// Karlsruhe.
+TEST_F(ProjectEdits, WindowsOfAProposalMoveWithIt) {
+    const auto house = noonmark::tests::sharedData("world/FZK.ifc");
+    if (!house) GTEST_SKIP() << "shared data is missing";
+    const std::string file = house->string();
+    const auto windowsOf = [&](const std::string& building) {
+        const CommandOutput output =
+            atNoon("study", {"--scenario", "A", "--receivers", "windows", "--windows", file, "--json"});
+        EXPECT_EQ(output.code, 0) << output.err;
+        std::ifstream csv(folder_.path("out") / "elements.csv");
+        std::size_t lines = 0;
+        for (std::string line; std::getline(csv, line);)
+            lines += line.find("," + building + ",") != line.npos ? 1 : 0;
+        return lines;
+    };
+    done("import",
+         {file, "--scenario", "A", "--id", "House", "--at", "-73.9750,40.7690", "--clockwise", "20"});
+    EXPECT_EQ(windowsOf("House"), 13U);
+    done("move", {"House", "--scenario", "A", "--east", "-40", "--north", "12"});
+    done("rotate", {"House", "--scenario", "A", "--clockwise", "75"});
+    EXPECT_EQ(windowsOf("House"), 13U);
+    done("height", {"House", "--scenario", "A", "--height", "9"});
+    EXPECT_GT(windowsOf("House"), 10U) << "stretched: its windows stay as high as they were";
 }
 
 TEST_F(ProjectEdits, AMeshStandsWhereItIsPut) {

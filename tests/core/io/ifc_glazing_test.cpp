@@ -197,6 +197,35 @@ TEST(IfcGlazing, APlaceForEachIsFoundAtTheBuilding) {
     for (const auto& element : placed.receivers.elements) EXPECT_EQ(element.building, 0U);
 }
 
+// Elsewhere, and turned: what was 1.2 m wide in the south wall faces west where the model's north is east.
+TEST(IfcGlazing, OfAPlacedModelItStandsWhereTheModelWasPlaced) {
+    const TemporaryFolder folder;
+    NoProgress quiet;
+    const auto file = folder.file("house.ifc", houseWithWindows("IFC4"));
+    const LonLat anchor{11.5, 48.1};
+    ReadSettings reading;
+    reading.meshAnchor = anchor;
+    reading.meshNorthDeg = 90;
+    const auto city = readCity({file}, reading, quiet, {});
+    ASSERT_TRUE(city) << city.error().text();
+    const auto stated = readGlazing(file, {}, city->city, quiet, {});
+    ASSERT_FALSE(stated) << "the file states a place 500 km away";
+    const auto read = readGlazing(file, {.place = ModelPlace{anchor, 90}}, city->city, quiet, {});
+    ASSERT_TRUE(read) << read.error().text();
+    const GlazingShape* south = windowNamed(*read, "south");
+    ASSERT_TRUE(south);
+    EXPECT_NEAR(std::fmod(south->azimuthDeg.value_or(0) + 360, 360), 270, 0.01);
+    EXPECT_NEAR(middleOfWindow(*south).x, 0, 1e-3);
+    EXPECT_NEAR(middleOfWindow(*south).y, -2.6, 1e-3);
+    const GlazingPlaced placed =
+        placeGlazing(city->city, makeRegionFromLocalBox({{-50, -50}, {50, 50}}), read->windows, {});
+    EXPECT_THAT(placed.warnings, testing::IsEmpty());
+    EXPECT_EQ(placed.receivers.elements.size(), 3U);
+    const auto half = readGlazing(file, {.place = ModelPlace{anchor, 90, 0.5}}, city->city, quiet, {});
+    ASSERT_TRUE(half) << half.error().text();
+    EXPECT_NEAR(middleOfWindow(*windowNamed(*half, "south")).y, -1.3, 1e-3) << "scaled about its origin";
+}
+
 TEST(IfcGlazing, WithoutWindowsOrAPlaceItSaysSo) {
     const TemporaryFolder folder;
     NoProgress quiet;

@@ -154,7 +154,20 @@ TEST_F(EditToolsTest, AMeshAndATowerAreNotAtWorkTogether) {
     EXPECT_FALSE(tools.mesh().active());
 }
 
-TEST_F(EditToolsTest, AMeshStandsUprightWithTheStatedAxisAndUnit) {
+class MeshToolTest : public EditToolsTest {
+protected:
+    void pick(const char* name, int item) {
+        QComboBox& combo = field<QComboBox>(tools.dock(), name);
+        combo.setCurrentIndex(item);
+        Q_EMIT combo.activated(item);
+    }
+    double shownHeight() {
+        const auto& built = tools.context().preview.changes().added;
+        return built.empty() ? 0 : double(topM(*built.back()));
+    }
+};
+
+TEST_F(MeshToolTest, AMeshStandsUprightWithTheStatedAxisAndUnit) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("spire.obj"));
     std::ofstream(file.toStdString()) << "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 100\n"
@@ -162,15 +175,6 @@ TEST_F(EditToolsTest, AMeshStandsUprightWithTheStatedAxisAndUnit) {
     tools.mesh().begin(file);
     ASSERT_TRUE(waitFor([this] { return tools.mesh().active(); }, 10000));
     tools.mesh().placeAt({0, 200});
-    const auto pick = [this](const char* name, int item) {
-        QComboBox& combo = field<QComboBox>(tools.dock(), name);
-        combo.setCurrentIndex(item);
-        Q_EMIT combo.activated(item);
-    };
-    const auto shownHeight = [this] {
-        const auto& built = tools.context().preview.changes().added;
-        return built.empty() ? 0 : double(topM(*built.back()));
-    };
     EXPECT_NEAR(shownHeight(), 100, 1e-3) << "ten times as high as wide: Z is up";
     pick("up", 1);
     ASSERT_TRUE(waitFor([&] { return std::abs(shownHeight() - 10) < 1e-3; }, 10000)) << "Y is up";
@@ -192,7 +196,7 @@ void writeBox(const QString& file, double sideM, double heightM) {
 }
 
 // The corner at the model's zero stays where it was, whatever the middle of the new edition is.
-TEST_F(EditToolsTest, AnotherEditionStandsWhereTheEarlierOneStood) {
+TEST_F(MeshToolTest, AnotherEditionStandsWhereTheEarlierOneStood) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("proposal.obj"));
     writeBox(file, 20, 60);
@@ -201,21 +205,25 @@ TEST_F(EditToolsTest, AnotherEditionStandsWhereTheEarlierOneStood) {
     number("meshTurn").setValue(30);
     number("meshLongitude").setValue(city->city().frame.lonLatFromLocal({0, 200}).lonDeg);
     number("meshLatitude").setValue(city->city().frame.lonLatFromLocal({0, 200}).latDeg);
+    pick("meshUnit", 1);  // feet
+    ASSERT_TRUE(waitFor([this] { return std::abs(shownHeight() - 60 * 0.3048) < 1e-3; }, 10000));
     tools.mesh().build();
     const ImportMesh first = lastEdit<ImportMesh>();
     EXPECT_NEAR(findMiddle(*city->city().buildings.back()).y, 200, 0.05) << "typed";
     tools.setProposals({first});
+    pick("meshUnit", 0);  // as another file needs it
     std::optional<ImportMesh> edition;
     QObject::connect(&tools, &EditTools::editionRead, [&](const ImportMesh& read) { edition = read; });
     writeBox(file, 40, 90);
     tools.mesh().begin(file);
     ASSERT_TRUE(waitFor([this] { return tools.mesh().active() && tools.context().preview.shown(); }, 10000));
     EXPECT_EQ(number("meshTurn").value(), 30);
+    EXPECT_EQ(field<QComboBox>(tools.dock(), "meshUnit").currentIndex(), 1) << "remembered";
     EXPECT_FALSE(field<QPushButton>(tools.dock(), "reloadMesh").isHidden());
     tools.mesh().reload();
     ASSERT_TRUE(edition);
     EXPECT_EQ(edition->shape->sourceId, first.shape->sourceId);
-    EXPECT_NEAR(double(topM(*edition->shape)), 90, 1e-3);
+    EXPECT_NEAR(double(topM(*edition->shape)), 90 * 0.3048, 1e-3);
     const auto cornerOf = [](const ImportMesh& mesh) {
         const Building placed = placeBuilding(*mesh.shape, mesh.placement);
         glm::dvec2 west(1e9, 0);

@@ -55,11 +55,7 @@ void EditActions::connectTools() {
 // Where its earlier edition stands among the edits of a scenario: those that follow apply to the new one.
 void EditActions::reload(const ImportMesh& edition) {
     Project next = workbench_.session().project();
-    for (Scenario& scenario : next.scenarios)
-        for (Edit& edit : scenario.edits)
-            if (auto* mesh = std::get_if<ImportMesh>(&edit);
-                mesh != nullptr && mesh->shape->sourceId == edition.shape->sourceId)
-                *mesh = edition;
+    replaceImports(next.scenarios, edition);
     const QString what = tr("reload %1").arg(QString::fromStdString(edition.file));
     if (!workbench_.session().change(std::move(next), what)) tools_.revert();
 }

@@ -146,12 +146,6 @@ private:
     Chosen chosen_;
 };
 
-// Where layers are listed, nothing was read: one of them is to be chosen first.
-struct PlacesOrLayers {
-    PlacesRead places;
-    std::vector<UnknownLayer> layers{};
-};
-
 QString describeMoreKinds(std::size_t kinds) {
     return QObject::tr("%1 more kind(s) of notes", "", pluralNumber(kinds)).arg(formatCount(kinds));
 }
@@ -269,43 +263,43 @@ QString PlaceActions::folderOfCity() const {
 void PlaceActions::readStreets() {
     if (!workbench_.city())
         return panel_.messages().showError({"No city is open", {}, "Open a file or a sample first"});
-    QStringList files;
-    const auto add = [&files](const QString& file) {
-        const std::string name = file.toStdString();
-        const bool hasStreets = isOsmFile(name) || isParkSample(name) || hasStreetLines(name);
-        if (hasStreets && !files.contains(file)) files << file;
-    };
-    for (const QString& file : workbench_.source().files) add(file);
+    QStringList files = workbench_.source().files;
     for (const InputFile& input : workbench_.session().project().inputs)
-        add(QString::fromStdString(input.path.string()));
-    read(files.isEmpty() ? askForPlaces(&window_, folderOfCity()) : files,
-         {.kinds = {PlaceKind::street},
-          .streets = true,
-          .wholeStreets = false,
-          .sidewalkM = PlaceSettings::defaultSidewalkM});
+        files << QString::fromStdString(input.path.string());
+    files.removeDuplicates();
+    const PlaceSettings streets{.kinds = {PlaceKind::street},
+                                .streets = true,
+                                .wholeStreets = false,
+                                .sidewalkM = PlaceSettings::defaultSidewalkM};
+    startReading(files, streets, EarlierPlaces::areReplaced, &loadCityPlaces);
 }
 
 void PlaceActions::read(const QStringList& files, const PlaceSettings& settings, EarlierPlaces earlier) {
     if (files.isEmpty() || !workbench_.city()) return;
+    const auto load = [](const std::vector<std::string>& names, const PlaceSettings& wanted,
+                         const Frame& frame, Progress& progress, const std::stop_token& stop) {
+        return loadPlaceFiles(names, wanted, frame, {}, progress, stop);
+    };
+    startReading(files, settings, earlier,
+                 isParkSample(files.front().toStdString()) ? &loadCityPlaces : +load);
+}
+
+void PlaceActions::startReading(const QStringList& files, PlaceSettings settings, EarlierPlaces earlier,
+                                LoadPlaces load) {
     std::vector<std::string> names;
     for (const QString& file : files) names.push_back(file.toStdString());
-    reading_.start<PlacesOrLayers>(
+    settings.listLayers = names.size() == 1;
+    reading_.start<PlacesRead>(
         tr("Reading places"),
-        [names, settings, frame = workbench_.city()->city().frame](
-            Progress& progress, const std::stop_token& stop) -> Result<PlacesOrLayers> {
-            const bool isSample = isParkSample(names.front());
-            if (names.size() == 1 && !isSample)
-                if (auto layers = listUnknownLayers(names.front(), settings); !layers.empty())
-                    return PlacesOrLayers{{}, std::move(layers)};
-            auto read = isSample ? loadCityPlaces(names, settings, frame, progress, stop)
-                                 : loadPlaceFiles(names, settings, frame, {}, progress, stop);
-            return read.map([](PlacesRead& places) { return PlacesOrLayers{std::move(places)}; });
+        [names, settings, load, frame = workbench_.city()->city().frame](Progress& progress,
+                                                                         const std::stop_token& stop) {
+            return load(names, settings, frame, progress, stop);
         },
-        [this, settings, earlier, file = files.front()](Result<PlacesOrLayers> read) {
+        [this, settings, earlier, file = files.value(0)](Result<PlacesRead> read) {
             if (read && !read->layers.empty()) return askForLayer(file, read->layers, settings, earlier);
             if (!read && isCancelled(read.error())) return;
-            read ? take(read->places, earlier) : panel_.messages().showError(read.error());
-            if (settings.streets && (!read || read->places.places.empty())) offerFile(settings, earlier);
+            read ? take(*read, earlier) : panel_.messages().showError(read.error());
+            if (settings.streets && (!read || read->places.empty())) offerFile(settings, earlier);
         });
 }
 

@@ -8,7 +8,7 @@
 
 #include "app/gui/base/jobs/job.h"
 #include "app/gui/session/project/project_changes.h"
-#include "core/io/places/place_layer.h"
+#include "core/io/places/read_places.h"
 
 class QAction;
 class QWidget;
@@ -79,6 +79,10 @@ private:
     void addPhotograph(const QString& file);
     void askForLayer(const QString& file, const std::vector<UnknownLayer>& layers,
                      const PlaceSettings& settings, EarlierPlaces earlier);
+    using LoadPlaces = Result<PlacesRead> (*)(const std::vector<std::string>&, const PlaceSettings&,
+                                              const Frame&, Progress&, const std::stop_token&);
+    void startReading(const QStringList& files, PlaceSettings settings, EarlierPlaces earlier,
+                      LoadPlaces load);
     void offerFile(const PlaceSettings& settings, EarlierPlaces earlier);
     void take(const PlacesRead& read, EarlierPlaces earlier);
     void takeDrawn(const std::vector<Footprint>& pieces);

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <utility>
 
 #include "app/gui/base/widgets/buttons.h"
@@ -155,8 +154,9 @@ void PlacingPanel::showWarnings(const Warnings& warnings) {
     warnings_->setVisible(!lines.isEmpty());
 }
 
-ReadSettings PlacingPanel::reading() const {
-    ReadSettings settings;
+void PlacingPanel::showReading(const ReadSettings& settings) { axes_->show(meshAxesFields().of(settings)); }
+
+ReadSettings PlacingPanel::reading(ReadSettings settings) const {
     axes_->take(meshAxesFields().of(settings));
     return settings;
 }
@@ -200,15 +200,18 @@ void MeshPlacing::begin(const QString& file, std::optional<glm::dvec2> place) {
     file_ = file;
     const auto stated = findStatedAxes(file.toStdString());
     panel_.setStated(stated.has_value(), stated && stated->metresPerUnit);
+    reading_ = {};
+    if (const ImportMesh* earlier = findEarlier())
+        applyReading(*earlier, reading_), panel_.showReading(reading_);
     read();
 }
 
 void MeshPlacing::read() {
     const std::string id = freeId(context_.city->city(), QFileInfo(file_).completeBaseName().toStdString());
-    reading_.start<Read>(
+    job_.start<Read>(
         tr("Reading %1").arg(QFileInfo(file_).fileName()),
-        [file = file_.toStdString(), id, settings = panel_.reading(), frame = context_.city->city().frame](
-            Progress& progress, std::stop_token stop) {
+        [file = file_.toStdString(), id, settings = panel_.reading(reading_),
+         frame = context_.city->city().frame](Progress& progress, std::stop_token stop) {
             Warnings warnings;
             const bool isIfc = isIfcFile(file);
             const IfcSite site = isIfc ? readIfcSite(file, stop) : IfcSite{};
@@ -239,22 +242,10 @@ void MeshPlacing::take(Result<Read> read) {
 }
 
 const ImportMesh* MeshPlacing::findEarlier() const {
-    const auto found = std::ranges::find(context_.proposals, mesh_->file, &ImportMesh::file);
+    const std::string name = QFileInfo(file_).fileName().toStdString();
+    const auto found = std::ranges::find(context_.proposals, name, &ImportMesh::file);
     return found == context_.proposals.end() ? nullptr : &*found;
 }
-
-namespace {
-
-// Where a placement puts a point of the mesh.
-glm::dvec2 placed(const Placement& placement, glm::dvec2 point) {
-    const double turn = placement.clockwiseDeg * std::numbers::pi / 180;
-    const glm::dvec2 from = (point - placement.about) * placement.scale;
-    return placement.about + placement.byM +
-           glm::dvec2(from.x * std::cos(turn) + from.y * std::sin(turn),
-                      from.y * std::cos(turn) - from.x * std::sin(turn));
-}
-
-}  // namespace
 
 // As the earlier edition stands, else as an IFC states: its true north, and its place where it is near.
 void MeshPlacing::preset(const Read& read) {
@@ -263,7 +254,7 @@ void MeshPlacing::preset(const Read& read) {
     const glm::dvec2 middle = findMiddle(*mesh_->shape);
     if (earlier) {
         panel_.preset(earlier->placement.scale, earlier->placement.clockwiseDeg, earlier->storeyHeightM);
-        if (!place_) place_ = placed(earlier->placement, middle);
+        if (!place_) place_ = applyTo(middle, earlier->placement);
         return;
     }
     if (!read.northDeg) return;
@@ -272,7 +263,7 @@ void MeshPlacing::preset(const Read& read) {
     const auto origin = read.origin ? std::optional(frame.localFromLonLat(*read.origin)) : std::nullopt;
     constexpr double nearM = 20'000;
     if (!place_ && origin && glm::length(*origin) < nearM)
-        place_ = *origin + placed({.clockwiseDeg = *read.northDeg}, middle);
+        place_ = *origin + applyTo(middle, {.clockwiseDeg = *read.northDeg});
 }
 
 void MeshPlacing::placeAt(glm::dvec2 ground) {
@@ -310,18 +301,14 @@ void MeshPlacing::build() {
 void MeshPlacing::reload() {
     const ImportMesh* earlier = mesh_ && place_ ? findEarlier() : nullptr;
     if (earlier == nullptr) return;
-    ImportMesh edition = *std::exchange(mesh_, std::nullopt);
-    Building shape = *edition.shape;
-    shape.sourceId = earlier->shape->sourceId;
-    shape.name = earlier->shape->name;
-    edition.shape = std::make_shared<const Building>(std::move(shape));
+    ImportMesh edition = asEditionOf(*std::exchange(mesh_, std::nullopt), *earlier);
     context_.preview.clear();
     Q_EMIT ended();
     Q_EMIT editionRead(std::move(edition));
 }
 
 void MeshPlacing::cancel() {
-    reading_.drop();
+    job_.drop();
     if (!mesh_) return;
     mesh_.reset();
     context_.preview.clear();

@@ -32,8 +32,10 @@ public:
     void preset(double scale, double clockwiseDeg, double storeyHeightM);
     /// An earlier edition of the file can be replaced; empty: there is none.
     void setEarlier(const QString& building);
-    void showWarnings(const Warnings& warnings);  ///< of reading the file
-    [[nodiscard]] ReadSettings reading() const;
+    void showWarnings(const Warnings& warnings);     ///< of reading the file
+    void showReading(const ReadSettings& settings);  ///< axes and unit, without readingEdited()
+    /// The settings with the axes and the unit chosen here.
+    [[nodiscard]] ReadSettings reading(ReadSettings settings) const;
     [[nodiscard]] double scale() const;
     [[nodiscard]] double clockwiseDeg() const;
     [[nodiscard]] double storeyHeightM() const;  ///< 0: not known
@@ -100,7 +102,8 @@ private:
     QString file_;
     std::optional<ImportMesh> mesh_;
     std::optional<glm::dvec2> place_;
-    JobSlot reading_;
+    ReadSettings reading_;  // of the earlier edition
+    JobSlot job_;
 };
 
 }  // namespace noonmark

@@ -9,8 +9,11 @@
 
 #include "core/base/gdal_calls.h"
 #include "core/io/files/geopackage_check.h"
+#include "core/io/files/json_nesting.h"
 #include "core/io/files/plain_file.h"
 #include "core/io/footprints/read_parcels.h"
+#include "core/io/meshes/ifc_site.h"
+#include "core/io/meshes/stated_axes.h"
 #include "core/io/pieces/read_part.h"
 #include "core/io/read_region.h"
 #include "tests/core/io/temporary_folder.h"
@@ -35,6 +38,67 @@ TEST(EndlessFiles, PipesAndDevicesAreRefusedAtOnce) {
     EXPECT_TRUE(checkPlainFile(folder.file("a", "a")));
     EXPECT_TRUE(checkPlainFile(folder.path("")));
     EXPECT_EQ(checkPlainFile(folder.path("b")).error().what, "There is no such file");
+}
+
+std::string cityJson(const std::string& more) {
+    return R"({"type":"CityJSON","version":"2.0","transform":{"scale":[1,1,1],"translate":[0,0,0]},)"
+           R"("CityObjects":{},"vertices":[],"more":)" +
+           more + "}";
+}
+
+// 60 bytes of memory for each bracket: a file of 1 GB would need 60.
+TEST(EndlessFiles, CityJsonNestedWithoutEndIsRefused) {
+    const tests::TemporaryFolder folder;
+    NoProgress quiet;
+    const auto deep =
+        readCityJson(folder.file("deep.city.json", cityJson(std::string(100'000, '['))), {}, quiet, {});
+    ASSERT_FALSE(deep);
+    EXPECT_NE(deep.error().what.find("nested more than 500 deep"), std::string::npos) << deep.error().text();
+    EXPECT_EQ(deep.error().kind, ErrorKind::limit);
+    // Of a sequence, a line beyond the first piece that is read is left out alone.
+    const auto line =
+        readCityJson(folder.file("deep.city.jsonl", cityJson("0") + "\n" + std::string(70'000, ' ') + "\n" +
+                                                        std::string(100'000, '[') + "\n"),
+                     {}, quiet, {});
+    ASSERT_FALSE(line);
+    EXPECT_EQ(line.error().what.find("nested"), std::string::npos) << line.error().text();
+}
+
+TEST(EndlessFiles, BracketsInTextsAreNoLevels) {
+    const std::string brackets(2 * JsonNesting::maxLevels, '[');
+    EXPECT_TRUE(JsonNesting().take("{\"a\":\"" + brackets + "\"}"));
+    EXPECT_TRUE(JsonNesting().take("{\"a\\\"" + brackets + "\":1}")) << "an escaped quotation mark";
+    EXPECT_FALSE(JsonNesting().take("{\"a\\\\\":" + brackets)) << "an escaped backslash";
+    JsonNesting pieces;
+    EXPECT_TRUE(pieces.take(brackets.substr(0, JsonNesting::maxLevels)));
+    EXPECT_FALSE(pieces.take("["));
+    EXPECT_FALSE(pieces.take("]")) << "it stays refused";
+}
+
+// The header of a drawing is read in the program's own process, before the library's process has any.
+TEST(EndlessFiles, ALineWithoutEndEndsTheHeaderOfADrawing) {
+    const tests::TemporaryFolder folder;
+    const std::string unit = "9\n$INSUNITS\n70\n4\n";
+    const auto axesOf = [&](const std::string& between) {
+        return findStatedAxes(folder.file("a.dxf", "0\nSECTION\n2\nHEADER\n" + between + unit)).value();
+    };
+    EXPECT_EQ(axesOf("1\n" + std::string(60'000, 'x') + "\n").metresPerUnit, 0.001);
+    EXPECT_EQ(axesOf("1\n" + std::string(70'000, 'x') + "\n").metresPerUnit, std::nullopt);
+}
+
+// Units and directions without end, with names without end.
+TEST(EndlessFiles, StatementsOfAnIfcAreNotCollectedWithoutEnd) {
+    const tests::TemporaryFolder folder;
+    std::string text = "ISO-10303-21;\nFILE_SCHEMA(('IFC4'));\n";
+    text += "#" + std::string(3000, '1') + "=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);\n";
+    text += "#2=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);\n";
+    text += "#3=IFCMEASUREWITHUNIT(IFCLENGTHMEASURE(1.E300),#2);\n";
+    text += "#4=IFCCONVERSIONBASEDUNIT(#9,.LENGTHUNIT.,'LEAGUE',#3);\n#5=IFCUNITASSIGNMENT((#4));\n";
+    text += "#6=IFCSITE('2',$,'site',$,$,#15,$,$,.ELEMENT.,(50,43,30),(7,6,0),1.E300,$,$);\n";
+    const auto file = folder.file("a.ifc", text);
+    EXPECT_EQ(findStatedAxes(file)->metresPerUnit, 1) << "no unit is so long";
+    EXPECT_EQ(readIfcSite(file, {}).elevationM, std::nullopt);
+    EXPECT_TRUE(readIfcSite(file, {}).place);
 }
 
 std::string terrainError(const std::filesystem::path& file) {

@@ -57,6 +57,23 @@ TEST_F(CsvMaps, OutlinesMayBeCalledGeometry) {
     }
 }
 
+// Under any name, in any place; texts with dividers before it are not counted through.
+TEST_F(CsvMaps, OutlinesAreFoundByTheirText) {
+    for (const char* name : {"Umriss", "形状", "\"Shape Text\""}) {
+        const auto city = readTable(std::string("id,") + name +
+                                    ",height\n1,\"POLYGON((4.90 52.37,4.9002 "
+                                    "52.37,4.9002 52.3701,4.90 52.3701,4.90 52.37))\",8\n");
+        ASSERT_TRUE(city) << name << city.error().text();
+        EXPECT_EQ(city->city.buildings.size(), 1U) << name;
+        EXPECT_NEAR(topM(*city->city.buildings[0]), 8, 1e-4);
+    }
+    const auto city =
+        readTable(std::string("note,outline,height\n\"a,b\",") +
+                  std::string(outlineText).substr(0, std::string(outlineText).size() - 1) + ",8\n");
+    ASSERT_FALSE(city);
+    EXPECT_THAT(city.error().text(), HasSubstr("no column has outlines"));
+}
+
 TEST_F(CsvMaps, AMapInMetresAsksForItsSystem) {
     const std::string metres =
         "id,height,WKT\n1,8,\"POLYGON((121000 487000,121010 487000,121010 487010,121000 487000))\"\n";

@@ -181,6 +181,24 @@ TEST(FieldRoles, NeighboursSettleWhatANameMeans) {
     EXPECT_FALSE(hasRole(knownFields({"height", "ground_height"}, {}, false), groundElevation));
 }
 
+// Vienna and others name the terrain model that they took the ground's elevation from.
+TEST(FieldRoles, ALevelOfTheTerrainIsTheGround) {
+    using enum FieldRole;
+    for (const char* name : {"HOEHE_DGM", "DGM_Hoehe_m", "MNT", "height DTM", "dtm_elevation"})
+        EXPECT_EQ(roleOf(name), groundElevation) << name;
+    EXPECT_EQ(roleOf("height_over_dtm"), height);
+    EXPECT_EQ(roleOf("Hoehe_ueber_DGM"), height);
+    const auto beside = knownFields({"HOEHE_DGM", "HOEHE"}, {}, false);
+    EXPECT_THAT(namesOf(beside, height), ElementsAre("HOEHE"));
+    EXPECT_THAT(namesOf(beside, groundElevation), ElementsAre("HOEHE_DGM"));
+    // Its undersides are those of passages where the ground is stated, else the ground.
+    const auto vienna = knownFields({"O_KOTE", "U_KOTE", "HOEHE_DGM"}, {}, false);
+    EXPECT_THAT(namesOf(vienna, groundElevation), ElementsAre("HOEHE_DGM"));
+    EXPECT_THAT(namesOf(vienna, bottomElevation), ElementsAre("U_KOTE"));
+    EXPECT_THAT(namesOf(knownFields({"O_KOTE", "U_KOTE"}, {}, false), groundElevation),
+                ElementsAre("U_KOTE"));
+}
+
 TEST(FieldRoles, AChosenElevationIsTakenOverTheGround) {
     using enum FieldRole;
     const auto fields = knownFields({"RelH2", "AbsHMax", "AbsH2", "AbsHMin"}, {.height = "abshmax"}, false);
@@ -195,10 +213,12 @@ protected:
     LengthUnit unitOf(const std::vector<std::string>& names, const UnitRules& rules) {
         warnings.clear();
         auto fields = knownFields(names, {}, false);
-        settleUnits(fields, rules, "a.shp", warnings);
+        settleUnits(fields, rules);
+        for (const KnownField& field : fields)
+            if (!field.assumption.empty()) warnings.push_back(field.assumption);
         return fields.at(0).unit;
     }
-    Warnings warnings;
+    std::vector<std::string> warnings;
 };
 
 TEST_F(Units, AreMetresUnlessStatedOtherwise) {

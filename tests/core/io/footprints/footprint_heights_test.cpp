@@ -120,6 +120,27 @@ TEST_F(ReadFootprints, NewYorksShapefileIsInFeet) {
                 ElementsAre(HasSubstr("feet are assumed"), HasSubstr("feet are assumed")));
 }
 
+TEST_F(ReadFootprints, OnlyOfWhatWasUsedIsAnAssumptionSaid) {
+    // New York's fields beside a height that outranks its own; without values, they are not used either.
+    const FilePiece outranked =
+        readGeoJson(feature(sizedRectangle(0, 0, 10, 10), R"("height":12,"heightroof":100,"groundelev":50)"));
+    EXPECT_NEAR(heightOf(*outranked.buildings.at(0)), 12, 1e-3);
+    EXPECT_THAT(whats(outranked.warnings), ElementsAre(HasSubstr("feet are assumed"))) << "of the ground";
+    const FilePiece used = readGeoJson(feature(sizedRectangle(0, 0, 10, 10), R"("heightroof":100)") + "," +
+                                       feature(sizedRectangle(20, 0, 10, 10), R"("heightroof":90)"));
+    EXPECT_THAT(whats(used.warnings), ElementsAre(HasSubstr("metres are assumed, though New York's")));
+}
+
+TEST_F(ReadFootprints, ViennasUndersidesStandOnTheTerrainModel) {
+    const FilePiece piece = readGeoJson(
+        feature(sizedRectangle(0, 0, 10, 10), R"("O_KOTE":190.5,"U_KOTE":171.2,"HOEHE_DGM":171.0)") + "," +
+        feature(sizedRectangle(20, 0, 10, 10), R"("O_KOTE":190.5,"U_KOTE":176,"HOEHE_DGM":171.0)"));
+    EXPECT_NEAR(heightOf(*piece.buildings.at(0)), 19.5, 1e-3);
+    EXPECT_NEAR(piece.buildings.at(0)->parts[0].bottomM, 0, 1e-3);
+    EXPECT_NEAR(piece.buildings.at(1)->parts[0].bottomM, 5, 1e-3);
+    EXPECT_NEAR(piece.buildings.at(1)->parts[0].topM, 19.5, 1e-3);
+}
+
 TEST_F(ReadFootprints, TheUserNamesFieldAndUnit) {
     const auto file = geoJson(feature(sizedRectangle(0, 0, 10, 10), R"("height":5,"eaves":100)") + "," +
                               feature(sizedRectangle(20, 0, 10, 10), R"("height":5,"eaves":"20 m")"));

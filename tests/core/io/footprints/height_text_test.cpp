@@ -147,6 +147,11 @@ TEST(HeightText, Levels) {
     EXPECT_EQ(parseLevels("12"), 12);
     EXPECT_EQ(parseLevels(" 3.5 "), 3.5);
     EXPECT_EQ(parseLevels("\uFF14"), 4);
+    EXPECT_EQ(parseLevels("5R"), 5) << "of concrete, in Taiwan";
+    EXPECT_EQ(parseLevels("12SRC"), 12);
+    EXPECT_EQ(parseLevels("R"), std::nullopt);
+    EXPECT_EQ(parseLevels("5X"), std::nullopt);
+    EXPECT_EQ(parseLevels("B2"), std::nullopt) << "below the ground";
     EXPECT_EQ(parseLevels("0"), 0);
     for (const char* text : {"", "concrete", "7-7", "3;4", "-1", "2 m", "nan", "1e2", "5+", "3,5"})
         EXPECT_FALSE(parseLevels(text)) << text;

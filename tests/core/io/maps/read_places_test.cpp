@@ -287,7 +287,7 @@ TEST_F(ReadPlaces, OfSeveralLayersTheUserNamesOne) {
     };
     const auto unknown = folder_.file("unknown.kml", kml(layer("houses", -73.98) + layer("lawns", -73.97)));
     EXPECT_THAT(readFrom(unknown).error().text(), HasSubstr("houses, lawns"));
-    const auto asked = listUnknownLayers(unknown, {});
+    const auto asked = readFrom(unknown, {.listLayers = true}).value().layers;
     ASSERT_EQ(asked.size(), 2U);
     EXPECT_EQ(asked[1].name, "lawns");
     EXPECT_EQ(asked[1].features, 1U);
@@ -297,8 +297,12 @@ TEST_F(ReadPlaces, OfSeveralLayersTheUserNamesOne) {
     EXPECT_NE(readFrom(unknown, {.layer = "lawns"}).value().places.front().source,
               readFrom(unknown, {.layer = "houses"}).value().places.front().source)
         << "neither replaces the other";
-    EXPECT_TRUE(listUnknownLayers(unknown, {.layer = "lawns"}).empty()) << "it is chosen";
-    EXPECT_TRUE(listUnknownLayers(folder_.file("parks.geojson", parksGeoJson), {}).empty()) << "there is one";
+    const auto chosen = readFrom(unknown, {.layer = "lawns", .listLayers = true}).value();
+    EXPECT_TRUE(chosen.layers.empty()) << "it is chosen";
+    EXPECT_EQ(chosen.places.size(), 1U);
+    const auto alone = readFrom(folder_.file("parks.geojson", parksGeoJson), {.listLayers = true}).value();
+    EXPECT_TRUE(alone.layers.empty()) << "there is one";
+    EXPECT_FALSE(alone.places.empty());
 }
 
 TEST_F(ReadPlaces, AFileCutOffAnywhereGivesAnErrorOrFewerPlaces) {

@@ -150,6 +150,26 @@ TEST_F(TreeInventories, BerlinStatesHeightAndCrownInMetresOfItsOwnSystem) {
     expectSize(1, crownM * heightPerCrown, crownM);
 }
 
+// A year of planting is not a size: what is assumed is said, once the tree has no measure at all.
+TEST_F(TreeInventories, AYearOfPlantingIsNoSize) {
+    read("baumbestand.geojson",
+         R"({"type":"FeatureCollection","features":[
+{"type":"Feature","geometry":{"type":"Point","coordinates":[13.39,52.52]},
+"properties":{"art_bot":"Tilia cordata","pflanzjahr":"1970","kronedurch":null,"stammumfg":157,"baumhoehe":14.0}},
+{"type":"Feature","geometry":{"type":"Point","coordinates":[13.391,52.52]},
+"properties":{"art_bot":"Tilia cordata","pflanzjahr":"1970","kronedurch":null,"stammumfg":null,"baumhoehe":null}},
+{"type":"Feature","geometry":{"type":"Point","coordinates":[13.392,52.52]},
+"properties":{"art_bot":"Tilia cordata","pflanzjahr":"2020","kronedurch":null,"stammumfg":null,"baumhoehe":null}}]})");
+    ASSERT_EQ(trees_.size(), 3U);
+    EXPECT_EQ(trees_[1].heightSource, TreeSource::assumed);
+    EXPECT_EQ(trees_[1].heightM, trees_[2].heightM) << "older, not higher";
+    EXPECT_EQ(std::ranges::count_if(read_.warnings,
+                                    [](const Warning& warning) {
+                                        return warning.what.starts_with("a tree has a year of planting");
+                                    }),
+              2);
+}
+
 TEST_F(TreeInventories, ViennaHasClassesAndPlacesAsText) {
     read(
         "BAUMKATOGD.csv",
