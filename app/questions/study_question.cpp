@@ -53,9 +53,9 @@ public:
     }
 
     [[nodiscard]] AnswerPage page(const LegendChoice& shown) const override {
-        return withMonths(makePage(content().field, content().statistics, nameOf(content().settings.region),
-                                   shown.show, shown.trees),
-                          makeMonthBars(content()));
+        return withMonths(
+            makePage(content().field, content().statistics, nameOf(content().settings.region), shown),
+            makeMonthBars(content()));
     }
     [[nodiscard]] Result<std::string> command() const override { return makeRepeatCommand(content()); }
     [[nodiscard]] std::vector<CommandOption> drawnOptions(const AnswerFiles& how) const override {
