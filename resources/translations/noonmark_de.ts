@@ -4990,6 +4990,86 @@ Opens the panel Review.</source>
         <source>With trees that lose their leaves by season their number is %1, at most %2 at one spot.</source>
         <translation>Mit Bäumen, die nach Jahreszeit ihr Laub verlieren, sind es %1, höchstens %2 an einer Stelle.</translation>
     </message>
+    <message>
+        <source>Scale of diagrams</source>
+        <translation>Maßstab der Diagramme</translation>
+    </message>
+    <message>
+        <source>Scale of diagrams and elevations: 2000 for 1:2000 (default: a round one that fits)</source>
+        <translation>Maßstab von Diagrammen und Ansichten: 2000 für 1:2000 (Vorgabe: ein runder, der passt)</translation>
+    </message>
+    <message>
+        <source>Everything in full</source>
+        <translation>Alles vollständig</translation>
+    </message>
+    <message>
+        <source>Sheets: all tables, maps, elevations and timelines in full, on as many pages as that takes (default: at most 30 pages, with what changes most and what fails or is borderline)</source>
+        <translation>Blätter: alle Tabellen, Karten, Ansichten und Zeitverläufe vollständig, auf so vielen Seiten wie nötig (Vorgabe: höchstens 30 Seiten, mit dem, was sich am meisten ändert und was nicht erfüllt oder grenzwertig ist)</translation>
+    </message>
+    <message>
+        <source>Map of sources of heights</source>
+        <translation>Karte der Herkunft der Höhen</translation>
+    </message>
+    <message>
+        <source>Sheets: a page with the buildings coloured by where their heights come from: measured, from storeys, assumed, of a 3D model, designed</source>
+        <translation>Blätter: eine Seite mit den Gebäuden in Farben nach der Herkunft ihrer Höhen: gemessen, aus Geschossen, angenommen, aus einem 3D-Modell, entworfen</translation>
+    </message>
+    <message>
+        <source>Smallest place</source>
+        <translation>Kleinster Ort</translation>
+    </message>
+    <message>
+        <source>Sheets of places: smaller places without a name are listed together, under the place that they lie in or by kind</source>
+        <translation>Blätter von Orten: kleinere Orte ohne Namen stehen zusammen, unter dem Ort, in dem sie liegen, oder nach Art</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Paper of the sheets: A4, A3, A1, Letter or Tabloid</source>
+        <translation>Papier der Blätter: A4, A3, A1, Letter oder Tabloid</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Sheets are wider than high</source>
+        <translation>Blätter sind breiter als hoch</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>Sonnenstunden am Tag nach Monaten</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day by month</source>
+        <translation>Änderung der Sonnenstunden am Tag nach Monaten</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day in the places by month</source>
+        <translation>Sonnenstunden am Tag in den Orten nach Monaten</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day in the places by month</source>
+        <translation>Änderung der Sonnenstunden am Tag in den Orten nach Monaten</translation>
+    </message>
+    <message>
+        <source>Change of the shadow area by month, m²</source>
+        <translation>Änderung der Schattenfläche nach Monaten, m²</translation>
+    </message>
+    <message>
+        <source>Change of the weighted shade by month, m² h</source>
+        <translation>Änderung des gewichteten Schattens nach Monaten, m² h</translation>
+    </message>
+    <message>
+        <source>Shadow score by month, m²</source>
+        <translation>Schattenbewertung nach Monaten, m²</translation>
+    </message>
+    <message>
+        <source>Change of the shadow score by month, m²</source>
+        <translation>Änderung der Schattenbewertung nach Monaten, m²</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>

@@ -4990,6 +4990,86 @@ Abre el panel Evaluación.</translation>
         <source>With trees that lose their leaves by season their number is %1, at most %2 at one spot.</source>
         <translation>Con árboles que pierden las hojas según la estación son %1, como máximo %2 en un punto.</translation>
     </message>
+    <message>
+        <source>Scale of diagrams</source>
+        <translation>Escala de los diagramas</translation>
+    </message>
+    <message>
+        <source>Scale of diagrams and elevations: 2000 for 1:2000 (default: a round one that fits)</source>
+        <translation>Escala de diagramas y alzados: 2000 para 1:2000 (por defecto, una redonda que quepa)</translation>
+    </message>
+    <message>
+        <source>Everything in full</source>
+        <translation>Todo completo</translation>
+    </message>
+    <message>
+        <source>Sheets: all tables, maps, elevations and timelines in full, on as many pages as that takes (default: at most 30 pages, with what changes most and what fails or is borderline)</source>
+        <translation>Hojas: todas las tablas, mapas, alzados y cronologías completos, en tantas páginas como hagan falta (por defecto, como máximo 30 páginas, con lo que más cambia y lo que incumple o está al límite)</translation>
+    </message>
+    <message>
+        <source>Map of sources of heights</source>
+        <translation>Mapa de las fuentes de las alturas</translation>
+    </message>
+    <message>
+        <source>Sheets: a page with the buildings coloured by where their heights come from: measured, from storeys, assumed, of a 3D model, designed</source>
+        <translation>Hojas: una página con los edificios coloreados según la fuente de sus alturas: medidas, por plantas, supuestas, de un modelo 3D, proyectadas</translation>
+    </message>
+    <message>
+        <source>Smallest place</source>
+        <translation>Lugar más pequeño</translation>
+    </message>
+    <message>
+        <source>Sheets of places: smaller places without a name are listed together, under the place that they lie in or by kind</source>
+        <translation>Hojas de lugares: los lugares menores sin nombre se listan juntos, bajo el lugar en que están o por tipo</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papel</translation>
+    </message>
+    <message>
+        <source>Paper of the sheets: A4, A3, A1, Letter or Tabloid</source>
+        <translation>Papel de las hojas: A4, A3, A1, Letter o Tabloid</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Sheets are wider than high</source>
+        <translation>Las hojas son más anchas que altas</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>Horas de sol al día por mes</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day by month</source>
+        <translation>Cambio de las horas de sol al día por mes</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day in the places by month</source>
+        <translation>Horas de sol al día en los lugares por mes</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day in the places by month</source>
+        <translation>Cambio de las horas de sol al día en los lugares por mes</translation>
+    </message>
+    <message>
+        <source>Change of the shadow area by month, m²</source>
+        <translation>Cambio de la superficie en sombra por mes, m²</translation>
+    </message>
+    <message>
+        <source>Change of the weighted shade by month, m² h</source>
+        <translation>Cambio de la sombra ponderada por mes, m² h</translation>
+    </message>
+    <message>
+        <source>Shadow score by month, m²</source>
+        <translation>Puntuación de sombra por mes, m²</translation>
+    </message>
+    <message>
+        <source>Change of the shadow score by month, m²</source>
+        <translation>Cambio de la puntuación de sombra por mes, m²</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>

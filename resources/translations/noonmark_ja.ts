@@ -4960,6 +4960,86 @@ Opens the panel Review.</source>
         <source>With trees that lose their leaves by season their number is %1, at most %2 at one spot.</source>
         <translation>季節で葉を落とす樹木を含めると %1、一点で最大 %2。</translation>
     </message>
+    <message>
+        <source>Scale of diagrams</source>
+        <translation>図の縮尺</translation>
+    </message>
+    <message>
+        <source>Scale of diagrams and elevations: 2000 for 1:2000 (default: a round one that fits)</source>
+        <translation>図と立面図の縮尺: 1:2000 は 2000(既定値: 収まる切りのよい縮尺)</translation>
+    </message>
+    <message>
+        <source>Everything in full</source>
+        <translation>すべてを完全に</translation>
+    </message>
+    <message>
+        <source>Sheets: all tables, maps, elevations and timelines in full, on as many pages as that takes (default: at most 30 pages, with what changes most and what fails or is borderline)</source>
+        <translation>シート: すべての表、地図、立面図、時間経過を必要なだけのページに(既定値: 最大 30 ページ。変化が大きいもの、不適合または境界のもの)</translation>
+    </message>
+    <message>
+        <source>Map of sources of heights</source>
+        <translation>高さの出典の地図</translation>
+    </message>
+    <message>
+        <source>Sheets: a page with the buildings coloured by where their heights come from: measured, from storeys, assumed, of a 3D model, designed</source>
+        <translation>シート: 建物を高さの出典で色分けしたページ(測定、階数から、仮定、3D モデル、設計)</translation>
+    </message>
+    <message>
+        <source>Smallest place</source>
+        <translation>最小の場所</translation>
+    </message>
+    <message>
+        <source>Sheets of places: smaller places without a name are listed together, under the place that they lie in or by kind</source>
+        <translation>場所のシート: 名前のない小さな場所は、含まれる場所の下または種類別にまとめます</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>用紙</translation>
+    </message>
+    <message>
+        <source>Paper of the sheets: A4, A3, A1, Letter or Tabloid</source>
+        <translation>シートの用紙: A4、A3、A1、Letter、Tabloid</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>横向き</translation>
+    </message>
+    <message>
+        <source>Sheets are wider than high</source>
+        <translation>シートを横長にします</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day by month</source>
+        <translation>月別の 1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day by month</source>
+        <translation>月別の 1 日の日照時間の変化</translation>
+    </message>
+    <message>
+        <source>Hours of sun a day in the places by month</source>
+        <translation>場所における月別の 1 日の日照時間</translation>
+    </message>
+    <message>
+        <source>Change of the hours of sun a day in the places by month</source>
+        <translation>場所における月別の 1 日の日照時間の変化</translation>
+    </message>
+    <message>
+        <source>Change of the shadow area by month, m²</source>
+        <translation>月別の日陰面積の変化、m²</translation>
+    </message>
+    <message>
+        <source>Change of the weighted shade by month, m² h</source>
+        <translation>月別の加重日陰の変化、m²·h</translation>
+    </message>
+    <message>
+        <source>Shadow score by month, m²</source>
+        <translation>月別の日陰スコア、m²</translation>
+    </message>
+    <message>
+        <source>Change of the shadow score by month, m²</source>
+        <translation>月別の日陰スコアの変化、m²</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
