@@ -233,7 +233,7 @@ Result<PlacesRead> readFrom(GDALDataset& dataset, const Path& file, const PlaceS
     return reader.place(frame);
 }
 
-tl::unexpected<Error> notRead(const std::exception& exception, const Path& file) {
+tl::unexpected<Error> placesNotRead(const std::exception& exception, const Path& file) {
     return failure(fmt::format("The places cannot be read ({})", exception.what()), file.string(),
                    "Check that the file is complete, or export it again");
 }
@@ -247,7 +247,7 @@ Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, c
     if (!dataset) return tl::make_unexpected(dataset.error());
     return readFrom(**dataset, file, settings, frame, calls, progress, stop);
 } catch (const std::exception& exception) {
-    return notRead(exception, file);
+    return placesNotRead(exception, file);
 }
 
 namespace {
@@ -269,7 +269,7 @@ Result<PlacesRead> readStreetLines(const Path& file, const PlaceSettings& settin
     if (!dataset || !hasLines(**dataset)) return PlacesRead{};
     return readFrom(**dataset, file, settings, frame, calls, progress, stop);
 } catch (const std::exception& exception) {
-    return notRead(exception, file);
+    return placesNotRead(exception, file);
 }
 
 bool isOsmFile(const Path& file) { return checkPlainFile(file) && findOsmFormat(file); }
