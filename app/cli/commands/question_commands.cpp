@@ -137,7 +137,7 @@ struct QuestionOptions {
 };
 
 void printAnswer(const Answer& answer, std::ostream& out) {
-    if (const Sentence& headline = answer.page(ShownAs::shadow).headline; !headline.source.empty())
+    if (const Sentence& headline = answer.page(LegendChoice{}).headline; !headline.source.empty())
         out << formatText(headline) << '\n';
     Table table;
     table.add("scenario", answer.part().scenario);
