@@ -337,11 +337,7 @@ void CityView::capture(std::function<void(QImage)> done) {
     if (cameraMoved_) applyCamera();
     places_->layNames(pose_, lens());
     dome_->layNames(pose_, lens());
-    overlay_->showEditing(false);
-    requestPicture([this, done = std::move(done)](const QImage& image) {
-        overlay_->showEditing(true);
-        done(image);
-    });
+    requestPicture(std::move(done));
 }
 
 // A frame that is left out, as where another window covers the view at that moment, takes its request with

@@ -10796,7 +10796,7 @@ vom Jahr ebenso viele Wochen</translation>
     </message>
     <message>
         <source>&amp;Solid buildings</source>
-        <translation>Gebäude ausge&amp;füllt</translation>
+        <translation>Gebäude ausgef&amp;üllt</translation>
     </message>
     <message>
         <source>Off: wireframe, so that the ground behind buildings is visible</source>

@@ -153,6 +153,7 @@ void ElementsDock::placeFields() {
     below_->setToolTip(tr("Lists only the points with less sun a day than this"));
     table_->setObjectName(QStringLiteral("elementTable"));
     table_->setModel(filter_);
+    table_->resizeColumnsToContents();  // until there are values, to the titles
     table_->setSortingEnabled(true);
     table_->sortByColumn(-1, Qt::AscendingOrder);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);

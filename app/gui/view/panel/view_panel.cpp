@@ -362,11 +362,13 @@ PictureFrame ViewPanel::pictureFrame(const QString& title, const QString& when) 
 
 void ViewPanel::takePicture(const QString& title, const QString& when, std::function<void(QImage)> done) {
     const double heightM = metresPerPixel(view_->pose(), view_->lens()) * view_->lens().heightPx;
-    view_->capture(
-        [frame = pictureFrame(title, when), heightM, done = std::move(done)](const QImage& image) mutable {
-            frame.pixelsPerM = image.height() / heightM;
-            done(viewPicture(image, frame));
-        });
+    view_->overlay().showEditing(false);
+    view_->capture([this, frame = pictureFrame(title, when), heightM,
+                    done = std::move(done)](const QImage& image) mutable {
+        view_->overlay().showEditing(true);
+        frame.pixelsPerM = image.height() / heightM;
+        done(viewPicture(image, frame));
+    });
 }
 
 void ViewPanel::takePicture(const Picture& picture, std::function<void(QImage)> done) {
@@ -378,7 +380,9 @@ void ViewPanel::takePicture(const Picture& picture, std::function<void(QImage)> 
     const int finer = twice ? 2 : 1;
     view_->setPicture(PictureSize{drawn * finer, drawn.height() * finer / nominalHeightPx});
     const double heightM = metresPerPixel(view_->pose(), view_->lens()) * view_->lens().heightPx;
+    view_->overlay().showEditing(false);
     view_->capture([this, picture, drawn, scale, heightM, done = std::move(done)](QImage image) {
+        view_->overlay().showEditing(true);
         if (!picture.moreFollow) endPictures();
         image.reinterpretAsFormat(QImage::Format_RGBX8888);  // translucent lines left their mark in alpha
         image = image.convertToFormat(QImage::Format_RGB888)
