@@ -188,7 +188,8 @@ TEST_F(Descriptions, BashCompletesCommandsAndOptions) {
     EXPECT_THAT(bashOffers({"project", "ne"}), ElementsAre("new"));
     EXPECT_THAT(bashOffers({"project", "lot", ""}), IsSupersetOf({"add", "list"}));
     EXPECT_THAT(bashOffers({"study", "--height"}),
-                testing::UnorderedElementsAre("--height-field", "--height-unit", "--heights-from-surface"));
+                testing::UnorderedElementsAre("--height-field", "--height-map", "--height-unit",
+                                              "--heights-from-surface"));
     EXPECT_THAT(bashOffers({"sun", "--sce"}), testing::IsEmpty());
 }
 

@@ -134,12 +134,15 @@ protected:
         return question;
     }
 
-    const std::string notMeasured = "this question measures the shadow of buildings and terrain only";
     const std::string region = "-73.9815,40.7495,-73.9785,40.7515";
 };
 
-TEST_F(TreesLeftOut, QuestionsThatMeasureNoneSaySo) {
-    expectSaid({"point", town.string(), "--at", "-73.9800,40.7504"}, notMeasured);
+TEST_F(TreesLeftOut, APointLeavesNoneOut) {
+    const CommandOutput output =
+        noonmarkCli({"point", town.string(), "--at", "-73.9800,40.7504", "--trees", inventory, "--json"});
+    ASSERT_EQ(output.code, exitOk) << output.err;
+    for (const nlohmann::json& warning : output.json().at("warnings"))
+        EXPECT_THAT(warning.at("what").get<std::string>(), testing::Not(HasSubstr("trees: "))) << warning;
 }
 
 TEST_F(TreesLeftOut, StudiesInTilesCountThem) {

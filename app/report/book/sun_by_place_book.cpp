@@ -404,8 +404,8 @@ std::vector<QString> rowOf(const SunOfCities& all, std::size_t i, std::size_t nu
 }
 
 NamedTable tableOf(const SunOfCities& all, const std::vector<std::size_t>& order,
-                   const ShownSunOrShadow& shown) {
-    const std::size_t listed = std::min(order.size(), maxRowsOfPlaces);
+                   const ShownSunOrShadow& shown, std::size_t maxRows) {
+    const std::size_t listed = std::min(order.size(), maxRows);
     NamedTable table{QStringLiteral("Places"), {}, {titlesOf(all, shown), {}, {}}};
     const QString which = all.compared.empty() ? QStringLiteral("with least sun")
                                                : QStringLiteral("that lose most to the first scenario");
@@ -438,8 +438,8 @@ NamedTable errorTableOf(const SunByPlace& sun, bool isNamed) {
     return table;
 }
 
-std::vector<NamedTable> tablesOf(const SunOfCities& all, const ShownSunOrShadow& shown) {
-    std::vector<NamedTable> tables{tableOf(all, sortByInterest(all), shown),
+std::vector<NamedTable> tablesOf(const SunOfCities& all, const ShownSunOrShadow& shown, std::size_t maxRows) {
+    std::vector<NamedTable> tables{tableOf(all, sortByInterest(all), shown, maxRows),
                                    errorTableOf(sunOf(all), !all.compared.empty())};
     for (const ComparedSun& one : all.compared) tables.push_back(errorTableOf(one.sun, true));
     return tables;
@@ -475,6 +475,22 @@ namespace {
 /// Maps of scenarios and of dates, unless all pages are asked for.
 constexpr std::size_t maxMapsOfKind = 6;
 
+// As many rows as pages are left, unless all are asked for: names may be long, and rows several lines high.
+std::vector<BookPage> makePlaceTables(const SunOfCities& all, const BookSettings& settings,
+                                      const PlaceColours& colours, std::size_t pagesBefore) {
+    const auto pagesOf = [&](std::size_t maxRows) {
+        return makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
+                              tablesOf(all, chooseShown(shownCity(all), colours), maxRows));
+    };
+    constexpr std::size_t leastRows = 10;
+    std::vector<BookPage> pages = pagesOf(maxRowsOfPlaces);
+    for (std::size_t rows = maxRowsOfPlaces * 2 / 3;
+         !settings.allPages && pagesBefore + pages.size() > BookSettings::defaultPages && rows >= leastRows;
+         rows = rows * 2 / 3)
+        pages = pagesOf(rows);
+    return pages;
+}
+
 // Maps, and what the tables list.
 void addPlaces(Book& book, const SunOfCities& all, const BookSettings& settings,
                const PlaceColours& colours) {
@@ -494,8 +510,7 @@ void addPlaces(Book& book, const SunOfCities& all, const BookSettings& settings,
     }
     if (settings.heightMap)
         book.pages.push_back(makeHeightMapPage(shown.city, groundOf(shown), settings.setup));
-    std::ranges::move(makeTablePages(settings.setup, {QStringLiteral("Places"), {}, QStringLiteral("Places")},
-                                     tablesOf(all, chooseShown(shown, colours))),
+    std::ranges::move(makePlaceTables(all, settings, colours, book.pages.size()),
                       std::back_inserter(book.pages));
 }
 

@@ -99,7 +99,9 @@ TEST_F(ProjectEdits, WindowsOfAProposalMoveWithIt) {
     const std::string file = house->string();
     const auto windowsOf = [&](const std::string& building) {
         const CommandOutput output =
-            atNoon("study", {"--scenario", "A", "--receivers", "windows", "--windows", file, "--json"});
+            measured("study", {"--scenario", "A", "--receivers", "windows", "--windows", file, "--start",
+                               "2026-12-21", "--from", "12:00", "--hours", "1", "--step", "10", "--zone",
+                               "America/New_York", "--json"});
         EXPECT_EQ(output.code, 0) << output.err;
         std::ifstream csv(folder_.path("out") / "elements.csv");
         std::size_t lines = 0;
