@@ -20,7 +20,7 @@ std::vector<std::string> listChanges(const SavedContent& saved) {
 /// A book that refers to more than it shares.
 template <class... T>
 std::shared_ptr<const Book> withOwners(std::shared_ptr<const Book> book,
-                                     std::shared_ptr<const T>... referredTo) {
+                                       std::shared_ptr<const T>... referredTo) {
     using Kept = std::tuple<std::shared_ptr<const Book>, std::shared_ptr<const T>...>;
     const auto kept = std::make_shared<const Kept>(std::move(book), std::move(referredTo)...);
     return {kept, std::get<0>(*kept).get()};
