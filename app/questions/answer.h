@@ -46,13 +46,15 @@ struct AnswerFiles {
 
 /// Shares a book together with the values that its pages refer to, which live as long as it.
 template <class... T>
+std::shared_ptr<const Book> bundleBook(std::shared_ptr<const Book> book,
+                                       std::shared_ptr<const T>... referredTo) {
+    using Kept = std::tuple<std::shared_ptr<const Book>, std::shared_ptr<const T>...>;
+    const auto kept = std::make_shared<const Kept>(std::move(book), std::move(referredTo)...);
+    return {kept, std::get<0>(*kept).get()};
+}
+template <class... T>
 std::shared_ptr<const Book> bundleBook(Book book, std::shared_ptr<const T>... referredTo) {
-    struct Kept {
-        Book book;
-        std::tuple<std::shared_ptr<const T>...> referredTo;
-    };
-    const auto kept = std::make_shared<const Kept>(Kept{std::move(book), {std::move(referredTo)...}});
-    return {kept, &kept->book};
+    return bundleBook(std::make_shared<const Book>(std::move(book)), std::move(referredTo)...);
 }
 
 /// How its book looks, with the legend of its maps.

@@ -17,15 +17,6 @@ std::vector<std::string> listChanges(const SavedContent& saved) {
     return all;
 }
 
-/// A book that refers to more than it shares.
-template <class... T>
-std::shared_ptr<const Book> withOwners(std::shared_ptr<const Book> book,
-                                       std::shared_ptr<const T>... referredTo) {
-    using Kept = std::tuple<std::shared_ptr<const Book>, std::shared_ptr<const T>...>;
-    const auto kept = std::make_shared<const Kept>(std::move(book), std::move(referredTo)...);
-    return {kept, std::get<0>(*kept).get()};
-}
-
 // Its JSON states it, or why there is none (addRepeat() in provenance_texts.h).
 Result<std::string> commandOf(const SavedResult& result) {
     const auto json = nlohmann::ordered_json::parse(result.settings, nullptr, false);
@@ -111,7 +102,7 @@ public:
             return bundleBook(
                 makeSavedBook(*content().result, content().answer.origin, source, figures(), bookOf(how)),
                 shared(), city);
-        return withOwners(of_.saved->book(content(), source, how), shared(), city);
+        return bundleBook(of_.saved->book(content(), source, how), shared(), city);
     }
 
 private:

@@ -15,8 +15,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr double smallestDeg =
-    0.5;  // the sun's own width: a crown that rises less above the skyline is not seen
+// The sun's own width: a crown that rises less above the skyline is not seen.
+constexpr double smallestDeg = 0.5;
 constexpr double columnDeg = 5;
 constexpr int minColumns = 9;
 

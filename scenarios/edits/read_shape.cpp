@@ -13,13 +13,17 @@ namespace noonmark {
 namespace {
 
 // What a user states of one file: the project knows the rest.
+void copyStated(const ReadSettings& from, ReadSettings& to) {
+    to.upAxis = from.upAxis;
+    to.meshUnit = from.meshUnit;
+    to.stand = from.stand;
+    to.crs = from.crs;
+    to.lod = from.lod;
+}
+
 std::string formatReading(const ReadSettings& settings) {
     ReadSettings chosen;
-    chosen.upAxis = settings.upAxis;
-    chosen.meshUnit = settings.meshUnit;
-    chosen.stand = settings.stand;
-    chosen.crs = settings.crs;
-    chosen.lod = settings.lod;
+    copyStated(settings, chosen);
     return formatText(chosen);
 }
 
@@ -56,12 +60,7 @@ Warning describeLowered(const Building& mesh, const std::filesystem::path& file)
 }  // namespace
 
 void applyReading(const ImportMesh& import, ReadSettings& settings) {
-    const auto chosen = readSettingsFrom(import.reading).value_or(ReadSettings{});
-    settings.upAxis = chosen.upAxis;
-    settings.meshUnit = chosen.meshUnit;
-    settings.stand = chosen.stand;
-    settings.crs = chosen.crs;
-    settings.lod = chosen.lod;
+    copyStated(readSettingsFrom(import.reading).value_or(ReadSettings{}), settings);
     settings.meshScale = import.readScale;
 }
 
