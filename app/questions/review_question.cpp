@@ -10,8 +10,11 @@
 #include "core/describe/field_values.h"
 #include "core/describe/text.h"
 #include "core/engines/auto_engine.h"
+#include "core/engines/common/changed_buildings.h"
 #include "core/measures/places/place_run.h"
 #include "core/review/criteria/criterion_days.h"
+#include "core/review/places/place_review.h"
+#include "core/study/prepare_review.h"
 #include "core/study/provenance/provenance.h"
 #include "core/study/review_figures.h"
 #include "core/study/text/error_text.h"
@@ -281,6 +284,36 @@ Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progre
         return failure("No sun in these hours", question.rule.name, "Choose another rule or year");
     return screenPlaces(*question.before, *question.after, question.places, sun->sun, {}, AutoEngine(),
                         progress, std::move(stop));
+}
+
+bool canScreen(const ReviewQuestion& question) {
+    if (question.rule.receivers.hasLines()) return false;
+    if (question.rule.occluders.trees != RuleTrees::without &&
+        !haveSameTrees(*question.before, *question.after))
+        return false;
+    return !findChangedBuildings(question.before->buildings, question.after->buildings).added.empty();
+}
+
+Result<std::map<std::string, std::string>> keepPlacesInReach(ReviewQuestion& question, Progress& progress,
+                                                             const std::stop_token& stop) {
+    if (question.rule.receivers.hasLines())
+        return unsupported("The rule is about the surroundings of parcels", "--in-reach", "Name the lots");
+    std::erase_if(question.places, [&](const Place& place) { return !covers(question.rule, place.kind); });
+    const auto screened = screen(question, progress, stop);
+    if (!screened) return tl::make_unexpected(screened.error());
+    std::map<std::string, std::string> reasons;
+    std::vector<Place> reached;
+    for (const ScreenedPlace& one : *screened) {
+        Place& place = question.places[one.place];
+        reasons[place.name] = one.reason;
+        if (one.result == ScreeningResult::reached) reached.push_back(std::move(place));
+    }
+    if (reached.empty())
+        return failure("The proposal's shadow reaches no place in the rule's hours", question.rule.name,
+                       "Run the rule on all places to have that stated for each");
+    question.places = std::move(reached);
+    question.repeat.push_back({"--in-reach", {}});
+    return reasons;
 }
 
 Warnings statedWarnings(const ReviewAnswer& review, const ReviewSource& source) {

@@ -4,6 +4,7 @@
 // and of windows (glazing_question.h). Both are questions of the list in question.h.
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -80,6 +81,15 @@ Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& pro
 /// rule. Error: no sun in these hours; errors of screenPlaces() and computeRuleSun().
 Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progress& progress,
                                           std::stop_token stop);
+
+/// Leaves the places that the rule covers and that the shadow of the proposal reaches, and states so in
+/// `repeat`. Returns what screening found of the others by name. Error: a rule about parcels; no place is
+/// reached; errors of screen().
+Result<std::map<std::string, std::string>> keepPlacesInReach(ReviewQuestion& question, Progress& progress,
+                                                             const std::stop_token& stop);
+/// Whether the scenario does no more than add buildings that screening can test: not so where it adds none,
+/// or where trees that the rule counts are planted or felled.
+bool canScreen(const ReviewQuestion& question);
 
 /// The warnings that its files state: those of reading the city first, those of the rules last.
 Warnings statedWarnings(const ReviewAnswer& review, const ReviewSource& source);

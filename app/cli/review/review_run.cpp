@@ -58,32 +58,10 @@ Result<PlaceQuestion> makePlaceQuestion(const ReviewRunOptions& options, const R
         if (const auto may = checkCopy(*source.file, options.out); !may)
             return tl::make_unexpected(may.error());
     const ReviewSettings settings{options.settings.cellM, ground->zone, ground->year, true, true};
-    auto repeat = makeRepeatOptions(options.sheets);
-    if (options.inReach) repeat.push_back({"--in-reach", {}});
-    ReviewQuestion asked{std::move(ground->cities), rule,           std::move(taken->places), settings,
-                         std::move(taken->moved),   options.places, std::move(repeat)};
+    ReviewQuestion asked{
+        std::move(ground->cities), rule,           std::move(taken->places),         settings,
+        std::move(taken->moved),   options.places, makeRepeatOptions(options.sheets)};
     return PlaceQuestion{std::move(asked), std::move(ground->sheets)};
-}
-
-/// Keeps the places that the rule covers and that the shadow of the proposal reaches. Error: there is none; a
-/// rule about parcels; errors of screen().
-Result<void> keepPlacesInReach(ReviewQuestion& question, Progress& progress, const std::stop_token& stop) {
-    if (question.rule.receivers.hasLines())
-        return unsupported("The rule is about the surroundings of parcels", "--in-reach", "Name the lots");
-    const auto& kinds = question.rule.receivers.kinds;
-    std::erase_if(question.places, [&](const Place& place) {
-        return !kinds.empty() && std::ranges::find(kinds, place.kind) == kinds.end();
-    });
-    const auto screened = screen(question, progress, stop);
-    if (!screened) return tl::make_unexpected(screened.error());
-    std::vector<Place> reached;
-    for (const ScreenedPlace& one : *screened)
-        if (one.result == ScreeningResult::reached) reached.push_back(question.places[one.place]);
-    if (reached.empty())
-        return failure("The proposal's shadow reaches no place in the rule's hours", "--in-reach",
-                       "Run the rule without --in-reach to have that stated for each place");
-    question.places = std::move(reached);
-    return {};
 }
 
 Result<std::shared_ptr<const Answer>> measurePlaces(const ReviewRunOptions& options, ReviewQuestion question,
@@ -98,8 +76,12 @@ Result<std::shared_ptr<const Answer>> measurePlaces(const ReviewRunOptions& opti
     return reviewQuestion().compute(asked, progress, interrupt.token());
 }
 
-int estimatePlaces(const ReviewRunOptions& options, const ReviewQuestion& asked, const Console& console) {
+int estimatePlaces(const ReviewRunOptions& options, ReviewQuestion asked, const Console& console) {
     const Interrupt interrupt;
+    NoProgress progress;
+    if (options.inReach)
+        if (const auto kept = keepPlacesInReach(asked, progress, interrupt.token()); !kept)
+            return fail(console, kept.error(), exitUsage);
     const auto seconds = estimateReviewSeconds(asked.rule, *asked.before, *asked.after, asked.places,
                                                asked.settings, interrupt.token());
     if (!seconds) return fail(console, seconds.error(), exitUsage);

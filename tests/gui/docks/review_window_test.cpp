@@ -26,6 +26,12 @@ using test::newTower;
 using test::square;
 using test::waitFor;
 
+std::vector<std::string> namesOf(const std::vector<Place>& places) {
+    std::vector<std::string> names;
+    for (const Place& place : places) names.push_back(place.name);
+    return names;
+}
+
 /// The small project with a park north of the new tower, which stands at (20, 20) and is 70 m high, and a
 /// park that no shadow reaches.
 struct ReviewWindow : test::ProjectWindow {
@@ -84,7 +90,7 @@ TEST_F(ReviewWindow, TheExistingCityIsReviewedAsItStands) {
     EXPECT_TRUE(state().contains(QStringLiteral("as it stands"))) << state().toStdString();
     review().screen();
     EXPECT_TRUE(message().contains(QStringLiteral("Baseline and scenario are the same")));
-    EXPECT_TRUE(review().choice().allPlaces) << "no place is unticked";
+    EXPECT_EQ(review().question()->places.size(), 2U) << "no place is unticked";
 }
 
 TEST_F(ReviewWindow, VerdictsAndNumbersAreThoseOfTheReview) {
@@ -165,11 +171,54 @@ TEST_F(ReviewWindow, ScreeningTicksThePlacesInReachOnly) {
     choose("ceqr");
     review().screen();
     ASSERT_TRUE(waitFor([this] { return !review().running().busy(); }));
-    EXPECT_FALSE(review().choice().allPlaces);
-    EXPECT_EQ(review().choice().places, std::vector<std::string>{"Park"});
-    EXPECT_FALSE(review().screened().at("Far park").isEmpty());
+    ASSERT_TRUE(review().reach());
+    EXPECT_EQ(namesOf(review().reach()->kept->places), std::vector<std::string>{"Park"});
+    EXPECT_FALSE(review().reach()->reasons.at("Far park").empty());
     run();
     EXPECT_EQ(review().shown()->study.places.size(), 1U);
+    EXPECT_TRUE(review().whyOutdated().isEmpty());
+}
+
+// A lower tower whose shadow ends before the park: which places are in reach is found anew.
+TEST_F(ReviewWindow, PlacesInReachAreThoseOfTheProposalThatIsReviewed) {
+    showDock();
+    addPlaces();
+    build();
+    choose("ceqr");
+    review().screen();
+    run();
+    ASSERT_TRUE(review().shown()) << message().toStdString();
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 400}}, QStringLiteral("height")));
+    EXPECT_FALSE(review().reach()) << "another proposal";
+    EXPECT_TRUE(review().whyOutdated().contains(QStringLiteral("buildings")));
+    run();
+    ASSERT_TRUE(review().reach());
+    EXPECT_EQ(review().shown()->question.places, review().reach()->kept->places);
+}
+
+// More places than anyone reads: those in reach are found first, without being asked, and the files say how.
+TEST_F(ReviewWindow, OfManyPlacesThoseInReachAreReviewed) {
+    showDock();
+    addPlaces();
+    Project next = session().project();
+    for (int i = 0; i < 60; ++i)
+        next.places.push_back({"Field " + std::to_string(i),
+                               PlaceKind::park,
+                               {square({4000 + 50 * float(i), -3000}, 30)},
+                               "drawn"});
+    ASSERT_TRUE(session().change(std::move(next), QStringLiteral("places")));
+    build();
+    choose("ceqr");
+    run();
+    ASSERT_TRUE(review().shown()) << message().toStdString();
+    const ReviewQuestion& asked = review().shown()->question;
+    EXPECT_EQ(namesOf(asked.places), std::vector<std::string>{"Park"});
+    EXPECT_EQ(asked.named, std::vector<std::string>{"all"});
+    ASSERT_EQ(asked.repeat.size(), 1U);
+    EXPECT_EQ(asked.repeat[0].name, "--in-reach");
+    dock().findChild<QPushButton*>(QStringLiteral("allPlacesToReview"))->click();
+    EXPECT_FALSE(review().whyOutdated().isEmpty());
+    EXPECT_EQ(review().question()->places.size(), 62U);
 }
 
 TEST_F(ReviewWindow, VerdictsFollowTheBuildingThatIsShapedUntilItIsBuilt) {
@@ -199,7 +248,7 @@ TEST_F(ReviewWindow, ARuleOfAYearDoesNotFollowAndIsMarkedAsNotUpToDate) {
     build();
     ReviewChoice choice = review().choice();
     choice.rule = "san-francisco-295";
-    choice.allPlaces = false;
+    choice.reviewed = ReviewedPlaces::chosen;
     choice.places = {"Park"};
     review().choose(choice);
     run();
@@ -273,7 +322,7 @@ TEST_F(ReviewWindow, TheChoiceIsSavedWithTheProjectAndFollowsRenaming) {
                         .options = {},
                         .from = existingCity,
                         .to = session().scenario(),
-                        .allPlaces = false,
+                        .reviewed = ReviewedPlaces::chosen,
                         .places = {"Park"}};
     review().choose(choice);
     ASSERT_TRUE(session().rename(ProjectPart::place, "Park", "Green"));
@@ -286,6 +335,11 @@ TEST_F(ReviewWindow, TheChoiceIsSavedWithTheProjectAndFollowsRenaming) {
     open(file);
     EXPECT_EQ(review().choice(), choice);
     EXPECT_EQ(parseReviewChoice("{\"rule\": 3}"), ReviewChoice{});
+    EXPECT_EQ(parseReviewChoice(R"({"rule": "ceqr", "options": {}, "from": "Existing", "to": "",
+                                    "all_places": true, "places": []})")
+                  .reviewed,
+              ReviewedPlaces::all)
+        << "of a project of an earlier version";
     EXPECT_EQ(parseReviewChoice(formatText(choice)), choice);
 }
 

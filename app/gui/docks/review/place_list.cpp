@@ -59,9 +59,11 @@ PlaceList::PlaceList(QWidget* parent)
     count_->setWordWrap(true);
     auto* row = new QHBoxLayout;
     QPushButton* all = makeSmallButton(tr("All"), tr("Tick all places"), *row);
+    all->setObjectName(QStringLiteral("allPlacesToReview"));
     QPushButton* none = makeSmallButton(tr("None"), tr("Tick no place"), *row);
     QPushButton* screen = makeSmallButton(
-        tr("Screen"), tr("Tick the places that the proposal's shadow can reach at all"), *row);
+        tr("In reach"),
+        tr("Tick the places that the proposal's shadow reaches, found anew for each proposal"), *row);
     screen->setObjectName(QStringLiteral("screen"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -79,10 +81,23 @@ PlaceList::PlaceList(QWidget* parent)
     connect(screen, &QPushButton::clicked, this, &PlaceList::screenRequested);
 }
 
-void PlaceList::show(const std::vector<Place>& places, bool all, const std::vector<std::string>& chosen,
-                     const std::map<std::string, QString>& reasons) {
+namespace {
+
+std::set<std::string> listTicked(const std::vector<Place>& places, const ReviewChoice& choice,
+                                 const ReviewSession::Reach* reach) {
+    if (!reach && choice.reviewed == ReviewedPlaces::chosen)
+        return {choice.places.begin(), choice.places.end()};
+    std::set<std::string> ticked;
+    for (const Place& place : reach ? reach->kept->places : places) ticked.insert(place.name);
+    return ticked;
+}
+
+}  // namespace
+
+void PlaceList::show(const std::vector<Place>& places, const ReviewChoice& choice,
+                     const ReviewSession::Reach* reach) {
     const QSignalBlocker block(list_);
-    const std::set<std::string> ticked(chosen.begin(), chosen.end());
+    const std::set<std::string> ticked = listTicked(places, choice, reach);
     while (list_->count() > int(places.size())) delete list_->takeItem(list_->count() - 1);
     while (list_->count() < int(places.size())) new QListWidgetItem(list_);
     const std::vector<const Place*> ordered = order(places);
@@ -93,14 +108,14 @@ void PlaceList::show(const std::vector<Place>& places, bool all, const std::vect
         item.setText(name);
         item.setData(nameRole, name);
         item.setFlags(item.flags() | Qt::ItemIsUserCheckable);
-        item.setCheckState(all || ticked.contains(place.name) ? Qt::Checked : Qt::Unchecked);
-        const auto reason = reasons.find(place.name);
-        item.setToolTip(tr("%1, %2%3")
-                            .arg(describeKind(place.kind), describeArea(area(place)),
-                                 reason == reasons.end() ? QString() : u'\n' + reason->second));
+        item.setCheckState(ticked.contains(place.name) ? Qt::Checked : Qt::Unchecked);
+        QString tip = tr("%1, %2").arg(describeKind(place.kind), describeArea(area(place)));
+        if (reach && reach->reasons.contains(place.name))
+            tip += u'\n' + QString::fromStdString(reach->reasons.at(place.name));
+        item.setToolTip(tip);
     }
     filter(filter_->text());
-    count();
+    reach ? showReach(reach->kept->places.size(), places.size()) : count();
 }
 
 void PlaceList::count() {
@@ -110,9 +125,9 @@ void PlaceList::count() {
                         .arg(formatCount(quint64(checked)), formatCount(quint64(list_->count()))));
 }
 
-void PlaceList::showScreening(std::size_t reached, std::size_t of) {
+void PlaceList::showReach(std::size_t reached, std::size_t of) {
     count_->setText(
-        tr("%1 of %2 place(s) can be reached; the others' tooltips say why not", "", pluralNumber(of))
+        tr("%1 of %2 place(s) in reach of the shadow; the others' tooltips say why not", "", pluralNumber(of))
             .arg(formatCount(reached), formatCount(of)));
 }
 

@@ -2,11 +2,11 @@
 
 #include <QString>
 #include <QWidget>
-#include <map>
 #include <memory>
 #include <vector>
 
 #include "app/gui/base/layers/field_picture.h"
+#include "app/gui/docks/review/review_session.h"
 #include "app/questions/review_question.h"
 #include "core/receivers/place.h"
 
@@ -17,16 +17,15 @@ class QListWidgetItem;
 
 namespace noonmark {
 
-/// The places to review, each with a check box; all at first. Screen asks which of them can be reached.
+/// The places to review, each with a check box: those that a review of now has.
 class PlaceList final : public QWidget {
     Q_OBJECT
 public:
     explicit PlaceList(QWidget* parent = nullptr);
 
-    /// `reasons`: what screening found about a place, by name.
-    void show(const std::vector<Place>& places, bool all, const std::vector<std::string>& chosen,
-              const std::map<std::string, QString>& reasons);
-    void showScreening(std::size_t reached, std::size_t of);
+    /// `reach`: the places in reach, where these are reviewed and known; null: not so.
+    void show(const std::vector<Place>& places, const ReviewChoice& choice,
+              const ReviewSession::Reach* reach);
 
 Q_SIGNALS:
     void chosen(bool all, std::vector<std::string> names);
@@ -38,6 +37,7 @@ private:
     void checkAll(bool on);
     void filter(const QString& part);
     void count();
+    void showReach(std::size_t reached, std::size_t of);
 
     QLineEdit* filter_;
     QListWidget* list_;

@@ -39,13 +39,6 @@ int lengthOf(const RuleDays& days) {
 
 bool hasFewDays(const Rule& rule) { return !rule.days.fixed.empty(); }
 
-Rule thinDays(Rule rule) {
-    if (hasFewDays(rule)) return rule;
-    rule.days.everyDays = std::max(7, rule.days.everyDays);
-    rule.sampling.stepMinutes = std::max(rangeStepMin, rule.sampling.stepMinutes);
-    return rule;
-}
-
 Result<ReviewDay> computeReviewDay(const ReviewAnswer& answer, std::size_t review, CivilDate day,
                                    Progress& progress, std::stop_token stop) {
     Rule rule = answer.question.rule;

@@ -107,9 +107,6 @@ ScenarioErrors adoptEach(std::vector<Result<Answer>> answers, const ScenarioQues
 /// Rules of a few days are computed again by themselves; those of a range of days on request.
 bool hasFewDays(const Rule& rule);
 
-/// The rule with one day in seven and a step of ten minutes: for screening by rules of a range of days.
-Rule thinDays(Rule rule);
-
 /// The timeline behind one review on one day of any year that the rule's clock covers, with the rule's hours
 /// and step.
 struct ReviewDay {

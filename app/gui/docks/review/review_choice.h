@@ -10,14 +10,28 @@
 
 namespace noonmark {
 
+/// Which places are reviewed.
+enum class ReviewedPlaces {
+    automatic,  ///< all, or those in reach where there are many: see screensPlaces()
+    inReach,    ///< those that the shadow of the proposal reaches
+    all,
+    chosen  ///< those of ReviewChoice::places
+};
+
+/// Whether only those in reach of so many places are reviewed.
+inline bool screensPlaces(ReviewedPlaces reviewed, std::size_t places) {
+    constexpr std::size_t few = 50;  // so many are reviewed within seconds, and a table of them is read
+    return reviewed == ReviewedPlaces::inReach || (reviewed == ReviewedPlaces::automatic && places > few);
+}
+
 /// What the user has chosen to review. Saved with the view of the project.
 struct ReviewChoice {
     std::string rule = "four-days";
     RuleChoices options;              ///< of rules with choices; missing ones: the first option
     std::string from = existingCity;  ///< the baseline
     std::string to;                   ///< the scenario; empty: whichever is displayed
-    bool allPlaces = true;
-    std::vector<std::string> places;  ///< names, unless all
+    ReviewedPlaces reviewed = ReviewedPlaces::automatic;
+    std::vector<std::string> places;  ///< names of the chosen ones
     ElementSettings windows;          ///< of rules about windows: facades, or windows of a file
     bool operator==(const ReviewChoice&) const = default;
 };

@@ -121,7 +121,7 @@ QWidget* ReviewDock::makeForm() {
     run_->setObjectName(QStringLiteral("runReview"));
     run_->setToolTip(tr("Evaluate the rule on the ticked places, or on the windows"));
     estimate_->setObjectName(QStringLiteral("reviewEstimate"));
-    estimate_->setWordWrap(true);  // its words must not widen the window
+    estimate_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // it must not widen the window
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(2, 2, 2, 2);
@@ -150,13 +150,14 @@ QWidget* ReviewDock::makeTable() {
            "GeoPackage)"));
     auto* row = new QHBoxLayout;
     row->addWidget(run_);
-    row->addWidget(estimate_, 1);
+    row->addStretch(1);
     row->addWidget(copy_);
     row->addWidget(export_);
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(2, 2, 2, 2);
     column->addLayout(row);
+    column->addWidget(estimate_);
     // It must not widen the dock, and with it the window, while a review runs.
     progress_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     column->addWidget(progress_);
@@ -194,7 +195,6 @@ void ReviewDock::connectSession() {
             [this](const QString& words) { showEstimate(words, false); });
     connect(&windows_, &GlazingSession::estimated, this,
             [this](const QString& words) { showEstimate(words, true); });
-    connect(&review_, &ReviewSession::screeningDone, places_, &PlaceList::showScreening);
     connect(run_, &QPushButton::clicked, this,
             [this] { windows_.applies() ? windows_.run() : review_.run(); });
     progress_->follow(windows_.running());
@@ -209,7 +209,7 @@ void ReviewDock::connectSession() {
     connect(places_, &PlaceList::highlighted, this, &ReviewDock::placePointedAt);
     connect(places_, &PlaceList::chosen, this, [this](bool all, const std::vector<std::string>& names) {
         ReviewChoice choice = review_.choice();
-        choice.allPlaces = all;
+        choice.reviewed = all ? ReviewedPlaces::all : ReviewedPlaces::chosen;
         choice.places = names;
         review_.choose(choice);
     });
@@ -217,8 +217,8 @@ void ReviewDock::connectSession() {
 
 void ReviewDock::showEstimate(const QString& words, bool ofGlazing) {
     if (ofGlazing != windows_.applies()) return;
-    estimate_->setText(words);
-    estimate_->setToolTip(words.isEmpty() ? QString() : tr("The expected time of this review"));
+    estimate_->setText(words.isEmpty() ? QString() : tr("Expected time: %1").arg(words));
+    estimate_->setVisible(!words.isEmpty());
 }
 
 void ReviewDock::connectTable() {
@@ -258,7 +258,7 @@ void ReviewDock::showChoice() {
     const ReviewChoice& choice = review_.choice();
     form_->setZone(review_.zone());
     form_->show(choice, project_.project().scenarios, project_.scenario());
-    places_->show(review_.candidates(), choice.allPlaces, choice.places, review_.screened());
+    places_->show(review_.candidates(), choice, review_.reach());
     glazingForm_->show(choice.windows);
     const bool ofGlazing = windows_.applies();
     subjects_->setCurrentIndex(ofGlazing ? 1 : 0);

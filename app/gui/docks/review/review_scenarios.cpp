@@ -22,11 +22,26 @@ bool holds(const ReviewAnswer& answer, const ReviewQuestion& now, bool orSome) {
            });
 }
 
+// Of a question about many places, as ReviewSession::findReach() does for the scenario that is displayed.
+Result<void> keepReach(const ReviewChoice& choice, Asked& asked, Progress& progress,
+                       const std::stop_token& stop) {
+    ReviewQuestion question = *asked.review;
+    if (!screensPlaces(choice.reviewed, question.places.size()) || !question.repeat.empty() ||
+        !canScreen(question))
+        return {};
+    return keepPlacesInReach(question, progress, stop).map([&](const auto&) {
+        asked.review = std::make_shared<const ReviewQuestion>(std::move(question));
+    });
+}
+
 }  // namespace
 
 Answers ReviewSession::latest() {
     const auto rule = this->rule();
-    return rule ? findLatest(*rule, chosenPlaces(*rule), false) : Answers();
+    if (!rule) return {};
+    auto places = chosenPlaces(*rule);
+    const bool inReach = places && screensPlaces(choice_.reviewed, places->places.size());
+    return findLatest(*rule, std::move(places), inReach);
 }
 
 Answers ReviewSession::findLatest(const Rule& rule, Result<PlacesToReview> places, bool orSome) {
@@ -77,8 +92,13 @@ void ReviewSession::runAll() {
     using Made = std::vector<Result<Shared>>;
     runningAll_.start<Made>(
         tr("All reviews"),
-        [asked](Progress& progress, const std::stop_token& stop) -> Result<Made> {
-            return computeEach<Shared>(asked.questions, reviewQuestion().compute, progress, stop);
+        [asked, choice = choice_](Progress& progress, const std::stop_token& stop) -> Result<Made> {
+            const auto compute = [&](Asked one, Progress& share, const std::stop_token& stopped) {
+                return keepReach(choice, one, share, stopped).and_then([&] {
+                    return reviewQuestion().compute(one, share, stopped);
+                });
+            };
+            return computeEach<Shared>(asked.questions, compute, progress, stop);
         },
         [this, asked](Result<Made> answers) {
             if (!answers) return report(answers.error());

@@ -49,7 +49,7 @@ void ReviewSession::restore(const std::string& text) {
     cached_.clear();
     live_.reset();
     proposed_.reset();
-    screened_.clear();
+    reach_.reset();
     choice_ = parseReviewChoice(text);
     Q_EMIT changed();
     Q_EMIT answered();
@@ -91,13 +91,13 @@ Result<PlacesToReview> ReviewSession::chosenPlaces(const Rule& rule) const {
     if (places.empty())
         return failure("The project has no places yet", {},
                        "Read them from a map or draw one: Study > Read places, Study > Draw place");
-    if (!choice_.allPlaces)
+    if (choice_.reviewed == ReviewedPlaces::chosen)
         std::erase_if(places, [this](const Place& place) {
             return std::ranges::find(choice_.places, place.name) == choice_.places.end();
         });
     if (places.empty())
         return failure("No place is chosen", {},
-                       "Tick the places to review, or Screen to find those in reach");
+                       "Tick the places to review, or press In reach to find those that the shadow reaches");
     return moveLines(rule, workbench_.session().project(), std::move(places));
 }
 
@@ -121,11 +121,52 @@ Result<ReviewQuestion> ReviewSession::questionOf(const std::string& scenario) {
     auto cities = comparedCities(scenario);
     if (!cities) return tl::make_unexpected(cities.error());
     const StudySettings& study = workbench_.document().settings();
-    return ReviewQuestion{*std::move(cities),
-                          *std::move(rule),
-                          std::move(places->places),
-                          {1, study.period.zone, int(study.period.start.year())},
-                          std::move(places->moved)};
+    ReviewQuestion question{*std::move(cities),
+                            *std::move(rule),
+                            std::move(places->places),
+                            {1, study.period.zone, int(study.period.start.year())},
+                            std::move(places->moved)};
+    if (choice_.reviewed != ReviewedPlaces::chosen) question.named = {"all"};
+    if (reach_ && isScreened(question) && isSame(reach_->asked, question)) return reach_->kept;
+    return question;
+}
+
+// Where the scenario proposes something.
+bool ReviewSession::isScreened(const ReviewQuestion& question) const {
+    return question.before != question.after && !question.rule.receivers.hasLines() &&
+           screensPlaces(choice_.reviewed, question.places.size());
+}
+
+bool ReviewSession::needsScreening(const ReviewQuestion& question) const {
+    return isScreened(question) && question.repeat.empty() && !(reach_ && isSame(reach_->asked, question));
+}
+
+const ReviewSession::Reach* ReviewSession::reach() {
+    const auto now = question();
+    const bool isKept = now && reach_ && reach_->kept && isSame(*now, *reach_->kept);
+    return isKept ? &*reach_ : nullptr;
+}
+
+// Of many places those in reach are reviewed, found first. `next` follows when they are known.
+void ReviewSession::findReach(JobSlot& slot, const ReviewQuestion& question, std::function<void()> next) {
+    slot.start<Reach>(
+        tr("Finding places in reach"),
+        [question](Progress& progress, const std::stop_token& stop) -> Result<Reach> {
+            Reach reach{question, question, {}};
+            if (!canScreen(question)) return reach;
+            auto reasons = keepPlacesInReach(*reach.kept, progress, stop);
+            if (!reasons && isCancelled(reasons.error())) return tl::make_unexpected(reasons.error());
+            if (!reasons) reach.kept = tl::make_unexpected(reasons.error());
+            if (reasons) reach.reasons = *std::move(reasons);
+            return reach;
+        },
+        [this, next = std::move(next)](Result<Reach> reach) {
+            if (!reach) return report(reach.error());
+            reach_ = *std::move(reach);
+            Q_EMIT changed();
+            Q_EMIT answered();
+            next();
+        });
 }
 
 Asked ReviewSession::makeAsked(ReviewQuestion question) const {
@@ -137,6 +178,7 @@ Asked ReviewSession::makeAsked(ReviewQuestion question) const {
 void ReviewSession::ask(bool byUser) {
     const auto question = this->question();
     if (!question) return report(question.error());
+    if (needsScreening(*question)) return findReach(running_, *question, [this, byUser] { ask(byUser); });
     running_.start<std::shared_ptr<const Answer>>(
         tr("Review"),
         [asked = makeAsked(*question)](Progress& progress, const std::stop_token& stop) {
@@ -168,6 +210,7 @@ void ReviewSession::estimate() {
         estimating_.drop();
         return Q_EMIT estimated({});
     }
+    if (needsScreening(*question)) return findReach(estimating_, *question, [] {});
     estimating_.start<double>(
         tr("Estimating"),
         [question = *question](Progress&, const std::stop_token& stop) {
@@ -178,44 +221,14 @@ void ReviewSession::estimate() {
 }
 
 void ReviewSession::screen() {
-    auto question = this->question();
-    if (!question) {
-        ReviewChoice all = choice_;  // it may be the screening that has left none
-        all.allPlaces = true;
-        std::swap(all, choice_);
-        question = this->question();
-        std::swap(all, choice_);
-    }
+    ReviewChoice choice = choice_;
+    choice.reviewed = ReviewedPlaces::inReach;
+    choice.places.clear();
+    choose(choice);
+    const auto question = this->question();
     if (!question) return report(question.error());
     if (question->before == question->after) return report(proposesNothing(question->to));
-    question->places = candidates();
-    running_.start<std::vector<ScreenedPlace>>(
-        tr("Screening"),
-        [question = *question](Progress& progress, std::stop_token stop) {
-            ReviewQuestion thinned = question;
-            thinned.rule = thinDays(question.rule);
-            return noonmark::screen(thinned, progress, std::move(stop));
-        },
-        [this, question = *question](Result<std::vector<ScreenedPlace>> screened) {
-            screened ? takeScreening(question, *screened) : report(screened.error());
-        });
-}
-
-void ReviewSession::takeScreening(const ReviewQuestion& question,
-                                  const std::vector<ScreenedPlace>& screened) {
-    ReviewChoice choice = choice_;
-    choice.allPlaces = false;
-    choice.places.clear();
-    screened_.clear();
-    for (const ScreenedPlace& one : screened) {
-        const std::string& name = question.places[one.place].name;
-        screened_[name] = QString::fromStdString(one.reason);
-        if (one.result == ScreeningResult::reached) choice.places.push_back(name);
-    }
-    const std::size_t reached = choice.places.size();
-    choose(choice);
-    Q_EMIT changed();  // what the list states of each place
-    Q_EMIT screeningDone(reached, screened.size());
+    if (needsScreening(*question)) findReach(running_, *question, [] {});
 }
 
 ReviewSource ReviewSession::source() const {
@@ -248,12 +261,22 @@ void ReviewSession::shape(std::shared_ptr<const City> proposed) {
     if (std::exchange(live_, nullptr)) Q_EMIT answered();
 }
 
+// Those that the latest proposal reaches, where only places in reach are reviewed. A shape may reach others;
+// they are found when it is built.
+Result<PlacesToReview> ReviewSession::livePlaces(const Rule& rule) const {
+    auto places = chosenPlaces(rule);
+    const bool isKnown = places && reach_ && reach_->kept && isSameRule(reach_->asked.rule, rule) &&
+                         screensPlaces(choice_.reviewed, places->places.size());
+    if (isKnown) places->places = reach_->kept->places;
+    return places;
+}
+
 // From a run of the same rule on as many places.
 bool ReviewSession::isKnownAsQuick() const {
     if (!answer_ || answer_->seconds > quickSeconds || answer_->question.rule.key != choice_.rule)
         return false;
     const auto rule = this->rule();
-    const auto places = rule ? chosenPlaces(*rule) : tl::make_unexpected(rule.error());
+    const auto places = rule ? livePlaces(*rule) : tl::make_unexpected(rule.error());
     return places && places->places.size() <= answer_->question.places.size();
 }
 
@@ -268,7 +291,7 @@ void ReviewSession::follow() {
     if (!shaping || (!choice_.to.empty() && choice_.to != workbench_.session().scenario())) return;
     const auto rule = this->rule();
     const bool ofPlaces = rule && rule->receivers.surface != RuleSurface::windows;
-    auto places = ofPlaces && hasFewDays(*rule) ? chosenPlaces(*rule)
+    auto places = ofPlaces && hasFewDays(*rule) ? livePlaces(*rule)
                                                 : Result<PlacesToReview>(tl::make_unexpected(Error{}));
     const auto before = workbench_.session().cityOf(choice_.from);
     if (!places || !before) return dropLive();
@@ -304,7 +327,17 @@ void ReviewSession::cityChanged() {
     Q_EMIT answered();
     if (!answer_ || !following_ || proposed_ || answer_->seconds > quickSeconds) return;
     const auto now = question();
-    if (now && hasFewDays(now->rule) && !isSame(*now, answer_->question)) ask(false);
+    if (now && hasFewDays(now->rule) && !isAnswered(*now)) ask(false);
+}
+
+// Until the places in reach are known, by the answer's own.
+bool ReviewSession::isAnswered(const ReviewQuestion& now) {
+    const ReviewQuestion& then = answer_->question;
+    if (isSame(now, then)) return true;
+    if (!needsScreening(now) || then.repeat.empty()) return false;
+    ReviewQuestion same = now;
+    same.places = then.places;
+    return isSame(same, then);
 }
 
 QString ReviewSession::whyOutdated() {
@@ -313,7 +346,7 @@ QString ReviewSession::whyOutdated() {
     if (!answer_) return {};
     const auto now = question();
     if (!now) return tr("Not up to date. %1").arg(describeError(now.error()));
-    if (isSame(*now, answer_->question)) return {};
+    if (isAnswered(*now)) return {};
     const bool buildings = now->before != answer_->question.before || now->after != answer_->question.after;
     return buildings ? tr("Not up to date: buildings or scenarios have changed. Run again.")
                      : tr("Not up to date: rule, places, time zone or year have changed. Run again.");

@@ -56,7 +56,7 @@ public:
     /// The latest answer of each scenario for the chosen rule, baseline and places, where none of them nor
     /// the buildings have changed since.
     [[nodiscard]] std::map<std::string, std::shared_ptr<const ReviewAnswer>> latest();
-    void screen();  ///< chooses the places that can be reached
+    void screen();  ///< chooses the places in reach, and finds them
     /// Computes the expected time of run() and emits estimated().
     void estimate();
     /// The answer that can be exported. Error: why there is none, and what to do.
@@ -75,8 +75,16 @@ public:
     [[nodiscard]] bool isLive() const { return live_ != nullptr; }
     /// Why the answer shown is not up to date; empty: it is.
     [[nodiscard]] QString whyOutdated();
-    /// For each place by name: why the last screening left it out, or that it is reached.
-    [[nodiscard]] const std::map<std::string, QString>& screened() const { return screened_; }
+    /// The places in reach of the scenario, where these alone are reviewed.
+    struct Reach {
+        ReviewQuestion asked;                        ///< about all places
+        Result<ReviewQuestion> kept;                 ///< about those in reach. Error: there is none
+        std::map<std::string, std::string> reasons;  ///< by place: why it is left out, or that it is reached
+    };
+    /// What is known of what would be reviewed now; null: all places are, or they are still to be found.
+    [[nodiscard]] const Reach* reach();
+    /// Whether places in reach are still to be found before question() is whole.
+    [[nodiscard]] bool needsScreening(const ReviewQuestion& question) const;
 
     [[nodiscard]] JobSlot& running() { return running_; }
     [[nodiscard]] JobSlot& runningAll() { return runningAll_; }
@@ -89,7 +97,6 @@ Q_SIGNALS:
     void changed();   ///< the choice, or what can be chosen
     void answered();  ///< shown() or whether it is up to date
     void estimated(QString words);
-    void screeningDone(std::size_t reached, std::size_t of);
     void noted(QString text);
     void failed(noonmark::Error error);  ///< not emitted for cancelled work
     /// A scenario of reviewAll() could not be reviewed.
@@ -104,7 +111,10 @@ private:
     [[nodiscard]] bool isKnownAsQuick() const;
     void dropLive();
     void takeLive(Result<ReviewAnswer> answer);
-    void takeScreening(const ReviewQuestion& question, const std::vector<ScreenedPlace>& screened);
+    void findReach(JobSlot& slot, const ReviewQuestion& question, std::function<void()> next);
+    [[nodiscard]] bool isAnswered(const ReviewQuestion& now);
+    [[nodiscard]] bool isScreened(const ReviewQuestion& question) const;
+    [[nodiscard]] Result<PlacesToReview> livePlaces(const Rule& rule) const;
     void rename(ProjectPart part, const std::string& from, const std::string& to);
     void cityChanged();
     void report(const Error& error);
@@ -123,7 +133,7 @@ private:
     ReviewCache<ReviewAnswer, 64> cached_;
     std::shared_ptr<const ReviewAnswer> live_;
     std::shared_ptr<const City> proposed_;
-    std::map<std::string, QString> screened_;
+    std::optional<Reach> reach_;  // of the question that was screened last
     bool newerShape_ = false;
     bool following_ = false;
     JobSlot running_;
