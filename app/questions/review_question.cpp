@@ -48,6 +48,7 @@ ReviewLabels labelsOf(const ReviewQuestion& question, const ReviewSource& source
     else if (labels.places.empty())
         for (const Place& place : question.places) labels.places.push_back(place.name);
     labels.sheets.insert(labels.sheets.end(), question.repeat.begin(), question.repeat.end());
+    if (question.inReach) labels.sheets.push_back({"--in-reach", {}});
     return labels;
 }
 
@@ -312,7 +313,7 @@ Result<std::map<std::string, std::string>> keepPlacesInReach(ReviewQuestion& que
         return failure("The proposal's shadow reaches no place in the rule's hours", question.rule.name,
                        "Run the rule on all places to have that stated for each");
     question.places = std::move(reached);
-    question.repeat.push_back({"--in-reach", {}});
+    question.inReach = true;
     return reasons;
 }
 

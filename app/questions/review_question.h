@@ -47,6 +47,7 @@ struct ReviewQuestion : ReviewedCities {
     /// As they were asked for: names, or "all". Empty: `places` by name.
     std::vector<std::string> named{};
     std::vector<CommandOption> repeat{};  ///< further options of the command that asks the same
+    bool inReach = false;                 ///< `places` are those in reach of the places that are named
 };
 
 /// Whether both are the same rule with the same choices.
@@ -82,9 +83,9 @@ Result<ReviewAnswer> computeReview(const ReviewQuestion& question, Progress& pro
 Result<std::vector<ScreenedPlace>> screen(const ReviewQuestion& question, Progress& progress,
                                           std::stop_token stop);
 
-/// Leaves the places that the rule covers and that the shadow of the proposal reaches, and states so in
-/// `repeat`. Returns what screening found of the others by name. Error: a rule about parcels; no place is
-/// reached; errors of screen().
+/// Keeps only the places that the rule covers and that the shadow of the proposal reaches (`inReach`).
+/// Returns by name what screening found of each place that the rule covers. Error: a rule about parcels; no
+/// place is reached; errors of screen().
 Result<std::map<std::string, std::string>> keepPlacesInReach(ReviewQuestion& question, Progress& progress,
                                                              const std::stop_token& stop);
 /// Whether the scenario does no more than add buildings that screening can test: not so where it adds none,

@@ -84,10 +84,6 @@
         <translation>Kein Ort ist gewählt</translation>
     </message>
     <message>
-        <source>Tick the places to review, or Screen to find those in reach</source>
-        <translation>Die zu prüfenden Orte ankreuzen, oder mit Vorauswahl die erreichbaren finden</translation>
-    </message>
-    <message>
         <source>Design a tower, or choose a scenario with a proposal</source>
         <translation>Einen Turm entwerfen oder ein Szenario mit einem Entwurf wählen</translation>
     </message>
@@ -242,6 +238,18 @@
     <message>
         <source>Run again, so that the table lists the places as they are</source>
         <translation>Rechnen Sie neu, damit die Tabelle die Orte zeigt, wie sie sind</translation>
+    </message>
+    <message>
+        <source>The proposal&apos;s shadow reaches no place in the rule&apos;s hours</source>
+        <translation>Der Schatten des Vorschlags erreicht in den Stunden der Regel keinen Ort</translation>
+    </message>
+    <message>
+        <source>Run the rule on all places to have that stated for each</source>
+        <translation>Prüfen Sie alle Orte, um das für jeden ausgewiesen zu bekommen</translation>
+    </message>
+    <message>
+        <source>Tick the places to review, or press In reach to find those that the shadow reaches</source>
+        <translation>Kreuzen Sie die zu prüfenden Orte an, oder drücken Sie „In Reichweite“, um die zu finden, die der Schatten erreicht</translation>
     </message>
 </context>
 <context>
@@ -7548,18 +7556,6 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
         <source>Tick no place</source>
         <translation>Keinen Ort ankreuzen</translation>
     </message>
-    <message>
-        <source>Screen</source>
-        <translation>Vorauswahl</translation>
-    </message>
-    <message>
-        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
-        <translation>Die Orte ankreuzen, die der Schatten des Entwurfs überhaupt erreichen kann</translation>
-    </message>
-    <message>
-        <source>%1, %2%3</source>
-        <translation>%1, %2%3</translation>
-    </message>
     <message numerus="yes">
         <source>%1 of %2 place(s) ticked</source>
         <translation>
@@ -7567,11 +7563,23 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
             <numerusform>%1 von %2 Orten angekreuzt</numerusform>
         </translation>
     </message>
+    <message>
+        <source>In reach</source>
+        <translation>In Reichweite</translation>
+    </message>
+    <message>
+        <source>Tick the places that the proposal&apos;s shadow reaches, found anew for each proposal</source>
+        <translation>Die Orte ankreuzen, die der Schatten des Vorschlags erreicht; für jeden Vorschlag neu bestimmt</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
     <message numerus="yes">
-        <source>%1 of %2 place(s) can be reached; the others&apos; tooltips say why not</source>
+        <source>%1 of %2 place(s) in reach of the shadow; the others&apos; tooltips say why not</source>
         <translation>
-            <numerusform>%1 von %2 Ort ist erreichbar; bei den anderen steht im Hinweis, warum nicht</numerusform>
-            <numerusform>%1 von %2 Orten sind erreichbar; bei den anderen steht im Hinweis, warum nicht</numerusform>
+            <numerusform>%1 von %2 Ort in Reichweite des Schattens; die Hinweise der anderen sagen, warum nicht</numerusform>
+            <numerusform>%1 von %2 Orten in Reichweite des Schattens; die Hinweise der anderen sagen, warum nicht</numerusform>
         </translation>
     </message>
 </context>
@@ -8910,10 +8918,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <translation>Regel</translation>
     </message>
     <message>
-        <source>The expected time of this review</source>
-        <translation>Die erwartete Zeit dieser Prüfung</translation>
-    </message>
-    <message>
         <source>Computing the verdicts of the building being designed...</source>
         <translation>Die Befunde für das entworfene Gebäude werden berechnet ...</translation>
     </message>
@@ -8985,6 +8989,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
         <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2 im jetzigen Zustand. %3</translation>
     </message>
+    <message>
+        <source>Expected time: %1</source>
+        <translation>Erwartete Dauer: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewSession</name>
@@ -8995,10 +9003,6 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>Estimating</source>
         <translation>Wird abgeschätzt</translation>
-    </message>
-    <message>
-        <source>Screening</source>
-        <translation>Vorauswahl läuft</translation>
     </message>
     <message>
         <source>the building being designed</source>
@@ -9027,6 +9031,10 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <message>
         <source>All reviews</source>
         <translation>Alle Prüfungen</translation>
+    </message>
+    <message>
+        <source>Finding places in reach</source>
+        <translation>Orte in Reichweite bestimmen</translation>
     </message>
 </context>
 <context>

@@ -334,10 +334,10 @@ Lowest %3, median %4, tallest %5.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %2 place(s) can be reached; the others&apos; tooltips say why not</source>
+        <source>%1 of %2 place(s) in reach of the shadow; the others&apos; tooltips say why not</source>
         <translation>
-            <numerusform>%1 of %2 place can be reached; the others&apos; tooltips say why not</numerusform>
-            <numerusform>%1 of %2 places can be reached; the others&apos; tooltips say why not</numerusform>
+            <numerusform>%1 of %2 place in reach of the shadow; the others&apos; tooltips say why not</numerusform>
+            <numerusform>%1 of %2 places in reach of the shadow; the others&apos; tooltips say why not</numerusform>
         </translation>
     </message>
 </context>

@@ -84,10 +84,6 @@
         <translation>No hay ningún lugar elegido</translation>
     </message>
     <message>
-        <source>Tick the places to review, or Screen to find those in reach</source>
-        <translation>Marque los lugares que se evalúan, o use Cribar para hallar los alcanzables</translation>
-    </message>
-    <message>
         <source>Design a tower, or choose a scenario with a proposal</source>
         <translation>Diseñe una torre o elija un escenario con una propuesta</translation>
     </message>
@@ -242,6 +238,18 @@
     <message>
         <source>Run again, so that the table lists the places as they are</source>
         <translation>Vuelva a calcular para que la tabla muestre los lugares tal como son</translation>
+    </message>
+    <message>
+        <source>The proposal&apos;s shadow reaches no place in the rule&apos;s hours</source>
+        <translation>La sombra de la propuesta no alcanza ningún lugar en las horas de la norma</translation>
+    </message>
+    <message>
+        <source>Run the rule on all places to have that stated for each</source>
+        <translation>Aplique la norma a todos los lugares para que se indique en cada uno</translation>
+    </message>
+    <message>
+        <source>Tick the places to review, or press In reach to find those that the shadow reaches</source>
+        <translation>Marque los lugares que se revisan, o pulse «Al alcance» para hallar los que alcanza la sombra</translation>
     </message>
 </context>
 <context>
@@ -7548,18 +7556,6 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
         <source>Tick no place</source>
         <translation>No marcar ninguno</translation>
     </message>
-    <message>
-        <source>Screen</source>
-        <translation>Cribar</translation>
-    </message>
-    <message>
-        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
-        <translation>Marcar los lugares que la sombra de la propuesta puede alcanzar</translation>
-    </message>
-    <message>
-        <source>%1, %2%3</source>
-        <translation>%1, %2%3</translation>
-    </message>
     <message numerus="yes">
         <source>%1 of %2 place(s) ticked</source>
         <translation>
@@ -7567,11 +7563,23 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
             <numerusform>%1 de %2 lugares marcados</numerusform>
         </translation>
     </message>
+    <message>
+        <source>In reach</source>
+        <translation>Al alcance</translation>
+    </message>
+    <message>
+        <source>Tick the places that the proposal&apos;s shadow reaches, found anew for each proposal</source>
+        <translation>Marcar los lugares que alcanza la sombra de la propuesta, buscados de nuevo para cada propuesta</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
     <message numerus="yes">
-        <source>%1 of %2 place(s) can be reached; the others&apos; tooltips say why not</source>
+        <source>%1 of %2 place(s) in reach of the shadow; the others&apos; tooltips say why not</source>
         <translation>
-            <numerusform>%1 de %2 lugar es alcanzable; la ayuda emergente de los demás dice por qué no</numerusform>
-            <numerusform>%1 de %2 lugares son alcanzables; la ayuda emergente de los demás dice por qué no</numerusform>
+            <numerusform>%1 de %2 lugar al alcance de la sombra; las ayudas de los demás dicen por qué no</numerusform>
+            <numerusform>%1 de %2 lugares al alcance de la sombra; las ayudas de los demás dicen por qué no</numerusform>
         </translation>
     </message>
 </context>
@@ -8910,10 +8918,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <translation>Norma</translation>
     </message>
     <message>
-        <source>The expected time of this review</source>
-        <translation>El tiempo previsto de esta evaluación</translation>
-    </message>
-    <message>
         <source>Computing the verdicts of the building being designed...</source>
         <translation>Calculando los dictámenes del edificio que se diseña...</translation>
     </message>
@@ -8985,6 +8989,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
         <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2 en su estado actual. %3</translation>
     </message>
+    <message>
+        <source>Expected time: %1</source>
+        <translation>Tiempo previsto: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewSession</name>
@@ -8995,10 +9003,6 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Estimating</source>
         <translation>Estimando</translation>
-    </message>
-    <message>
-        <source>Screening</source>
-        <translation>Cribando</translation>
     </message>
     <message>
         <source>the building being designed</source>
@@ -9027,6 +9031,10 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>All reviews</source>
         <translation>Todas las revisiones</translation>
+    </message>
+    <message>
+        <source>Finding places in reach</source>
+        <translation>Buscando lugares al alcance</translation>
     </message>
 </context>
 <context>

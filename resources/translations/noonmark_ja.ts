@@ -84,10 +84,6 @@
         <translation>場所が選ばれていません</translation>
     </message>
     <message>
-        <source>Tick the places to review, or Screen to find those in reach</source>
-        <translation>審査する場所を選ぶか、「絞り込み」で影の届く場所を探してください</translation>
-    </message>
-    <message>
         <source>Design a tower, or choose a scenario with a proposal</source>
         <translation>塔を設計するか、計画案のあるシナリオを選んでください</translation>
     </message>
@@ -242,6 +238,18 @@
     <message>
         <source>Run again, so that the table lists the places as they are</source>
         <translation>もう一度計算すると、表が現在の場所を示します</translation>
+    </message>
+    <message>
+        <source>The proposal&apos;s shadow reaches no place in the rule&apos;s hours</source>
+        <translation>提案の影は規則の時間帯にどの場所にも届きません</translation>
+    </message>
+    <message>
+        <source>Run the rule on all places to have that stated for each</source>
+        <translation>すべての場所で評価すると、それぞれについて示されます</translation>
+    </message>
+    <message>
+        <source>Tick the places to review, or press In reach to find those that the shadow reaches</source>
+        <translation>評価する場所を選ぶか、「到達範囲」を押して影が届く場所を探してください</translation>
     </message>
 </context>
 <context>
@@ -7505,28 +7513,28 @@ Off: the sun&apos;s geometric position, as some rules require</source>
         <source>Tick no place</source>
         <translation>場所の選択を外す</translation>
     </message>
-    <message>
-        <source>Screen</source>
-        <translation>絞り込み</translation>
-    </message>
-    <message>
-        <source>Tick the places that the proposal&apos;s shadow can reach at all</source>
-        <translation>計画案の影が届きうる場所を選ぶ</translation>
-    </message>
-    <message>
-        <source>%1, %2%3</source>
-        <translation>%1, %2%3</translation>
-    </message>
     <message numerus="yes">
         <source>%1 of %2 place(s) ticked</source>
         <translation>
             <numerusform>%2 か所中 %1 か所を選択</numerusform>
         </translation>
     </message>
+    <message>
+        <source>In reach</source>
+        <translation>到達範囲</translation>
+    </message>
+    <message>
+        <source>Tick the places that the proposal&apos;s shadow reaches, found anew for each proposal</source>
+        <translation>提案の影が届く場所を選びます(提案ごとに求め直します)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
     <message numerus="yes">
-        <source>%1 of %2 place(s) can be reached; the others&apos; tooltips say why not</source>
+        <source>%1 of %2 place(s) in reach of the shadow; the others&apos; tooltips say why not</source>
         <translation>
-            <numerusform>%2 か所中 %1 か所に影が届きえます。他の理由はツールチップに</numerusform>
+            <numerusform>%2 か所のうち %1 か所に影が届きます。他の場所の理由はツールチップにあります</numerusform>
         </translation>
     </message>
 </context>
@@ -8859,10 +8867,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <translation>規定</translation>
     </message>
     <message>
-        <source>The expected time of this review</source>
-        <translation>この審査にかかる予想時間</translation>
-    </message>
-    <message>
         <source>Computing the verdicts of the building being designed...</source>
         <translation>設計中の建物の判定を計算しています...</translation>
     </message>
@@ -8934,6 +8938,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
         <source>&lt;b&gt;%1&lt;/b&gt;: %2 as it stands. %3</source>
         <translation>&lt;b&gt;%1&lt;/b&gt;: %2 の現状。%3</translation>
     </message>
+    <message>
+        <source>Expected time: %1</source>
+        <translation>予想時間: %1</translation>
+    </message>
 </context>
 <context>
     <name>noonmark::ReviewSession</name>
@@ -8944,10 +8952,6 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Estimating</source>
         <translation>見積もり中</translation>
-    </message>
-    <message>
-        <source>Screening</source>
-        <translation>絞り込み中</translation>
     </message>
     <message>
         <source>the building being designed</source>
@@ -8976,6 +8980,10 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>All reviews</source>
         <translation>すべての審査</translation>
+    </message>
+    <message>
+        <source>Finding places in reach</source>
+        <translation>影が届く場所を検索中</translation>
     </message>
 </context>
 <context>

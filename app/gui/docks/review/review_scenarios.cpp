@@ -26,9 +26,7 @@ bool holds(const ReviewAnswer& answer, const ReviewQuestion& now, bool orSome) {
 Result<void> keepReach(const ReviewChoice& choice, Asked& asked, Progress& progress,
                        const std::stop_token& stop) {
     ReviewQuestion question = *asked.review;
-    if (!screensPlaces(choice.reviewed, question.places.size()) || !question.repeat.empty() ||
-        !canScreen(question))
-        return {};
+    if (!isScreened(choice, question) || !canScreen(question)) return {};
     return keepPlacesInReach(question, progress, stop).map([&](const auto&) {
         asked.review = std::make_shared<const ReviewQuestion>(std::move(question));
     });

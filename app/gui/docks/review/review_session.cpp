@@ -127,18 +127,12 @@ Result<ReviewQuestion> ReviewSession::questionOf(const std::string& scenario) {
                             {1, study.period.zone, int(study.period.start.year())},
                             std::move(places->moved)};
     if (choice_.reviewed != ReviewedPlaces::chosen) question.named = {"all"};
-    if (reach_ && isScreened(question) && isSame(reach_->asked, question)) return reach_->kept;
+    if (reach_ && isScreened(choice_, question) && isSame(reach_->asked, question)) return reach_->kept;
     return question;
 }
 
-// Where the scenario proposes something.
-bool ReviewSession::isScreened(const ReviewQuestion& question) const {
-    return question.before != question.after && !question.rule.receivers.hasLines() &&
-           screensPlaces(choice_.reviewed, question.places.size());
-}
-
 bool ReviewSession::needsScreening(const ReviewQuestion& question) const {
-    return isScreened(question) && question.repeat.empty() && !(reach_ && isSame(reach_->asked, question));
+    return isScreened(choice_, question) && !(reach_ && isSame(reach_->asked, question));
 }
 
 const ReviewSession::Reach* ReviewSession::reach() {
@@ -334,7 +328,7 @@ void ReviewSession::cityChanged() {
 bool ReviewSession::isAnswered(const ReviewQuestion& now) {
     const ReviewQuestion& then = answer_->question;
     if (isSame(now, then)) return true;
-    if (!needsScreening(now) || then.repeat.empty()) return false;
+    if (!needsScreening(now) || !then.inReach) return false;
     ReviewQuestion same = now;
     same.places = then.places;
     return isSame(same, then);

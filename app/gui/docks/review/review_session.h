@@ -21,6 +21,13 @@ namespace noonmark {
 
 enum class ProjectPart;
 
+/// Whether only the places in reach are to be reviewed and still to be found: where the scenario proposes
+/// something, of a rule about places.
+inline bool isScreened(const ReviewChoice& choice, const ReviewQuestion& question) {
+    return !question.inReach && question.before != question.after && !question.rule.receivers.hasLines() &&
+           screensPlaces(choice.reviewed, question.places.size());
+}
+
 /// The review of the open project: the choice, its answer, and the answer for the building that is being
 /// shaped. Long work runs in jobs. Knows no widgets.
 class ReviewSession final : public QObject {
@@ -113,7 +120,6 @@ private:
     void takeLive(Result<ReviewAnswer> answer);
     void findReach(JobSlot& slot, const ReviewQuestion& question, std::function<void()> next);
     [[nodiscard]] bool isAnswered(const ReviewQuestion& now);
-    [[nodiscard]] bool isScreened(const ReviewQuestion& question) const;
     [[nodiscard]] Result<PlacesToReview> livePlaces(const Rule& rule) const;
     void rename(ProjectPart part, const std::string& from, const std::string& to);
     void cityChanged();
