@@ -1922,10 +1922,6 @@ Todos los lados %2, área %3</translation>
         <translation>%1 &gt; %2 min: %3</translation>
     </message>
     <message>
-        <source>Points of %1</source>
-        <translation>Puntos de %1</translation>
-    </message>
-    <message>
         <source>Saved result %1</source>
         <translation>Resultado guardado %1</translation>
     </message>
@@ -1936,14 +1932,6 @@ Todos los lados %2, área %3</translation>
     <message>
         <source>Interval of the table: its weight, and its contribution to the score</source>
         <translation>Intervalo de la tabla: su peso y su contribución a la puntuación</translation>
-    </message>
-    <message>
-        <source>Score of %1 with %2</source>
-        <translation>Puntuación de %1 con %2</translation>
-    </message>
-    <message>
-        <source>Study of %1</source>
-        <translation>Estudio de %1</translation>
     </message>
     <message>
         <source>Save table</source>
@@ -2086,14 +2074,6 @@ El estudio: %2</translation>
     <message>
         <source>Contributions</source>
         <translation>Contribuciones</translation>
-    </message>
-    <message>
-        <source>Sun by place in %1</source>
-        <translation>Sol por lugar en %1</translation>
-    </message>
-    <message>
-        <source>Sun by place in %1 compared with %2</source>
-        <translation>Sol por lugar en %1 comparado con %2</translation>
     </message>
     <message>
         <source>%1 h of sun a day</source>
@@ -2488,6 +2468,323 @@ Abre el panel Evaluación.</translation>
     <message>
         <source>New shadow a day, by cells of %1: %2</source>
         <translation>Sombra nueva al día, por celdas de %1: %2</translation>
+    </message>
+    <message>
+        <source>Existing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every %1 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no refraction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished">%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">Guardar</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Cancelar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Cerrar</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation type="unfinished">Restablecer</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QUndoStack</name>
+    <message>
+        <source>Undo %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Rule</name>
+    <message>
+        <source>Boston, Article 80 diagrams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boston</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boston, Common and Garden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boston, Midtown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>BRE 209 (2022), amenity space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>London</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>BRE 209 (2022), windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New York, CEQR chapter 8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New York</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>China, GB 50180, sunlight of homes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>China</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EN 17037, exposure to sunlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Europe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estonia, insolation of homes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estonia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four days, three hours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Philadelphia, Seattle and others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Japan, Building Standards Act, table 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Japan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Korea, right to sunlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Korea</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Melbourne, amendment C278</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Melbourne</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Montreal, parks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Montreal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Montreal, east-west streets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New South Wales, Apartment Design Guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New South Wales</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A rule of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Poland, sunlight in rooms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Poland</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Russia (central zone), share of territory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Russia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Russia (central zone), insolation of rooms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>San Francisco, Section 295 (Proposition K)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>San Francisco</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Hague, sunlight on facades</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Hague</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Netherlands, TNO light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Netherlands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Netherlands, TNO strict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toronto, shadow study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toronto</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vancouver, parks and schoolyards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vancouver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zurich, shadow of tall buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zurich</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>United States</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Britain (UK)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Korea (South)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switzerland</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any country</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canada</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Australia</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5070,6 +5367,222 @@ Abre el panel Evaluación.</translation>
         <source>Change of the shadow score by month, m²</source>
         <translation>Cambio de la puntuación de sombra por mes, m²</translation>
     </message>
+    <message>
+        <source>duplicates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sun by place in %1</source>
+        <translation type="unfinished">Sol por lugar en %1</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1 compared with %2</source>
+        <translation type="unfinished">Sol por lugar en %1 comparado con %2</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation type="unfinished">%1 comparado con %2</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation type="unfinished">Puntuación de %1 con %2</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation type="unfinished">Estudio de %1</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation type="unfinished">Puntos de %1</translation>
+    </message>
+    <message>
+        <source>drawing diagrams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing shadow fans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing lines of equal hours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing views from the sun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweeping horizons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweeping horizons of points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tracing rays from points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finding buildings in reach of the places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filling shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>building the ray scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tracing rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tracing rays through single trees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unpacking the archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>making the buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the city</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repairing outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>making buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they stand where the file states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all were shifted onto it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each building was set down on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bases of %1 lie %2 m below the terrain (median of %3, spread %4 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bases of %1 lie %2 m above the terrain (median of %3, spread %4 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 far from that gap were set down by themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stay above the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finding the buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>making buildings of the surface model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading canopy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading trees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joining shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>evaluating windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are assumed (%3 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are assumed (most of them %3 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fields that could hold heights or storeys: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In doubt: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 km from %3, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>buildings: %1, parts: %2, up to %3 m high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on a terrain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on flat ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>summing up places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joining the timelines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surveying the buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing the map</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5163,6 +5676,13 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::Breakdown</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::BreakdownForm</name>
     <message>
         <source>Each month by itself</source>
@@ -5198,6 +5718,13 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::BuildingAdder</name>
+    <message>
+        <source>finding the buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::BuildingEditing</name>
     <message>
         <source>%1, %2
@@ -5211,6 +5738,13 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
             <numerusform>derribar %1 edificio</numerusform>
             <numerusform>derribar %1 edificios</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CachedTile</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5496,6 +6030,13 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <message>
         <source>Command</source>
         <translation>Comando</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CrownTracer</name>
+    <message>
+        <source>tracing rays through trees</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6147,6 +6688,17 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::Filming</name>
+    <message>
+        <source>computing the frames of the movie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing the movie</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::FurtherTable</name>
     <message>
         <source>Add tower</source>
@@ -6385,6 +6937,13 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     </message>
 </context>
 <context>
+    <name>noonmark::HorizonCache</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::HoursOf</name>
     <message>
         <source>Hours of sun a day by month</source>
@@ -6605,6 +7164,13 @@ La sombra continua no cambia: de ella no se deduce el tramo más largo al sol.</
     </message>
 </context>
 <context>
+    <name>noonmark::LevelOutliner</name>
+    <message>
+        <source>projecting shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LineForm</name>
     <message>
         <source>Parcel</source>
@@ -6781,6 +7347,13 @@ Aproximado: la leyenda indica el error medido. Deshacer recupera el método ante
     <message>
         <source>Painting the map</source>
         <translation>Dibujando el mapa</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MaskRun</name>
+    <message>
+        <source>filling shadows of places</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7276,6 +7849,10 @@ El más bajo %3, mediana %4, el más alto %5.</numerusform>
         <source>Add terrain</source>
         <translation>Añadir terreno</translation>
     </message>
+    <message>
+        <source>Changed in reading: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -7317,6 +7894,13 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>Wall-clock time at which each day&apos;s hours begin, hours:minutes</source>
         <translation>Hora de reloj a la que empiezan las horas de cada día, horas:minutos</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PeriodSweep</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7513,6 +8097,17 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <message>
         <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
         <translation>Un terreno, una fotografía aérea, árboles, o parques y otros lugares; lo que la ciudad tiene se conserva</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceFile</name>
+    <message>
+        <source>reading places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repairing outlines</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8180,6 +8775,13 @@ Con árboles: %1</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::PointShading</name>
+    <message>
+        <source>weighing crowns at points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PolygonDrawing</name>
     <message>
         <source>region</source>
@@ -8694,10 +9296,6 @@ No: en el origen de la ciudad de los demás archivos.</translation>
         <source>&amp;Export (%1)...</source>
         <translation>&amp;Exportar (%1)...</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
     <message numerus="yes">
         <source>All %1 scenario(s) measured</source>
         <translation>
@@ -9061,6 +9659,13 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <message>
         <source>Estimating</source>
         <translation>Estimando</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SampleProgress</name>
+    <message>
+        <source>measuring the error on a sample</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9820,6 +10425,20 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     </message>
 </context>
 <context>
+    <name>noonmark::ShadowCache::State</name>
+    <message>
+        <source>filling shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ShadowProjection</name>
+    <message>
+        <source>filling shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::SheetForm</name>
     <message>
         <source>Page</source>
@@ -10151,6 +10770,13 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     </message>
 </context>
 <context>
+    <name>noonmark::SurfaceTracer</name>
+    <message>
+        <source>tracing rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TargetRow</name>
     <message>
         <source>Floor area</source>
@@ -10454,6 +11080,13 @@ del año, otras tantas semanas</translation>
     <message>
         <source>Build %1</source>
         <translation>Construir %1</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Tracer</name>
+    <message>
+        <source>tracing rays</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10949,6 +11582,24 @@ del año, otras tantas semanas</translation>
     </message>
 </context>
 <context>
+    <name>noonmark::Watch</name>
+    <message>
+        <source>reading the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Watcher</name>
+    <message>
+        <source>reading the terrain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resampling the terrain</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WeightCalendar</name>
     <message>
         <source>Weights by month and hour</source>
@@ -11293,10 +11944,6 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>Comparing results with the buildings</source>
         <translation>Comparando los resultados con los edificios</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>%1 is saved with the project: the list above the results shows it again</source>
@@ -11688,6 +12335,58 @@ Haga clic antes en un edificio.</translation>
     <message>
         <source>Leaf cycle</source>
         <translation>Ciclo foliar</translation>
+    </message>
+    <message>
+        <source>%1, carriageway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, sidewalks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation type="unfinished">%1, de %2:00 a %3 {1,?} {2 ?}</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, east of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, north-east of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, north of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, north-west of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, west of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, south-west of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, south of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, south-east of %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -1900,10 +1900,6 @@ All sides %2, area %3</source>
         <translation>%1 &gt; %2 分：%3</translation>
     </message>
     <message>
-        <source>Points of %1</source>
-        <translation>%1の点</translation>
-    </message>
-    <message>
         <source>Saved result %1</source>
         <translation>保存した結果 %1</translation>
     </message>
@@ -1914,14 +1910,6 @@ All sides %2, area %3</source>
     <message>
         <source>Interval of the table: its weight, and its contribution to the score</source>
         <translation>表の区間：重みとスコアへの寄与</translation>
-    </message>
-    <message>
-        <source>Score of %1 with %2</source>
-        <translation>%1 のスコア (%2)</translation>
-    </message>
-    <message>
-        <source>Study of %1</source>
-        <translation>%1 の検討</translation>
     </message>
     <message>
         <source>Save table</source>
@@ -2062,14 +2050,6 @@ The study: %2</source>
     <message>
         <source>Contributions</source>
         <translation>寄与</translation>
-    </message>
-    <message>
-        <source>Sun by place in %1</source>
-        <translation>%1 の場所別の日照</translation>
-    </message>
-    <message>
-        <source>Sun by place in %1 compared with %2</source>
-        <translation>%1 と %2 の場所別の日照の比較</translation>
     </message>
     <message>
         <source>%1 h of sun a day</source>
@@ -2458,6 +2438,323 @@ Opens the panel Review.</source>
     <message>
         <source>New shadow a day, by cells of %1: %2</source>
         <translation>1 日の新しい日陰(セル %1): %2</translation>
+    </message>
+    <message>
+        <source>Existing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every %1 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no refraction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished">%1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">保存</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">キャンセル</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">閉じる</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation type="unfinished">リセット</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QUndoStack</name>
+    <message>
+        <source>Undo %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Rule</name>
+    <message>
+        <source>Boston, Article 80 diagrams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boston</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boston, Common and Garden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boston, Midtown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>BRE 209 (2022), amenity space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>London</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>BRE 209 (2022), windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New York, CEQR chapter 8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New York</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>China, GB 50180, sunlight of homes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>China</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EN 17037, exposure to sunlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Europe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estonia, insolation of homes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estonia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four days, three hours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Philadelphia, Seattle and others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Japan, Building Standards Act, table 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Japan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Korea, right to sunlight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Korea</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Melbourne, amendment C278</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Melbourne</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Montreal, parks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Montreal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Montreal, east-west streets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New South Wales, Apartment Design Guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New South Wales</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A rule of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Poland, sunlight in rooms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Poland</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Russia (central zone), share of territory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Russia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Russia (central zone), insolation of rooms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>San Francisco, Section 295 (Proposition K)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>San Francisco</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Hague, sunlight on facades</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Hague</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Netherlands, TNO light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Netherlands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Netherlands, TNO strict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toronto, shadow study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toronto</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vancouver, parks and schoolyards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vancouver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zurich, shadow of tall buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zurich</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>United States</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Britain (UK)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Korea (South)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switzerland</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any country</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canada</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Australia</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5040,6 +5337,222 @@ Opens the panel Review.</source>
         <source>Change of the shadow score by month, m²</source>
         <translation>月別の日陰スコアの変化、m²</translation>
     </message>
+    <message>
+        <source>duplicates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sun by place in %1</source>
+        <translation type="unfinished">%1 の場所別の日照</translation>
+    </message>
+    <message>
+        <source>Sun by place in %1 compared with %2</source>
+        <translation type="unfinished">%1 と %2 の場所別の日照の比較</translation>
+    </message>
+    <message>
+        <source>%1 compared with %2</source>
+        <translation type="unfinished">%1 と %2 の比較</translation>
+    </message>
+    <message>
+        <source>Score of %1 with %2</source>
+        <translation type="unfinished">%1 のスコア (%2)</translation>
+    </message>
+    <message>
+        <source>Study of %1</source>
+        <translation type="unfinished">%1 の検討</translation>
+    </message>
+    <message>
+        <source>Points of %1</source>
+        <translation type="unfinished">%1の点</translation>
+    </message>
+    <message>
+        <source>drawing diagrams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing shadow fans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing lines of equal hours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing views from the sun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweeping horizons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sweeping horizons of points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tracing rays from points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finding buildings in reach of the places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filling shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>building the ray scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tracing rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tracing rays through single trees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unpacking the archive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>making the buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the city</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repairing outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>making buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they stand where the file states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all were shifted onto it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each building was set down on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bases of %1 lie %2 m below the terrain (median of %3, spread %4 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bases of %1 lie %2 m above the terrain (median of %3, spread %4 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 far from that gap were set down by themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stay above the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finding the buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading the mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>making buildings of the surface model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading canopy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading trees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joining shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>evaluating windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are assumed (%3 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are assumed (most of them %3 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fields that could hold heights or storeys: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In doubt: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 km from %3, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>buildings: %1, parts: %2, up to %3 m high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on a terrain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on flat ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>summing up places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joining the timelines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surveying the buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing the map</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>noonmark::AccuracyForm</name>
@@ -5133,6 +5646,13 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::Breakdown</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::BreakdownForm</name>
     <message>
         <source>Each month by itself</source>
@@ -5168,6 +5688,13 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::BuildingAdder</name>
+    <message>
+        <source>finding the buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::BuildingEditing</name>
     <message>
         <source>%1, %2
@@ -5180,6 +5707,13 @@ as published. Approximate: the legend states the measured error</source>
         <translation>
             <numerusform>%1 棟を除却</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CachedTile</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5465,6 +5999,13 @@ as published. Approximate: the legend states the measured error</source>
     <message>
         <source>Command</source>
         <translation>コマンド</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::CrownTracer</name>
+    <message>
+        <source>tracing rays through trees</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6111,6 +6652,17 @@ as published. Approximate: the legend states the measured error</source>
     </message>
 </context>
 <context>
+    <name>noonmark::Filming</name>
+    <message>
+        <source>computing the frames of the movie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing the movie</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::FurtherTable</name>
     <message>
         <source>Add tower</source>
@@ -6349,6 +6901,13 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     </message>
 </context>
 <context>
+    <name>noonmark::HorizonCache</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::HoursOf</name>
     <message>
         <source>Hours of sun a day by month</source>
@@ -6569,6 +7128,13 @@ Continuous shadow stays as it is: the longest run in the sun does not follow fro
     </message>
 </context>
 <context>
+    <name>noonmark::LevelOutliner</name>
+    <message>
+        <source>projecting shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::LineForm</name>
     <message>
         <source>Parcel</source>
@@ -6745,6 +7311,13 @@ Approximate: the legend states the measured error. Undo takes the method of the 
     <message>
         <source>Painting the map</source>
         <translation>地図を描画中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::MaskRun</name>
+    <message>
+        <source>filling shadows of places</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7234,6 +7807,10 @@ Lowest %3, median %4, tallest %5.</source>
         <source>Add terrain</source>
         <translation>地形を追加</translation>
     </message>
+    <message>
+        <source>Changed in reading: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>noonmark::OtherScenario</name>
@@ -7275,6 +7852,13 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>Wall-clock time at which each day&apos;s hours begin, hours:minutes</source>
         <translation>各日の時間が始まる時刻 (時:分)</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PeriodSweep</name>
+    <message>
+        <source>sweeping horizons</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7470,6 +8054,17 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <message>
         <source>A terrain, an aerial photograph, trees, or parks and other places; what the city has stays</source>
         <translation>地形、航空写真、樹木、公園などの場所を追加します。都市にあるものはそのまま残ります</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::PlaceFile</name>
+    <message>
+        <source>reading places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repairing outlines</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8132,6 +8727,13 @@ With trees: %1</source>
     </message>
 </context>
 <context>
+    <name>noonmark::PointShading</name>
+    <message>
+        <source>weighing crowns at points</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::PolygonDrawing</name>
     <message>
         <source>region</source>
@@ -8646,10 +9248,6 @@ Off: at the origin of the city from the other files.</source>
         <source>&amp;Export (%1)...</source>
         <translation>書き出す (%1)(&amp;E)...</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
     <message numerus="yes">
         <source>All %1 scenario(s) measured</source>
         <translation>
@@ -9010,6 +9608,13 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <message>
         <source>Estimating</source>
         <translation>見積もり中</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::SampleProgress</name>
+    <message>
+        <source>measuring the error on a sample</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9767,6 +10372,20 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     </message>
 </context>
 <context>
+    <name>noonmark::ShadowCache::State</name>
+    <message>
+        <source>filling shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::ShadowProjection</name>
+    <message>
+        <source>filling shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::SheetForm</name>
     <message>
         <source>Page</source>
@@ -10098,6 +10717,13 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     </message>
 </context>
 <context>
+    <name>noonmark::SurfaceTracer</name>
+    <message>
+        <source>tracing rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::TargetRow</name>
     <message>
         <source>Floor area</source>
@@ -10401,6 +11027,13 @@ of the year, as many weeks</source>
     <message>
         <source>Build %1</source>
         <translation>%1 を建設</translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Tracer</name>
+    <message>
+        <source>tracing rays</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -10891,6 +11524,24 @@ of the year, as many weeks</source>
     </message>
 </context>
 <context>
+    <name>noonmark::Watch</name>
+    <message>
+        <source>reading the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>noonmark::Watcher</name>
+    <message>
+        <source>reading the terrain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resampling the terrain</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noonmark::WeightCalendar</name>
     <message>
         <source>Weights by month and hour</source>
@@ -11235,10 +11886,6 @@ Click a building first.</source>
     <message>
         <source>Comparing results with the buildings</source>
         <translation>結果を建物と比較しています</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1（%2）</translation>
     </message>
     <message>
         <source>%1 is saved with the project: the list above the results shows it again</source>
@@ -11630,6 +12277,58 @@ Click a building first.</source>
     <message>
         <source>Leaf cycle</source>
         <translation>葉の周期</translation>
+    </message>
+    <message>
+        <source>%1, carriageway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, sidewalks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation type="unfinished">%1、%2:00 から %3 {1,?} {2 ?}</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, east of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, north-east of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, north of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, north-west of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, west of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, south-west of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, south of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, south-east of %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
