@@ -38,14 +38,13 @@ bool countsSources(const Sentence& sentence) {
 }  // namespace
 
 std::optional<Sentence> findMadeName(std::string_view name) {
-    using namespace madeNames;
-    for (const std::string_view pattern : {carriageway, sidewalks})
+    for (const std::string_view pattern : {madeNames::carriageway, madeNames::sidewalks})
         if (auto found = match(pattern, name)) return found;
-    for (const std::string_view pattern : winds)
+    for (const std::string_view pattern : madeNames::winds)
         if (auto found = match(pattern, name)) return found;
-    for (const std::string_view pattern : {at, between})
+    for (const std::string_view pattern : {madeNames::at, madeNames::between})
         if (auto found = match(pattern, name)) return found;
-    auto several = match(severalSources, name);
+    auto several = match(madeNames::severalSources, name);
     return several && countsSources(*several) ? several : std::nullopt;
 }
 

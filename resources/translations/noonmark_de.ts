@@ -2471,320 +2471,320 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Existing</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestand</translation>
     </message>
     <message>
         <source>every %1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>alle %1 min</translation>
     </message>
     <message>
         <source>no refraction</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Refraktion</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished">%1 (%2)</translation>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
     <message>
         <source>OK</source>
-        <translation type="unfinished"></translation>
+        <translation>OK</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Speichern</translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>&amp;Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ja</translation>
     </message>
     <message>
         <source>&amp;No</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nein</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Anwenden</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished">Zurücksetzen</translation>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <source>Retry</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Abort</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Ignore</source>
-        <translation type="unfinished"></translation>
+        <translation>Ignorieren</translation>
     </message>
 </context>
 <context>
     <name>QUndoStack</name>
     <message>
         <source>Undo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig: %1</translation>
     </message>
     <message>
         <source>Redo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen: %1</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
 </context>
 <context>
     <name>Rule</name>
     <message>
         <source>Boston, Article 80 diagrams</source>
-        <translation type="unfinished"></translation>
+        <translation>Boston, Diagramme nach Article 80</translation>
     </message>
     <message>
         <source>Boston</source>
-        <translation type="unfinished"></translation>
+        <translation>Boston</translation>
     </message>
     <message>
         <source>Boston, Common and Garden</source>
-        <translation type="unfinished"></translation>
+        <translation>Boston, Common und Garden</translation>
     </message>
     <message>
         <source>Boston, Midtown</source>
-        <translation type="unfinished"></translation>
+        <translation>Boston, Midtown</translation>
     </message>
     <message>
         <source>BRE 209 (2022), amenity space</source>
-        <translation type="unfinished"></translation>
+        <translation>BRE 209 (2022), Freiflächen</translation>
     </message>
     <message>
         <source>London</source>
-        <translation type="unfinished"></translation>
+        <translation>London</translation>
     </message>
     <message>
         <source>BRE 209 (2022), windows</source>
-        <translation type="unfinished"></translation>
+        <translation>BRE 209 (2022), Fenster</translation>
     </message>
     <message>
         <source>New York, CEQR chapter 8</source>
-        <translation type="unfinished"></translation>
+        <translation>New York, CEQR Kapitel 8</translation>
     </message>
     <message>
         <source>New York</source>
-        <translation type="unfinished"></translation>
+        <translation>New York</translation>
     </message>
     <message>
         <source>China, GB 50180, sunlight of homes</source>
-        <translation type="unfinished"></translation>
+        <translation>China, GB 50180, Sonne in Wohnungen</translation>
     </message>
     <message>
         <source>China</source>
-        <translation type="unfinished"></translation>
+        <translation>China</translation>
     </message>
     <message>
         <source>EN 17037, exposure to sunlight</source>
-        <translation type="unfinished"></translation>
+        <translation>EN 17037, Besonnung</translation>
     </message>
     <message>
         <source>Europe</source>
-        <translation type="unfinished"></translation>
+        <translation>Europa</translation>
     </message>
     <message>
         <source>Estonia, insolation of homes</source>
-        <translation type="unfinished"></translation>
+        <translation>Estland, Besonnung von Wohnungen</translation>
     </message>
     <message>
         <source>Estonia</source>
-        <translation type="unfinished"></translation>
+        <translation>Estland</translation>
     </message>
     <message>
         <source>Four days, three hours</source>
-        <translation type="unfinished"></translation>
+        <translation>4 Tage, 3 Uhrzeiten</translation>
     </message>
     <message>
         <source>Philadelphia, Seattle and others</source>
-        <translation type="unfinished"></translation>
+        <translation>Philadelphia, Seattle und andere</translation>
     </message>
     <message>
         <source>Japan, Building Standards Act, table 4</source>
-        <translation type="unfinished"></translation>
+        <translation>Japan, Baunormengesetz, Tabelle 4</translation>
     </message>
     <message>
         <source>Japan</source>
-        <translation type="unfinished"></translation>
+        <translation>Japan</translation>
     </message>
     <message>
         <source>Korea, right to sunlight</source>
-        <translation type="unfinished"></translation>
+        <translation>Korea, Recht auf Sonne</translation>
     </message>
     <message>
         <source>Korea</source>
-        <translation type="unfinished"></translation>
+        <translation>Korea</translation>
     </message>
     <message>
         <source>Melbourne, amendment C278</source>
-        <translation type="unfinished"></translation>
+        <translation>Melbourne, Änderung C278</translation>
     </message>
     <message>
         <source>Melbourne</source>
-        <translation type="unfinished"></translation>
+        <translation>Melbourne</translation>
     </message>
     <message>
         <source>Montreal, parks</source>
-        <translation type="unfinished"></translation>
+        <translation>Montreal, Parks</translation>
     </message>
     <message>
         <source>Montreal</source>
-        <translation type="unfinished"></translation>
+        <translation>Montreal</translation>
     </message>
     <message>
         <source>Montreal, east-west streets</source>
-        <translation type="unfinished"></translation>
+        <translation>Montreal, Ost-West-Straßen</translation>
     </message>
     <message>
         <source>New South Wales, Apartment Design Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>New South Wales, Apartment Design Guide</translation>
     </message>
     <message>
         <source>New South Wales</source>
-        <translation type="unfinished"></translation>
+        <translation>New South Wales</translation>
     </message>
     <message>
         <source>A rule of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine eigene Regel</translation>
     </message>
     <message>
         <source>Anywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Überall</translation>
     </message>
     <message>
         <source>Poland, sunlight in rooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Polen, Sonne in Räumen</translation>
     </message>
     <message>
         <source>Poland</source>
-        <translation type="unfinished"></translation>
+        <translation>Polen</translation>
     </message>
     <message>
         <source>Russia (central zone), share of territory</source>
-        <translation type="unfinished"></translation>
+        <translation>Russland (mittlere Zone), Anteil der Fläche</translation>
     </message>
     <message>
         <source>Russia</source>
-        <translation type="unfinished"></translation>
+        <translation>Russland</translation>
     </message>
     <message>
         <source>Russia (central zone), insolation of rooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Russland (mittlere Zone), Besonnung von Räumen</translation>
     </message>
     <message>
         <source>San Francisco, Section 295 (Proposition K)</source>
-        <translation type="unfinished"></translation>
+        <translation>San Francisco, Section 295 (Proposition K)</translation>
     </message>
     <message>
         <source>San Francisco</source>
-        <translation type="unfinished"></translation>
+        <translation>San Francisco</translation>
     </message>
     <message>
         <source>The Hague, sunlight on facades</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Haag, Sonne auf Fassaden</translation>
     </message>
     <message>
         <source>The Hague</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Haag</translation>
     </message>
     <message>
         <source>Netherlands, TNO light</source>
-        <translation type="unfinished"></translation>
+        <translation>Niederlande, TNO leicht</translation>
     </message>
     <message>
         <source>Netherlands</source>
-        <translation type="unfinished"></translation>
+        <translation>Niederlande</translation>
     </message>
     <message>
         <source>Netherlands, TNO strict</source>
-        <translation type="unfinished"></translation>
+        <translation>Niederlande, TNO streng</translation>
     </message>
     <message>
         <source>Toronto, shadow study</source>
-        <translation type="unfinished"></translation>
+        <translation>Toronto, Schattenstudie</translation>
     </message>
     <message>
         <source>Toronto</source>
-        <translation type="unfinished"></translation>
+        <translation>Toronto</translation>
     </message>
     <message>
         <source>Vancouver, parks and schoolyards</source>
-        <translation type="unfinished"></translation>
+        <translation>Vancouver, Parks und Schulhöfe</translation>
     </message>
     <message>
         <source>Vancouver</source>
-        <translation type="unfinished"></translation>
+        <translation>Vancouver</translation>
     </message>
     <message>
         <source>Zurich, shadow of tall buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>Zürich, Schatten von Hochhäusern</translation>
     </message>
     <message>
         <source>Zurich</source>
-        <translation type="unfinished"></translation>
+        <translation>Zürich</translation>
     </message>
     <message>
         <source>United States</source>
-        <translation type="unfinished"></translation>
+        <translation>Vereinigte Staaten</translation>
     </message>
     <message>
         <source>Britain (UK)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vereinigtes Königreich</translation>
     </message>
     <message>
         <source>Korea (South)</source>
-        <translation type="unfinished"></translation>
+        <translation>Südkorea</translation>
     </message>
     <message>
         <source>Switzerland</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweiz</translation>
     </message>
     <message>
         <source>Any country</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Land</translation>
     </message>
     <message>
         <source>Canada</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanada</translation>
     </message>
     <message>
         <source>Australia</source>
-        <translation type="unfinished"></translation>
+        <translation>Australien</translation>
     </message>
 </context>
 <context>
@@ -5369,219 +5369,219 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>duplicates</source>
-        <translation type="unfinished"></translation>
+        <translation>doppelt</translation>
     </message>
     <message>
         <source>Sun by place in %1</source>
-        <translation type="unfinished">Sonne nach Ort in %1</translation>
+        <translation>Sonne nach Ort in %1</translation>
     </message>
     <message>
         <source>Sun by place in %1 compared with %2</source>
-        <translation type="unfinished">Sonne nach Ort in %1, verglichen mit %2</translation>
+        <translation>Sonne nach Ort in %1, verglichen mit %2</translation>
     </message>
     <message>
         <source>%1 compared with %2</source>
-        <translation type="unfinished">%1 verglichen mit %2</translation>
+        <translation>%1 verglichen mit %2</translation>
     </message>
     <message>
         <source>Score of %1 with %2</source>
-        <translation type="unfinished">Bewertung von %1 mit %2</translation>
+        <translation>Bewertung von %1 mit %2</translation>
     </message>
     <message>
         <source>Study of %1</source>
-        <translation type="unfinished">Untersuchung von %1</translation>
+        <translation>Untersuchung von %1</translation>
     </message>
     <message>
         <source>Points of %1</source>
-        <translation type="unfinished">Punkte von %1</translation>
+        <translation>Punkte von %1</translation>
     </message>
     <message>
         <source>drawing diagrams</source>
-        <translation type="unfinished"></translation>
+        <translation>zeichnet Diagramme</translation>
     </message>
     <message>
         <source>drawing shadow fans</source>
-        <translation type="unfinished"></translation>
+        <translation>zeichnet Schattenfächer</translation>
     </message>
     <message>
         <source>drawing lines of equal hours</source>
-        <translation type="unfinished"></translation>
+        <translation>zeichnet Linien gleicher Stunden</translation>
     </message>
     <message>
         <source>drawing views from the sun</source>
-        <translation type="unfinished"></translation>
+        <translation>zeichnet Blicke von der Sonne</translation>
     </message>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht Horizonte</translation>
     </message>
     <message>
         <source>sweeping horizons of points</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht Horizonte der Punkte</translation>
     </message>
     <message>
         <source>tracing rays from points</source>
-        <translation type="unfinished"></translation>
+        <translation>verfolgt Strahlen von Punkten</translation>
     </message>
     <message>
         <source>finding buildings in reach of the places</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht Gebäude, deren Schatten die Orte erreicht</translation>
     </message>
     <message>
         <source>filling shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>füllt Schatten</translation>
     </message>
     <message>
         <source>building the ray scene</source>
-        <translation type="unfinished"></translation>
+        <translation>bereitet Strahlen vor</translation>
     </message>
     <message>
         <source>tracing rays</source>
-        <translation type="unfinished"></translation>
+        <translation>verfolgt Strahlen</translation>
     </message>
     <message>
         <source>tracing rays through single trees</source>
-        <translation type="unfinished"></translation>
+        <translation>verfolgt Strahlen durch einzelne Bäume</translation>
     </message>
     <message>
         <source>unpacking the archive</source>
-        <translation type="unfinished"></translation>
+        <translation>entpackt das Archiv</translation>
     </message>
     <message>
         <source>making the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>bildet die Gebäude</translation>
     </message>
     <message>
         <source>reading the features</source>
-        <translation type="unfinished"></translation>
+        <translation>liest die Objekte</translation>
     </message>
     <message>
         <source>reading the city</source>
-        <translation type="unfinished"></translation>
+        <translation>liest die Stadt</translation>
     </message>
     <message>
         <source>reading the map</source>
-        <translation type="unfinished"></translation>
+        <translation>liest die Karte</translation>
     </message>
     <message>
         <source>reading windows</source>
-        <translation type="unfinished"></translation>
+        <translation>liest Fenster</translation>
     </message>
     <message>
         <source>repairing outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>repariert Umrisse</translation>
     </message>
     <message>
         <source>making buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>bildet Gebäude</translation>
     </message>
     <message>
         <source>they stand where the file states</source>
-        <translation type="unfinished"></translation>
+        <translation>sie stehen, wo die Datei es angibt</translation>
     </message>
     <message>
         <source>all were shifted onto it</source>
-        <translation type="unfinished"></translation>
+        <translation>alle wurden darauf verschoben</translation>
     </message>
     <message>
         <source>each building was set down on it</source>
-        <translation type="unfinished"></translation>
+        <translation>jedes Gebäude wurde darauf gesetzt</translation>
     </message>
     <message>
         <source>bases of %1 lie %2 m below the terrain (median of %3, spread %4 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>die Fußpunkte von %1 liegen %2 m unter dem Gelände (Median von %3, Streuung %4 m)</translation>
     </message>
     <message>
         <source>bases of %1 lie %2 m above the terrain (median of %3, spread %4 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>die Fußpunkte von %1 liegen %2 m über dem Gelände (Median von %3, Streuung %4 m)</translation>
     </message>
     <message>
         <source>%1 far from that gap were set down by themselves</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mit anderem Abstand wurden einzeln abgesetzt</translation>
     </message>
     <message>
         <source>%1 stay above the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bleiben über dem Boden</translation>
     </message>
     <message>
         <source>finding the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht die Gebäude</translation>
     </message>
     <message>
         <source>reading the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>liest das Netz</translation>
     </message>
     <message>
         <source>making buildings of the surface model</source>
-        <translation type="unfinished"></translation>
+        <translation>bildet Gebäude aus dem Oberflächenmodell</translation>
     </message>
     <message>
         <source>reading canopy</source>
-        <translation type="unfinished"></translation>
+        <translation>liest die Kronenhöhen</translation>
     </message>
     <message>
         <source>reading trees</source>
-        <translation type="unfinished"></translation>
+        <translation>liest Bäume</translation>
     </message>
     <message>
         <source>joining shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>vereinigt Schatten</translation>
     </message>
     <message>
         <source>evaluating windows</source>
-        <translation type="unfinished"></translation>
+        <translation>wertet Fenster aus</translation>
     </message>
     <message>
         <source>%1 of %2 heights are assumed (%3 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Höhen sind angenommen (%3 m)</translation>
     </message>
     <message>
         <source>%1 of %2 heights are assumed (most of them %3 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Höhen sind angenommen (meist %3 m)</translation>
     </message>
     <message>
         <source>Fields that could hold heights or storeys: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Felder, die Höhen oder Geschosse enthalten könnten: %1</translation>
     </message>
     <message>
         <source>In doubt: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifelhaft: %1</translation>
     </message>
     <message>
         <source>%1, %2 km from %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 km von %3, %4</translation>
     </message>
     <message>
         <source>no buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Gebäude</translation>
     </message>
     <message>
         <source>buildings: %1, parts: %2, up to %3 m high</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebäude: %1, Teile: %2, bis %3 m hoch</translation>
     </message>
     <message>
         <source>on a terrain</source>
-        <translation type="unfinished"></translation>
+        <translation>auf einem Gelände</translation>
     </message>
     <message>
         <source>on flat ground</source>
-        <translation type="unfinished"></translation>
+        <translation>auf ebenem Boden</translation>
     </message>
     <message>
         <source>summing up places</source>
-        <translation type="unfinished"></translation>
+        <translation>fasst Orte zusammen</translation>
     </message>
     <message>
         <source>joining the timelines</source>
-        <translation type="unfinished"></translation>
+        <translation>verbindet die Zeitleisten</translation>
     </message>
     <message>
         <source>surveying the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>misst die Gebäude</translation>
     </message>
     <message>
         <source>writing the map</source>
-        <translation type="unfinished"></translation>
+        <translation>schreibt die Karte</translation>
     </message>
 </context>
 <context>
@@ -5679,7 +5679,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <name>noonmark::Breakdown</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht Horizonte</translation>
     </message>
 </context>
 <context>
@@ -5721,7 +5721,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <name>noonmark::BuildingAdder</name>
     <message>
         <source>finding the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht die Gebäude</translation>
     </message>
 </context>
 <context>
@@ -5744,7 +5744,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <name>noonmark::CachedTile</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht Horizonte</translation>
     </message>
 </context>
 <context>
@@ -6036,7 +6036,7 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <name>noonmark::CrownTracer</name>
     <message>
         <source>tracing rays through trees</source>
-        <translation type="unfinished"></translation>
+        <translation>verfolgt Strahlen durch Bäume</translation>
     </message>
 </context>
 <context>
@@ -6691,11 +6691,11 @@ wie veröffentlicht. Genähert: die Legende nennt den gemessenen Fehler</transla
     <name>noonmark::Filming</name>
     <message>
         <source>computing the frames of the movie</source>
-        <translation type="unfinished"></translation>
+        <translation>berechnet die Bilder des Films</translation>
     </message>
     <message>
         <source>writing the movie</source>
-        <translation type="unfinished"></translation>
+        <translation>schreibt den Film</translation>
     </message>
 </context>
 <context>
@@ -6940,7 +6940,7 @@ Ein Klick auf eine Kachel wählt ihre Zeile, ein Klick auf eine Zeile zeigt ihr 
     <name>noonmark::HorizonCache</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht Horizonte</translation>
     </message>
 </context>
 <context>
@@ -7167,7 +7167,7 @@ Dauerschatten bleibt, wie er ist: Die längste Sonne ohne Unterbrechung folgt ni
     <name>noonmark::LevelOutliner</name>
     <message>
         <source>projecting shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>wirft Schatten</translation>
     </message>
 </context>
 <context>
@@ -7353,7 +7353,7 @@ Genähert: die Legende nennt den gemessenen Fehler. Rückgängig nimmt das Verfa
     <name>noonmark::MaskRun</name>
     <message>
         <source>filling shadows of places</source>
-        <translation type="unfinished"></translation>
+        <translation>füllt Schatten der Orte</translation>
     </message>
 </context>
 <context>
@@ -7851,7 +7851,11 @@ Niedrigstes %3, Median %4, höchstes %5.</numerusform>
     </message>
     <message>
         <source>Changed in reading: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Lesen geändert: %1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
     </message>
 </context>
 <context>
@@ -7900,7 +7904,7 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <name>noonmark::PeriodSweep</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht Horizonte</translation>
     </message>
 </context>
 <context>
@@ -8103,11 +8107,11 @@ Aus: die geometrische Lage der Sonne, wie manche Regeln sie verlangen</translati
     <name>noonmark::PlaceFile</name>
     <message>
         <source>reading places</source>
-        <translation type="unfinished"></translation>
+        <translation>liest Orte</translation>
     </message>
     <message>
         <source>repairing outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>repariert Umrisse</translation>
     </message>
 </context>
 <context>
@@ -8778,7 +8782,7 @@ Mit Bäumen: %1</translation>
     <name>noonmark::PointShading</name>
     <message>
         <source>weighing crowns at points</source>
-        <translation type="unfinished"></translation>
+        <translation>wägt Kronen an Punkten</translation>
     </message>
 </context>
 <context>
@@ -9665,7 +9669,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <name>noonmark::SampleProgress</name>
     <message>
         <source>measuring the error on a sample</source>
-        <translation type="unfinished"></translation>
+        <translation>misst den Fehler an einer Stichprobe</translation>
     </message>
 </context>
 <context>
@@ -10428,14 +10432,14 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <name>noonmark::ShadowCache::State</name>
     <message>
         <source>filling shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>füllt Schatten</translation>
     </message>
 </context>
 <context>
     <name>noonmark::ShadowProjection</name>
     <message>
         <source>filling shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>füllt Schatten</translation>
     </message>
 </context>
 <context>
@@ -10773,7 +10777,7 @@ Im Feld Untersuchung wählen, was, wann und wo, und Berechnen drücken (Strg+R).
     <name>noonmark::SurfaceTracer</name>
     <message>
         <source>tracing rays</source>
-        <translation type="unfinished"></translation>
+        <translation>verfolgt Strahlen</translation>
     </message>
 </context>
 <context>
@@ -11086,7 +11090,7 @@ vom Jahr ebenso viele Wochen</translation>
     <name>noonmark::Tracer</name>
     <message>
         <source>tracing rays</source>
-        <translation type="unfinished"></translation>
+        <translation>verfolgt Strahlen</translation>
     </message>
 </context>
 <context>
@@ -11585,18 +11589,18 @@ vom Jahr ebenso viele Wochen</translation>
     <name>noonmark::Watch</name>
     <message>
         <source>reading the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>liest das Bild</translation>
     </message>
 </context>
 <context>
     <name>noonmark::Watcher</name>
     <message>
         <source>reading the terrain</source>
-        <translation type="unfinished"></translation>
+        <translation>liest das Gelände</translation>
     </message>
     <message>
         <source>resampling the terrain</source>
-        <translation type="unfinished"></translation>
+        <translation>passt das Gelände an</translation>
     </message>
 </context>
 <context>
@@ -12338,55 +12342,55 @@ Zuerst ein Gebäude anklicken.</translation>
     </message>
     <message>
         <source>%1, carriageway</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Fahrbahn</translation>
     </message>
     <message>
         <source>%1, sidewalks</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Gehwege</translation>
     </message>
     <message>
         <source>%1, %2 to %3</source>
-        <translation type="unfinished">%1, %2:00 bis %3 {1,?} {2 ?}</translation>
+        <translation>%1, %2 bis %3</translation>
     </message>
     <message>
         <source>%1, at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, an %2</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2 weitere</translation>
     </message>
     <message>
         <source>%1, east of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, östlich von %2</translation>
     </message>
     <message>
         <source>%1, north-east of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, nordöstlich von %2</translation>
     </message>
     <message>
         <source>%1, north of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, nördlich von %2</translation>
     </message>
     <message>
         <source>%1, north-west of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, nordwestlich von %2</translation>
     </message>
     <message>
         <source>%1, west of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, westlich von %2</translation>
     </message>
     <message>
         <source>%1, south-west of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, südwestlich von %2</translation>
     </message>
     <message>
         <source>%1, south of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, südlich von %2</translation>
     </message>
     <message>
         <source>%1, south-east of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, südöstlich von %2</translation>
     </message>
 </context>
 </TS>

@@ -2471,320 +2471,320 @@ Abre el panel Evaluación.</translation>
     </message>
     <message>
         <source>Existing</source>
-        <translation type="unfinished"></translation>
+        <translation>Existente</translation>
     </message>
     <message>
         <source>every %1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>cada %1 min</translation>
     </message>
     <message>
         <source>no refraction</source>
-        <translation type="unfinished"></translation>
+        <translation>sin refracción</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished">%1 (%2)</translation>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
     <message>
         <source>OK</source>
-        <translation type="unfinished"></translation>
+        <translation>Aceptar</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Guardar</translation>
+        <translation>Guardar</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir</translation>
     </message>
     <message>
         <source>&amp;Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sí</translation>
     </message>
     <message>
         <source>&amp;No</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;No</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Cancelar</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Cerrar</translation>
+        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Descartar</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished">Restablecer</translation>
+        <translation>Restablecer</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Ayuda</translation>
     </message>
     <message>
         <source>Retry</source>
-        <translation type="unfinished"></translation>
+        <translation>Reintentar</translation>
     </message>
     <message>
         <source>Abort</source>
-        <translation type="unfinished"></translation>
+        <translation>Abortar</translation>
     </message>
     <message>
         <source>Ignore</source>
-        <translation type="unfinished"></translation>
+        <translation>Ignorar</translation>
     </message>
 </context>
 <context>
     <name>QUndoStack</name>
     <message>
         <source>Undo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Deshacer: %1</translation>
     </message>
     <message>
         <source>Redo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rehacer: %1</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Deshacer</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rehacer</translation>
     </message>
 </context>
 <context>
     <name>Rule</name>
     <message>
         <source>Boston, Article 80 diagrams</source>
-        <translation type="unfinished"></translation>
+        <translation>Boston, diagramas del Article 80</translation>
     </message>
     <message>
         <source>Boston</source>
-        <translation type="unfinished"></translation>
+        <translation>Boston</translation>
     </message>
     <message>
         <source>Boston, Common and Garden</source>
-        <translation type="unfinished"></translation>
+        <translation>Boston, Common y Garden</translation>
     </message>
     <message>
         <source>Boston, Midtown</source>
-        <translation type="unfinished"></translation>
+        <translation>Boston, Midtown</translation>
     </message>
     <message>
         <source>BRE 209 (2022), amenity space</source>
-        <translation type="unfinished"></translation>
+        <translation>BRE 209 (2022), espacios libres</translation>
     </message>
     <message>
         <source>London</source>
-        <translation type="unfinished"></translation>
+        <translation>Londres</translation>
     </message>
     <message>
         <source>BRE 209 (2022), windows</source>
-        <translation type="unfinished"></translation>
+        <translation>BRE 209 (2022), ventanas</translation>
     </message>
     <message>
         <source>New York, CEQR chapter 8</source>
-        <translation type="unfinished"></translation>
+        <translation>Nueva York, CEQR capítulo 8</translation>
     </message>
     <message>
         <source>New York</source>
-        <translation type="unfinished"></translation>
+        <translation>Nueva York</translation>
     </message>
     <message>
         <source>China, GB 50180, sunlight of homes</source>
-        <translation type="unfinished"></translation>
+        <translation>China, GB 50180, sol en viviendas</translation>
     </message>
     <message>
         <source>China</source>
-        <translation type="unfinished"></translation>
+        <translation>China</translation>
     </message>
     <message>
         <source>EN 17037, exposure to sunlight</source>
-        <translation type="unfinished"></translation>
+        <translation>EN 17037, exposición al sol</translation>
     </message>
     <message>
         <source>Europe</source>
-        <translation type="unfinished"></translation>
+        <translation>Europa</translation>
     </message>
     <message>
         <source>Estonia, insolation of homes</source>
-        <translation type="unfinished"></translation>
+        <translation>Estonia, soleamiento de viviendas</translation>
     </message>
     <message>
         <source>Estonia</source>
-        <translation type="unfinished"></translation>
+        <translation>Estonia</translation>
     </message>
     <message>
         <source>Four days, three hours</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuatro días, tres horas</translation>
     </message>
     <message>
         <source>Philadelphia, Seattle and others</source>
-        <translation type="unfinished"></translation>
+        <translation>Filadelfia, Seattle y otras</translation>
     </message>
     <message>
         <source>Japan, Building Standards Act, table 4</source>
-        <translation type="unfinished"></translation>
+        <translation>Japón, Ley de Normas de Construcción, tabla 4</translation>
     </message>
     <message>
         <source>Japan</source>
-        <translation type="unfinished"></translation>
+        <translation>Japón</translation>
     </message>
     <message>
         <source>Korea, right to sunlight</source>
-        <translation type="unfinished"></translation>
+        <translation>Corea, derecho al sol</translation>
     </message>
     <message>
         <source>Korea</source>
-        <translation type="unfinished"></translation>
+        <translation>Corea</translation>
     </message>
     <message>
         <source>Melbourne, amendment C278</source>
-        <translation type="unfinished"></translation>
+        <translation>Melbourne, enmienda C278</translation>
     </message>
     <message>
         <source>Melbourne</source>
-        <translation type="unfinished"></translation>
+        <translation>Melbourne</translation>
     </message>
     <message>
         <source>Montreal, parks</source>
-        <translation type="unfinished"></translation>
+        <translation>Montreal, parques</translation>
     </message>
     <message>
         <source>Montreal</source>
-        <translation type="unfinished"></translation>
+        <translation>Montreal</translation>
     </message>
     <message>
         <source>Montreal, east-west streets</source>
-        <translation type="unfinished"></translation>
+        <translation>Montreal, calles este-oeste</translation>
     </message>
     <message>
         <source>New South Wales, Apartment Design Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Nueva Gales del Sur, Apartment Design Guide</translation>
     </message>
     <message>
         <source>New South Wales</source>
-        <translation type="unfinished"></translation>
+        <translation>Nueva Gales del Sur</translation>
     </message>
     <message>
         <source>A rule of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Una regla propia</translation>
     </message>
     <message>
         <source>Anywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>En cualquier lugar</translation>
     </message>
     <message>
         <source>Poland, sunlight in rooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Polonia, sol en las habitaciones</translation>
     </message>
     <message>
         <source>Poland</source>
-        <translation type="unfinished"></translation>
+        <translation>Polonia</translation>
     </message>
     <message>
         <source>Russia (central zone), share of territory</source>
-        <translation type="unfinished"></translation>
+        <translation>Rusia (zona central), parte del terreno</translation>
     </message>
     <message>
         <source>Russia</source>
-        <translation type="unfinished"></translation>
+        <translation>Rusia</translation>
     </message>
     <message>
         <source>Russia (central zone), insolation of rooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Rusia (zona central), soleamiento de habitaciones</translation>
     </message>
     <message>
         <source>San Francisco, Section 295 (Proposition K)</source>
-        <translation type="unfinished"></translation>
+        <translation>San Francisco, Section 295 (Proposition K)</translation>
     </message>
     <message>
         <source>San Francisco</source>
-        <translation type="unfinished"></translation>
+        <translation>San Francisco</translation>
     </message>
     <message>
         <source>The Hague, sunlight on facades</source>
-        <translation type="unfinished"></translation>
+        <translation>La Haya, sol en las fachadas</translation>
     </message>
     <message>
         <source>The Hague</source>
-        <translation type="unfinished"></translation>
+        <translation>La Haya</translation>
     </message>
     <message>
         <source>Netherlands, TNO light</source>
-        <translation type="unfinished"></translation>
+        <translation>Países Bajos, TNO leve</translation>
     </message>
     <message>
         <source>Netherlands</source>
-        <translation type="unfinished"></translation>
+        <translation>Países Bajos</translation>
     </message>
     <message>
         <source>Netherlands, TNO strict</source>
-        <translation type="unfinished"></translation>
+        <translation>Países Bajos, TNO estricta</translation>
     </message>
     <message>
         <source>Toronto, shadow study</source>
-        <translation type="unfinished"></translation>
+        <translation>Toronto, estudio de sombras</translation>
     </message>
     <message>
         <source>Toronto</source>
-        <translation type="unfinished"></translation>
+        <translation>Toronto</translation>
     </message>
     <message>
         <source>Vancouver, parks and schoolyards</source>
-        <translation type="unfinished"></translation>
+        <translation>Vancouver, parques y patios escolares</translation>
     </message>
     <message>
         <source>Vancouver</source>
-        <translation type="unfinished"></translation>
+        <translation>Vancouver</translation>
     </message>
     <message>
         <source>Zurich, shadow of tall buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>Zúrich, sombra de edificios altos</translation>
     </message>
     <message>
         <source>Zurich</source>
-        <translation type="unfinished"></translation>
+        <translation>Zúrich</translation>
     </message>
     <message>
         <source>United States</source>
-        <translation type="unfinished"></translation>
+        <translation>Estados Unidos</translation>
     </message>
     <message>
         <source>Britain (UK)</source>
-        <translation type="unfinished"></translation>
+        <translation>Reino Unido</translation>
     </message>
     <message>
         <source>Korea (South)</source>
-        <translation type="unfinished"></translation>
+        <translation>Corea del Sur</translation>
     </message>
     <message>
         <source>Switzerland</source>
-        <translation type="unfinished"></translation>
+        <translation>Suiza</translation>
     </message>
     <message>
         <source>Any country</source>
-        <translation type="unfinished"></translation>
+        <translation>Cualquier país</translation>
     </message>
     <message>
         <source>Canada</source>
-        <translation type="unfinished"></translation>
+        <translation>Canadá</translation>
     </message>
     <message>
         <source>Australia</source>
-        <translation type="unfinished"></translation>
+        <translation>Australia</translation>
     </message>
 </context>
 <context>
@@ -5369,219 +5369,219 @@ Abre el panel Evaluación.</translation>
     </message>
     <message>
         <source>duplicates</source>
-        <translation type="unfinished"></translation>
+        <translation>duplicados</translation>
     </message>
     <message>
         <source>Sun by place in %1</source>
-        <translation type="unfinished">Sol por lugar en %1</translation>
+        <translation>Sol por lugar en %1</translation>
     </message>
     <message>
         <source>Sun by place in %1 compared with %2</source>
-        <translation type="unfinished">Sol por lugar en %1 comparado con %2</translation>
+        <translation>Sol por lugar en %1 comparado con %2</translation>
     </message>
     <message>
         <source>%1 compared with %2</source>
-        <translation type="unfinished">%1 comparado con %2</translation>
+        <translation>%1 comparado con %2</translation>
     </message>
     <message>
         <source>Score of %1 with %2</source>
-        <translation type="unfinished">Puntuación de %1 con %2</translation>
+        <translation>Puntuación de %1 con %2</translation>
     </message>
     <message>
         <source>Study of %1</source>
-        <translation type="unfinished">Estudio de %1</translation>
+        <translation>Estudio de %1</translation>
     </message>
     <message>
         <source>Points of %1</source>
-        <translation type="unfinished">Puntos de %1</translation>
+        <translation>Puntos de %1</translation>
     </message>
     <message>
         <source>drawing diagrams</source>
-        <translation type="unfinished"></translation>
+        <translation>dibujando diagramas</translation>
     </message>
     <message>
         <source>drawing shadow fans</source>
-        <translation type="unfinished"></translation>
+        <translation>dibujando abanicos de sombra</translation>
     </message>
     <message>
         <source>drawing lines of equal hours</source>
-        <translation type="unfinished"></translation>
+        <translation>dibujando líneas de iguales horas</translation>
     </message>
     <message>
         <source>drawing views from the sun</source>
-        <translation type="unfinished"></translation>
+        <translation>dibujando vistas desde el sol</translation>
     </message>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>barriendo horizontes</translation>
     </message>
     <message>
         <source>sweeping horizons of points</source>
-        <translation type="unfinished"></translation>
+        <translation>barriendo horizontes de los puntos</translation>
     </message>
     <message>
         <source>tracing rays from points</source>
-        <translation type="unfinished"></translation>
+        <translation>trazando rayos desde los puntos</translation>
     </message>
     <message>
         <source>finding buildings in reach of the places</source>
-        <translation type="unfinished"></translation>
+        <translation>buscando edificios al alcance de los lugares</translation>
     </message>
     <message>
         <source>filling shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>rellenando sombras</translation>
     </message>
     <message>
         <source>building the ray scene</source>
-        <translation type="unfinished"></translation>
+        <translation>preparando los rayos</translation>
     </message>
     <message>
         <source>tracing rays</source>
-        <translation type="unfinished"></translation>
+        <translation>trazando rayos</translation>
     </message>
     <message>
         <source>tracing rays through single trees</source>
-        <translation type="unfinished"></translation>
+        <translation>trazando rayos por árboles sueltos</translation>
     </message>
     <message>
         <source>unpacking the archive</source>
-        <translation type="unfinished"></translation>
+        <translation>descomprimiendo el archivo</translation>
     </message>
     <message>
         <source>making the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>creando los edificios</translation>
     </message>
     <message>
         <source>reading the features</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo los objetos</translation>
     </message>
     <message>
         <source>reading the city</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo la ciudad</translation>
     </message>
     <message>
         <source>reading the map</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo el mapa</translation>
     </message>
     <message>
         <source>reading windows</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo ventanas</translation>
     </message>
     <message>
         <source>repairing outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>reparando contornos</translation>
     </message>
     <message>
         <source>making buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>creando edificios</translation>
     </message>
     <message>
         <source>they stand where the file states</source>
-        <translation type="unfinished"></translation>
+        <translation>están donde indica el archivo</translation>
     </message>
     <message>
         <source>all were shifted onto it</source>
-        <translation type="unfinished"></translation>
+        <translation>todos se desplazaron sobre él</translation>
     </message>
     <message>
         <source>each building was set down on it</source>
-        <translation type="unfinished"></translation>
+        <translation>cada edificio se asentó sobre él</translation>
     </message>
     <message>
         <source>bases of %1 lie %2 m below the terrain (median of %3, spread %4 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>las bases de %1 están %2 m bajo el terreno (mediana de %3, dispersión %4 m)</translation>
     </message>
     <message>
         <source>bases of %1 lie %2 m above the terrain (median of %3, spread %4 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>las bases de %1 están %2 m sobre el terreno (mediana de %3, dispersión %4 m)</translation>
     </message>
     <message>
         <source>%1 far from that gap were set down by themselves</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 con otra diferencia se asentaron por separado</translation>
     </message>
     <message>
         <source>%1 stay above the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 quedan sobre el suelo</translation>
     </message>
     <message>
         <source>finding the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>buscando los edificios</translation>
     </message>
     <message>
         <source>reading the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo la malla</translation>
     </message>
     <message>
         <source>making buildings of the surface model</source>
-        <translation type="unfinished"></translation>
+        <translation>creando edificios del modelo de superficie</translation>
     </message>
     <message>
         <source>reading canopy</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo el dosel</translation>
     </message>
     <message>
         <source>reading trees</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo árboles</translation>
     </message>
     <message>
         <source>joining shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>uniendo sombras</translation>
     </message>
     <message>
         <source>evaluating windows</source>
-        <translation type="unfinished"></translation>
+        <translation>evaluando ventanas</translation>
     </message>
     <message>
         <source>%1 of %2 heights are assumed (%3 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 alturas son supuestas (%3 m)</translation>
     </message>
     <message>
         <source>%1 of %2 heights are assumed (most of them %3 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 alturas son supuestas (la mayoría, %3 m)</translation>
     </message>
     <message>
         <source>Fields that could hold heights or storeys: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Campos que podrían contener alturas o plantas: %1</translation>
     </message>
     <message>
         <source>In doubt: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dudoso: %1</translation>
     </message>
     <message>
         <source>%1, %2 km from %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, a %2 km de %3, %4</translation>
     </message>
     <message>
         <source>no buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>sin edificios</translation>
     </message>
     <message>
         <source>buildings: %1, parts: %2, up to %3 m high</source>
-        <translation type="unfinished"></translation>
+        <translation>edificios: %1, partes: %2, hasta %3 m de altura</translation>
     </message>
     <message>
         <source>on a terrain</source>
-        <translation type="unfinished"></translation>
+        <translation>sobre un terreno</translation>
     </message>
     <message>
         <source>on flat ground</source>
-        <translation type="unfinished"></translation>
+        <translation>sobre suelo plano</translation>
     </message>
     <message>
         <source>summing up places</source>
-        <translation type="unfinished"></translation>
+        <translation>resumiendo lugares</translation>
     </message>
     <message>
         <source>joining the timelines</source>
-        <translation type="unfinished"></translation>
+        <translation>uniendo las cronologías</translation>
     </message>
     <message>
         <source>surveying the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>midiendo los edificios</translation>
     </message>
     <message>
         <source>writing the map</source>
-        <translation type="unfinished"></translation>
+        <translation>escribiendo el mapa</translation>
     </message>
 </context>
 <context>
@@ -5679,7 +5679,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <name>noonmark::Breakdown</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>barriendo horizontes</translation>
     </message>
 </context>
 <context>
@@ -5721,7 +5721,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <name>noonmark::BuildingAdder</name>
     <message>
         <source>finding the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>buscando los edificios</translation>
     </message>
 </context>
 <context>
@@ -5744,7 +5744,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <name>noonmark::CachedTile</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>barriendo horizontes</translation>
     </message>
 </context>
 <context>
@@ -6036,7 +6036,7 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <name>noonmark::CrownTracer</name>
     <message>
         <source>tracing rays through trees</source>
-        <translation type="unfinished"></translation>
+        <translation>trazando rayos por los árboles</translation>
     </message>
 </context>
 <context>
@@ -6691,11 +6691,11 @@ como se publicó. Aproximado: la leyenda indica el error medido</translation>
     <name>noonmark::Filming</name>
     <message>
         <source>computing the frames of the movie</source>
-        <translation type="unfinished"></translation>
+        <translation>calculando los fotogramas</translation>
     </message>
     <message>
         <source>writing the movie</source>
-        <translation type="unfinished"></translation>
+        <translation>escribiendo la película</translation>
     </message>
 </context>
 <context>
@@ -6940,7 +6940,7 @@ Un clic en una tesela selecciona su fila; un clic en una fila encuadra su ventan
     <name>noonmark::HorizonCache</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>barriendo horizontes</translation>
     </message>
 </context>
 <context>
@@ -7167,7 +7167,7 @@ La sombra continua no cambia: de ella no se deduce el tramo más largo al sol.</
     <name>noonmark::LevelOutliner</name>
     <message>
         <source>projecting shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>proyectando sombras</translation>
     </message>
 </context>
 <context>
@@ -7353,7 +7353,7 @@ Aproximado: la leyenda indica el error medido. Deshacer recupera el método ante
     <name>noonmark::MaskRun</name>
     <message>
         <source>filling shadows of places</source>
-        <translation type="unfinished"></translation>
+        <translation>rellenando sombras de los lugares</translation>
     </message>
 </context>
 <context>
@@ -7851,7 +7851,11 @@ El más bajo %3, mediana %4, el más alto %5.</numerusform>
     </message>
     <message>
         <source>Changed in reading: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiado al leer: %1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
     </message>
 </context>
 <context>
@@ -7900,7 +7904,7 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <name>noonmark::PeriodSweep</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>barriendo horizontes</translation>
     </message>
 </context>
 <context>
@@ -8103,11 +8107,11 @@ No: la posición geométrica del sol, como exigen algunas normas</translation>
     <name>noonmark::PlaceFile</name>
     <message>
         <source>reading places</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo lugares</translation>
     </message>
     <message>
         <source>repairing outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>reparando contornos</translation>
     </message>
 </context>
 <context>
@@ -8778,7 +8782,7 @@ Con árboles: %1</translation>
     <name>noonmark::PointShading</name>
     <message>
         <source>weighing crowns at points</source>
-        <translation type="unfinished"></translation>
+        <translation>ponderando copas en los puntos</translation>
     </message>
 </context>
 <context>
@@ -9665,7 +9669,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <name>noonmark::SampleProgress</name>
     <message>
         <source>measuring the error on a sample</source>
-        <translation type="unfinished"></translation>
+        <translation>midiendo el error en una muestra</translation>
     </message>
 </context>
 <context>
@@ -10428,14 +10432,14 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <name>noonmark::ShadowCache::State</name>
     <message>
         <source>filling shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>rellenando sombras</translation>
     </message>
 </context>
 <context>
     <name>noonmark::ShadowProjection</name>
     <message>
         <source>filling shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>rellenando sombras</translation>
     </message>
 </context>
 <context>
@@ -10773,7 +10777,7 @@ Elija qué, cuándo y dónde en el panel Estudio y pulse Calcular (Ctrl+R). La r
     <name>noonmark::SurfaceTracer</name>
     <message>
         <source>tracing rays</source>
-        <translation type="unfinished"></translation>
+        <translation>trazando rayos</translation>
     </message>
 </context>
 <context>
@@ -11086,7 +11090,7 @@ del año, otras tantas semanas</translation>
     <name>noonmark::Tracer</name>
     <message>
         <source>tracing rays</source>
-        <translation type="unfinished"></translation>
+        <translation>trazando rayos</translation>
     </message>
 </context>
 <context>
@@ -11585,18 +11589,18 @@ del año, otras tantas semanas</translation>
     <name>noonmark::Watch</name>
     <message>
         <source>reading the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo la imagen</translation>
     </message>
 </context>
 <context>
     <name>noonmark::Watcher</name>
     <message>
         <source>reading the terrain</source>
-        <translation type="unfinished"></translation>
+        <translation>leyendo el terreno</translation>
     </message>
     <message>
         <source>resampling the terrain</source>
-        <translation type="unfinished"></translation>
+        <translation>remuestreando el terreno</translation>
     </message>
 </context>
 <context>
@@ -12338,55 +12342,55 @@ Haga clic antes en un edificio.</translation>
     </message>
     <message>
         <source>%1, carriageway</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, calzada</translation>
     </message>
     <message>
         <source>%1, sidewalks</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, aceras</translation>
     </message>
     <message>
         <source>%1, %2 to %3</source>
-        <translation type="unfinished">%1, de %2:00 a %3 {1,?} {2 ?}</translation>
+        <translation>%1, de %2 a %3</translation>
     </message>
     <message>
         <source>%1, at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, junto a %2</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 y %2 más</translation>
     </message>
     <message>
         <source>%1, east of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, al este de %2</translation>
     </message>
     <message>
         <source>%1, north-east of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, al noreste de %2</translation>
     </message>
     <message>
         <source>%1, north of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, al norte de %2</translation>
     </message>
     <message>
         <source>%1, north-west of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, al noroeste de %2</translation>
     </message>
     <message>
         <source>%1, west of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, al oeste de %2</translation>
     </message>
     <message>
         <source>%1, south-west of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, al suroeste de %2</translation>
     </message>
     <message>
         <source>%1, south of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, al sur de %2</translation>
     </message>
     <message>
         <source>%1, south-east of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, al sureste de %2</translation>
     </message>
 </context>
 </TS>

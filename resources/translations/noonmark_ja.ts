@@ -2441,320 +2441,320 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>Existing</source>
-        <translation type="unfinished"></translation>
+        <translation>現況</translation>
     </message>
     <message>
         <source>every %1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1分ごと</translation>
     </message>
     <message>
         <source>no refraction</source>
-        <translation type="unfinished"></translation>
+        <translation>大気差なし</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished">%1（%2）</translation>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
     <message>
         <source>OK</source>
-        <translation type="unfinished"></translation>
+        <translation>OK</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">保存</translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>開く</translation>
     </message>
     <message>
         <source>&amp;Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>はい(&amp;Y)</translation>
     </message>
     <message>
         <source>&amp;No</source>
-        <translation type="unfinished"></translation>
+        <translation>いいえ(&amp;N)</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">キャンセル</translation>
+        <translation>キャンセル</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">閉じる</translation>
+        <translation>閉じる</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>破棄</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>適用</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished">リセット</translation>
+        <translation>リセット</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>ヘルプ</translation>
     </message>
     <message>
         <source>Retry</source>
-        <translation type="unfinished"></translation>
+        <translation>再試行</translation>
     </message>
     <message>
         <source>Abort</source>
-        <translation type="unfinished"></translation>
+        <translation>中止</translation>
     </message>
     <message>
         <source>Ignore</source>
-        <translation type="unfinished"></translation>
+        <translation>無視</translation>
     </message>
 </context>
 <context>
     <name>QUndoStack</name>
     <message>
         <source>Undo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻す: %1</translation>
     </message>
     <message>
         <source>Redo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>やり直し: %1</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻す</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>やり直し</translation>
     </message>
 </context>
 <context>
     <name>Rule</name>
     <message>
         <source>Boston, Article 80 diagrams</source>
-        <translation type="unfinished"></translation>
+        <translation>ボストン、Article 80の図</translation>
     </message>
     <message>
         <source>Boston</source>
-        <translation type="unfinished"></translation>
+        <translation>ボストン</translation>
     </message>
     <message>
         <source>Boston, Common and Garden</source>
-        <translation type="unfinished"></translation>
+        <translation>ボストン、コモンとガーデン</translation>
     </message>
     <message>
         <source>Boston, Midtown</source>
-        <translation type="unfinished"></translation>
+        <translation>ボストン、ミッドタウン</translation>
     </message>
     <message>
         <source>BRE 209 (2022), amenity space</source>
-        <translation type="unfinished"></translation>
+        <translation>BRE 209 (2022)、屋外空間</translation>
     </message>
     <message>
         <source>London</source>
-        <translation type="unfinished"></translation>
+        <translation>ロンドン</translation>
     </message>
     <message>
         <source>BRE 209 (2022), windows</source>
-        <translation type="unfinished"></translation>
+        <translation>BRE 209 (2022)、窓</translation>
     </message>
     <message>
         <source>New York, CEQR chapter 8</source>
-        <translation type="unfinished"></translation>
+        <translation>ニューヨーク、CEQR第8章</translation>
     </message>
     <message>
         <source>New York</source>
-        <translation type="unfinished"></translation>
+        <translation>ニューヨーク</translation>
     </message>
     <message>
         <source>China, GB 50180, sunlight of homes</source>
-        <translation type="unfinished"></translation>
+        <translation>中国、GB 50180、住宅の日照</translation>
     </message>
     <message>
         <source>China</source>
-        <translation type="unfinished"></translation>
+        <translation>中国</translation>
     </message>
     <message>
         <source>EN 17037, exposure to sunlight</source>
-        <translation type="unfinished"></translation>
+        <translation>EN 17037、日照</translation>
     </message>
     <message>
         <source>Europe</source>
-        <translation type="unfinished"></translation>
+        <translation>ヨーロッパ</translation>
     </message>
     <message>
         <source>Estonia, insolation of homes</source>
-        <translation type="unfinished"></translation>
+        <translation>エストニア、住宅の日照</translation>
     </message>
     <message>
         <source>Estonia</source>
-        <translation type="unfinished"></translation>
+        <translation>エストニア</translation>
     </message>
     <message>
         <source>Four days, three hours</source>
-        <translation type="unfinished"></translation>
+        <translation>4日、3時刻</translation>
     </message>
     <message>
         <source>Philadelphia, Seattle and others</source>
-        <translation type="unfinished"></translation>
+        <translation>フィラデルフィア、シアトルなど</translation>
     </message>
     <message>
         <source>Japan, Building Standards Act, table 4</source>
-        <translation type="unfinished"></translation>
+        <translation>日本、建築基準法別表第四</translation>
     </message>
     <message>
         <source>Japan</source>
-        <translation type="unfinished"></translation>
+        <translation>日本</translation>
     </message>
     <message>
         <source>Korea, right to sunlight</source>
-        <translation type="unfinished"></translation>
+        <translation>韓国、日照権</translation>
     </message>
     <message>
         <source>Korea</source>
-        <translation type="unfinished"></translation>
+        <translation>韓国</translation>
     </message>
     <message>
         <source>Melbourne, amendment C278</source>
-        <translation type="unfinished"></translation>
+        <translation>メルボルン、改正C278</translation>
     </message>
     <message>
         <source>Melbourne</source>
-        <translation type="unfinished"></translation>
+        <translation>メルボルン</translation>
     </message>
     <message>
         <source>Montreal, parks</source>
-        <translation type="unfinished"></translation>
+        <translation>モントリオール、公園</translation>
     </message>
     <message>
         <source>Montreal</source>
-        <translation type="unfinished"></translation>
+        <translation>モントリオール</translation>
     </message>
     <message>
         <source>Montreal, east-west streets</source>
-        <translation type="unfinished"></translation>
+        <translation>モントリオール、東西の通り</translation>
     </message>
     <message>
         <source>New South Wales, Apartment Design Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>ニューサウスウェールズ、Apartment Design Guide</translation>
     </message>
     <message>
         <source>New South Wales</source>
-        <translation type="unfinished"></translation>
+        <translation>ニューサウスウェールズ</translation>
     </message>
     <message>
         <source>A rule of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>独自の規則</translation>
     </message>
     <message>
         <source>Anywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての場所</translation>
     </message>
     <message>
         <source>Poland, sunlight in rooms</source>
-        <translation type="unfinished"></translation>
+        <translation>ポーランド、居室の日照</translation>
     </message>
     <message>
         <source>Poland</source>
-        <translation type="unfinished"></translation>
+        <translation>ポーランド</translation>
     </message>
     <message>
         <source>Russia (central zone), share of territory</source>
-        <translation type="unfinished"></translation>
+        <translation>ロシア（中部）、敷地の割合</translation>
     </message>
     <message>
         <source>Russia</source>
-        <translation type="unfinished"></translation>
+        <translation>ロシア</translation>
     </message>
     <message>
         <source>Russia (central zone), insolation of rooms</source>
-        <translation type="unfinished"></translation>
+        <translation>ロシア（中部）、居室の日照</translation>
     </message>
     <message>
         <source>San Francisco, Section 295 (Proposition K)</source>
-        <translation type="unfinished"></translation>
+        <translation>サンフランシスコ、Section 295 (Proposition K)</translation>
     </message>
     <message>
         <source>San Francisco</source>
-        <translation type="unfinished"></translation>
+        <translation>サンフランシスコ</translation>
     </message>
     <message>
         <source>The Hague, sunlight on facades</source>
-        <translation type="unfinished"></translation>
+        <translation>ハーグ、ファサードの日照</translation>
     </message>
     <message>
         <source>The Hague</source>
-        <translation type="unfinished"></translation>
+        <translation>ハーグ</translation>
     </message>
     <message>
         <source>Netherlands, TNO light</source>
-        <translation type="unfinished"></translation>
+        <translation>オランダ、TNO light</translation>
     </message>
     <message>
         <source>Netherlands</source>
-        <translation type="unfinished"></translation>
+        <translation>オランダ</translation>
     </message>
     <message>
         <source>Netherlands, TNO strict</source>
-        <translation type="unfinished"></translation>
+        <translation>オランダ、TNO strict</translation>
     </message>
     <message>
         <source>Toronto, shadow study</source>
-        <translation type="unfinished"></translation>
+        <translation>トロント、日影検討</translation>
     </message>
     <message>
         <source>Toronto</source>
-        <translation type="unfinished"></translation>
+        <translation>トロント</translation>
     </message>
     <message>
         <source>Vancouver, parks and schoolyards</source>
-        <translation type="unfinished"></translation>
+        <translation>バンクーバー、公園と校庭</translation>
     </message>
     <message>
         <source>Vancouver</source>
-        <translation type="unfinished"></translation>
+        <translation>バンクーバー</translation>
     </message>
     <message>
         <source>Zurich, shadow of tall buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>チューリッヒ、高層建物の影</translation>
     </message>
     <message>
         <source>Zurich</source>
-        <translation type="unfinished"></translation>
+        <translation>チューリッヒ</translation>
     </message>
     <message>
         <source>United States</source>
-        <translation type="unfinished"></translation>
+        <translation>アメリカ合衆国</translation>
     </message>
     <message>
         <source>Britain (UK)</source>
-        <translation type="unfinished"></translation>
+        <translation>イギリス</translation>
     </message>
     <message>
         <source>Korea (South)</source>
-        <translation type="unfinished"></translation>
+        <translation>韓国</translation>
     </message>
     <message>
         <source>Switzerland</source>
-        <translation type="unfinished"></translation>
+        <translation>スイス</translation>
     </message>
     <message>
         <source>Any country</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての国</translation>
     </message>
     <message>
         <source>Canada</source>
-        <translation type="unfinished"></translation>
+        <translation>カナダ</translation>
     </message>
     <message>
         <source>Australia</source>
-        <translation type="unfinished"></translation>
+        <translation>オーストラリア</translation>
     </message>
 </context>
 <context>
@@ -5339,219 +5339,219 @@ Opens the panel Review.</source>
     </message>
     <message>
         <source>duplicates</source>
-        <translation type="unfinished"></translation>
+        <translation>重複</translation>
     </message>
     <message>
         <source>Sun by place in %1</source>
-        <translation type="unfinished">%1 の場所別の日照</translation>
+        <translation>%1 の場所別の日照</translation>
     </message>
     <message>
         <source>Sun by place in %1 compared with %2</source>
-        <translation type="unfinished">%1 と %2 の場所別の日照の比較</translation>
+        <translation>%1 と %2 の場所別の日照の比較</translation>
     </message>
     <message>
         <source>%1 compared with %2</source>
-        <translation type="unfinished">%1 と %2 の比較</translation>
+        <translation>%1 と %2 の比較</translation>
     </message>
     <message>
         <source>Score of %1 with %2</source>
-        <translation type="unfinished">%1 のスコア (%2)</translation>
+        <translation>%1 のスコア (%2)</translation>
     </message>
     <message>
         <source>Study of %1</source>
-        <translation type="unfinished">%1 の検討</translation>
+        <translation>%1 の検討</translation>
     </message>
     <message>
         <source>Points of %1</source>
-        <translation type="unfinished">%1の点</translation>
+        <translation>%1の点</translation>
     </message>
     <message>
         <source>drawing diagrams</source>
-        <translation type="unfinished"></translation>
+        <translation>図を描いています</translation>
     </message>
     <message>
         <source>drawing shadow fans</source>
-        <translation type="unfinished"></translation>
+        <translation>影の扇を描いています</translation>
     </message>
     <message>
         <source>drawing lines of equal hours</source>
-        <translation type="unfinished"></translation>
+        <translation>等時間線を描いています</translation>
     </message>
     <message>
         <source>drawing views from the sun</source>
-        <translation type="unfinished"></translation>
+        <translation>太陽からの眺めを描いています</translation>
     </message>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>地平線を走査しています</translation>
     </message>
     <message>
         <source>sweeping horizons of points</source>
-        <translation type="unfinished"></translation>
+        <translation>点の地平線を走査しています</translation>
     </message>
     <message>
         <source>tracing rays from points</source>
-        <translation type="unfinished"></translation>
+        <translation>点から光線を追跡しています</translation>
     </message>
     <message>
         <source>finding buildings in reach of the places</source>
-        <translation type="unfinished"></translation>
+        <translation>場所に届く建物を探しています</translation>
     </message>
     <message>
         <source>filling shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>影を塗っています</translation>
     </message>
     <message>
         <source>building the ray scene</source>
-        <translation type="unfinished"></translation>
+        <translation>光線の準備をしています</translation>
     </message>
     <message>
         <source>tracing rays</source>
-        <translation type="unfinished"></translation>
+        <translation>光線を追跡しています</translation>
     </message>
     <message>
         <source>tracing rays through single trees</source>
-        <translation type="unfinished"></translation>
+        <translation>単木を通る光線を追跡しています</translation>
     </message>
     <message>
         <source>unpacking the archive</source>
-        <translation type="unfinished"></translation>
+        <translation>アーカイブを展開しています</translation>
     </message>
     <message>
         <source>making the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物を作成しています</translation>
     </message>
     <message>
         <source>reading the features</source>
-        <translation type="unfinished"></translation>
+        <translation>地物を読み込んでいます</translation>
     </message>
     <message>
         <source>reading the city</source>
-        <translation type="unfinished"></translation>
+        <translation>都市を読み込んでいます</translation>
     </message>
     <message>
         <source>reading the map</source>
-        <translation type="unfinished"></translation>
+        <translation>地図を読み込んでいます</translation>
     </message>
     <message>
         <source>reading windows</source>
-        <translation type="unfinished"></translation>
+        <translation>窓を読み込んでいます</translation>
     </message>
     <message>
         <source>repairing outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭を修復しています</translation>
     </message>
     <message>
         <source>making buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物を作成しています</translation>
     </message>
     <message>
         <source>they stand where the file states</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルに記載の位置にあります</translation>
     </message>
     <message>
         <source>all were shifted onto it</source>
-        <translation type="unfinished"></translation>
+        <translation>すべて地形上に移動しました</translation>
     </message>
     <message>
         <source>each building was set down on it</source>
-        <translation type="unfinished"></translation>
+        <translation>各建物を地形上に置きました</translation>
     </message>
     <message>
         <source>bases of %1 lie %2 m below the terrain (median of %3, spread %4 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の基部は地形より%2 m低い（%3棟の中央値、ばらつき%4 m）</translation>
     </message>
     <message>
         <source>bases of %1 lie %2 m above the terrain (median of %3, spread %4 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の基部は地形より%2 m高い（%3棟の中央値、ばらつき%4 m）</translation>
     </message>
     <message>
         <source>%1 far from that gap were set down by themselves</source>
-        <translation type="unfinished"></translation>
+        <translation>差が大きく異なる%1棟は個別に置きました</translation>
     </message>
     <message>
         <source>%1 stay above the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>%1棟は地面より上に残ります</translation>
     </message>
     <message>
         <source>finding the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物を探しています</translation>
     </message>
     <message>
         <source>reading the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュを読み込んでいます</translation>
     </message>
     <message>
         <source>making buildings of the surface model</source>
-        <translation type="unfinished"></translation>
+        <translation>地表モデルから建物を作成しています</translation>
     </message>
     <message>
         <source>reading canopy</source>
-        <translation type="unfinished"></translation>
+        <translation>樹冠を読み込んでいます</translation>
     </message>
     <message>
         <source>reading trees</source>
-        <translation type="unfinished"></translation>
+        <translation>樹木を読み込んでいます</translation>
     </message>
     <message>
         <source>joining shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>影を結合しています</translation>
     </message>
     <message>
         <source>evaluating windows</source>
-        <translation type="unfinished"></translation>
+        <translation>窓を評価しています</translation>
     </message>
     <message>
         <source>%1 of %2 heights are assumed (%3 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 の高さは仮定です（%3 m）</translation>
     </message>
     <message>
         <source>%1 of %2 heights are assumed (most of them %3 m)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 の高さは仮定です（多くは%3 m）</translation>
     </message>
     <message>
         <source>Fields that could hold heights or storeys: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>高さまたは階数かもしれない項目: %1</translation>
     </message>
     <message>
         <source>In doubt: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不確か: %1</translation>
     </message>
     <message>
         <source>%1, %2 km from %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、%3 (%4) から%2 km</translation>
     </message>
     <message>
         <source>no buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物なし</translation>
     </message>
     <message>
         <source>buildings: %1, parts: %2, up to %3 m high</source>
-        <translation type="unfinished"></translation>
+        <translation>建物: %1、部分: %2、高さ最大%3 m</translation>
     </message>
     <message>
         <source>on a terrain</source>
-        <translation type="unfinished"></translation>
+        <translation>地形の上</translation>
     </message>
     <message>
         <source>on flat ground</source>
-        <translation type="unfinished"></translation>
+        <translation>平らな地面の上</translation>
     </message>
     <message>
         <source>summing up places</source>
-        <translation type="unfinished"></translation>
+        <translation>場所を集計しています</translation>
     </message>
     <message>
         <source>joining the timelines</source>
-        <translation type="unfinished"></translation>
+        <translation>時系列を結合しています</translation>
     </message>
     <message>
         <source>surveying the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物を計測しています</translation>
     </message>
     <message>
         <source>writing the map</source>
-        <translation type="unfinished"></translation>
+        <translation>地図を書き出しています</translation>
     </message>
 </context>
 <context>
@@ -5649,7 +5649,7 @@ as published. Approximate: the legend states the measured error</source>
     <name>noonmark::Breakdown</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>地平線を走査しています</translation>
     </message>
 </context>
 <context>
@@ -5691,7 +5691,7 @@ as published. Approximate: the legend states the measured error</source>
     <name>noonmark::BuildingAdder</name>
     <message>
         <source>finding the buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物を探しています</translation>
     </message>
 </context>
 <context>
@@ -5713,7 +5713,7 @@ as published. Approximate: the legend states the measured error</source>
     <name>noonmark::CachedTile</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>地平線を走査しています</translation>
     </message>
 </context>
 <context>
@@ -6005,7 +6005,7 @@ as published. Approximate: the legend states the measured error</source>
     <name>noonmark::CrownTracer</name>
     <message>
         <source>tracing rays through trees</source>
-        <translation type="unfinished"></translation>
+        <translation>樹木を通る光線を追跡しています</translation>
     </message>
 </context>
 <context>
@@ -6655,11 +6655,11 @@ as published. Approximate: the legend states the measured error</source>
     <name>noonmark::Filming</name>
     <message>
         <source>computing the frames of the movie</source>
-        <translation type="unfinished"></translation>
+        <translation>動画のコマを計算しています</translation>
     </message>
     <message>
         <source>writing the movie</source>
-        <translation type="unfinished"></translation>
+        <translation>動画を書き出しています</translation>
     </message>
 </context>
 <context>
@@ -6904,7 +6904,7 @@ A click on a tile selects its row, a click on a row frames its window.</source>
     <name>noonmark::HorizonCache</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>地平線を走査しています</translation>
     </message>
 </context>
 <context>
@@ -7131,7 +7131,7 @@ Continuous shadow stays as it is: the longest run in the sun does not follow fro
     <name>noonmark::LevelOutliner</name>
     <message>
         <source>projecting shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>影を投影しています</translation>
     </message>
 </context>
 <context>
@@ -7317,7 +7317,7 @@ Approximate: the legend states the measured error. Undo takes the method of the 
     <name>noonmark::MaskRun</name>
     <message>
         <source>filling shadows of places</source>
-        <translation type="unfinished"></translation>
+        <translation>場所の影を塗っています</translation>
     </message>
 </context>
 <context>
@@ -7809,7 +7809,11 @@ Lowest %3, median %4, tallest %5.</source>
     </message>
     <message>
         <source>Changed in reading: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>読み込み時の変更: %1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>なし</translation>
     </message>
 </context>
 <context>
@@ -7858,7 +7862,7 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <name>noonmark::PeriodSweep</name>
     <message>
         <source>sweeping horizons</source>
-        <translation type="unfinished"></translation>
+        <translation>地平線を走査しています</translation>
     </message>
 </context>
 <context>
@@ -8060,11 +8064,11 @@ Off: the sun&apos;s geometric position, as some rules require</source>
     <name>noonmark::PlaceFile</name>
     <message>
         <source>reading places</source>
-        <translation type="unfinished"></translation>
+        <translation>場所を読み込んでいます</translation>
     </message>
     <message>
         <source>repairing outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭を修復しています</translation>
     </message>
 </context>
 <context>
@@ -8730,7 +8734,7 @@ With trees: %1</source>
     <name>noonmark::PointShading</name>
     <message>
         <source>weighing crowns at points</source>
-        <translation type="unfinished"></translation>
+        <translation>点での樹冠を評価しています</translation>
     </message>
 </context>
 <context>
@@ -9614,7 +9618,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <name>noonmark::SampleProgress</name>
     <message>
         <source>measuring the error on a sample</source>
-        <translation type="unfinished"></translation>
+        <translation>標本で誤差を測定しています</translation>
     </message>
 </context>
 <context>
@@ -10375,14 +10379,14 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <name>noonmark::ShadowCache::State</name>
     <message>
         <source>filling shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>影を塗っています</translation>
     </message>
 </context>
 <context>
     <name>noonmark::ShadowProjection</name>
     <message>
         <source>filling shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>影を塗っています</translation>
     </message>
 </context>
 <context>
@@ -10720,7 +10724,7 @@ Choose what, when and where in the dock Study, and press Run study (Ctrl+R). The
     <name>noonmark::SurfaceTracer</name>
     <message>
         <source>tracing rays</source>
-        <translation type="unfinished"></translation>
+        <translation>光線を追跡しています</translation>
     </message>
 </context>
 <context>
@@ -11033,7 +11037,7 @@ of the year, as many weeks</source>
     <name>noonmark::Tracer</name>
     <message>
         <source>tracing rays</source>
-        <translation type="unfinished"></translation>
+        <translation>光線を追跡しています</translation>
     </message>
 </context>
 <context>
@@ -11527,18 +11531,18 @@ of the year, as many weeks</source>
     <name>noonmark::Watch</name>
     <message>
         <source>reading the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>画像を読み込んでいます</translation>
     </message>
 </context>
 <context>
     <name>noonmark::Watcher</name>
     <message>
         <source>reading the terrain</source>
-        <translation type="unfinished"></translation>
+        <translation>地形を読み込んでいます</translation>
     </message>
     <message>
         <source>resampling the terrain</source>
-        <translation type="unfinished"></translation>
+        <translation>地形を再標本化しています</translation>
     </message>
 </context>
 <context>
@@ -12280,55 +12284,55 @@ Click a building first.</source>
     </message>
     <message>
         <source>%1, carriageway</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、車道</translation>
     </message>
     <message>
         <source>%1, sidewalks</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、歩道</translation>
     </message>
     <message>
         <source>%1, %2 to %3</source>
-        <translation type="unfinished">%1、%2:00 から %3 {1,?} {2 ?}</translation>
+        <translation>%1、%2から%3まで</translation>
     </message>
     <message>
         <source>%1, at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、%2付近</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ほか%2件</translation>
     </message>
     <message>
         <source>%1, east of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、%2の東</translation>
     </message>
     <message>
         <source>%1, north-east of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、%2の北東</translation>
     </message>
     <message>
         <source>%1, north of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、%2の北</translation>
     </message>
     <message>
         <source>%1, north-west of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、%2の北西</translation>
     </message>
     <message>
         <source>%1, west of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、%2の西</translation>
     </message>
     <message>
         <source>%1, south-west of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、%2の南西</translation>
     </message>
     <message>
         <source>%1, south of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、%2の南</translation>
     </message>
     <message>
         <source>%1, south-east of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、%2の南東</translation>
     </message>
 </context>
 </TS>

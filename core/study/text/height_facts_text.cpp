@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Amount amountOf(std::size_t count) { return {double(count), FigureUnit::none, 0}; }
+Amount countAmount(std::size_t count) { return {double(count), FigureUnit::none, 0}; }
 
 HeightField heightFieldFrom(const Json& json) {
     return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
@@ -124,7 +124,7 @@ std::optional<Sentence> describeAssumed(const HeightCounts& counts) {
     constexpr int decimals = 2;
     return Sentence{counts.assumedAlike ? NM_TEXT("%1 of %2 heights are assumed (%3 m)")
                                         : NM_TEXT("%1 of %2 heights are assumed (most of them %3 m)"),
-                    {amountOf(counts.of(HeightSource::assumed)), amountOf(counts.parts),
+                    {countAmount(counts.of(HeightSource::assumed)), countAmount(counts.parts),
                      Amount{counts.assumedM, FigureUnit::none, decimals}}};
 }
 
@@ -229,7 +229,7 @@ Sentence describeSize(const City& city) {
         tallestM = std::max(tallestM, heightM(*building, city));
     }
     return {NM_TEXT("buildings: %1, parts: %2, up to %3 m high"),
-            {amountOf(city.buildings.size()), amountOf(parts), Amount{tallestM}}};
+            {countAmount(city.buildings.size()), countAmount(parts), Amount{tallestM}}};
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ QString describeWhen(const Period& period) {
     return QObject::tr("%1, %2").arg(days, describeHoursOfDay(period));
 }
 
-QString describePeriod(const Period& period) {
+QString periodText(const Period& period) {
     const bool isMoment = !period.window && period.hours == 0;
     QStringList parts{describeWhen(period)};
     if (!isMoment) parts << QObject::tr("every %1 min").arg(formatShort(period.stepMinutes, 3));
@@ -163,10 +163,10 @@ std::optional<Period> parsePeriod(const QString& stated) {
 
 }  // namespace
 
-QString describePeriod(const std::string& stated) {
+QString periodText(const std::string& stated) {
     const QString text = QString::fromStdString(stated);
     const auto period = parsePeriod(text);
-    return period ? describePeriod(*period) : text;
+    return period ? periodText(*period) : text;
 }
 
 QDate parseDay(const QString& text, QDate shown) {

@@ -60,9 +60,9 @@ QString longDate();   ///< "21 March 2026"
 QString describeWhen(const Period& period);
 
 /// The same with its step and zone: "21 March 2026, 09:00 to 15:00, every 1 min, Europe/Berlin".
-QString describePeriod(const Period& period);
+QString periodText(const Period& period);
 /// The same of a text of formatText(Period), as answers and projects state it; another text stays as it is.
-QString describePeriod(const std::string& stated);
+QString periodText(const std::string& stated);
 
 /// "+" before the text of a value above zero, but not where it states zero as rounded.
 QString withPlus(double value, const QString& text);

@@ -178,7 +178,7 @@ ContributionSheet makeContributionSheet(const Study& study, const PlaceContribut
     const QString itself = describeTime(of.studyMinM2 / cellDays, study.field.sunlitMinutesPerDay, show);
     sheet.note = QObject::tr("%1 cell(s); in the study itself %2.", "", pluralNumber(of.cells))
                      .arg(formatCount(of.cells), itself) +
-                 QLatin1Char(' ') + describePeriod(of.period);
+                 QLatin1Char(' ') + periodText(of.period);
     sheet.method =
         QObject::tr("Attributed by: %1\nThe study: %2")
             .arg(QString::fromStdString(of.breakdown.engine), QString::fromStdString(study.field.engine));

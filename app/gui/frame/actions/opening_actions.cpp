@@ -249,7 +249,8 @@ QString OpeningActions::describeReading() const {
     for (const Sentence& fact : listFacts(city)) facts << sentenceText(fact);
     for (const ReadingChange& change : countChanges(city.warnings))
         changes << QStringLiteral("%1 %2").arg(formatCount(change.count), translated(change.kind));
-    if (!changes.isEmpty()) facts << tr("Changed in reading: %1").arg(changes.join(QStringLiteral(", ")));
+    facts << tr("Changed in reading: %1")
+                 .arg(changes.isEmpty() ? tr("nothing") : changes.join(QStringLiteral(", ")));
     return facts.join(QStringLiteral(". ")) + u'.';
 }
 

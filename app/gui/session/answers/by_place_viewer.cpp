@@ -151,7 +151,7 @@ std::vector<ResultRow> makeRows(const PlaceFigures& shown, ShownAs show) {
                    QObject::tr("The place with least sun in the mean"), sun, false, as),
         extremeRow(as.isSun() ? QObject::tr("Most sun") : QObject::tr("Least shadow"),
                    QObject::tr("The place with most sun in the mean"), sun, true, as)};
-    rows.push_back(methodRow(QObject::tr("Period"), describePeriod(shown.period)));
+    rows.push_back(methodRow(QObject::tr("Period"), periodText(shown.period)));
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
                              describeSteps(shown.belowHorizon)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(shown.engine)));

@@ -77,7 +77,7 @@ std::vector<ResultRow> makeRows(const ComparisonFigures& figures, ShownAs show) 
              "Minutes of the first minus minutes of the second, with the same engine, steps and cells")}};
     for (ResultRow& row : figureRows(listLines(figures, show))) rows.push_back(std::move(row));
     addBuildings(rows, figures, show);
-    rows.push_back(methodRow(QObject::tr("Period"), describePeriod(figures.period)));
+    rows.push_back(methodRow(QObject::tr("Period"), periodText(figures.period)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(figures.engine),
                              QObject::tr("Used for both")));
     addErrors(rows, figures.errors);
@@ -158,7 +158,7 @@ std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scen
                     {}});
     addMonths(rows, score, show);
     addIntervals(rows, score, show);
-    rows.push_back(methodRow(QObject::tr("Period"), describePeriod(period)));
+    rows.push_back(methodRow(QObject::tr("Period"), periodText(period)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(score.engine)));
     addErrors(rows, score.errors);
     return rows;

@@ -127,7 +127,7 @@ std::vector<ResultRow> makeRows(const StudyFigures& figures, ShownAs show) {
     rows.push_back({QObject::tr("Sunlit time"),
                     formatAmount(figures.sunlitMinutesPerDay) + QObject::tr(" min/day"),
                     QObject::tr("Mean minutes a day with the sun above the horizon: 100 % of the time")});
-    rows.push_back(methodRow(QObject::tr("Period"), describePeriod(figures.period)));
+    rows.push_back(methodRow(QObject::tr("Period"), periodText(figures.period)));
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(figures.steps),
                              describeSteps(figures.belowHorizon)));
     rows.push_back(methodRow(QObject::tr("Engine"), QString::fromStdString(figures.engine)));
@@ -190,7 +190,7 @@ const AnswerViewer& pointsViewer() {
 std::vector<ResultRow> makeRows(const PointFigures& shown, ShownAs show) {
     std::vector<ResultRow> rows =
         figureRows(listElementLines(shown.figures, shown.withTrees, {.show = show}));
-    rows.push_back(methodRow(QObject::tr("Period"), describePeriod(shown.period)));
+    rows.push_back(methodRow(QObject::tr("Period"), periodText(shown.period)));
     rows.push_back(methodRow(QObject::tr("Steps of the sun"), formatCount(shown.steps),
                              describeSteps(shown.belowHorizon)));
     rows.push_back(
